@@ -17,7 +17,7 @@
 #include <iterator>
 #include <string>
 
-/// What tests of AdrInput do to its window.
+/// Actions of AdrInput tests on its window.
 namespace adore::adrinput {
 
 using test::take_message;
@@ -50,7 +50,7 @@ inline QLineEdit* line_of(DeckWindow& window, const char* name) {
   return line;
 }
 
-/// What stands beside it: the value in other units, and what it stands for.
+/// Note next to the field: the value in other units and its meaning.
 inline QString beside(DeckWindow& window, const char* name) {
   auto* label = window.page()->findChild<QLabel*>(QString("other-") + name);
   REQUIRE(label != nullptr);

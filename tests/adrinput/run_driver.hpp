@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-/// What tests of runs do to AdrInput's window.
+/// Actions of run tests on AdrInput's window.
 namespace adore::adrinput {
 
 using Launches = std::vector<std::pair<QString, QStringList>>;
@@ -58,7 +58,7 @@ struct QtInUse {
   QtInUse() { test::use_qt(); }
 };
 
-/// A window that runs decks in a folder of its own, and what it would have opened.
+/// A window that runs decks in a separate folder, and the files that it would open.
 struct RunBench : QtInUse {
   QTemporaryDir folder;
   DeckWindow window;

@@ -197,7 +197,7 @@ TEST_CASE("opening: dropped and recent decks, folders, files that are none", "[g
   }
   CHECK(window.document().deck() == deck::new_deck("tapered"));
   CHECK(window.windowTitle().contains("/DATA.txt"));
-  // A dock that floats is a window of its own.
+  // A floating dock is a separate window.
   const auto docks = window.findChildren<QDockWidget*>();
   REQUIRE(docks.size() >= 3);
   for (QDockWidget* dock : docks) {

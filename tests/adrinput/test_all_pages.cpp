@@ -209,7 +209,7 @@ TEST_CASE("every record of the schema: its page is built, edited by typing, and 
           const deck::Deck before = document.deck();
           CHECK(type_into(window, at));
           ++edited;
-          // Saved as a user does, or, where the typed value makes no bearing, as it stands.
+          // Saved as by a user, or unchanged if the typed value makes no valid bearing.
           bool refused = document.has_errors();
           if (!refused) try {
               document.save(path);
@@ -255,7 +255,7 @@ TEST_CASE("no text is cut off at the sizes people have", "[gui][adrinput][slow][
       for (const std::string& record : window.document().pages()) {
         window.showRecord(record);
         QCoreApplication::processEvents();
-        // What a thread finds meanwhile (seconds beside fTime) is laid out anew a moment later.
+        // Results of a thread (seconds next to fTime) are laid out a moment later.
         const auto cut = [](const QLabel* label) {
           return label->isVisible() && label->height() < label->heightForWidth(label->width());
         };

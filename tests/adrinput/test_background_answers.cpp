@@ -28,7 +28,7 @@
 #include <chrono>
 #include <thread>
 
-/// What is found out in the background, of which deck.
+/// Results of background work and the deck that they belong to.
 using namespace adore;
 using namespace adore::adrinput;
 
@@ -53,7 +53,7 @@ TEST_CASE("another deck has nothing of what was computed for the one before",
       CHECK_FALSE(note->text().contains("the deck has changed"));
     }
   }
-  // One that is still computed is of the deck that was there.
+  // A result still in progress belongs to the earlier deck.
   window.runQuasiStatic();
   window.newDeck("tapered");
   REQUIRE(QTest::qWaitFor([&] { return !window.staticsPanel().busy(); }, 60000));
@@ -230,7 +230,7 @@ TEST_CASE("an accuracy study shows its rows, and its advice goes into the deck",
   window.undo();
   CHECK(window.document().deck().integer("intMet") == 5);
 
-  // What changes while a study goes on leaves its end with the deck that it is of.
+  // Changes during a study do not affect the deck of its result.
   const QTemporaryDir folder;
   const std::filesystem::path file = folder.filePath("DATA.txt").toStdString();
   window.document().save(file);
@@ -295,7 +295,7 @@ TEST_CASE(
   window.undo();
   window.undo();
   CHECK(says("Ready to run"));
-  // A run to go on with that is not there, until there is one.
+  // A missing run to continue, until there is one.
   window.newDeck("ball");
   for (const auto& [name, value] :
        {std::pair{"maxStps", "4"}, std::pair{"kIcOpt", "1"}, std::pair{"kAGraf", "0"}})
@@ -352,7 +352,7 @@ TEST_CASE("adrinput: files changed by a finished run → check is repeated, old 
   CHECK(answers == 0);
   check.ask(asked);
   check.forget();
-  check.ask(asked);  // the same deck beside other files
+  check.ask(asked);  // the same deck with other files in its folder
   wait();
   CHECK(answers == 1);
 }

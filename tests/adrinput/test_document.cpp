@@ -75,7 +75,7 @@ TEST_CASE("three times a number in a vector of three is asked back: decks mean t
   CHECK(asked.message == "is ambiguous: a product or, as in a deck, 3 values");
   CHECK(asked.remedy == "write 4e-4*3 for the product, or 4e-4 in each of the 3 fields");
   CHECK(problem_of("cageGcPos", 0, " 2*0,0004 "));
-  // What cannot be several values here is a product, and so is what a deck would not say like this.
+  // A list that is invalid here is a product, also one in a form that decks do not use.
   Cell last = cell("cageGcPos");
   while (value_at(document.deck(), {last.record, 1, last.variable, last.element + 1}) != nullptr)
     ++last.element;
@@ -380,7 +380,7 @@ TEST_CASE("numbers given in other units go back with them, also from a draft of 
     CHECK(one->deck().real("pitchDia") == Approx(2.5 * 0.0254));
     CHECK(one->deck().real("brgBore") == bore);
   }
-  // The question stands in the draft, too.
+  // The draft has the question, too.
   Document asked;
   document.edit(cell("kUnit"), "2");
   document.type(cell("pitchDia"), "2.5");

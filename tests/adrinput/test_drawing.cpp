@@ -187,7 +187,7 @@ TEST_CASE("the drawing in dark and light, hidden and shown", "[gui][adrinput][dr
   window.switchTheme();
   const QImage dark = picture_of(panel.picture());
   CHECK(dark.pixelColor(4, 40).lightness() < 80);
-  // What a search found keeps its contrast, too.
+  // Search results keep their contrast, too.
   auto* query = window.findChild<QLineEdit*>("search");
   REQUIRE(query != nullptr);
   query->setText("breLen");

@@ -56,7 +56,7 @@ TEST_CASE("adrinput: full disk → error message, old deck and typed values kept
   window.save();
   CHECK(take_message(window).toStdString() == "");
   CHECK(bytes_of(path) != old);
-  // Undo goes on over the save.
+  // Undo continues across the save.
   window.undo();
   CHECK(window.document().deck().real("brgBore") != 0.041);
   CHECK(window.document().modified());

@@ -16,7 +16,7 @@
 #include <QToolButton>
 #include <catch2/catch.hpp>
 
-/// What is typed is taken as it is meant, in units of choice.
+/// Typed values are read with the selected units.
 using namespace adore;
 using namespace adore::adrinput;
 
@@ -30,7 +30,7 @@ TEST_CASE("a half-typed quantity is never a value; the whole one is, in the deck
   QTest::keyClicks(line, "12.8");
   CHECK(window.document().deck().real("bReDia") == 0.0127);
   QTest::keyClicks(line, " m");
-  CHECK(beside(window, "bReDia") == "= 12.8 m");  // what it would be is seen before it is taken
+  CHECK(beside(window, "bReDia") == "= 12.8 m");  // the new value is shown before it is accepted
   QTest::keyClicks(line, "m");
   CHECK(beside(window, "bReDia") == "= 0.0128 m");
   CHECK(window.document().deck().real("bReDia") == 0.0127);
@@ -167,7 +167,7 @@ TEST_CASE(
     return scales ? window.document().deck().real("fTime") * scales->time * scales->turns_per_second
                   : 0.0;
   };
-  // The error: one that has no part in the scale stays; of the others the last is mended first.
+  // The error that is not in the scale remains; of the others the last is corrected first.
   struct Error {
     const char *name, *wrong, *right;
   };

@@ -241,7 +241,7 @@ TEST_CASE("run options: page, ADORE.json in the deck folder, unknown names kept"
       CHECK(line->text().toStdString() == info.default_value);
     }
     window.document().save(path);
-    CHECK_FALSE(fs::exists(file));  // nothing to say
+    CHECK_FALSE(fs::exists(file));  // no messages
     replace_text(line_of(window, option("lifeSkip")), "2,5");
     CHECK(line_of(window, option("lifeSkip"))->text() == "2.5");
     replace_text(line_of(window, option("rollerSlices")), "4000");
@@ -289,7 +289,7 @@ TEST_CASE("run options: page, ADORE.json in the deck folder, unknown names kept"
        {"myNote", "\"by\"", "\"ellipseMinor\": 6", "lifeElement", "\"landSlices\": 7"})
     CHECK(text.find(part) != std::string::npos);
 
-  // A file that is no JSON is left alone, then kept when an option is set.
+  // A file that is not JSON is unchanged, then kept as a copy when an option is set.
   std::ofstream(file) << "{ not json";
   {
     DeckWindow window;
@@ -374,7 +374,7 @@ TEST_CASE("run options that take words are chosen, times have units, effects hav
   CHECK(line_of(window, option("effectsOff"))->text() == "gravity,momentum ledger");
   window.document().edit(cell("mode"), "-1");
   window.document().check_model();
-  CHECK(names().size() == 2);  // what is left out already can be taken back
+  CHECK(names().size() == 2);  // effects that are already off can be switched on again
 }
 
 TEST_CASE("lines of user routines are edited as they are and written unchanged",

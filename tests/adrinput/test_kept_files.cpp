@@ -13,7 +13,7 @@
 
 #include <fstream>
 
-/// What saving keeps: drafts, remarks, copies.
+/// Data that saving keeps: drafts, remarks, copies.
 using namespace adore;
 using namespace adore::adrinput;
 namespace fs = std::filesystem;
@@ -51,7 +51,7 @@ TEST_CASE("a deck with an error is parked as a draft and comes back as it was",
   REQUIRE(box != nullptr);
   REQUIRE(box->findChild<QPushButton*>("park-draft") != nullptr);
   box->close();
-  // A file that goes is told.
+  // A deleted file is reported.
   window.document().save_draft(draft.toStdString());
   REQUIRE(fs::exists(draft.toStdString()));
   replace_text(line_of(window, "bReDia"), "12.8 mm");

@@ -15,7 +15,7 @@
 
 #include <fstream>
 
-/// Letters with Alt choose one thing, whatever a window shows.
+/// Each Alt letter selects one element, in every state of a window.
 using namespace adore;
 using namespace adore::adrinput;
 

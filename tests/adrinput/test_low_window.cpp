@@ -34,8 +34,7 @@ void solve(DeckWindow& window) {
 TEST_CASE("adrinput: no dock, solution, panel or search makes a low window grow",
           "[gui][adrinput]") {
   test::use_qt();
-  // List, form and dock beside each other are 700 pixels wide at least, but where a window opens on
-  // a narrower screen.
+  // List, form and dock side by side need 700 pixels, except on narrower screens.
   for (const QSize size : {QSize(700, 450), QSize(700, 402)}) {
     DeckWindow window;
     window.resize(size);

@@ -77,7 +77,7 @@ TEST_CASE("lubricant panel: dock closed at first → draws the selected chart wh
   CHECK(panel->chart().chartScene().page().panels[0].curves.size() == 4);
   const std::string lubricant = panel->chart().chartScene().page().title;
   const auto whole = desktop::lubricant_pages(*calculators::lubricant_contact(in_oil("4")));
-  CHECK(whole.front().title.starts_with(lubricant + ": "));  // what is drawn stands in the list
+  CHECK(whole.front().title.starts_with(lubricant + ": "));  // the list has the drawn values
   panel->findChild<QComboBox*>("lubricant-page")->setCurrentIndex(2);
   CHECK(panel->chart().chartScene().page().panels.size() == 2);
   panel->setDeck(deck::new_deck("ball"));
@@ -174,7 +174,7 @@ TEST_CASE("adrinput: a window of 1000 pixels holds the lubricant's dock and the 
   CHECK(window.minimumSizeHint().width() <= 1000);
   CHECK(window.width() == 1000);
   CHECK(window.height() == 690);
-  // Where there is room all of it is seen.
+  // With enough space everything is visible.
   window.resize(1280, 800);
   dock->toggleViewAction()->trigger();
   dock->toggleViewAction()->trigger();

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What an impatient user may do, in any order.
+/// Actions of an impatient user, in random order.
 void random_walk(unsigned seed, int actions) {
   test::use_qt();
   const QTemporaryDir folder;

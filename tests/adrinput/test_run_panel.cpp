@@ -236,7 +236,7 @@ TEST_CASE("results that the window did not compute are replaced after a question
     REQUIRE(box != nullptr);
     spy.clear();
     if (name == nullptr)
-      QTest::keyClick(box, Qt::Key_Return);  // the habit of whoever does not read
+      QTest::keyClick(box, Qt::Key_Return);  // users who do not read messages
     else
       QTest::mouseClick(box->findChild<QPushButton*>(name), Qt::LeftButton);
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
@@ -247,7 +247,7 @@ TEST_CASE("results that the window did not compute are replaced after a question
   CHECK_FALSE(window.runPanel().busy());
   CHECK(fs::last_write_time(report) == before);
   CHECK(launches.empty());
-  // What was not replaced can be opened.
+  // Results that were not replaced can be opened.
   for (const char* name : {"open-plots", "open-animation", "listing"})
     CHECK(window.findChild<QPushButton*>(name)->isEnabled());
   press(window, "open-plots");
@@ -265,7 +265,7 @@ TEST_CASE("results that the window did not compute are replaced after a question
   wait();
   CHECK(note(window).contains("the run is complete"));
 
-  // Where there is no state to go on from, that way is not offered.
+  // Without a state to continue from, this choice is not offered.
   fs::remove(folder.filePath("MASTER").toStdString());
   DeckWindow third;
   Launches none;
@@ -359,7 +359,7 @@ TEST_CASE("run panel: disk full during a run → progress reported, stored resul
   press(window, "open-plots");
   REQUIRE(launches.size() == 1);
   CHECK(launches[0].second.contains(folder.filePath("SOL1")));
-  // A run that never began says nothing of what an earlier one stored.
+  // A run that never started reports nothing about an earlier one.
   window.document().edit(cell("kDOF"), "6");
   run_to_end(window);
   CHECK(note(window).startsWith("The deck was not run"));

@@ -12,7 +12,7 @@
 
 #include <filesystem>
 
-/// What is said of a run, and what is asked, in the words of a window.
+/// Messages and questions about a run, in the words of the window.
 using namespace adore;
 using namespace adore::adrinput;
 namespace fs = std::filesystem;
@@ -109,7 +109,7 @@ TEST_CASE("run panel: progress bar → limit that ends the run", "[gui][adrinput
       replace_and_run(window);
     else
       window.runDeck();
-    // Nothing is known of the pace before the first step.
+    // The pace is unknown before the first step.
     REQUIRE(QTest::qWaitFor(
         [&] { return note(window).startsWith("Step ") && !note(window).startsWith("Step 0,"); },
         60000));

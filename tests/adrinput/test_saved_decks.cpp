@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <fstream>
 
-/// What is written to the disk, and what is read from it, broken decks among them.
+/// Reading and writing of decks on the disk, including broken decks.
 using namespace adore;
 using namespace adore::adrinput;
 namespace fs = std::filesystem;
@@ -238,7 +238,7 @@ TEST_CASE("nasty decks: cut, doubled, swapped, wild counts, foreign letters and 
       INFO(issue.text());
       CHECK(std::any_of(document.problems().begin(), document.problems().end(), shown));
     }
-    // What could be read stands where the file has it.
+    // Values that could be read are at their place in the file.
     for (const deck::RecordData& record : read.deck.records) {
       const deck::RecordData* here =
           deck::find_record_data(document.deck(), record.id, record.instance);
@@ -260,7 +260,7 @@ TEST_CASE("nasty decks: cut, doubled, swapped, wild counts, foreign letters and 
       document.save(path);
       ++saved;
       CHECK_FALSE(errors_in(deck::read_deck(path).issues));
-      // The old file stays beside it unless the new one has all that it had.
+      // The old file is kept as a copy unless the new one has all its contents.
       if (!read.ok() && deck::write_deck(read.deck) != text)
         CHECK(bytes_of(path.string() + ".bak") == text);
       else if (deck::write_deck(read.deck) != text && bytes_of(path) != text)

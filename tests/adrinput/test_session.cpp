@@ -51,7 +51,7 @@ void type(DeckWindow& window, const std::string& variable, const QString& text) 
   replace_text(line, text);
 }
 
-/// A window with its session, as the program has them.
+/// A window with its session, as in the program.
 struct Started {
   DeckWindow window;
   Session session;
@@ -269,7 +269,7 @@ TEST_CASE("a deck that another program writes is noticed: reload, keep mine, com
   window.show();
   window.document().save(path);
   QTest::qWait(300);
-  CHECK_FALSE(shown(window, "file-notice"));  // saving here is no news
+  CHECK_FALSE(shown(window, "file-notice"));  // a save by this program is not reported as a change
   deck::Deck foreign = window.document().deck();
   const auto replace = [&](const char* pitch, bool atomically) {
     foreign.set("pitchDia", pitch);

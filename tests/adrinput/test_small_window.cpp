@@ -59,7 +59,7 @@ namespace {
 
 constexpr int kPatience = 2000;  // [ms] for a layout to come to rest
 
-/// What is not whole within the width of a page's view.
+/// Elements that are cut off at the width of the page.
 QStringList cut_in(const QWidget& page, int width) {
   QStringList cut;
   for (const QWidget* widget : page.findChildren<const QWidget*>()) {
@@ -196,7 +196,7 @@ TEST_CASE("adrinput: all of a page can be reached at 700x450", "[gui][adrinput]"
     for (const QRect& other : places) CHECK_FALSE(other.intersects(button->geometry()));
     places << button->geometry();
   }
-  // In a large window they stand in one row again.
+  // In a large window they are in one row again.
   window.resize(1280, 800);
   QTest::qWait(50);
   CHECK(window.findChild<QPushButton*>("back")->y() ==

@@ -16,7 +16,7 @@
 
 #include <fstream>
 
-/// Everything that can have the keyboard has a name that can be said.
+/// Every element with keyboard focus has an accessible name.
 using namespace adore;
 using namespace adore::adrinput;
 

@@ -335,7 +335,7 @@ TEST_CASE("study window: new study of any kind → no errors for any bearing and
         const StudyDocument::Finding found = study.check();
         CHECK(found.problem == "");
         CHECK(found.runs > 1);
-        // Ranges hold what the deck has.
+        // Ranges contain the value of the deck.
         if (study.values()->contains("variables"))
           for (const StudyJson& row : study.values()->at("variables"))
             for (const char* law : {"grid", "list", "uniform"}) {
@@ -350,7 +350,7 @@ TEST_CASE("study window: new study of any kind → no errors for any bearing and
               CHECK((last.get<double>() >= share || share < 0.0));
             }
       }
-      // What is varied is what this bearing carries, by numbers in its units.
+      // The varied variable is the load of this bearing, in its units.
       StudyDocument sweep;
       sweep.start_new(bench.path("s.json"), "sweep", bench.path("DATA.txt"));
       const StudyJson row = sweep.values()->at("variables").at(0);

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-/// Ticks beside the records of decks with a value that is wrong.
+/// Marks at records of decks with a wrong value.
 using namespace adore;
 using namespace adore::adrinput;
 
@@ -31,7 +31,7 @@ TEST_CASE("record list: deck that a run accepts → ready; records with errors a
         document.end_step();
         document.check_model();
         INFO("record " << record.id << ", " << spec.variables[v].name << " = " << text);
-        // A text that is no value of its variable does not reach the deck.
+        // A text that is not a valid value does not reach the deck.
         const bool draft = document.is_draft(cell);
         // As `adore run` reads the deck that would be saved.
         std::vector<Issue> reasons;
@@ -51,7 +51,7 @@ TEST_CASE("record list: deck that a run accepts → ready; records with errors a
         for (const Problem& problem : document.problems())
           if (problem.issue.severity == Severity::Error || problem.refused)
             CHECK(document.state_of(problem.page) != RecordState::Complete);
-        // Each refusal is told, so that no tick hides it.
+        // Each rejection is reported, so that no mark hides it.
         if (!runs && !draft) CHECK_FALSE(document.problems().empty());
         ++(runs ? accepted : refused);
       }

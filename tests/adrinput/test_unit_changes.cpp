@@ -139,7 +139,7 @@ deck::Deck with(deck::Deck deck, const Given& given, UnitSystem from, UnitSystem
 }  // namespace
 
 TEST_CASE("no default of a variable depends on the system of units", "[unit][adrinput]") {
-  // What an option brings in is 0 or a pure number, so that it needs no conversion.
+  // Values that an option adds are 0 or pure numbers and need no conversion.
   for (const deck::RecordSpec& record : deck::schema())
     for (const deck::VariableSpec& variable : record.variables) {
       INFO(record.id << " " << variable.name);
@@ -158,7 +158,7 @@ TEST_CASE("records that come after or before a change of units have the same num
       const UnitSystem to = deck::other_system(from);
       INFO(one.type << ": " << variable_of(one.cell)->name << " " << one.before << " -> "
                     << one.after << ", to kUnit " << code_of(to));
-      // What everything below is compared with: first the records, then the units.
+      // Reference for the comparisons below: first the records, then the units.
       Document reference;
       start(reference, one.type, from);
       const deck::Deck begin = reference.deck();

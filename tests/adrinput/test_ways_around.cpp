@@ -67,7 +67,7 @@ TEST_CASE("search goes to the option that would show a field, and can set it",
   press(window, "set-option");
   CHECK(window.currentRecord() == "7.1");
   CHECK(window.document().deck().integer("nCseg") == 1);
-  // What was found knows that it is there now.
+  // The found element is marked as present.
   auto* query = window.findChild<QLineEdit*>("search");
   auto* list = window.findChild<QListWidget*>("found");
   query->setText("reDiaVar12");
@@ -78,7 +78,7 @@ TEST_CASE("search goes to the option that would show a field, and can set it",
   CHECK_FALSE(list->item(0)->text().contains("Not in this deck"));
   window.document().edit(cell("kReGeoImp"), "0");
   query->clear();
-  // What was said of one search goes with the next one.
+  // The message of one search is removed by the next one.
   for (const char* found : {"bReDia", "kTherm"}) {
     window.goTo(cell("kBaseTemp"));
     CHECK(notice->isVisibleTo(&window));
@@ -116,7 +116,7 @@ TEST_CASE("a designation makes a deck, with what is standard and what is estimat
   CHECK_FALSE(take->isEnabled());
   QTest::keyClicks(name, "62055");
   CHECK_FALSE(take->isEnabled());
-  // The list of what goes on like that goes when it has no more to say: it lies over the story.
+  // The list of further results closes when it is empty: it covers the description.
   const auto* list = name->completer()->popup();
   name->clear();
   QTest::keyClicks(name, "NU2");

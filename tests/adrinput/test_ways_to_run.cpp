@@ -22,7 +22,7 @@
 #include <filesystem>
 #include <fstream>
 
-/// Which run goes on, what a run may replace, and what a sweep's range may be.
+/// The run to continue, the runs that may be replaced, and the range of a sweep.
 using namespace adore;
 using namespace adore::adrinput;
 namespace fs = std::filesystem;
@@ -101,7 +101,7 @@ TEST_CASE("run panel: last cancelled run → continued in its folder, named in t
   CHECK(fs::file_size(bench.path("run-001/SOL1")) > size);
   CHECK(bytes_of(bench.path("RUN.json")) == first);
 
-  // Another window made none of them: what was broken off is what goes on.
+  // Runs of other windows: the interrupted one is continued.
   {
     DeckWindow other;
     REQUIRE(other.openFile(bench.path("DATA.txt")));
@@ -230,7 +230,7 @@ TEST_CASE("run panel: sweep of an earlier session → missing runs computed, fin
     REQUIRE(bench.window.runPanel().busy());
     bench.wait();
     CHECK(bench.note() == "The sweep is done.");
-    // What is taken over takes no time: of the rest nothing is told by it.
+    // Finished runs take no time, so they do not enter the estimate.
     facade::RunRequest again = request("7000:7600:4");
     again.out = sweep;
     again.go_on = true;
@@ -263,7 +263,7 @@ TEST_CASE("run panel: sweep of an earlier session → missing runs computed, fin
     CHECK(done(3));
     CHECK(bytes_of(sweep / "rpm2-2/RUN.json") == kept);
     CHECK(bench.entry().text() == "&Continue the run");
-    // One that fails says how many did, and stays on offer.
+    // A failed sweep reports the number of failures and is still offered.
     RunPanel& panel = bench.window.runPanel();
     Document& document = bench.window.document();
     panel.sweep(document.path(), document.deck(), document.options(), "raceCurFac1=0.4:0.52:2");
@@ -283,7 +283,8 @@ TEST_CASE("run panel: sweep of an earlier session → missing runs computed, fin
     fs::remove_all(sweep);
   }
   {
-    // The command line's, beside the deck; and one with a value that the deck does not have.
+    // A run of the command line in the folder of the deck, and one with a value that the deck does
+    // not have.
     auto other = request("7000:7600:4");
     other.sets.emplace_back("appLoadX", "900.0");
     broken_off(other, deck.parent_path());
@@ -331,7 +332,7 @@ TEST_CASE("results of another deck are replaced after a question, which can be s
   bench.answer("new-folder-instead");
   CHECK(fs::exists(bench.path("run-001/SOL7")));
   CHECK(load() == first);
-  // Taken back, it is the deck of the results again, whatever ran elsewhere in between.
+  // After undo it is the deck of the results again, independent of other runs.
   window.undo();
   run();
   CHECK(bench.question() == nullptr);
@@ -416,7 +417,7 @@ TEST_CASE("a sweep takes units as fields do, one for a value or for both",
     CHECK_FALSE(refusal(text).empty());
   }
 
-  // Where kilonewtons are shown, a number means them, and the dialog says so.
+  // In kilonewtons, a number means kilonewtons, and the dialog states it.
   choose_unit("N", "kN");
   CHECK(set("appLoadZ=0.5:1.5:3") == newtons);
   CHECK(set("appLoadZ=500 N:1500:3") == newtons);

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Folders ra with a ball bearing and rb with another deck of the same name; stands in the first.
+/// Folders ra with a ball bearing and rb with another deck of the same name; current folder: ra.
 struct TwoProjects {
   QTemporaryDir folder;
   fs::path before = fs::current_path();

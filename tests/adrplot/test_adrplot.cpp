@@ -240,13 +240,13 @@ TEST_CASE("page_builder: revolutions accumulate in both directions; without rota
   const auto forward = build_page(race, pages, 2).x;
   for (auto& step : race.steps) step.revolutions = -step.revolutions;
   CHECK(build_page(race, pages, 2).x == forward);
-  // There and back: two turns, drawn side by side.
+  // Back and forth: two turning points, drawn side by side.
   for (std::size_t i = 0; i < race.steps.size(); ++i)
     race.steps[i].revolutions =
         1.0 - std::abs(1.0 - 2.0 * static_cast<double>(i) / double(race.steps.size() - 1));
   CHECK(build_page(race, pages, 2).x.back() == Approx(2.0).epsilon(1e-3));
   CHECK(std::is_sorted(forward.begin(), forward.end()));
-  for (auto& step : race.steps) step.revolutions = 0.0;  // both races turn alike
+  for (auto& step : race.steps) step.revolutions = 0.0;  // equal race speeds
   const auto alike = build_page(race, pages, 2);
   CHECK(alike.x_unit == "s");
   CHECK(alike.x.back() == race.steps.back().time);
@@ -315,11 +315,11 @@ TEST_CASE("page_builder: a flange that is not there has no gap", "[unit]") {
 TEST_CASE("page_builder: storing interval too long for the fastest contact → note", "[unit]") {
   const auto race = test::synthetic_sol(SolKind::Race);  // every 12 us: 83 kHz
   const auto pages = plot_pages(race.kind, race.header);
-  constexpr int kAcceleration = 4;  // a page without a note of its own
+  constexpr int kAcceleration = 4;  // a page without a note
   CHECK(build_page(race, pages, kAcceleration, {}, {{}, 41e3, ""}).note.find("Aliased") ==
         std::string::npos);
   CHECK(build_page(race, pages, kAcceleration, {}, {{}, 43e3, ""}).note.find("Aliased") == 0);
-  // Spectra and waterfalls too, above all else: there it is folded into what is drawn.
+  // Also spectra and waterfalls, which are folded into the drawing.
   for (const Domain domain : {Domain::Spectrum, Domain::Waterfall}) {
     PageOptions options;
     options.domain = domain;
@@ -355,7 +355,7 @@ TEST_CASE("page_builder: few values per vibration period → note on missing pea
   CHECK_FALSE(noted(SolKind::Element, kVelocities, 43e3));    // that is "Aliased"
   CHECK_FALSE(noted(SolKind::Element, kVelocities, 0.0));     // nobody knows
   CHECK_FALSE(noted(SolKind::Element, kVelocities, 41e3, true));
-  // What follows no single vibration: wear and temperatures.
+  // Quantities without vibration: wear and temperatures.
   const auto power = test::synthetic_sol(SolKind::Power);
   const auto pages = plot_pages(power.kind, power.header);
   for (std::size_t p = 1; p < pages.size(); ++p) {
@@ -395,7 +395,8 @@ TEST_CASE("render_plots: every page of files on disk becomes a picture with curv
   options.width = 640, options.height = 480;
   options.range = {1, 50, 5};
   CHECK(render_plots({files[0]}, options).size() == 1);
-  // The folder of a run is its files; one without any says so, and writes nothing.
+  // The folder of a run stands for its files; a folder without files is reported and nothing is
+  // written.
   CHECK(render_plots({base}, options) == render_plots(files, options));
   options.folder = base / "none";
   CHECK_THROWS_WITH(render_plots({base / "pictures"}, options), Catch::Contains("no plot file"));
@@ -466,7 +467,7 @@ TEST_CASE("plot_document: a file too long to be held is read for a few pages at 
     test::write_text(path, test::sol_text(file));
     const PlotDocument whole = open_document(path);
     const auto same = [&](int number, PageOptions options) {
-      // Each page by itself: no other one's columns are there.
+      // Each page separately, without the columns of other pages.
       const PlotDocument pieces = open_document(path, {}, 1000);
       REQUIRE(pieces.pages.size() == whole.pages.size());
       const desktop::ChartPage a = whole.build(number, options), b = pieces.build(number, options);

@@ -129,7 +129,7 @@ TEST_CASE("plot_window: keys read one stored step after the other, and set both 
     const int digits = shown.scene().digitsOf(0, 0);
     CHECK(shown.read().contains(
         QString::fromStdString(desktop::pretty_quantity(curve.y[i], page.panels[0].unit, digits))));
-    // What a screen reader tells, all of it.
+    // The complete text for a screen reader.
     CHECK(shown.view().accessibleDescription().startsWith(head_of(page, i)));
   }
   shown.press(Qt::Key_A);
@@ -142,13 +142,13 @@ TEST_CASE("plot_window: keys read one stored step after the other, and set both 
   shown.press(Qt::Key_Z);
   CHECK(shown.scene().viewLow() == Approx(page.x[middle + 3]));
   CHECK(shown.scene().viewHigh() == Approx(b));
-  // The reading stands at B now: the next step lies beside the view, which follows.
+  // The readout is at B: the next step is outside the view, which follows.
   shown.press(Qt::Key_Right, Qt::ControlModifier);
   CHECK(shown.scene().viewHigh() > b);
   CHECK(shown.read().startsWith(head_of(page, desktop::nearest_index(page.x, b) + 1)));
   shown.press(Qt::Key_Left, Qt::ControlModifier);
   shown.press(Qt::Key_B);
-  CHECK(std::isnan(shown.view().cursorAt(1)));  // it stood there
+  CHECK(std::isnan(shown.view().cursorAt(1)));  // its earlier place
   CHECK(shown.view().cursorAt(0) == page.x[middle + 3]);
   // Enlarged about the place that is read.
   shown.press(Qt::Key_Home);
@@ -237,7 +237,7 @@ TEST_CASE("plot_window: the keys of the chart are its own, and a frame shows whe
 
 namespace {
 
-/// Every deed either does something or is gray with a reason, here and now.
+/// Every action has an effect, or is gray with a reason.
 void check_deeds(ChartView& view, const QList<QAction*>& actions, const QStringList& read,
                  int& done, int& grey) {
   // Performing one changes the state for the next: what they are is tried from many states.

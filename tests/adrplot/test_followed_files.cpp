@@ -34,7 +34,7 @@ TEST_CASE("plot_window: followed file temporarily invalid → message in the sta
   test::write_text(path, "noise, for a moment");
   CHECK(QTest::qWaitFor([&] { return foot().contains("Cannot be read at the moment"); }, 10'000));
   CHECK(window.findChild<QMessageBox*>("message") == nullptr);
-  CHECK(window.pageCount() > 0);  // what was there is still shown
+  CHECK(window.pageCount() > 0);  // the earlier picture is still shown
   test::write_text(path, sol);
   CHECK(QTest::qWaitFor([&] { return foot().isEmpty(); }, 10'000));
   window.follow(false);
@@ -66,7 +66,7 @@ TEST_CASE("plot_window: names of files are those of the run that has replaced th
            tree->topLevelItem(1)->text(0).endsWith(QString("rolling element %1").arg(two));
   };
   REQUIRE(named(1, 5));
-  QTest::qWait(20);  // a time stamp of its own
+  QTest::qWait(20);  // a separate time stamp
   write(2, 8);
   window.reload();
   CHECK(named(2, 8));

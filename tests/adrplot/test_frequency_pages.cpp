@@ -63,7 +63,7 @@ TEST_CASE("pages: slow and fast lines side by side are drawn over a logarithmic 
     CHECK(page.log_x);
     CHECK(page.note.find("Logarithmic frequency: lines above 1 % extend to 50 Hz to 8.01 kHz.") !=
           std::string::npos);
-    // What either panel holds has a tenth of the width at least.
+    // The content of each panel has a tenth of the width at least.
     desktop::ChartScene scene;
     scene.setPageSize({700, 450});
     scene.setPage(page);
@@ -213,7 +213,7 @@ TEST_CASE("pages: a waterfall is in units, over its largest or in dB, as the spe
   INFO(decibel.note);
   CHECK(decibel.note.find("values below −60 dB are not drawn") != std::string::npos);
 
-  // Each name stands beside the panel, where its line begins, and hides nothing.
+  // Each name is next to the panel, where its line begins, and covers nothing.
   for (const auto& page : {units, relative, decibel}) {
     desktop::ChartScene scene;
     scene.setPageSize({700, 450});
@@ -247,8 +247,8 @@ TEST_CASE("spectrum: a sine on an offset has its amplitude at its line, and none
                                               phase));
     return out;
   };
-  // Lines beside that of a sine which the window widens it to; loss between two lines; and what a
-  // constant that is left over becomes in the first line.
+  // Lines next to that of a windowed sine; loss between two lines; a remaining constant in the
+  // first line.
   struct Case {
     Window window;
     std::size_t wide;
@@ -264,7 +264,7 @@ TEST_CASE("spectrum: a sine on an offset has its amplitude at its line, and none
         INFO(window_name(window) << ", line " << line << ", phase " << phase);
         REQUIRE(s.amplitude.size() == kSamples / 2);
         CHECK(s.frequency[line - 1] == Approx(static_cast<double>(line) / (kSamples * kStep)));
-        // What a window spreads of a low line it spreads of its mirror, too.
+        // Leakage of a low line also affects its mirror line.
         if (line > 2 * wide && line < kSamples / 2 - wide)
           CHECK(s.amplitude[line - 1] == Approx(kSize).epsilon(1e-8));
         for (std::size_t k = 1; k <= kSamples / 2; ++k)
@@ -279,7 +279,7 @@ TEST_CASE("spectrum: a sine on an offset has its amplitude at its line, and none
         const double highest = *std::max_element(s.amplitude.begin(), s.amplitude.end());
         CHECK(highest > (1.0 - loss) * 0.98 * kSize);
         CHECK(highest < 1.05 * kSize);
-        // The mean of a part of a period is no offset: it leaves at most size / (pi periods).
+        // The mean of a partial period is not an offset: it leaves at most size / (pi periods).
         if (window != Window::None)
           CHECK(s.amplitude[0] < 1.2 * first * kSize / (std::numbers::pi * periods));
       }
@@ -311,7 +311,7 @@ TEST_CASE("spectrum pages: notes on the removed mean and on drift in the first l
       if (periods > 1.0 || drift == 0.0)
         CHECK((all.find("The f" + told) != std::string::npos) == (drift > 0.0));
     }
-  // Beside one that does not, the curve that does is named.
+  // With one curve that has lines and one without, the page names the curve.
   CHECK(note({curve(0.0, 30.0), curve(40.0, 30.0)}).find("Angle, outer race: the f" + told) !=
         std::string::npos);
 }
@@ -338,7 +338,7 @@ TEST_CASE("waterfall: motion slower than a piece does not fill its first lines",
     for (const std::size_t k : {0U, 1U, 2U}) CHECK(piece.at(k) < 0.35);  // 2 N with the trend
     CHECK(piece.at(19) == Approx(1.0).epsilon(1e-3));
   }
-  // What the page says of its first line, and of no other.
+  // The remark of the page on its first line only.
   double least[2] = {1.0, 1.0}, most[2] = {0.0, 0.0};
   for (int phase = 0; phase < 16; ++phase)
     for (const std::size_t k : {0U, 1U}) {

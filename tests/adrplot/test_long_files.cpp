@@ -34,7 +34,7 @@ TEST_CASE("plot_document: reading is monitored, and continues after a stop", "[u
   CHECK(document.build(1, {}).x.size() == 3500);
   go_on = false;
   CHECK_THROWS_AS(open_document(path, {}, kMostValues, watch), results::ReadStopped);
-  // Room for a few columns only: another page reads again, and may be stopped.
+  // Space for a few columns only: another page reads again and can be stopped.
   go_on = true;
   const PlotDocument narrow = open_document(path, {}, 3600, watch);
   go_on = false;
@@ -131,7 +131,7 @@ TEST_CASE("accuracy_page: errors within the scatter → shaded band, significant
       CHECK(scene.positionOf(seconds) < area.right() - 10.0);
     }
   }
-  // Where nobody knows what chance does, there is no floor.
+  // Without a known scatter there is no floor.
   testing::write_bytes(path, study(""));
   CHECK(accuracy_pages(path).front().panels.front().curves.size() == 4);
   std::string unknown = study("");

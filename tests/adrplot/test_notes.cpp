@@ -8,7 +8,7 @@
 
 #include <string>
 
-/// Notes of every kind of page are whole, or say how many sentences have no room.
+/// Notes of all types of pages are complete, or state the number of omitted sentences.
 using namespace adore;
 using namespace adore::adrplot;
 using results::SolKind;
@@ -71,7 +71,7 @@ TEST_CASE("pages: notes → never cut, for any page, content and size", "[gui][a
               CHECK_FALSE(shown.contains(QChar(0x2026)));
               if (shown == whole) continue;
               ++counted;
-              // Nobody can point at a picture; what a page has to say has room in it.
+              // A picture has no tooltips, so it shows all notes.
               CHECK(shown.contains("point here") == pointed);
               if (!pointed) CHECK(more > 0);
               if (!pointed) CHECK(shown.endsWith("not shown.)"));

@@ -68,10 +68,10 @@ TEST_CASE("own charts: curves of two runs over one abscissa, and their differenc
   REQUIRE(less.panels[0].curves.size() == 1);
   for (std::size_t i = 0; i < less.x.size(); ++i)
     CHECK(less.panels[0].curves[0].y[i] == Approx(100.0 + less.x[i]).epsilon(1e-9));
-  // It is said what is taken from what: there is no legend.
+  // Without a legend the page names both curves of the difference.
   CHECK(less.note.find("second/SOL7") < less.note.find(", less "));
   CHECK(less.note.find("first/SOL7") > less.note.find(", less "));
-  // Units that differ have panels of their own, and no difference.
+  // Different units have separate panels and no difference.
   const std::vector<CurvePick> mixed{{&first, 1, 0, 0}, {&first, 2, 0, 0}};
   CHECK(combine_curves(mixed, Combine::Overlay, {}).panels.size() == 2);
   CHECK_THROWS_WITH(combine_curves(mixed, Combine::Difference, {}),
@@ -134,7 +134,7 @@ TEST_CASE("own charts: curves of any file have spectra, differences theirs, and 
 TEST_CASE(
     "own charts: curves of tables keep their abscissa, have no spectra and mix with no others",
     "[unit]") {
-  // A sweep over speed beside a run in time.
+  // A sweep over speed and a run in time.
   QTemporaryDir folder;
   const std::filesystem::path table = folder.filePath("SWEEP.csv").toStdString();
   const auto sweep = [&](double scale) {
@@ -269,7 +269,7 @@ TEST_CASE("own charts: values below the pointer and between cursors say of what 
   test::use_qt();
   const PlotDocument slow = run(1.0, 50, "bearings/slow"), fast = run(2.0, 50, "bearings/fast"),
                      other = run(3.0, 50, "elsewhere/fast");
-  // What is told: whose values they are, without what all of the chart have in common.
+  // Names of curves: owner of the values, without the common part.
   const auto told = [](const std::vector<CurvePick>& picks, Combine how, const char* domain) {
     PageOptions options;
     set_domain(options, domain, "");
@@ -480,7 +480,7 @@ TEST_CASE("plot_window: any history has a spectrum and a waterfall", "[gui]") {
       desktop::nearest_index(scene.page().x, scene.abscissaAt(area.left() + 0.5 * area.width()));
   CHECK(told.endsWith(
       QString::fromStdString(desktop::pretty_quantity(last.value(at), lines.unit, 5))));
-  // The cursors tell of every line without pushing the window over the screen.
+  // The cursor readout has every line and the window stays on the screen.
   window.resize(1264, 770);
   window.show();
   window.view().setCursor(0, 100.0);

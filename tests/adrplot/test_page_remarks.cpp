@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-/// What pages say of stored numbers that do not tell by themselves what they are.
+/// Remarks on stored numbers that need an explanation.
 using namespace adore;
 using namespace adore::adrplot;
 using Catch::Contains;

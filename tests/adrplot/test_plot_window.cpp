@@ -58,7 +58,7 @@ PlotDocument document_of(std::function<void(desktop::ChartPage&)> fill) {
   return document;
 }
 
-/// Has a label room for all of its lines?
+/// Does a label have space for all of its lines?
 bool is_whole(const QLabel& label) {
   return label.fontMetrics()
              .boundingRect(QRect(0, 0, label.width(), 5000), Qt::TextWordWrap, label.text())
@@ -261,7 +261,7 @@ TEST_CASE("plot_window: Save JPG writes the page and proposes the next number", 
   CHECK(dialog->selectedFiles().front().endsWith("wave-2.jpg"));
   emit dialog->fileSelected("/proc/no/such/folder/x.jpg");
   CHECK(test::take_message(window).contains("cannot be written"));
-  // Lines and text, too; any other name is refused and told what there is.
+  // Lines and text, too; any other name is rejected with the valid ones.
   for (const auto& [ending, begins] : {std::pair{"svg", "<?xml"}, std::pair{"pdf", "%PDF"}}) {
     const QString page = folder.filePath(QString("wave.") + ending);
     emit dialog->fileSelected(page);
@@ -340,7 +340,7 @@ TEST_CASE("plot_window: chart of sixty curves → keeps most of the window, omit
   const QString small = read({700, 450}), large = read({1264, 770});
   CHECK(QRegularExpression(" … [0-9]+ more$").match(small).hasMatch());
   CHECK(large.size() > small.size());
-  // Without most of them the line is as low as what is left.
+  // Without most of them the line has the height of the rest.
   const int high = label->height();
   for (int c = 1; c < 60; ++c) scene.showCurve(0, static_cast<std::size_t>(c), false);
   emit window.view().curvesChanged();

@@ -20,7 +20,7 @@ using namespace adore::adrplot;
 
 namespace {
 
-/// What a hand may do to the window, by number.
+/// Actions on the window, by number.
 void act(PlotWindow& window, std::mt19937& random) {
   const auto any = [&](int count) {
     return static_cast<int>(random() % static_cast<unsigned>(count));
@@ -147,6 +147,6 @@ TEST_CASE("plot_window: a click on a file's name in the tree shows its first pag
     CHECK(window.windowTitle().contains("page 1 of"));
     CHECK(window.pageCount() == tree->topLevelItem(file)->childCount());
   }
-  QTest::keyClick(tree, Qt::Key_Down);  // the root is where the keys go on from
+  QTest::keyClick(tree, Qt::Key_Down);  // keyboard navigation starts at the root
   CHECK(window.currentPage() == 1);
 }

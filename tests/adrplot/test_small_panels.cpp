@@ -14,7 +14,7 @@
 
 #include <cmath>
 
-/// Pages of all kinds of files in windows of many sizes: what stands in them is read.
+/// Pages of all types of files in windows of many sizes: their texts are read.
 using namespace adore;
 using namespace adore::adrplot;
 using results::SolKind;

@@ -176,14 +176,14 @@ TEST_CASE("load rose: marks at the elements, and nothing between them", "[gui]")
     }
   CHECK(marks == 8);
   REQUIRE(places.size() == 3);
-  // Where two elements are loaded, nothing joins them: of each race four values, none between.
+  // With two loaded elements nothing connects them: four values per race, none between.
   for (const desktop::ChartCurve& curve : scene.page().panels[0].curves) CHECK(curve.x.size() == 4);
 }
 
 TEST_CASE("load rose: a spoke goes from the center to each load, and nowhere else", "[gui]") {
   test::use_qt();
   results::StaticTables tables = four_elements(results::UnitSystem::SI);
-  // Elements at angles of their own, one of them without load; the other race has none at all.
+  // Elements at different angles, one of them without load; the other race has no load.
   const std::vector<double> azimuth{0.2, 1.9, 3.0, 5.1}, load{400.0, 250.0, 0.0, 310.0};
   for (results::StaticColumn& column : tables.tables[0].columns) {
     if (column.name == "azimuth") column.values = azimuth;

@@ -23,7 +23,7 @@
 #include <cmath>
 #include <numbers>
 
-/// What a waterfall is of, and the marks of a run whose speed changes.
+/// Curve of a waterfall, and the marks of a run with variable speed.
 using namespace adore;
 using namespace adore::adrplot;
 using Catch::Contains;
@@ -91,7 +91,7 @@ TEST_CASE("waterfall: selected curve → drawn and named", "[unit]") {
     return std::pair(page.x[static_cast<std::size_t>(most)],
                      line.y[static_cast<std::size_t>(most)]);
   };
-  // Curves without values are no choice.
+  // Curves without values are not offered.
   const std::vector<std::string> names{"Load, outer race", "Load, inner race", "Angle, inner race"};
   struct Case {
     const char* asked;
@@ -197,7 +197,7 @@ TEST_CASE("plot_window: the curve of a waterfall is chosen, or its panel clicked
   window.show();
   auto* choice = window.findChild<QComboBox*>("curve");
   REQUIRE(choice);
-  const auto offered = [&] {  // beside the other choices, or where these have no room
+  const auto offered = [&] {  // next to the other choices, or below them in narrow windows
     for (const QAction* action : window.findChild<QToolBar*>("buttons")->actions())
       if (const auto* of = qobject_cast<const QWidgetAction*>(action);
           of != nullptr && of->defaultWidget() == choice)

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-/// What stands written in a picture, and where: from its form as SVG.
+/// Texts of a picture and their places, from its SVG form.
 namespace adore::test {
 
 struct Words {
@@ -51,7 +51,7 @@ inline QString all_words(const QByteArray& svg) {
   return out.join(' ');
 }
 
-/// What nobody can read: shortened, beyond the picture's edge, or over other words. A sentence
+/// Unreadable texts: shortened, beyond the edge of the picture, or over other texts. One sentence
 /// each.
 inline QStringList faults_of(const QByteArray& svg, QSizeF size) {
   const std::vector<Words> words = words_of(svg);

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-/// What the tests of AGORE share: a short run and a look at pictures.
+/// Common parts of AGORE tests: a short run and access to pictures.
 namespace adore::test {
 
 inline SyntheticRun short_run(int steps = 120) {

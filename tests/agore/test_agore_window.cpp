@@ -141,7 +141,7 @@ TEST_CASE("agore_window: movie from a frame or time to another → length displa
   CHECK(words->text().contains("frame, 15, is after the last frame, 12"));
   CHECK_FALSE(next->isEnabled());
   range->reject();
-  // What was saved is said, and nothing that was not.
+  // Saved files are reported, and no others.
   const QString film = run + "/part.avi", pictures = run + "/pictures";
   REQUIRE(window.writeFilm(film, 5, 12));
   CHECK(window.statusBar()->isVisible());
@@ -250,8 +250,7 @@ TEST_CASE("agore_window: the time bar fills and can be clicked", "[gui]") {
   window.setFrame(100);
   CHECK(at_middle > at_start);
   CHECK(filled() > 1.8 * at_middle);
-  QTest::mouseClick(canvas, Qt::LeftButton, {},
-                    QPoint(300, 300));  // beside the bar nothing happens
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(300, 300));  // no action outside the bar
   CHECK(window.currentFrame() == 100);
 }
 
@@ -276,7 +275,7 @@ TEST_CASE("agore_window: what a command asks for is what a picture of it shows",
     window.resize(900, 560);
     window.show();
     REQUIRE(window.openFile(test::example_run(type) / "RESULTS.h5"));
-    QCoreApplication::processEvents();  // the line of findings takes its room
+    QCoreApplication::processEvents();  // the line of findings needs its height
     MotionPicture picture(open_motion(test::example_run(type) / "RESULTS.h5"));
     auto* canvas = window.findChild<PictureWidget*>();
     REQUIRE(canvas != nullptr);
@@ -369,7 +368,7 @@ TEST_CASE("agore_window: files → opened, thinned to the selected steps, reject
   test::write_text(base / "cut", text.substr(0, text.size() - 300));
   test::write_text(base / "other", "nothing of ours\n");
   AgoreWindow window;
-  CHECK(window.openFile(base / "SOL8", 15));  // the whole run, and it says what is left out
+  CHECK(window.openFile(base / "SOL8", 15));  // the whole run, with a remark on the omitted frames
   CHECK(window.frameCount() == 14);
   const Animation thinned = open_motion(base / "SOL8", 15);
   CHECK(thinned.frame(13).step == open_motion(base / "SOL8").frame(39).step);

@@ -173,7 +173,7 @@ TEST_CASE("view_options: names, and an exaggeration that keeps pockets apart", "
   ViewOptions options;
   options.exaggeration = 1;
   CHECK(used_exaggeration(a, options) == 1.0);
-  // Whatever is asked for, neighbors stand apart and the cage lies over no race's ring.
+  // With any request, neighbors are apart and the cage does not cover a race.
   const auto& g = a.file.geometry;
   const double half_pitch = std::numbers::pi * 0.5 * g.pitch_diameter / a.file.elements;
   for (const double asked : {2.0, 5.0, 10.0, 20.0, 50.0, 1000.0}) {
@@ -186,5 +186,5 @@ TEST_CASE("view_options: names, and an exaggeration that keeps pockets apart", "
     CHECK(g.cage_inner_radius - factor * a.guide_clearance >= g.inner_race_outer_radius);
   }
   CHECK(used_exaggeration(a, options) < 1000.0);
-  CHECK(used_exaggeration(a, options) >= 5.0);  // as chosen by itself, at least
+  CHECK(used_exaggeration(a, options) >= 5.0);  // at least the automatic choice
 }

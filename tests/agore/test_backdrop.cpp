@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-/// What a picture keeps from frame to frame must not be seen: a picture that has shown others
-/// before is the picture of one that shows this frame first.
+/// Data that a picture keeps between frames are invisible: after other frames a picture equals one
+/// that shows this frame first.
 using namespace adore;
 using namespace adore::agore;
 
@@ -23,7 +23,7 @@ namespace {
 
 constexpr QSize kSize(900, 600);
 
-/// Whose inner race moves by `move` in the last frame.
+/// The inner race moves by `move` in the last frame.
 Animation run_with_race_at(double move) {
   test::SyntheticRun run;
   run.steps = 6;
@@ -87,10 +87,10 @@ TEST_CASE("backdrop: a race that moves is drawn where it is", "[gui]") {
   }
 }
 
-// Whatever is kept (rings, keys, stamps, curves) may depend on any option: rings stayed in the
-// layout of before when loads or paths were switched on, because a longer key makes the bearing
-// smaller. A walk through the options, one switch at a time, in which every switch is turned while
-// every other one is on.
+// Kept data (rings, keys, stamps, curves) may depend on any option: rings kept their earlier layout
+// when loads or paths were switched on, because a longer key makes the bearing smaller. A walk
+// through the options, one switch at a time, in which every switch is changed while every other one
+// is on.
 TEST_CASE("backdrop: no option leaves a part of the picture of before", "[gui][slow]") {
   test::use_qt();
   const adore::testing::TemporaryFolder folder;
@@ -128,7 +128,7 @@ TEST_CASE("backdrop: no option leaves a part of the picture of before", "[gui][s
   constexpr std::size_t kFrame = 7;
   const std::size_t n = switches.size();
   std::mt19937 random(1);
-  std::vector<bool> seen(n, false);  // of each switch: it changes what is seen, somewhere
+  std::vector<bool> seen(n, false);  // each switch changes the picture somewhere
   for (const View view : {View::Bearing, View::Cage, View::Pocket, View::Element, View::OuterRace,
                           View::InnerRace, View::Section, View::Solid}) {
     MotionPicture used(animation);
@@ -145,7 +145,7 @@ TEST_CASE("backdrop: no option leaves a part of the picture of before", "[gui][s
       std::vector<std::size_t> order(n);
       std::iota(order.begin(), order.end(), 0);
       std::shuffle(order.begin(), order.end(), random);
-      // The one that is turned for the first time beside the most others.
+      // The switch that is changed for the first time with most others on.
       const std::size_t j = *std::max_element(order.begin(), order.end(), [&](auto a, auto b) {
         return fresh_pairs(a) < fresh_pairs(b);
       });

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-/// A run that was killed, or still goes on: RESULTS.h5 ends before SOL8.
+/// A run that was killed, or still runs: RESULTS.h5 ends before SOL8.
 using namespace adore;
 using namespace adore::agore;
 
@@ -137,6 +137,6 @@ TEST_CASE("RESULTS.h5 that does not belong to SOL8 → not used, reason given", 
   }
   std::filesystem::remove(path);
   CHECK(told().empty());
-  test::write_run(folder, 8);  // next to nothing of what SOL8 has
+  test::write_run(folder, 8);  // almost nothing of SOL8
   CHECK_FALSE(told().empty());
 }

@@ -84,7 +84,7 @@ TEST_CASE("cage outlines: forty bars have as many points as their size in the pi
   CHECK(points_of(tile) < points_of(shown));
   CHECK(points_of(shown) < 40 * 60);
   for (std::size_t i = 0; i < large.pieces.size(); ++i) {
-    // What is left out lies within the tolerance of the line.
+    // Omitted points are within the tolerance of the line.
     const double most = CageOutlines::kTolerance * CageOutlines::kRadius / 430.0;
     CHECK(std::abs(area_of(shown.pieces[i]) - area_of(large.pieces[i])) <
           most * length_of(large.pieces[i]));

@@ -62,7 +62,7 @@ TEST_CASE("curves next to the pictures → extremes between stored steps", "[gui
     options.view = view;
     return picture.svg({1280, 800}, 1, options).contains("Min–max band between stored steps.");
   };
-  CHECK(told(View::Pocket));         // whose peaks stand out
+  CHECK(told(View::Pocket));         // with separate peaks
   CHECK_FALSE(told(View::Element));  // of speeds, which have none
 }
 

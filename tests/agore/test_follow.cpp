@@ -10,7 +10,7 @@
 #include <QTest>
 #include <catch2/catch.hpp>
 
-/// A window beside a solver that still runs.
+/// A window while the solver runs.
 using namespace adore;
 using namespace adore::agore;
 using test::short_run;
@@ -54,21 +54,21 @@ TEST_CASE("agore_window: a running solver is followed, at the moment and place t
   CHECK(window.options().view == View::Cage);
   CHECK(window.options().span_from.has_value());
   CHECK(window.windowTitle().contains("followed"));
-  // Half a record is none, and no box tells of it.
+  // Half a record is ignored, without a message.
   CHECK(grows(begun(31, 300), 31));
   CHECK(window.findChild<QMessageBox*>("message") == nullptr);
   CHECK(window.currentFrame() == 7);
-  // Who is at the end stays there.
+  // A view at the end stays at the end.
   window.setFrame(30);
   CHECK(grows(begun(40), 40));
   CHECK(window.currentFrame() == 39);
-  // What cannot be read now leaves what is shown, until it can be.
+  // Unreadable data leave the picture unchanged until they can be read.
   test::write_text(sol8, "");
   QTest::qWait(1500);
   CHECK(window.frameCount() == 40);
   CHECK(window.findChild<QMessageBox*>("message") == nullptr);
   CHECK(grows(begun(50), 50));
-  // A film that plays goes on.
+  // A playing animation continues.
   window.setFrame(10);
   window.playForward();
   CHECK(grows(begun(100), 100));

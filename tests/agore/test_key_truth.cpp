@@ -126,7 +126,7 @@ void for_each_state(const std::function<void(const Animation&, std::size_t, cons
 
 bool drawn(const KeyEntry& entry) { return entry.colour.isValid() && entry.mark != KeyMark::None; }
 
-/// What an entry is about, in whatever view; none: nobody knows, which is a fault of this list.
+/// Subject of an entry in any view; empty: unknown, which is a fault of this list.
 std::optional<std::string> quantity_of(const QString& text, View view) {
   const auto has = [&](const char* words) { return text.contains(words); };
   const std::string race = view == View::OuterRace ? "outer" : "inner";
@@ -178,7 +178,7 @@ TEST_CASE("keys: what a key names is drawn, and every color of a mark is named",
       const bool thin = entry.mark == KeyMark::Dashed || entry.mark == KeyMark::Dotted;
       CHECK(inked(shown.image, entry.colour, thin ? 120 : 40) > 0);
     }
-    // Steel has the gray of elements without contact: those are told from the run.
+    // Steel has the gray of elements without contact: the run distinguishes them.
     const auto* const loads = animation.contacts_at(frame);
     const bool grey = (options.view == View::Bearing || solid) &&
                       options.colour != ColourBy::None && loads &&
@@ -250,7 +250,7 @@ std::vector<Drawn> marks_of(const Shown& shown) {
 
 /// Which marks of a key name it.
 bool names(const KeyEntry& entry, const Drawn& mark) {
-  // What dashes are is said once in space, for all of them.
+  // In space one entry explains all dashes.
   if (mark.shape == Drawn::Shape::Dashes && entry.text == "dashed: behind a body") return true;
   if (entry.colour.name() != mark.colour) return false;
   switch (mark.shape) {
@@ -326,7 +326,7 @@ TEST_CASE("keys: one quantity has one color in all views", "[gui][keys][slow]") 
       const auto quantity = quantity_of(entry.text, options.view);
       INFO(state << ": " << entry.text.toStdString());
       REQUIRE(quantity);
-      // Has the color of what is dashed; and in space a color of its own, with light and shade.
+      // Has the color of the dashed object; in space a separate color, with light and shade.
       if (*quantity == "dashed: behind a body") continue;
       if (*quantity == "rotation mark" && options.view == View::Solid) continue;
       colours[{*quantity, options.dark}].insert(entry.colour.name());
@@ -349,12 +349,12 @@ TEST_CASE("keys: small window → bearing has half of the picture height, for an
                        options.view == View::Element || options.view == View::OuterRace;
     if (!round || options.dark || frame == 0) return;
     const Shown shown = show(animation, frame, options);
-    // From the highest to the lowest of its rows that is no line of letters.
+    // From the highest to the lowest of its rows without text.
     const QRgb paper = theme_of(options).surface.rgb();
     int first = shown.image.height(), last = -1;
     for (int y = 0; y < static_cast<int>(shown.key_top) - 3; ++y) {
       int longest = 0, run = 0;
-      for (int x = 60; x < 284; ++x) {  // beside the axes and the scale in the corners
+      for (int x = 60; x < 284; ++x) {  // outside the axes and the scale in the corners
         run = shown.image.pixel(x, y) != paper ? run + 1 : 0;
         longest = std::max(longest, run);
       }

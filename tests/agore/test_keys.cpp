@@ -32,7 +32,7 @@ std::vector<View> views_of(const Animation& animation, ViewOptions& options) {
   return out;
 }
 
-/// What the key of one of the pictures has to say, in a picture of its size.
+/// Entries that the key of one picture needs at its size.
 std::vector<KeyEntry> entries_of(const Animation& animation, std::size_t frame,
                                  const ViewOptions& options, std::size_t tile, QSizeF size) {
   const std::size_t count = 1 + options.beside.size();
@@ -43,7 +43,7 @@ std::vector<KeyEntry> entries_of(const Animation& animation, std::size_t frame,
   Kept kept;
   paint_picture(painter, QRectF({0, 0}, own), animation, frame, options.tile(tile), &kept);
   std::vector<KeyEntry> out = kept.key.entries();
-  // Of several small ones: what is drawn and has no room for its name.
+  // Of several small pictures: objects without space for their name.
   for (const KeyEntry& entry : kept.key.leftOut())
     if (entry.colour.isValid()) out.push_back(entry);
   return out;
@@ -125,7 +125,7 @@ TEST_CASE("keys: every entry stands whole in the picture, however small, beside 
                 INFO(entry.text.toStdString());
                 ++seen;
                 if (words.contains(entry.text.simplified())) continue;
-                // Where four pictures and all marks want more lines than there are.
+                // Four pictures with all marks need more lines than there are.
                 CHECK((marks && tiles == 4 && size.width() < 1000));
                 CHECK(words.contains("more (see the single view, V)"));
                 ++elsewhere;

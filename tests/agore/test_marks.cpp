@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-/// Marks over bodies: what can be told from what it lies on, and what hides what.
+/// Marks over bodies: contrast with the background, and order of drawing.
 using namespace adore;
 using namespace adore::agore;
 
@@ -35,9 +35,9 @@ double contrast(QRgb a, QRgb b) {
   return std::max(light(a), light(b)) / std::min(light(a), light(b));
 }
 
-/// Pixels of a mark's own color, and those of them beside which, within a few pixels, nothing has
-/// three times or a third of their light: the inside of an area, far from all other colors, is
-/// not lost.
+/// Pixels with the color of a mark, and those of them without three times or a third of their
+/// luminance within a few pixels: the inside of an area, far from all other colors, remains
+/// visible.
 struct Seen {
   int all = 0, lost = 0;
 };
@@ -157,7 +157,8 @@ TEST_CASE("marks: an element without contact has a color of its own, which the k
     options.beside = {{View::Section}, {View::Pocket}, {View::Cage}};
     CHECK(picture.svg({700, 450}, frame, options).contains("no contact<"));
     options.beside.clear();
-    // Where all are in contact nothing else is said; a run that never loses one says nothing.
+    // If all elements are in contact there is no other entry; a run that never loses a contact has
+    // none.
     const QByteArray before = picture.svg({1280, 800}, frame - 1, options);
     CHECK_FALSE(before.contains("no contact<"));
     CHECK(before.contains("all in contact"));
@@ -174,8 +175,8 @@ TEST_CASE("marks: a path behind bodies is dashed in 3D, and no load hides a race
   options.view = View::Solid;
   options.trails = true;
   CHECK(picture.svg({1280, 800}, frame, options).contains("behind a body"));
-  // A bearing without the bodies that hide: from the front the cage and the balls lie over a half
-  // of what is drawn with no gaps where nothing hides it.
+  // A bearing without the covering bodies: in front view cage and balls cover half of the drawing,
+  // which is complete where nothing covers it.
   const QColor way = theme_of(options).curves[3];
   const auto inked = [&] { return seen_of(picture_of(animation, frame, options), way).all; };
   const int dashed = inked();
@@ -245,7 +246,7 @@ TEST_CASE("marks: no path hides the mark that turns with an element", "[gui][ago
       QImage image(394, 348, QImage::Format_RGB32);
       image.fill(theme_of(options).surface);
       QPainter painter(&image);
-      // Alike in size, whatever the key takes.
+      // Equal size with any key.
       const Sketch sketch(painter, QRectF(0, 0, 394, 348),
                           1.1 * animation.file.geometry.outer_race_inner_radius, theme_of(options));
       Kept kept;

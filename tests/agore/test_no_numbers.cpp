@@ -10,13 +10,13 @@
 #include <limits>
 #include <string>
 
-/// Values that are no numbers, by stars or damage, in files that are whole otherwise.
+/// Values that are not finite, from stars or damage, in files that are otherwise complete.
 using namespace adore;
 using namespace adore::agore;
 
 namespace {
 
-std::string warnings;  ///< Qt's own words on what it was asked to draw
+std::string warnings;  ///< messages of Qt about the drawing
 
 /// Everything of two frames that can be drawn.
 void draw_all(const Animation& animation, std::size_t frame) {

@@ -19,7 +19,7 @@ using namespace adore::agore;
 
 namespace {
 
-/// What can be shown: a lone SOL8 of some balls, or RESULTS.h5, which has sections and the 3D view.
+/// Content that can be shown: a SOL8 of some balls, or RESULTS.h5 with sections and the 3D view.
 Animation any_animation(const std::filesystem::path& folder, int number) {
   using namespace adore::testing;
   if (number % 3 == 0) {

@@ -34,7 +34,7 @@ fs::path turned(const testing::TemporaryFolder& folder, const std::string& type,
   return *request.out;
 }
 
-/// "... , −8000 rpm": what a title says that its ratios are over.
+/// "... , −8000 rpm": divisor of the ratios in a title.
 double named_divisor(const std::string& title) {
   std::smatch found;
   INFO(title);

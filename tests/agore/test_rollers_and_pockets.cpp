@@ -144,8 +144,8 @@ TEST_CASE("a leaning roller is seen foreshortened, in a window that leaves it it
     CHECK(end.center().x() == Approx((lean > 0.0 ? 7.0 : -7.0) * cosine));
     CHECK(end.width() == Approx(10.0 * sine));
   }
-  // What is drawn of an end is never outside of the roller, as a dome's rim was that was drawn
-  // where its middle is; and no line stands for an end that is none to the eye.
+  // The drawn end of a roller is never outside of the roller, as the rim of a dome once was; no
+  // line marks an invisible end.
   for (const double bulge : {0.0, 6.0, 12.0, 120.0})
     for (const double lean : {0.01, 0.03, 0.1, 0.4, -0.05, -0.4}) {
       const agore::RollerProfile domed{
@@ -156,7 +156,7 @@ TEST_CASE("a leaning roller is seen foreshortened, in a window that leaves it it
       CHECK(end.isEmpty() == (lean == 0.01));
       if (!end.isEmpty()) CHECK(seen.adjusted(-1e-9, -1e-9, 1e-9, 1e-9).contains(end));
     }
-  // Cones with corners: what the section's walls leave room for is what is seen here.
+  // Cones with corners: the space between the walls of the section equals the drawn roller.
   shape.slope = -0.1;
   shape.corner = {0.5, 1.0};
   for (const double lean : {0.0, 0.15, -0.3}) {
@@ -185,7 +185,7 @@ TEST_CASE("a roller is drawn with its cone, its arc, its corners and its domes",
   CHECK(r.side(6.0) == Approx(4.4));
   CHECK(r.side(6.5) == Approx(4.35 - (1.0 - std::sqrt(0.75))));
   CHECK(r.side(7.0) == Approx(3.3));
-  // Where the outline passes: on the side, and at the middle of its ends.
+  // Points of the outline: on the side, and at the middle of its ends.
   const auto rightmost = [](const agore::RollerProfile& of) { return of.outline().boundingRect(); };
   CHECK(rightmost(r).left() == Approx(-7.0));
   CHECK(rightmost(r).right() == Approx(7.0));
@@ -205,7 +205,7 @@ TEST_CASE("a roller is drawn with its cone, its arc, its corners and its domes",
   CHECK(domed.outline().contains(QPointF(5.9, 4.9)));
   CHECK(domed.outline().contains(QPointF(6.95, 0.1)));
   CHECK(domed.outline().contains(QPointF(-6.95, 4.9)));
-  // Along the meridian there is no way back, whatever dome and corner are.
+  // The meridian never runs backward, for any dome and corner.
   for (const double slope : {-0.1, 0.0, 0.1})
     for (const double dome : {0.0, 5.8, 8.0, 13.0, 60.0})
       for (const double corner : {0.0, 0.1, 0.5, 2.0})
@@ -352,7 +352,7 @@ TEST_CASE("views: a roller is drawn at the wall that carries it, and the key tel
     for (int x = from; x < to; ++x) free[x < (from + to) / 2 ? 0 : 1] += is(x, paper);
     CHECK(free[first ? 0 : 1] <= 1);
     CHECK(free[first ? 1 : 0] > 20);
-    // What presses on it comes from that wall, and ends where it touches.
+    // The arrow of the force starts at that wall and ends at the contact.
     int wall = first ? from : to, red = 0, beyond = 0;
     while (is(wall, cage)) wall += first ? 1 : -1;
     for (int y = row - 100; y < row + 200; ++y)
@@ -502,7 +502,7 @@ TEST_CASE("flange view: roller rotated by Phi of SOL1, its +x end up", "[gui][h5
     QPainter painter(&image);
     paint_picture(painter, QRectF(image.rect()), animation, 1, options);
     painter.end();
-    // Middle of what stands in a column about the roller's middle row.
+    // Middle of the text column around the middle row of the roller.
     const auto middle = [&](int x) {
       const auto paper = [&](int y) { return image.pixelColor(x, y) == theme_of(options).surface; };
       int top = 270, bottom = 270;

@@ -14,7 +14,7 @@
 #include <functional>
 #include <numbers>
 
-/// What the views show of RESULTS.h5, and what their keys name.
+/// Objects of RESULTS.h5 in the views, and the entries of the keys.
 using namespace adore;
 using namespace adore::agore;
 using test::pixels_of;
@@ -57,7 +57,7 @@ TEST_CASE("views: RESULTS.h5 alone shows sections, colors and race loads", "[gui
   CHECK(run_range(made).usual == 95.0);
   CHECK(run_range(made).largest == 100.0);
   CHECK(run_range(made).lowest == 0.0);
-  // A short peak of the run, ten times what is usual, takes no differences away, and is told.
+  // A short peak, ten times the usual value, keeps the differences visible and is reported.
   Animation peak = a;
   peak.run_ranges["contact.load"] = {0.0, 18000.0, 1500.0};
   const auto scaled = [&](const std::string& scale) {
@@ -144,7 +144,7 @@ TEST_CASE("views: ways of elements, loads and contacts of the cage are named in 
   for (const std::size_t race : {0U, 1U})
     CHECK(solid.contains((race == 0 ? "outer" : "inner") + QByteArray(" race loads ≤ ") +
                          load(contacts.largest_of_race[race])));
-  // Arrows of contacts are as long as the cage's radius, whatever the force.
+  // Arrows of contacts are as long as the radius of the cage, for any force.
   for (const QByteArray& svg : {front, cage}) {
     CHECK(svg.contains("direction of land contact"));
     CHECK(svg.contains(">pocket contact"));
@@ -156,7 +156,7 @@ TEST_CASE("views: ways of elements, loads and contacts of the cage are named in 
   const QColor way = theme_of(options).curves[3];
   const QImage with = picture.image({1280, 800}, 20, options);
   options.trails = false;
-  CHECK(pixels_of(with, QRect(0, 60, 780, 480), way) > 20);  // beside that in the key
+  CHECK(pixels_of(with, QRect(0, 60, 780, 480), way) > 20);  // next to it in the key
   CHECK(pixels_of(picture.image({1280, 800}, 20, options), kPicture, way) == 0);
 }
 
@@ -178,7 +178,7 @@ TEST_CASE("views: a cage that no race guides is drawn clear of the races that it
     CHECK((factor == 1.0 || factor * share <= 1.05));
     if (share <= 0.45) CHECK(factor > 1.0);
   }
-  // A cage that dips below the inner race's rim has its room to the outer race all the same.
+  // A cage below the rim of the inner race still has its clearance to the outer race.
   g.cage_inner_radius = 0.9 * g.inner_race_outer_radius;
   const double outer = g.outer_race_inner_radius - g.cage_outer_radius;
   for (auto& frame : animation.file.frames) frame.cage.position = {0.0, 0.0, -0.3 * outer};
@@ -209,7 +209,7 @@ TEST_CASE("views: varying speed → given by its ends or limits, not by a mean",
     MotionPicture picture(std::move(animation));
     return QString::fromUtf8(picture.svg({1280, 800}, 3, {}));
   };
-  // From 10000 to 4000 rpm: 6500 and 7000 are no speeds of this run.
+  // From 10000 to 4000 rpm: 6500 and 7000 are not speeds of this run.
   CHECK(heading([](double t) {
           return (10000.0 * t - 3000.0 * t * t) / 60.0;
         }).contains("runs from 10000 to 4000 rpm"));
@@ -237,7 +237,7 @@ TEST_CASE("views: keys list exactly the drawn marks", "[gui][agore]") {
   const QByteArray several = still.svg({1280, 800}, 3, options);
   CHECK(several.contains("Views of the same frame"));
 
-  // What a frame does not have is said to be none now, and moves nothing of the key.
+  // Missing objects of a frame are listed as none, and the key does not move.
   Animation cage = prepare(test::synthetic_sol8());
   cage.guide = Guide::Outer;
   for (std::size_t i = 0; i < cage.file.frames.size(); ++i) {

@@ -7,7 +7,7 @@
 #include <QGraphicsSimpleTextItem>
 #include <catch2/catch.hpp>
 
-/// The chart beside AGORE's pictures, in windows as small as they get.
+/// The chart next to AGORE's pictures, in the smallest windows.
 using namespace adore;
 using namespace adore::agore;
 

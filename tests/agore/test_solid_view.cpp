@@ -48,7 +48,7 @@ TEST_CASE("depth_canvas: nearest surface visible for any drawing order", "[unit]
     CHECK(image.pixel(39, 5) == qRgb(255, 255, 255));  // right of the slanting side
     CHECK(image.pixel(24, 24) == qRgb(255, 255, 255));
   }
-  // A sphere stands before a plane through its middle, and hides what lies behind.
+  // A sphere in front of a plane through its middle hides the part behind it.
   DepthCanvas canvas;
   canvas.reset({40, 40}, 0xff000000);
   canvas.sphere({10, 10, 0, 0}, 8.0F, {0, 0, 1}, blue, red);
@@ -56,7 +56,7 @@ TEST_CASE("depth_canvas: nearest surface visible for any drawing order", "[unit]
   CHECK(qRed(canvas.image(1).pixel(10, 10)) > 100);  // the pole looks at us
   CHECK(qRed(canvas.image(1).pixel(1, 1)) > 100);
   CHECK(canvas.image(2).size() == QSize(20, 20));
-  // What a damaged file puts far away draws nothing and does no harm.
+  // Far objects of a damaged file draw nothing and have no effect.
   canvas.triangle({1e30F, 0, 0, 0}, {0, 1e30F, 0, 0}, {0, 0, 1e30F, 0}, red);
   canvas.sphere({std::nanf(""), 0, 0, 0}, 5.0F, {}, red, red);
 }
@@ -192,7 +192,7 @@ TEST_CASE("solid_view: seen from the front, balls are where the data say", "[gui
     options.contacts = options.trails = true;
     options.moving = false;
     CHECK(picture.image({700, 500}, 4, options) != turned);
-    // What is kept from frame to frame is not seen.
+    // Kept data are invisible.
     for (const bool moving : {true, false}) {
       options.moving = moving;
       (void)picture.image({700, 500}, 9, options);
@@ -239,7 +239,7 @@ TEST_CASE("motion_picture: views too low for separate keys → shared key", "[gu
         from = std::min(from, x), to = std::max(to, x);
     CHECK(to - from > 85);
   }
-  // A load and its slip are told whole.
+  // A load and its slip are written completely.
   options.beside.clear();
   options.view = View::Element;
   const QByteArray element = picture.svg({700, 450}, 8, options);

@@ -21,7 +21,7 @@ QImage paper() {
   return out;
 }
 
-/// Where the ink of a picture is, and how much.
+/// Place and amount of the ink of a picture.
 struct Ink {
   QPointF middle{0.0, 0.0};
   double amount = 0.0;
@@ -126,7 +126,7 @@ TEST_CASE("stamps: all views of a window keep theirs in one room", "[gui][agore]
   QImage screen(1920, 1080, QImage::Format_RGB32);
   screen.setDevicePixelRatio(2.0);
   double most = 0.0;
-  for (int i = 0; i < 90; ++i) {  // every zoom has images of its own
+  for (int i = 0; i < 90; ++i) {  // separate images for every zoom
     options.zoom = 1.0 + 0.02 * i;
     for (SideView& side : options.beside) side.zoom = options.zoom;
     QPainter painter(&screen);
@@ -147,7 +147,7 @@ TEST_CASE("depth_canvas: restoring takes away everything that was drawn since", 
     canvas.restore(still);
     CHECK(canvas.image(1) == still.image(1));
     CHECK(canvas.drawn() == still.drawn());
-    // Behind what stands, before it, beside it, and beyond the edges.
+    // Behind an object, in front of it, next to it, and beyond the edges.
     canvas.triangle({0, 0, -5, 190}, {90, 0, -5, 190}, {0, 70, -5, 190}, blue);
     canvas.sphere({20.0F + 20.0F * static_cast<float>(turn), 30, 9, 0}, 12.0F, {}, blue, blue);
     canvas.sphere({-3, 58, 9, 0}, 12.0F, {}, red, red);
@@ -156,7 +156,7 @@ TEST_CASE("depth_canvas: restoring takes away everything that was drawn since", 
     const QRect box(7, 5, 30, 20);
     CHECK(canvas.image(1, box) == canvas.image(1).copy(box));
     CHECK(canvas.image(2, QRect(3, 2, 10, 9)) == canvas.image(2).copy(3, 2, 10, 9));
-    // Nothing is drawn beside what drawn() tells.
+    // Nothing is drawn outside of drawn().
     const QImage all = canvas.image(1);
     for (int y = 0; y < all.height(); ++y)
       for (int x = 0; x < all.width(); ++x)

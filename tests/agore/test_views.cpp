@@ -15,7 +15,7 @@
 #include <ctime>
 #include <numbers>
 
-/// What the views show of SOL8 alone, and where.
+/// Objects of SOL8 alone in the views, with their places.
 using namespace adore;
 using namespace adore::agore;
 using test::pixels_of;
@@ -96,7 +96,7 @@ TEST_CASE("views: arrows of race loads stay clear of the numbers and of the word
     const QImage element = picture.image(size, 0, options);
     CHECK(pixels_of(element, words, blue) == 0);
     CHECK(pixels_of(element, QRect(0, 56, size.width() / 2, size.height() / 2), blue) > 40);
-    // The numbers stand in a margin of 26 pixels round the rings.
+    // The numbers are in a margin of 26 pixels around the rings.
     options.view = View::Bearing;
     const QImage bearing = picture.image(size, 0, options);
     const QRectF area = MotionPicture::pictureAreas(QRectF(QPointF(0, 0), size), 1).front();
@@ -152,7 +152,8 @@ TEST_CASE("views: RESULTS.h5 in the folder → element view shows contact loads"
   test::use_qt();
   const auto picture = [](bool with_contacts) {
     Animation animation = prepare(test::synthetic_sol8(short_run(30)));
-    CHECK_FALSE(animation.contacts.has_value());  // nothing lies beside a file in memory
+    CHECK_FALSE(
+        animation.contacts.has_value());  // a file in memory has no other files in its folder
     CHECK_FALSE(animation.no_contacts.empty());
     if (with_contacts) {
       ContactFrames contacts{"N", "m/s", {}, 200.0};

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-/// Ways of bodies through sparse frames: a line says that the way is known.
+/// Paths of bodies through sparse frames: a line means that the path is known.
 using namespace adore;
 using namespace adore::agore;
 using test::pixels_of;
@@ -20,7 +20,7 @@ namespace {
 
 constexpr QSize kSize(900, 700);
 
-/// Every `stride`-th frame of a run of three turns in 1500 frames.
+/// Every `stride`-th frame of a run of three revolutions in 1500 frames.
 Animation thinned(std::size_t stride) {
   results::Sol8File all = test::synthetic_sol8(), few = all;
   few.frames.clear();
@@ -28,7 +28,7 @@ Animation thinned(std::size_t stride) {
   return prepare(few);
 }
 
-/// Where a picture alone has its bodies.
+/// Places of the bodies in a single picture.
 struct Seen {
   Seen(const Animation& animation, const ViewOptions& options)
       : area(MotionPicture::pictureAreas(QRectF({0, 0}, kSize), 1).front()),
@@ -125,7 +125,7 @@ TEST_CASE("ways: sparse orbits of centers are their frames, and the key says so"
     }
     INFO("every " << stride << ": " << marks << " marks and " << chords << " chords of " << looks);
     REQUIRE(looks > 5);
-    CHECK(marks > looks * 3 / 4);  // others lie below the cage's axes
+    CHECK(marks > looks * 3 / 4);  // other pixels are below the axes of the cage
     CHECK((known ? chords > looks * 3 / 4 : chords < looks / 3));
     const QString key = QString::fromUtf8(picture.svg(kSize, last, options));
     CHECK(key.contains("center at the frames, path unknown") == !known);

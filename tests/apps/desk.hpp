@@ -16,8 +16,8 @@
 #include <memory>
 #include <string>
 
-/// The programs in real windows: a display of their own (Xvfb) with a window manager (openbox), and
-/// a hand that types (xdotool). Where one of them is missing the tests say so and end.
+/// The programs in real windows: a separate display (Xvfb) with a window manager (openbox) and
+/// simulated keys (xdotool). Without one of them the tests are skipped with a message.
 namespace adore::test {
 
 class Desk {
@@ -76,7 +76,7 @@ class Desk {
 
   QString xdotool(const QStringList& arguments) { return said_by("xdotool", arguments); }
 
-  /// The window whose title holds a text, once it is there.
+  /// The window with a text in its title, as soon as it exists.
   QString window(const QString& title) {
     for (int wait = 0; wait < 150; ++wait) {
       const QString id = xdotool({"search", "--onlyvisible", "--name", title}).section('\n', -1);
@@ -150,7 +150,7 @@ class Desk {
   /// The window that has the keyboard.
   QString active() { return xdotool({"getactivewindow"}); }
 
-  /// What the programs remember, "Adore/agore.conf: [General] theme=dark" of each line.
+  /// Stored settings of the programs, "Adore/agore.conf: [General] theme=dark" per line.
   QStringList remembered() {
     QStringList out;
     const QDir folder(home_.filePath("Adore"));

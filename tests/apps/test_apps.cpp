@@ -240,7 +240,7 @@ TEST_CASE("programs: pipe instead of a file → rejected at once; next to a file
     CHECK(ended.code == 2);
     CHECK(ended.output.contains("pipe"));
   }
-  // Beside the file that is asked for: SOL1 and RUN.json are no files of this run.
+  // In the folder of the requested file: SOL1 and RUN.json belong to another run.
   for (const char* name : {"SOL2", "SOL8"}) {
     QFile::remove(folder.filePath(name));
     REQUIRE(QFile::copy(run_folder() + "/" + name, folder.filePath(name)));
@@ -255,7 +255,7 @@ TEST_CASE("programs: pipe instead of a file → rejected at once; next to a file
   const Ended beside =
       start("adrinput", {"--render", folder.filePath("forms"), folder.filePath("DATA.txt")});
   INFO(beside.output.toStdString());
-  CHECK(beside.code == 0);  // its page of options says what is wrong with ADORE.json
+  CHECK(beside.code == 0);  // its page of options reports the fault of ADORE.json
 }
 
 TEST_CASE("adrinput --render draws its pages for a real deck", "[gui][apps]") {

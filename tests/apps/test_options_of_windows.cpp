@@ -8,7 +8,7 @@
 #include <QRegularExpression>
 #include <QSet>
 
-/// What the command line asks of a window is for that time.
+/// Options of the command line are not stored for the next window.
 using adore::test::Desk;
 
 namespace {
@@ -20,7 +20,7 @@ constexpr Program kPrograms[]{{"adrinput", "AdrInput", "DATA.txt"},
                               {"adrplot", "AdrPlot", "SOL1"},
                               {"agore", "AGORE", "SOL8"}};
 
-/// Names and whether a value belongs to them, of every option that the program says it has.
+/// Names of all options of the program, and whether they have a value.
 QMap<QString, bool> options_of(const char* program) {
   QProcess process;
   process.start(QString::fromStdString(adore::test::program(program).string()),
@@ -36,7 +36,7 @@ QMap<QString, bool> options_of(const char* program) {
   return out;
 }
 
-/// Something other than what a window has anyway.
+/// A value that differs from the default of the window.
 const QMap<QString, QString> kValues{
     {"--size", "900x700"},   {"--page", "2"},         {"--from", "2"},
     {"--to", "5"},           {"--every", "2"},        {"--abscissa", "time"},
@@ -77,7 +77,7 @@ TEST_CASE("no option of a window's command line is remembered for the next windo
       return out.join("\n").toStdString();
     };
     open_and_close({});
-    REQUIRE(changed() == "");  // else nothing could be told of options
+    REQUIRE(changed() == "");  // otherwise options could not be tested
     int tried = 0;
     const QMap<QString, bool> options = options_of(program.name);
     for (auto option = options.begin(); option != options.end(); ++option) {

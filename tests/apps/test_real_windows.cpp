@@ -122,7 +122,7 @@ TEST_CASE("real windows: files that are dragged from another program open where 
     if (!desk) return;
     desk->start(program, {});
     const QRect place = desk->place(desk->window("A(drPlot|drInput|GORE)"));
-    if (program != std::string("adrinput")) {  // it asks for a file by itself
+    if (program != std::string("adrinput")) {  // it opens a file dialog automatically
       QTest::qWait(1000);
       desk->keys({"Escape"});
     }

@@ -94,7 +94,7 @@ TEST_CASE("sources: only base/input_file.cpp opens files for reading", "[unit][a
   check_none(reader, {"core/base/input_file.cpp", "core/base/write_folder.cpp",
                       "core/results/h5_driver.cpp",
                       "core/results/h5_file.cpp",     // in the reading process, after refuse_pipe()
-                      "core/results/results_h5.cpp",  // of its own file
+                      "core/results/results_h5.cpp",  // in its file
                       "core/results/run_findings.cpp",      // the same; in the reading process
                       "core/studies/study_table_read.cpp",  // STUDY.h5, after refuse_pipe()
                       "core/facade/output_folder.cpp",      // locks

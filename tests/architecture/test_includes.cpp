@@ -22,7 +22,7 @@ using Rule = std::map<std::string, std::set<std::string>>;
 
 std::string text_of(const fs::path& file) { return adore::test::bytes_of(file); }
 
-/// The dependency rule: core/CMakeLists.txt says which folder may include which.
+/// Dependency rule: core/CMakeLists.txt lists the folders that a folder may include.
 Rule dependency_rule() {
   Rule rule;
   const std::string text = text_of(adore::test::source_dir() / "core" / "CMakeLists.txt");
@@ -40,7 +40,8 @@ Rule dependency_rule() {
   }
   return rule;
 }
-/// What apps see of the core: values, files, pages and drawings, and the facade that runs decks.
+/// Parts of the core for applications: values, files, pages and drawings, and the facade that runs
+/// decks.
 const std::set<std::string> kAppsMaySee = {"base",    "deck",    "results",
                                            "listing", "drawing", "calculators",
                                            "facade",  "studies", "command_line"};
@@ -245,7 +246,7 @@ TEST_CASE("no dialog is deleted as it closes, before its answer has been used",
   std::vector<std::string> found;
   for (const char* app : {"desktop", "adrinput", "adrplot", "agore"})
     for (const fs::path& file : sources(adore::test::source_dir() / app)) {
-      if (file.filename() == "dialogs.hpp") continue;  // says why
+      if (file.filename() == "dialogs.hpp") continue;  // with a reason
       std::istringstream lines(text_of(file));
       for (std::string line; std::getline(lines, line);)
         if (line.find("WA_DeleteOnClose") != std::string::npos) found.push_back(line);

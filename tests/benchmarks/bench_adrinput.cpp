@@ -11,9 +11,8 @@
 #include <string>
 #include <vector>
 
-/// What the user of AdrInput waits for. Aims: start-up below 1 s, a page below 50 ms, a letter
-/// typed below what an eye sees (20 ms). Everything is measured to the last pixel: the window is
-/// drawn into a picture.
+/// Waiting times in AdrInput. Aims: start-up below 1 s, a page below 50 ms, a typed letter below 20
+/// ms. Measured to the last pixel: the window is drawn into a picture.
 using namespace adore;
 using adrinput::DeckWindow;
 

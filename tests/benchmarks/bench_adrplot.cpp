@@ -24,7 +24,7 @@ using namespace adore;
 namespace {
 
 int zero = 0;
-/// Never taken down: what Qt keeps of its own ends later.
+/// Never destroyed: Qt's internal data end later.
 void need_application() {
   static const auto* application =
       desktop::make_application(zero, nullptr, "adrplot", desktop::Display::Headless).release();
@@ -120,10 +120,9 @@ BENCHMARK(pan_bands)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
 
-/// An orbit of as many points, enlarged to `1 / part` of its width and moved about in a circle for
-/// more than a turn, with what stands below the pointer read after each move: points of 500 to a
-/// turn that precess, with or without noise that fills their ring. `first_ms` is the picture before
-/// the first move, of which nothing is known.
+/// An orbit of this number of points, enlarged to `1 / part` of its width and moved in a circle for
+/// more than a revolution, with the readout after each move: precessing points, 500 per revolution,
+/// with or without noise. `first_ms` is the picture before the first move, without kept data.
 void pan_orbit(benchmark::State& state) {
   need_application();
   desktop::ChartPage page;

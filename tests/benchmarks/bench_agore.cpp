@@ -14,20 +14,18 @@
 #include <memory>
 #include <sys/resource.h>
 
-/// Frames of AGORE at 1920 x 1080, on one core. Aim: 60 a second with 40 elements (16.7 ms).
-/// The column CPU is the processor time of all threads, since Qt hands large fills to helpers:
-/// what one core needs for a picture, whatever else the machine does.
-/// `film` writes some 100 pictures of 1280 x 800 into one; `ffmpeg_ms` is what the helper of MP4
-/// needs for each beside the time that is measured, which is that of all pictures. With
-/// ADORE_BENCH_RUN=FOLDER the pictures rest on that run's RESULTS.h5, which sections and the 3D
-/// view need; else on 40 balls made up.
+/// Frames of AGORE at 1920 x 1080, on one core. Aim: 60 per second with 40 elements (16.7 ms). The
+/// column CPU is the processor time of all threads, since Qt uses helper threads for large fills.
+/// `film` writes some 100 pictures of 1280 x 800 into one movie; `ffmpeg_ms` is the time of the MP4
+/// helper per picture, in addition to the measured time. With ADORE_BENCH_RUN=FOLDER the pictures
+/// use RESULTS.h5 of that run, which sections and the 3D view need; otherwise 40 synthetic balls.
 using namespace adore;
 using agore::View;
 
 namespace {
 
 int zero = 0;
-/// Never taken down: what Qt keeps of its own ends later.
+/// Never destroyed: Qt's internal data end later.
 void need_application() {
   static const auto* application =
       desktop::make_application(zero, nullptr, "agore", desktop::Display::Headless).release();

@@ -1,10 +1,9 @@
-// Cost of the films of lubricants beside the hypothetical law, in one run: 16 balls (whole vectors)
-// on both races with the nodes that a run takes for that lubricant (facade/prepare.cpp), and with
-// pieces that have equal nodes: 15 x 4, 20 x 2 of whole strips (`_equal`). Then the rolling
-// resistance of the same contacts. Films are evaluated by floats where runs do (`ns_double`:
-// without). Counters: ns per contact, `ratio` to the hypothetical law of the
-// same instruction set, measured just before, and the heat of both races beside that of 100 x 40
-// nodes, in percent.
+// Cost of lubricant films compared with the hypothetical law, in one run: 16 balls (whole vectors)
+// on both races with the nodes of a run for that lubricant (facade/prepare.cpp), and with equal
+// nodes: 15 x 4, 20 x 2 of whole strips (`_equal`). Then the rolling resistance of the same
+// contacts. Films are in single precision where runs use it (`ns_double`: double precision).
+// Counters: ns per contact, `ratio` to the hypothetical law of the same instruction set, measured
+// just before, and the heat of both races relative to 100 x 40 nodes, in percent.
 #include "../core/dynamics/thrust_scene.hpp"
 #include "tribology/film_law.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// What a run pays for its files: a look at every step, and the fields of a stored one.
+/// Cost of the files of a run: a snapshot per step, and the fields of a stored step.
 namespace {
 
 using namespace adore::results;

@@ -10,15 +10,12 @@
 #include <string>
 #include <vector>
 
-/// What a general solver as it comes (CVODE's BDF, Newton with a dense Jacobian by differences, no
-/// longest step) pays for the same error as the program's own set-up: 18 balls with cage, a part of
-/// a turn. Errors are those of the work and heat of races, pockets and lands over the span, in
-/// percent of all heat, and of the balls' advance. Dense is what a system gives that does not say
-/// who couples with whom.
-///
-/// The cheapest row of either side below each limit makes the ratio.
-///
-///   equal_error [TURNS]
+/// Cost of a general solver with default settings (CVODE's BDF, Newton with a dense Jacobian by
+/// differences, no longest step) for the same error as the settings of the program: 18 balls with
+/// cage, part of a revolution. Errors are those of the work and heat of races, pockets and lands
+/// over the span, in percent of all heat, and of the travel of the balls. The Jacobian is dense for
+/// a system without a known structure. The cheapest row of either side below each limit gives the
+/// ratio. equal_error [TURNS]
 namespace {
 
 using namespace adore;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A long step file made of a short one: its steps again and again, with steps, revolutions and time
-going on, as far as the records asked for. For bench_adrplot (ADORE_BENCH_SOL); 10^6 records of SOL3
+"""Makes a long step file from a short one: repeats its steps with continued step numbers, revolutions and times, up to the
+specified number of records. For bench_adrplot (ADORE_BENCH_SOL); 10^6 records of SOL3
 of the ball example are 1.1 GB.
 
     long_sol.py RUN/SOL3 BIG/SOL3 1000000

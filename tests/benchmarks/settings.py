@@ -4,8 +4,8 @@
     settings.py PROGRAM [--turns N] [--only CASE] [DECK ...]
 
 Each deck runs under its load cases with its own settings and with the candidates below, against rkf7 at a tight tolerance with the longest
-stable step. Errors in percent of what is read (speeds of cage and elements, loads, heat, life), processor time of the whole process. Rollers
-run fewer turns. Without DECK: all; the whole table takes an hour or two.
+stable step. Errors in percent of the quantity (speeds of cage and elements, loads, heat, life), processor time of the whole process. Rollers
+run fewer revolutions. Without DECK: all; the whole table takes an hour or two.
 """
 
 import argparse
@@ -28,7 +28,7 @@ BALL_18 = [("as it is", ""), ("radial", "appLoadX=600 appLoadZ=5000"), ("light",
 DECKS = {"ball-18": (BALL_18, 50), "ball": (BALL, 50), "ball-thrust": (THRUST, 50), "cylindrical": (ROLLERS, 50), "tapered": (TAPERED, 10),
          "spherical-tapered": (TAPERED, 10), "spherical": (ROLLERS, 10)}
 AS_STABLE = ["--set", "stpMax=10"]  # shortened to what contact vibrations allow
-CANDIDATES = [("as it stands", [])] + [(f"{m}, {t}", ["--integrator", m, "--tol", t] + AS_STABLE)
+CANDIDATES = [("own settings", [])] + [(f"{m}, {t}", ["--integrator", m, "--tol", t] + AS_STABLE)
                                        for m, t in (("rk4", "1e-4"), ("rk4", "1e-5"), ("rk4", "1e-6"), ("rkf6", "1e-5"))]
 
 

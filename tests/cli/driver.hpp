@@ -22,12 +22,12 @@
 #include <unistd.h>
 #include <vector>
 
-/// What tests of the program `adore` do: start it in a folder of their own and read what it leaves.
+/// Actions of tests of the program `adore`: start it in a separate folder and read its files.
 namespace adore::test {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for one test, removed at the end.
+/// A separate folder for one test, removed at the end.
 class Folder {
  public:
   Folder() {
@@ -73,7 +73,7 @@ inline Result run_shell(std::string line) {
   return result;
 }
 
-/// The command as it stands.
+/// The unchanged command.
 inline Result run_as_given(const std::string& arguments, const std::string& environment = "") {
   return run_shell(environment + " " + command_line(arguments) + " 2>&1");
 }
@@ -110,11 +110,11 @@ void wait_for(Condition condition) {
   REQUIRE(condition());
 }
 
-/// A run in the background that never ends by itself. It ends with this object, and with the test
-/// program, whatever becomes of that.
+/// A run in the background without an end. It ends with this object, and with the test program in
+/// any case.
 class EndlessRun {
  public:
-  /// Beside the deck of the folder, with further arguments; what it says goes into the file "said".
+  /// With the deck of the folder and further arguments; its output goes into the file "said".
   explicit EndlessRun(const Folder& folder, const std::vector<std::string>& more = {},
                       const std::string& until = "1e9rev",
                       const std::string& checkpoint_seconds = "0.05")

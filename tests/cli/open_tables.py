@@ -51,7 +51,7 @@ def compare(folder, rows, varied, quantities):
                 numpy.testing.assert_array_equal(values[:], frame[heading].to_numpy(float))
         words = [plain(text) for text in table["message"][:]]
         assert words == list(frame["message"].fillna("")), words
-        # As a frame of its own, for who never opens the CSV.
+        # As a separate frame, for users who never open the CSV.
         pandas.DataFrame({name: table["quantities"][name][:] for name in quantities}, index=table["run"][:])
     return frame
 

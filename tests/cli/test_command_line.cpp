@@ -31,7 +31,7 @@ std::string needed(const json& command) {
   return out;
 }
 
-/// Words of the option library, whose errors say what is wrong and not what would be right.
+/// Words of the option library, whose errors state the fault without a remedy.
 bool speaks_for_itself(const std::string& text) {
   for (const char* phrase : {"Run with --help", "not expected", "Could not convert", "is required",
                              "Expected ", "invalid command line", "allowed value", "this is a bug"})
@@ -343,7 +343,7 @@ TEST_CASE("the progress line is never wider than the terminal", "[cli]") {
     close(terminal);
     INFO(width << '\n' << seen);
     REQUIRE((WIFEXITED(status) && WEXITSTATUS(status) == 0));
-    // What is written over stands between "\r\033[K" and the next return or line end.
+    // Overwritten text is between "\r\033[K" and the next return or line end.
     std::size_t lines = 0, longest = 0;
     const std::string start = "\r\033[K";
     for (std::size_t at = seen.find(start); at != std::string::npos;
@@ -522,7 +522,7 @@ TEST_CASE("zsh completes commands, options, values and deck variables", "[cli]")
   }
   const Folder folder;
   write(folder / "_adore", function);
-  // A terminal of its own, in which a key tells the line that stands there after the tabulator.
+  // A separate terminal, in which a key shows the line after the tabulator.
   write(folder / "ask.zsh",
         R"(zmodload zsh/zpty
 zpty z zsh -f -i

@@ -126,7 +126,7 @@ TEST_CASE("examples of user routines run as their last lines say", "[cli]") {
     const std::string run = "run " + folder.path().string() + " --set maxStps=3 " + options +
                             " --user " + (out / ("lib" + name + ".so")).string();
     if (lines != std::string::npos) {
-      const Result without = run_adore(run);  // says what it misses
+      const Result without = run_adore(run);  // reports the missing part
       CHECK(without.code == 2);
       CHECK(contains(without.out, "must contain"));
       std::ofstream(folder / "DATA.txt", std::ios::app) << told.substr(told.find('\n', lines) + 1);

@@ -7,8 +7,7 @@
 #include <sstream>
 #include <vector>
 
-/// Runs that stop anywhere and go on: everything that RESULTS.h5 holds comes from what MASTER
-/// holds.
+/// Runs that stop anywhere and continue: RESULTS.h5 can be restored from MASTER.
 using namespace adore;
 using namespace adore::test;
 
@@ -80,7 +79,7 @@ TEST_CASE("a run of any method that keeps its past joins to the same bytes from 
   for (const std::string_view name : integrators::stepper_names()) {
     if (!integrators::make_stepper(name)->loses().empty()) continue;
     ++methods;
-    // Euler's method is refused at longer steps.
+    // Euler's method is rejected at longer steps.
     const std::string short_steps =
         name == "rkf1" ? " --set stpMin=0.001 --set stpMax=0.003 --set stpInit=0.003" : "";
     check_every_stop(folder, often + "--integrator " + std::string(name) + short_steps);
@@ -114,7 +113,7 @@ TEST_CASE("steps that are judged by their energy join to the same bytes from eve
       "--set kNumPltElem=1 --set kPltElemInd=1");
 }
 
-// A run is "done" when the last byte of its results is written: nobody goes on with it.
+// A run is "done" when the last byte of its results is written: it cannot be continued.
 TEST_CASE("a run killed at any of its last calls that change a file is completed to the same bytes",
           "[cli][slow]") {
   const Folder folder;

@@ -6,15 +6,12 @@
 #include <optional>
 
 /// The examples of `adore new` in motion against the PRINT.txt of tests/reference/examples: the
-/// pages of their steps, number by number. Thirty-eight counted steps of four (0.02 to 0.1 turns):
-/// later the trajectories part, because rollers and cage meet in impacts that amplify any
-/// difference.
-///
-/// Tolerance: 1e-3 of a number, or 5e-4 of the largest in its column of a table: velocities and
-/// loads of hardly loaded elements are what is left of vibrations. Sums in another order
-/// (ADORE_ISA=baseline) change 4e-2 of such small ones, 1e-4 of their column, and 1e-6 of all
-/// others.
-/// ADORE_UPDATE_EXAMPLES=1 in the environment writes the references anew.
+/// pages of their steps, number by number. Thirty-eight counted steps of four (0.02 to 0.1
+/// revolutions): later the trajectories diverge, because impacts of rollers and cage amplify any
+/// difference. Tolerance: 1e-3 of a number, or 5e-4 of the largest in its column of a table:
+/// velocities and loads of lightly loaded elements are remainders of vibrations. Sums in another
+/// order (ADORE_ISA=baseline) change 4e-2 of such small ones, 1e-4 of their column, and 1e-6 of all
+/// others. ADORE_UPDATE_EXAMPLES=1 in the environment writes the references.
 using namespace adore::test;
 
 namespace {
@@ -59,8 +56,8 @@ std::vector<std::string> words(const std::string& line) {
 
 using Table = std::vector<std::vector<std::string>>;
 
-/// Largest number of a column around a line: over all lines beside it with as many words; of the
-/// forces on the races their whole line.
+/// Largest number of a column around a line: over all neighboring lines with the same number of
+/// words; for forces on the races over the whole line.
 double column_size(const Table& lines, std::size_t line, std::size_t column) {
   double out = 0.0;
   const auto take = [&](const std::string& word) {
@@ -81,7 +78,7 @@ double column_size(const Table& lines, std::size_t line, std::size_t column) {
   return out;
 }
 
-/// Where along an open pocket a parallel roller is nearest to it is decided by rounding.
+/// The nearest place of a parallel roller along an open pocket depends on rounding.
 bool is_undecided(const std::vector<std::string>& line, std::size_t column) {
   return line.size() == 5 && contains(line[0], ".") && line[1] == "0" && column == 4;
 }

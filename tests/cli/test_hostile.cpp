@@ -7,7 +7,7 @@ using namespace adore::test;
 
 namespace {
 
-/// Exit 2, and a sentence that holds `part` and calls nothing a bug.
+/// Exit code 2 and a message that contains `part` and does not mention a bug.
 void refused(const Result& result, const std::string& part) {
   CAPTURE(result.out);
   CHECK(result.code == 2);

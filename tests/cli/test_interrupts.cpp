@@ -9,14 +9,14 @@
 #include <cmath>
 #include <vector>
 
-/// Runs that end from outside: nothing here waits for a time, only for what the program does.
+/// Runs that end from outside: these tests do not wait for a time, only for actions of the program.
 using namespace adore;
 using namespace adore::test;
 using nlohmann::json;
 
 namespace {
 
-/// The next steps of the run in the folder, whatever its state.
+/// The next steps of the run in the folder, in any state.
 const char* const kMore = " --quiet --set kIcOpt=1 --set fTime=1e12 --set maxStps=5";
 
 results::SolFile stored(const fs::path& path) { return results::read_sol(path, {1, 1000000, 1}); }
@@ -281,7 +281,7 @@ TEST_CASE("a run killed at any call that changes a file joins to the bytes of an
       INFO(method << " killed at call " << at << " of " << calls << "\n" << killed.out);
       REQUIRE(killed.code == 128 + SIGKILL);
       Result more = run_as_given(run + " --continue");
-      if (more.code == 2) {  // before the first checkpoint: it says how to start again
+      if (more.code == 2) {  // before the first checkpoint: the message explains a new start
         CHECK(contains(more.out, "--overwrite"));
         more = run_as_given(run + " --overwrite");
       }
@@ -337,7 +337,7 @@ TEST_CASE("a complete run is continued to a later end only, and stores no step t
   CHECK(contains(sooner.out, "later end"));
   CHECK(read(folder / "RUN.json") == report);
 
-  // The step that the end cut short is not the one to go on with.
+  // The step that the end shortened is not used for the continuation.
   const double cut = results::read_master(folder / "MASTER").last.step_size;
   CHECK(results::read_master(folder / "MASTER").averages.at("stepper memory next step") > cut);
   REQUIRE(run_as_given(deck + "--until 0.04rev --continue").code == 0);

@@ -3,7 +3,7 @@
 
 #include <map>
 
-/// What a run may replace, and who writes into a folder.
+/// Files that a run may replace, and locks of a folder.
 using namespace adore;
 using namespace adore::test;
 
@@ -132,7 +132,7 @@ TEST_CASE("results of an earlier run → replaced only on request", "[cli]") {
   CHECK(read(folder / "SOL1") != before.at("SOL1"));
   for (const char* name : {"SOL7", "FINAL", "RUN.json"})
     CHECK((fs::status(folder / name).permissions() & fs::perms::owner_exec) == fs::perms::none);
-  // What the new run does not write is not left among its files.
+  // Files that the new run does not write are removed from its files.
   CHECK_FALSE(fs::exists(folder / "SOL8"));
   CHECK(read(folder / "earlier-1" / "SOL8") == before.at("SOL8"));
   CHECK(contains(replaced.out, "earlier-1"));

@@ -78,8 +78,8 @@ TEST_CASE("roller decks in SI and in English units give the same results", "[cli
       REQUIRE(run.code == 0);
       result[k] = json::parse(read(out / "RUN.json")).at("summary");
     }
-    // A result that is small beside others of its unit (a load that only rounding leaves, a tilt)
-    // is as exact as the largest of them.
+    // A result that is small compared with others of its unit (a load from rounding, a tilt) has
+    // the accuracy of the largest of them.
     std::map<std::string, double> scale;
     const auto unit_of = [](const std::string& key) {
       return std::string(results::find_key_result(key).unit->si);

@@ -158,7 +158,7 @@ TEST_CASE("continued run: changed loads and speeds â†’ reported; other bearing â
   CHECK(contains(more.out, "no effect, because the stored state is the start: cageGcPos[1]"));
   CHECK(contains(read(folder / "PRINT.txt"), "under a changed deck"));
   CHECK(contains(read(folder / "RUN.json"), "9000.0 rpm now"));
-  // The shaft goes on from where it was.
+  // The shaft continues from its angle.
   const auto second = adore::results::read_final(folder / "FINAL");
   CHECK(second.step == 40);
   CHECK(second.shaft_rotation - first.shaft_rotation ==
@@ -307,7 +307,7 @@ TEST_CASE("lightly loaded elements are held, booked and continued as in an unbro
   CHECK(held >= 3.0);
   CHECK(worst < 1e-9);  // the same steps; only t = k h is summed in two parts
 
-  // qFac = 0 is another state: refused by name when a run is continued.
+  // qFac = 0 is another state: rejected by name in a continuation.
   const Result other = run_adore("run " + deck + fixed +
                                  " --set qFac=0 --set maxStps=5 --set kIcOpt=1 --out " + parts);
   CHECK(other.code == 2);

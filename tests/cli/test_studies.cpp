@@ -201,7 +201,7 @@ TEST_CASE("studies of every kind give the same tables from TOML and from JSON", 
     CHECK(lines_of(table["json"]) > 4);
     CHECK(table["toml"] == table["json"]);
     CHECK(numbers["toml"] == numbers["json"]);
-    if (std::string(kind) != "what-if")  // which says what runs took
+    if (std::string(kind) != "what-if")  // with the time of the runs
       CHECK(report["toml"] == report["json"]);
   }
 }

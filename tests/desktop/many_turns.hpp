@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-/// A way to and fro of very many points.
+/// A path back and forth with very many points.
 namespace adore::test {
 
 struct Way {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-/// What is said and drawn of a curve that lies on another one.
+/// Texts and drawing of a curve that coincides with another one.
 using namespace adore;
 using namespace adore::desktop;
 
@@ -110,8 +110,8 @@ TEST_CASE("chart_scene: both of two equal curves are seen along a line of any sl
 TEST_CASE("chart_scene: a panel's size and shape change no word for curves that lie together",
           "[gui][desktop]") {
   test::use_qt();
-  // Loads that rise steeply, 1 % apart: over a narrow and high panel their values differ by more
-  // than a line is wide where nobody can see them apart. Their extremes are theirs.
+  // Steep loads, 1 % apart: over a narrow and high panel their values differ by more than a line
+  // width, although they look equal. Their extremes are separate.
   constexpr std::size_t kPoints = 6000;
   std::vector<double> lower, upper;
   for (std::size_t i = 0; i < kPoints; ++i) {
@@ -248,7 +248,7 @@ TEST_CASE("chart_scene: label identical only for equal values, in every picture 
 TEST_CASE("chart_scene: curves that lie together share the way over time and over frequency",
           "[gui][desktop]") {
   test::use_qt();
-  // Two spectra: one peak each, and beside them both near 0.
+  // Two spectra: one peak each, otherwise both near 0.
   for (const char* const unit : {"s", "Hz"})
     for (const bool log_x : {false, true}) {
       std::vector<double> lower, upper;

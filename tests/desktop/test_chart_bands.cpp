@@ -24,7 +24,7 @@ TEST_CASE("chart_scene: extremes between stored values → min-max band", "[gui]
   scene.setPageSize({900, 600});
   scene.setPage(page);
   const QRectF area = scene.plotAreas()[0];
-  CHECK(scene.valueAt(0, area.top()) >= 70.0);  // the axis has room for it
+  CHECK(scene.valueAt(0, area.top()) >= 70.0);  // the axis has space for it
   const QImage image = scene.image({900, 600});
   const auto at = [&](double x, double y) {
     return image.pixelColor(static_cast<int>(scene.positionOf(x)),
@@ -206,7 +206,7 @@ TEST_CASE("chart_scene: visible min-max band → explained in every picture size
               (scene.valueAt(0, area.top()) - scene.valueAt(0, area.bottom())) / area.height();
           ChartCurve& last = page.panels.back().curves[0];
           last.low = last.high = last.y;
-          // Of what sets the axis nothing is known: its area would stand beside the long stroke.
+          // The stroke that sets the axis has no band: its area would be next to the long stroke.
           last.low[1] = last.high[1] = last.low[2] = last.high[2] = std::nan("");
           last.high[120] = std::max(last.y[119], last.y[120]) + (0.8 + pixels) * pixel;
           page.band_note = kSaid;
@@ -217,7 +217,7 @@ TEST_CASE("chart_scene: visible min-max band → explained in every picture size
                             << " px: " << pale << " pale pixels");
           if (pixels > 1.0) CHECK(said);
           if (pixels == 0.0 && slope == 0.0) CHECK_FALSE(said);
-          constexpr int kFew = 20;  // half covered ones beside a line
+          constexpr int kFew = 20;  // half covered ones next to a line
           if (pale == 0) CHECK_FALSE(said);
           if (pale > kFew) CHECK(said);
         }
@@ -260,7 +260,7 @@ TEST_CASE("chart_scene: min-max bands below all curves", "[gui][step-band]") {
     const QColor own = theme(ThemeKind::Light).curves[0];
     const QRectF area = scene.plotAreas()[0];
     INFO((log ? "logarithmic" : "linear"));
-    // Beside it the area is seen.
+    // Next to it the area is visible.
     const QImage image = scene.image(size);
     const QColor beside = image.pixelColor(static_cast<int>(area.center().x()),
                                            static_cast<int>(scene.heightOf(0, 100.0)));

@@ -46,7 +46,7 @@ TEST_CASE("chart_scene: ends of a curve → distance from the frame", "[gui]") {
         int inked = 0;
         for (int x = at - 2; x <= at + 2; ++x) inked += is(x, line, 120) ? 1 : 0;
         CHECK(inked >= 1);
-        // Paper beside it on either side: nobody takes it for an axis.
+        // Background on both sides: not mistaken for an axis.
         CHECK(is(at - 3, paper, 30));
         CHECK(is(at + 3, paper, 30));
       }

@@ -17,13 +17,13 @@
 #include <cmath>
 #include <limits>
 
-/// What is written on a page of charts.
+/// Texts on a page of charts.
 using namespace adore;
 using namespace adore::desktop;
 
 namespace {
 
-/// Plain words of a page.
+/// Texts of a page.
 QStringList words(const ChartScene& scene) {
   QStringList out;
   for (auto* item : scene.items())
@@ -77,7 +77,7 @@ TEST_CASE("a line too long for its place is drawn closer before it is cut", "[gu
   CHECK(named.contains(QString(QChar(0x2026)) + " · page 2 of 9 · all digits"));
   CHECK(metrics.horizontalAdvance(named) <= close + 60.0);
   CHECK(fitted_line(text, metrics, close - 30.0).endsWith(QChar(0x2026)));
-  // Below a title what has no room goes beside it, and nothing is shortened.
+  // A text without space below the title is next to it, unshortened.
   const FittedHeading wide = fitted_heading(text, metrics, 2000.0, 1500.0);
   CHECK(wide.below == text);
   CHECK(wide.beside.isEmpty());
@@ -211,7 +211,7 @@ TEST_CASE("chart_scene: curves that would hide others → legend text, half of t
   CHECK(words(scene).contains("land 2 (≈ land 1)"));
   scene.setPanelView(0, std::pair(-1.0, 1.0));  // there they part
   CHECK(words(scene).contains("land 2"));
-  // Lines closer than one is wide are told apart, at the size and zoom that is looked at.
+  // Lines closer than a line width are distinguished at the current size and zoom.
   for (const QSizeF size : {QSizeF(1600, 1000), QSizeF(700, 450), QSizeF(400, 260)}) {
     scene.setPageSize(size);
     look(near);
@@ -229,7 +229,7 @@ TEST_CASE("chart_scene: curves that would hide others → legend text, half of t
       CHECK(words(scene).contains("land 2"));
     }
   }
-  // What is 0 but for rounding is 0.
+  // Rounding errors count as 0.
   std::vector<double> noise_1, noise_2;
   for (std::size_t i = 0; i < wave.size(); ++i) {
     noise_1.push_back(1e-19 * std::sin(1.7 * static_cast<double>(i)));
@@ -350,14 +350,14 @@ TEST_CASE("chart_scene: texts on covering curves → correct and fast", "[gui]")
   CHECK(name(scene, "second") == "second (= cage y)");  // there they are
   late.back() = wave.back() + 1e-4;
   CHECK(show(wave, late) == "second (≈ cage y)");
-  // Bands are part of what is told.
+  // Bands are part of the text.
   Values low = wave, high = wave, higher = wave;
   for (double& v : low) v -= 1.0;
   for (double& v : high) v += 1.0;
   for (double& v : higher) v += 2.0;
   CHECK(show(wave, wave, low, high) == "second (= cage y)");
   CHECK(show(wave, wave, low, high, higher) == "second (over cage y)");
-  // Far beyond a short range there is nothing to draw, and stripes are no items of their own.
+  // Far beyond a short range nothing is drawn, and stripes are not separate items.
   show(wave, {});
   const auto alone = scene.items().size();
   show(wave, wave);

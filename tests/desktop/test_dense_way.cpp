@@ -12,7 +12,7 @@
 #include <limits>
 #include <vector>
 
-/// What is drawn of ways of very many points.
+/// Drawing of paths with very many points.
 using namespace adore;
 using namespace adore::desktop;
 using adore::test::many_turns;
@@ -82,7 +82,7 @@ TEST_CASE("dense_way: every place of a way is within a pixel of a stroke that is
     CHECK(drawn.away(inside + 100.0 / std::hypot(towards.x(), towards.y()) * towards) < 1.0);
     CHECK(drawn.away({390.0, 12.0}) < 0.3);
   }
-  // What turns once is whole, however close its points are; what turns again adds next to nothing.
+  // A path with one turn is complete for any density of points; further turns add almost nothing.
   Way once, again;
   for (int i = 0; i <= 100'000; ++i) {
     const double a = 2.0 * 3.14159265358979 * i / 50'000.0;

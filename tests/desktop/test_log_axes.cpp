@@ -12,7 +12,7 @@
 #include <string>
 #include <tuple>
 
-/// What a logarithmic axis has no place for is said, and is not drawn as if it were missing.
+/// Values that a logarithmic axis cannot show are reported, not drawn as missing.
 using namespace adore;
 using namespace adore::desktop;
 using Catch::Matchers::Contains;

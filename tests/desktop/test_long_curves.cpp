@@ -74,7 +74,7 @@ TEST_CASE("chart_page: a long curve drawn by its blocks hides no peak and keeps 
     CHECK(quick.size() == exact.size());
     CHECK(extreme(quick, true) == extreme(exact, true));
     CHECK(extreme(quick, false) == extreme(exact, false));
-    // Values of a column may lie beside it by a block at most, where the wave changes by 0.26.
+    // Values of a column may be off by one block at most, where the wave changes by 0.26.
     const auto a = columns_of(quick, low, high, kColumns),
                b = columns_of(exact, low, high, kColumns);
     for (const auto& [column, range] : a) {
@@ -171,7 +171,7 @@ TEST_CASE("chart_page: an angle of some hundred wraps has few points, its wraps 
     }
     CHECK(points <= 8 * kColumns + 100 * exact.size());
     const auto a = columns_of(quick, 0.0, 6e5, kColumns), b = columns_of(exact, 0.0, 6e5, kColumns);
-    for (const auto& [column, range] : a) {  // beside it by a column's change at most
+    for (const auto& [column, range] : a) {  // off by the change of one column at most
       const auto found = b.find(column);
       if (found == b.end()) continue;
       CHECK(range.first >= found->second.first - 0.4 * 600.0);

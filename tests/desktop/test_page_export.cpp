@@ -69,7 +69,7 @@ TEST_CASE("page_export: SVG and PDF hold lines and text, not pixels", "[gui]") {
   CHECK(bytes.count("/Type /Page\n") == 3);
   save_page(scene, base / "page.png", {500, 400});
   CHECK(QImage(folder.filePath("page.png")).size() == QSize(500, 400));
-  CHECK(scene.sceneRect().size() == QSizeF(900, 600));  // what is seen stays
+  CHECK(scene.sceneRect().size() == QSizeF(900, 600));  // the visible part stays
   CHECK_THROWS_WITH(save_page(scene, base / "page.gif", {500, 400}), Catch::Contains(".svg"));
   CHECK_THROWS_AS(save_page(scene, base / "no" / "page.svg", {500, 400}), InputError);
 }

@@ -80,7 +80,7 @@ TEST_CASE("image_export: file name from the content, with a number", "[gui]") {
     save_image(image, name.toStdString());
     remember_image_name("of-what", shown, name);
   };
-  // Whatever is shown, and in whatever order: its name, the first number that is free.
+  // In any order of display: its name, the first free number.
   std::map<QString, int> saved;
   for (const char* name : {"SOL1-page-6.jpg", "SOL1-page-6.jpg", "SOL3-page-1.jpg",
                            "SOL1-page-7.jpg", "SOL1-page-6.jpg", "SOL3-page-1.jpg"}) {
@@ -91,7 +91,7 @@ TEST_CASE("image_export: file name from the content, with a number", "[gui]") {
     CHECK(proposed(shown).toStdString() == expected.toStdString());
     save(shown, proposed(shown));
   }
-  // A folder that was chosen stays chosen for what lies in the same one.
+  // A selected folder stays selected for files of the same folder.
   save(of("SOL1-page-6.jpg"), pictures.filePath("SOL1-page-6.jpg"));
   CHECK(proposed(of("SOL3-page-1.jpg")) == pictures.filePath("SOL3-page-1.jpg"));
   CHECK(proposed(of("SOL1-page-6.jpg")) == pictures.filePath("SOL1-page-6-2.jpg"));

@@ -77,7 +77,8 @@ TEST_CASE("chart_view: an orbit is zoomed, moved and boxed, and its axes stay eq
   CHECK_FALSE(scene.zoomed());
   CHECK(scene.whole());
 
-  // Where the wheel turns nothing moves, with a key too. A pointer stands on whole pixels.
+  // At the position of the wheel nothing moves, also with a key. Pointer positions are whole
+  // pixels.
   const QPointF top =
       view.mapToScene(view.mapFromScene(QPointF(scene.positionOf(0.1), scene.heightOf(0, 0.98))));
   const double across = scene.abscissaAt(top.x()), up = scene.valueAt(0, top.y());
@@ -117,7 +118,7 @@ TEST_CASE("chart_view: an orbit is zoomed, moved and boxed, and its axes stay eq
   CHECK_FALSE(scene.zoomed());
   CHECK(scene.whole());
 
-  // All of a box is seen, whatever its shape; nothing beyond the whole is.
+  // A box of any shape is completely visible; nothing beyond the whole is.
   const QPoint corner = view.mapFromScene(QPointF(scene.positionOf(-0.2), scene.heightOf(0, 1.05))),
                other = view.mapFromScene(QPointF(scene.positionOf(0.2), scene.heightOf(0, 0.95)));
   QTest::mousePress(view.viewport(), Qt::LeftButton, Qt::ShiftModifier, corner);

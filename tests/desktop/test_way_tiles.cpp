@@ -89,7 +89,7 @@ TEST_CASE("way_tiles: tiles have ink wherever the whole way has, and nowhere els
   for (const double noise : {0.0, 3.0})
     for (const int turns : {12, 40, 400}) {
       const Way way = many_turns(turns, noise);
-      // What is drawn of all of it at once, stroke by stroke; none of the strokes from far outside.
+      // The complete drawing at once, stroke by stroke; without strokes from far outside.
       const Way near = near_turns(turns, noise);
       QImage all = paper(), once = paper();
       {
@@ -208,7 +208,7 @@ TEST_CASE("way_tiles: an orbit that was moved is drawn as one that was built the
 TEST_CASE("way_tiles: a point of a long orbit is drawn where its axes say, wherever it is moved",
           "[gui][desktop]") {
   test::use_qt();
-  // Beside the ring, between gaps: its dot is alone.
+  // Off the ring, between gaps: its dot is alone.
   Way way = near_turns(12, 0.0);
   const double none = std::numeric_limits<double>::quiet_NaN();
   way.add(none, none);

@@ -129,7 +129,7 @@ TEST_CASE("a message that is higher than the screen scrolls, and no dialog opens
   CHECK(area()->verticalScrollBar()->maximum() > 0);
   CHECK(area()->widget()->height() > screen.height());
   CHECK(box->rect().contains(box->button(QMessageBox::Ok)->geometry()));
-  // What joins it later scrolls, too.
+  // Widgets that are added later scroll, too.
   const int before = area()->verticalScrollBar()->maximum();
   desktop::show_message(&window, lines.join(" "), true);
   CHECK(QTest::qWaitFor([&] { return area()->verticalScrollBar()->maximum() > before; }, 5000));
@@ -146,7 +146,7 @@ TEST_CASE("a message that is higher than the screen scrolls, and no dialog opens
   large.show();
   CHECK(large.width() < screen.width());
   CHECK(large.height() < screen.height());
-  // One that is unfolded where it stands keeps its lower edge in sight.
+  // A dock that is unfolded in place keeps its lower edge visible.
   large.resize(300, 100);
   large.move(20, screen.height() - 150);
   QCoreApplication::processEvents();
@@ -168,10 +168,10 @@ TEST_CASE("files go to the window that shows their folder, and to no other", "[g
     CHECK_FALSE(second.listens());
     CHECK(desktop::hand_over("adrplot", project.path(), files));
     CHECK(QTest::qWaitFor([&] { return shown == files; }, 5000));
-    const QStringList of_a_run = QStringList{"--follow"} + files;  // which goes on
+    const QStringList of_a_run = QStringList{"--follow"} + files;  // which continues
     CHECK(desktop::hand_over("adrplot", project.path(), of_a_run));
     CHECK(QTest::qWaitFor([&] { return shown == of_a_run; }, 5000));
-    // A run in a folder of its own belongs to the project that it was started from.
+    // A run in a separate folder belongs to the project that started it.
     const QStringList of_folder{project.filePath("run-001/SOL1")};
     CHECK(desktop::hand_over("adrplot", project.path(), of_folder));
     CHECK(QTest::qWaitFor([&] { return shown == of_folder; }, 5000));
@@ -214,7 +214,7 @@ TEST_CASE("themes: selected text has contrast to its background", "[gui][desktop
           4.5);
     CHECK(contrast(palette.color(QPalette::Window), palette.color(QPalette::WindowText)) > 4.5);
     CHECK(contrast(palette.color(QPalette::Window), desktop::current_theme().muted) > 4.5);
-    // What cannot be used now is paler, and still read; Fusion's buttons are lighter at their top.
+    // Disabled elements are paler and still readable; Fusion's buttons are lighter at their top.
     const QColor idle = palette.color(QPalette::Disabled, QPalette::ButtonText);
     const QColor button = palette.color(QPalette::Button);
     for (const QColor& ground : {button, button.lighter(124), palette.color(QPalette::Window),

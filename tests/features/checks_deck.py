@@ -176,7 +176,7 @@ def _(b):
     out = []
     for n, wanted in ((1, list(range(13))), (3, [0, 3, 6, 9, 12]), (5, [0, 5, 10])):
         steps = printed(b.run(until=None, sets={"maxStps": 12, "kPrtFreq": n, "kPrtOpt": -2}))
-        # the last step is printed whatever the interval
+        # the last step is printed with any interval
         out.append(equal(f"kPrtFreq = {n}: printed steps of 12", [k for k in steps if k % n == 0], wanted))
         out.append(equal("others than the last", [k for k in steps if k % n and k != 12], []))
     return "adore run ball.txt --set maxStps=12 --set kPrtFreq=3 --set kPrtOpt=-2", out

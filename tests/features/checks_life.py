@@ -373,7 +373,7 @@ def _(b):
     return r.command, out
 
 
-# The contact at which all stress models have a life of 10^6 turns at the Lundberg-Palmgren capacity: D 12.7 mm, f 0.52, gamma 0.2, 9 balls,
+# The contact at which all stress models have a life of 10^6 revolutions at the Lundberg-Palmgren capacity: D 12.7 mm, f 0.52, gamma 0.2, 9 balls,
 # 207.5 GPa, 0.3. Its peak pressure, half axes, track and cycles by textbook formulas.
 def calibration():
     d, gamma, count, f = 0.0127, 0.2, 9, 0.52

@@ -269,7 +269,7 @@ def _(b):
             close("that of the outer race loads the inner one the other way [N]", b.channels(outer)["race.applied_force_z.2"][0] - 500.0, -masses["outer race"] * field, 2e-3)]
     quiet = b.run("ball", sets={**FRAME, "brgAngVel": 3000.0, "brgLoadFrac2": 0.5}, until="0.02rev")
     q = b.channels(quiet)
-    # balls on the field's line; those beside it are driven along their orbits
+    # balls on the line of the field; the others are driven along their orbits
     jump = max(abs(v / q[f"contact.load.{k}.1"][0] - 1.0) for k in (1, 7) for v in q[f"contact.load.{k}.1"])
     return r.command, out + [less("mode 0 starts in the field's equilibrium: largest change of an outer contact load in 0.02 revolutions, relative (balls 1 and 7, of 605 and 123 N, carry 82 N each of the field at 3000 rpm)", jump, 0.02),
                              less("energy residual over energy moved", quiet.ledger["residual over energy moved"], 1e-4)]

@@ -45,7 +45,7 @@ struct Options {
   std::vector<fs::path> paths;
 };
 
-// What is being tried; read by the handlers, hence global.
+// Current input; global because the signal handlers read it.
 const std::string* current_input = nullptr;
 char crash_path[4096] = "";
 

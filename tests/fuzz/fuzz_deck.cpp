@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
-/// Whatever the bytes are, reading never throws or crashes, every issue can be printed, and a deck
-/// that reads without error is written and read back equal.
+/// With any bytes, reading never throws or crashes, every issue can be printed, and a deck without
+/// errors is written and read again unchanged.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace adore::deck;
   const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -13,9 +13,9 @@ using namespace adore;
 using namespace adore::results;
 using namespace adore::testing;
 
-/// RESULTS.h5: whatever the bytes, every reader gives values of the announced sizes or one
-/// sentence, and what fails in the HDF5 library fails in the process that reads. The inputs are
-/// files of our own writer with damaged bookkeeping; most get their checksums put right again.
+/// RESULTS.h5 with any bytes: every reader returns values of the announced sizes or one message,
+/// and failures of the HDF5 library stay in the process that reads. The inputs are files of this
+/// program with damaged bookkeeping; most get correct checksums again.
 namespace {
 
 /// How the inputs ended, by the sentence without its numbers and names.
@@ -54,7 +54,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     ended = kind_of(error.what());
   }
   ++outcomes.count[ended];
-  // What is built on the reader, now and then.
+  // Code that uses the reader, now and then.
   if (outcomes.inputs % 16 != 0) return 0;
   try {
     std::ostringstream out;
@@ -65,7 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return 0;
 }
 
-/// Ignores what it is given: every input is a file of our own, damaged as the seed says.
+/// Ignores its input: every file is one of this program, damaged by the seed.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t, std::size_t most,
                                                unsigned seed) {
   const auto [bytes, kind, sums_right] = Mutator(seed).file();

@@ -7,8 +7,8 @@
 using namespace adore;
 using namespace adore::facade;
 
-/// ADORE.json: whatever the bytes, the file is understood or its problem has a sentence, and a file
-/// that nobody changed keeps its text.
+/// ADORE.json with any bytes: the file is read or its problem has a message, and an unchanged file
+/// keeps its text.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   const OptionFile file = OptionFile::from_text(text);

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <string>
 
-/// What fuzzers of files that become pictures share.
+/// Common parts of fuzzers of files that become pictures.
 namespace adore::testing {
 
 /// Text on pictures needs an application, none of them a screen.

@@ -9,7 +9,7 @@
 
 using namespace adore::results;
 
-/// Whatever the bytes, the readers of SOL1-SOL8 return whole steps or refuse with a sentence.
+/// With any bytes, the readers of SOL1-SOL8 return whole steps or reject the file with a message.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   const auto demand_that = [](bool condition) {

@@ -23,8 +23,8 @@ void check(const FinalState& state) {
 
 }  // namespace
 
-/// FINAL and MASTER: whatever the bytes, a state that a run can start from, or a sentence. Showing
-/// and converting any file that is not HDF5 likewise.
+/// FINAL and MASTER with any bytes: a valid start state, or a message. The same for showing and
+/// converting any file that is not HDF5.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const testing::InputFile file(data, size);
   refused_or([&] { check(read_final(file.path())); });

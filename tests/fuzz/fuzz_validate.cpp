@@ -15,7 +15,7 @@
 using namespace adore;
 using namespace adore::reference;
 
-/// `adore validate`: a file of reference cases. Every file is refused with a sentence or reported.
+/// `adore validate`: a file of reference cases. Every file is rejected with a message or reported.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const testing::InputFile file(data, size);
   try {

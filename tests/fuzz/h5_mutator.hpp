@@ -67,7 +67,7 @@ class Pen {
   results::ChannelRecorder recorder_{bearing_, results::UnitSystem::SI, all_};
 };
 
-/// What a run leaves that is killed by the system in the middle of a block.
+/// A run that the system kills in the middle of a block.
 inline void write_killed(const std::filesystem::path& path) {
   constexpr rlim_t kRoom = 14000;
   const pid_t child = ::fork();
@@ -124,7 +124,7 @@ inline const std::vector<Pristine>& pristine() {
   return kAll;
 }
 
-/// What a refusal says, without its numbers and names; the sentence itself when it is another one.
+/// Text of a rejection, without its numbers and names; an unknown message unchanged.
 inline std::string kind_of(const std::string& sentence) {
   for (const char* kind :
        {"the HDF5 library failed to read it", "did not end within", "more memory",

@@ -106,7 +106,7 @@ def draw_deck(dice, example, kind):
     geometry = {"d": sets["bReDia"], "dm": sets.get("pitchDia", 0.0), "length": sets.get("bReLen", 0.0), "f1": 0.52, "f2": 0.52}
     largest = int(example["3.2"][2])
     # Without a cage: rollers as many as fit, as such bearings are made. Balls with gaps and, below, in thrust, so that each is driven all the way
-    # round and none gathers with others: statics know no contact between elements.
+    # round and none gathers with others: statics have no contact between elements.
     pitch = geometry["dm"] or scale * 0.060
     full = math.floor(0.995 * math.pi * pitch / geometry["d"])
     geometry["z"] = sets["nRe"] = dice.randint(max(8, largest - 4), largest) if cage or kind == "ball" else full
@@ -139,7 +139,7 @@ def draw_deck(dice, example, kind):
         sets["raceCurFac1"], sets["raceCurFac2"] = geometry["f1"], geometry["f2"]
     geometry["a"] = math.radians(angle)
     if cage and "7.2.1" not in example:
-        # Windows alone do not center a cage: within two revolutions it is beside the bearing axis by more than its clearance to the outer race.
+        # Windows alone do not center a cage: within two revolutions it is off the bearing axis by more than its clearance to the outer race.
         sets["nGL"] = 2
         for k in (1, 2):
             sets.update({f"iCageGuide[{k}]": 1, f"cageGsDia[{k}]": sets["cageDia1"], f"cageGsWidth[{k}]": scale * 0.002,

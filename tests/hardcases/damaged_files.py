@@ -5,11 +5,11 @@
 
 BIN is the folder of the programs, each RUN a folder with DATA.txt, SOL1 to SOL8 and RESULTS.h5. COUNT times
 one file of a run is copied with its neighbors and damaged: cut in the middle of a record or anywhere,
-overflow stars as Fortran writes them, lines lost, doubled or swapped, foreign bytes, numbers that are none,
+overflow stars as Fortran writes them, lines lost, doubled or swapped, foreign bytes, invalid numbers,
 bits flipped. Then AdrPlot, AGORE and AdrInput draw it without a window, and `adore plot`, `animate`, `show`,
-`convert` and `check` read it. Each must end by itself within a minute of processor time with exit code 0, 2 or
-3; another code (1 is a fault of ours), a signal or an end without a word is written down with the seed, and the
-exit code is 1. A termination ends the campaign with what was found so far.
+`convert` and `check` read it. Each must end within a minute of processor time with exit code 0, 2 or 3.
+Another code (1 is a bug), a signal or an end without a message is reported with the seed, and the exit code is 1.
+An interrupted campaign prints its results up to this point.
 """
 import argparse
 import collections
@@ -113,7 +113,7 @@ def readers(programs, file, out):
         return
     yield [plot, file, "--render", out / "plots", *small]
     yield [adore, "plot", file, "--out", out / "plot"]
-    if name == "RUN.json":  # AGORE looks beside the file
+    if name == "RUN.json":  # AGORE reads other files of the folder
         yield [agore, file.parent / "SOL8", "--render", out / "motion", *small]
 
 
@@ -178,7 +178,7 @@ def main():
             faults += one_file(given, seed, environment, ends)
             files += 1
     except KeyboardInterrupt:
-        pass  # what was found so far
+        pass  # results up to this point
     for (what, code), count in sorted(ends.items(), key=str):
         print(f"{what}: exit {code}: {count}")
     print(f"{files} files, {faults} faults")

@@ -18,15 +18,15 @@
 #include <unistd.h>
 
 /// h5_campaign COUNT [FIRST_SEED]: reads that many damaged RESULTS.h5, many in one process, where
-/// tests/fuzz/fuzz_h5 starts a process for each. A worker has the limits of h5_process.hpp; where
-/// it dies, runs out of memory or of time, the same file goes through the reader that users have,
-/// which must answer with a sentence. Prints how the files ended, as often as `kReport` says and at
-/// the end. Exit code 1 when one was not answered.
+/// tests/fuzz/fuzz_h5 starts a process for each. A worker has the limits of h5_process.hpp; if it
+/// dies, runs out of memory or of time, the reader of users opens the same file and must return a
+/// message. Prints the results by kind, as often as `kReport` states and at the end. Exit code 1 if
+/// one file has no message.
 using namespace adore;
 using namespace adore::testing;
 
-/// The library waits between two readings of a block whose checksum is wrong, for a writer to
-/// finish it. Nobody writes these files.
+/// The library waits between two readings of a block with a wrong checksum, for a writer to finish
+/// it. These files have no writer.
 extern "C" int nanosleep(const struct timespec*, struct timespec*) { return 0; }
 
 extern "C" void __gcov_dump() __attribute__((weak));
@@ -34,7 +34,7 @@ extern "C" void __gcov_dump() __attribute__((weak));
 namespace {
 
 std::atomic<bool> stop{false};
-/// What has been read so far is told.
+/// Progress of the reading.
 extern "C" void on_interrupt(int) { stop = true; }
 
 constexpr unsigned kBatch = 1000;    ///< files of one worker
@@ -56,9 +56,8 @@ const std::array<const char*, 13> kKinds{"read to the last value",
 
 /// Between worker and parent.
 struct Shared {
-  std::atomic<unsigned> next{0};  ///< seed of the file being read
-  std::atomic<bool> doubtful{
-      false};  ///< it ended for want of memory: what was before may have leaked
+  std::atomic<unsigned> next{0};      ///< seed of the file being read
+  std::atomic<bool> doubtful{false};  ///< it ended without memory: earlier files may have leaked
   std::atomic<long> sums_right{0};
   std::array<std::atomic<long>, kKinds.size()> count{};
   std::array<std::atomic<long>, 16> of_kind{};  ///< of pristine()
@@ -140,7 +139,7 @@ void read_directly(const std::filesystem::path& path) {
   ::_exit(0);
 }
 
-/// What users are told of the file. @return false when that is no sentence
+/// Message of the users' reader. @return false for an invalid message
 bool answered(const std::filesystem::path& path, std::string& kind) {
   kind = kKinds[0];
   try {

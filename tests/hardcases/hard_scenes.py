@@ -3,20 +3,19 @@
 
     hard_scenes.py PROGRAM [--full] [--turns T] [--jobs N] [--only NAME] [--methods A,B] [--report FILE] [--keep FOLDER] [--minutes M] [--seconds S]
 
-PROGRAM is `adore`. Each scene below starts from an example deck; why it is hard and what is known of it stand beside it.
-Without --full each scene runs with the deck's own integrator, an explicit and an implicit one and with two slightly other
-loads (a millionth), whose spread tells how far two right runs may differ (a few minutes); with it, with all 21 integrators and
-six such loads (1e-8 to a thousandth), ten times as long (an hour or two); where that of 1e-8 changes a mean by a thousandth, the motion is
-said to be irregular. With --keep every run leaves its result in FOLDER, and one that stands there
-is not run again: a long matrix goes on where it was ended, in the midst of a scene, too. With --minutes no further scene is begun after so long; the table
-then says how many are left (exit code 4), and the same command goes on.
+PROGRAM is `adore`. Each scene below starts from an example deck; its entry has the difficulty and known results.
+Without --full each scene runs with the integrator of the deck, an explicit and an implicit one and with two changed loads (1e-6),
+which give the spread of correct runs (a few minutes). With --full it runs with all 21 integrators and six changed loads (1e-8 to
+1e-3), ten times as long (an hour or two); if a load changed by 1e-8 changes a mean by 0.1 %, the motion is reported as irregular.
+With --keep each run leaves its result in FOLDER and is not repeated: the same command continues an interrupted matrix. With --minutes
+no scene starts after this time; the table then has the number of remaining scenes (exit code 4).
 
 A run is
-- solved: exit 0, every figure finite;
-- warned of: means outside the spread of the others, and the energy without account says so;
-- refused (exit 2) or given up (exit 3) with a sentence;
-- interrupted: somebody's signal ended it (exit 130), which says nothing of it: its scene is not kept and counts as left;
-- FAILED: a crash, a hang, exit 1, a figure that is not a number, or solved with means (speeds, largest loads, heat) outside the
+- solved: exit 0, all results finite;
+- warned: means outside the spread of the others, and an energy residual that warns;
+- rejected (exit 2) or ended (exit 3) with a message;
+- interrupted: a signal from outside ended it (exit 130); its scene is not kept and counts as remaining;
+- FAILED: a crash, a hang, exit 1, a result that is not finite, or solved with means (speeds, largest loads, heat) outside the
   spread of the others.
 A scene passes when its own integrator, one explicit and one implicit method solve it and nothing failed. Writes the table as
 Markdown; exit code 1 when a scene does not pass.
@@ -40,7 +39,7 @@ IMPLICIT = ["cvode-bdf", "arkode-dirk", "arkode-imex"]
 OWN = "own"
 QUICK = [OWN, "rkf7", "arkode-dirk"]
 LONGEST_RUN = {False: 240, True: 600}  # quick, full: processor time [s]; other work on the machine makes no run slow
-# Means are not asked to agree better than this; those of a fraction of a turn hang on its last steps.
+# Limit of the agreement of means; those of a fraction of a revolution depend on its last steps.
 LEAST_SPREAD = {False: 0.05, True: 0.02}  # short runs, runs of ten times the turns
 MEANS = ["mean_orbital_ratio", "mean_cage_ratio", "mean_largest_load_N", "mean_power_loss_W"]
 
@@ -61,7 +60,7 @@ def scene(name, deck, why, sets, turns=0.2, known=None, longest=math.inf):
 
 
 # `known`: key result -> (value, relative tolerance), of every run that solves the scene.
-# `longest`: turns after which a motion has no means that could be compared, or costs too much, with the reason beside it.
+# `longest`: revolutions after which a motion has no comparable means, or costs too much, with the reason next to it.
 SCENES = [
     scene("load zone entry", BALL, "balls enter and leave a load zone under a huge radial load", {"appLoadX": 300.0, "appLoadZ": 20000.0}),
     scene("vanishing load", BALL, "a contact of nanometres; the time scale of the load is that of nothing", {"appLoadX": 1e-3}),
@@ -94,7 +93,7 @@ SCENES = [
     scene("rotating load", BALL, "the load zone runs round with the shaft",
           {"kVarLoad": 1, "rotLoadFrac1": 0.0, "rotLoadFrac2": 1.0, "rotLoadRpm2": 10000.0, "appLoadX": 300.0, "appLoadZ": 2000.0}),
     scene("free race", BALL, "a race carried by its bearing alone, with its own unbalance", {**FREE_INNER, "raceGeoCenY2": 2e-6}),
-    # After 0.78 turns the races, held where one ball needs them, have squeezed it to 50 kN, and every method ends with that.
+    # After 0.78 revolutions the fixed races have squeezed the ball to 50 kN, and every method ends there.
     scene("one ball", BALL, "a bearing that holds nothing in most directions",
           {"nRe": 1, "nCseg": 0, "kNumPltElem": 2, "kPltElemInd": "1,3"}, 0.07),
     scene("two balls", BALL, "two balls and no cage", {"nRe": 2, "nCseg": 0, "kNumPltElem": 2, "kPltElemInd": "1,4"}),
@@ -126,7 +125,7 @@ SCENES = [
     scene("English units", "ball-english", "another system of units, the same bearing", {}),
     scene("thrust bearing", "ball-thrust", "steep contact angle", {}),
     # Over one turn all methods agree: heat to 0.7 %, without orders 1 and 2 and cvode-bdf to 0.02 %, and a load changed by 1e-8 changes it
-    # by 3e-6. After one and a half skew that pockets push raises the heat of the races, and what sets it off decides when: over two turns
+    # by 3e-6. After 1.5 revolutions skew driven by the pockets raises the heat of the races, at a random time: over two revolutions
     # methods at 1e-6 differ by 7 %, over four loads that differ by 1e-8 by 25 % at any tolerance.
     scene("misaligned rollers", "cylindrical", "edge loads and skew of both signs; irregular after a turn and a half", {"appMis22": 1e-3},
           longest=1.0),
@@ -138,11 +137,11 @@ SCENES = [
     scene("barrels, misaligned", "spherical",
           "barrels align themselves; their skew hardly has a spring; with tol above 1e-7 arkode-dirk is given up by its energy",
           {"appMis22": 0.02, "tol": 1e-8}, 0.1, longest=0.1),
-    # After 1.2 turns barrels strike their races: a load changed by 1e-8 then changes the largest load by 0.6 %, by 1e-6 by 2.8 %, and seven
-    # methods and tolerances lie 2.6 % beside their middle on both sides. Over one turn all agree to 0.03 % (heat of order 1 and 2: to 1.5 %).
+    # After 1.2 revolutions barrels strike their races: a load changed by 1e-8 then changes the largest load by 0.6 %, by 1e-6 by 2.8 %, and seven
+    # methods and tolerances are within 2.6 % of their middle. Over one revolution all agree to 0.03 % (heat of order 1 and 2: to 1.5 %).
     scene("barrels at speed", "spherical", "barrels fling outwards, and strike irregularly after a turn", {"rpm2": 15000.0}, longest=1.0),
     scene("spherical-tapered under thrust", "spherical-tapered", "barrels against a rib", {"appLoadX": 15000.0}),
-    # Heat over two turns: rkf2 is 2.1 % off at 1e-6, arkode-dirk 2.2 % at 1e-7 and 0.1 % at 1e-8; a load changed by 1e-8 changes it by 0.01 %.
+    # Heat over two revolutions: rkf2 is 2.1 % off at 1e-6, arkode-dirk 2.2 % at 1e-7 and 0.1 % at 1e-8; a load changed by 1e-8 changes it by 0.01 %.
     scene("rollers in balance", "cylindrical", "mode 1 of rollers", {"mode": 1, "tol": 1e-8}),
 ]
 
@@ -254,7 +253,7 @@ def play(program, one, methods, turns, full, limit, kept):
             with open(os.path.join(folder, "DATA.txt"), encoding="utf-8") as deck:
                 loads = next(line for line in deck if line.startswith("'Rec 9.1.1'")).split(",")
             one = {**one, "own loads": dict(zip(("appLoadX", "appLoadY", "appLoadZ"), map(float, loads[1:4])))}
-            # Long runs: a cage that comes to whirl does so sooner or later with whatever sets it off, and a method's
+            # Long runs: the time at which a cage starts to whirl depends on small changes, and a method's
             # error is a larger push than a millionth of the load. A thousandth changes no mean by more than itself.
             factors = (TINY, 1, -1, 100, -100, 1000) if full else (1, -1)
             by_factor = {factor: result(OWN, factor) for factor in factors}

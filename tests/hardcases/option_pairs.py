@@ -4,11 +4,11 @@
     option_pairs.py PROGRAM [--decks N] [--seed S] [--turns T] [--report FILE] [--only ROW] [--rows A:B]
 
 PROGRAM is `adore`. The factors are below, one list of levels each; a level is a name and the values that it sets. Rows are
-chosen greedily until every pair of levels that the records allow stands in one, then at random up to N. Each row starts
-from the example deck of its type and runs T turns of the shaft. Its outcome is one of
-- ran: exit 0, every step finite, energy residual below 1e-4 of the energy moved (or, where next to nothing is moved, as by a
-  race that coasts, below 1e-6 of the elastic energy of the static solution),
-- refused: exit 2 with a sentence, or exit 3 for a start that is no equilibrium; sentences are grouped with their numbers taken out,
+selected until they have every permitted pair of levels, then at random up to N. Each row starts from the example deck of its
+type and runs T revolutions. Its outcome is one of
+- ran: exit 0, every step finite, energy residual below 1e-4 of the energy moved (or, if almost no energy is moved, as by a
+  coasting race, below 1e-6 of the elastic energy of the static solution),
+- rejected: exit 2 with a message, or exit 3 for a start that is not an equilibrium; messages are grouped without their numbers,
 - FAILED: anything else: a crash, a hang, exit 1 or 3, a residual above the bound.
 Writes the table of outcomes as Markdown; exit code 1 when anything failed or fewer than 90 % of the rows ran.
 """
@@ -176,7 +176,7 @@ FACTORS = {
     "statics": [("loads", {}), ("displaced", {"kFS3": 1, "appDispZ": 1e-5})],
 }
 
-# What no record lets a deck say, what contradicts itself, or what reading N10 refuses (a race that accelerates in modes 1
+# Combinations that no record permits, that contradict each other, or that reading N10 rejects (a race that accelerates in modes 1
 # and 2): never in a row.
 IMPOSSIBLE = [
     lambda r: r.get("mode", "0") != "0" and r.get("races", "held") != "held",

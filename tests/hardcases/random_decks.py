@@ -3,12 +3,12 @@
 
     random_decks.py PROGRAM [--decks N] [--seed S] [--turns T] [--report FILE] [--only N] [--first N]
 
-PROGRAM is `adore`. Where option_pairs.py walks over the switches of the records, this walks over their numbers: loads, speeds of
-both races, misalignment, play, conformity, crowns, flanges, friction, temperatures, fits, gravity, inertia, cage, its
-clearances, its lands and where it starts; a few switches beside them. Deck N of a seed is the same on every machine.
-Outcomes are those of option_pairs.py; a deck that is refused is examined further: its sentence has to name a variable that
-the deck set, and with the named variables as in the example that sentence has to go away. Otherwise it is not true: FAILED.
-A row refused for want of thrust has to stand with 2 % more than its sentence names, and not with a tenth less.
+PROGRAM is `adore`. option_pairs.py varies the switches of the records, this script their numbers: loads, speeds of
+both races, misalignment, clearance, conformity, crowns, flanges, friction, temperatures, fits, gravity, inertia, cage, its
+clearances, lands and start; and a few switches. Deck N of a seed is the same on every machine.
+Outcomes are those of option_pairs.py. The message of a rejected deck must name a variable that the deck set, and must disappear
+with the example value of that variable; otherwise: FAILED. A row that is rejected for missing thrust must have an equilibrium
+with 2 % more thrust than in its message, and none with 10 % less.
 """
 
 import argparse

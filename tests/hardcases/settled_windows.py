@@ -6,11 +6,11 @@ ends: heat and turns from the ledgers and angles that the run itself integrates,
 *settled* when the means of two successive windows of equal length differ by less than 2 %; the later of the two is the settled window. Its life is the
 harmonic mean over time of the life at the loads of each stored step.
 
-Race heat of rollers whose skew is woken by impacts of their pockets scatters from revolution to revolution for ever (decision 264). Of windows of
-two revolutions and more the standard error of the mean is that of half revolutions; a change of race heat within its 95 % interval is no change.
+Race heat of rollers with skew from pocket impacts scatters between revolutions (decision 264). The standard error of windows of two revolutions
+and more is that of half revolutions; a change of race heat within its 95 % interval does not count.
 
-An equilibrium *at a displacement* is mode -1 with the forces replaced by the displacement (kFS1 to kFS3 = 1); one *at a load* is mode -1 as
-the deck has it. Both are means over the phases of the elements, which a motion passes. Only the program and the files that it writes are used; no package is needed.
+An equilibrium *at a displacement* is mode -1 with the forces replaced by the displacement (kFS1 to kFS3 = 1); one *at a load* is mode -1 of
+the unchanged deck. Both are means over the phases of the elements, which a motion passes. Only the program and the files that it writes are used; no package is needed.
 """
 
 import csv

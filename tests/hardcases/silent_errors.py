@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""Looks for runs that are wrong and say nothing: random integrator, tolerance and limits of the step, on decks that differ.
+"""Looks for wrong runs without a warning: random integrator, tolerance and limits of the step, on decks that differ.
 
     silent_errors.py PROGRAM [--runs N] [--seed S] [--first N] [--jobs N] [--only CASE] [--turns T]
 
 PROGRAM is `adore`. Each case below has a reference (rkf7 at 1e-8) and two more under loads a millionth and a hundred-thousandth
-larger, whose spread tells how far right runs may differ. A run N of a seed is the same on every machine.
-A run may be refused (exit 2), given up (exit 3), warned of (energy without account, tolerance loose or missed at stpMin), or right: means
+larger, which give the spread of correct runs. A run N of a seed is the same on every machine.
+A run may be rejected (exit 2), end with exit 3, warn (energy residual, tolerance loose or missed at stpMin), or be correct: means
 (speeds, largest loads, heat) and life within 5 % or five times the spread. Anything else is a silent error: exit code 1.
 """
 

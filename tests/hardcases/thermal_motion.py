@@ -8,7 +8,7 @@ PROGRAM is `adore`. Types, modes 0 to 2, dry and in oil take turns; speeds and l
   shaft     shaft cooled, housing not: inner minus outer ring below 0
   no heat   1 % of the speed: the difference falls to less than a fifth, or 0.05 K (contacts conduct less at low speed)
   balance   heat that leaves = heat of the energy ledger of the motion over the last thermal step, 1 %
-  nodes     none is colder than the ambient; one without a source lies between its neighbors, one with a source is not colder than its
+  nodes     none is colder than the ambient; one without a source is between its neighbors, one with a source is not colder than its
             coldest neighbor
   steady    the bearing's temperatures change by less than 1 K over the last thermal step
 Exit code 1: a check fails.

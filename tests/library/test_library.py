@@ -28,7 +28,7 @@ class Installed(unittest.TestCase):
     def test_the_interface_is_the_facade_with_what_it_takes_and_returns(self):
         rooms = {h.split("/")[0] for h in self.headers}
         self.assertEqual(rooms, {"base", "bearing", "calculators", "deck", "facade", "results", "user"})
-        # A header more or less is a change of the interface: resources/docs/library.md and the changelog say so.
+        # A header more or less is a change of the interface, in resources/docs/library.md and the changelog.
         self.assertEqual(len(self.headers), 42)
 
     def test_every_installed_header_compiles_alone(self):

@@ -16,7 +16,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 TOP = HERE.parents[1]
-SAME_PROCESS = (0, 1, 2, 3, 4, 5, 10, 11, 13)  # what neither ends nor overwrites the program
+SAME_PROCESS = (0, 1, 2, 3, 4, 5, 10, 11, 13)  # faults that neither end nor overwrite the program
 
 
 def build(folder):

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Limits of Slurm: time limit, memory limit, a node that fails. Each is provoked on the cluster of one node.
 
-A worker that hangs meets its time limit, a worker that takes more memory than it asked for is ended, the node dies with all its processes.
-Each time the study must finish by itself, RUNS.csv and STUDY.h5 equal to a study that nobody disturbed. A run that meets its limits over
-and over keeps its diagnosis in the table, and the others are done.
+A worker that hangs meets its time limit, a worker that takes more memory than it asked for is ended, the node fails with all its processes.
+Each time the study must finish automatically, with RUNS.csv and STUDY.h5 equal to an undisturbed study. A run that meets its limits
+repeatedly has its diagnosis in the table, and the others are done.
 
     limits.py ADORE [--only time,memory,node,always]
 
-Exit 0: so it was. 1: not. 77: there is no Slurm here (says why).
+Exit code 0: passed. 1: failed. 77: Slurm is missing (with the reason).
 """
 import argparse
 import csv

@@ -7,7 +7,7 @@ be equal to the last byte, and no run may have failed.
 
     same_tables.py ADORE [--statics N] [--dynamics N] [--engines local,slurm] [--keep FOLDER] [--every SECONDS]
 
-Exit 0: equal. 1: not. 77: the local part is equal, and there is no Slurm here (says why).
+Exit 0: equal. 1: not. 77: the local part is equal, and Slurm is missing (with the reason).
 """
 import argparse
 import csv

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-/// What an eye sees of the texts of a chart.
+/// Visible texts of a chart.
 namespace adore::test {
 
 /// Numbers of one axis that lie on each other, titles of which less than two words are left, panels

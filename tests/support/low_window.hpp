@@ -9,8 +9,7 @@
 /// Windows on low screens: what they tell more never makes them larger.
 namespace adore::test {
 
-/// A small window, and the largest that screens of that size and of 640x480 have room for beside
-/// its frame.
+/// A small window, and the largest that fits on screens of that size and of 640x480 with its frame.
 inline constexpr std::array<QSize, 3> kLowWindows{QSize(700, 450), QSize(684, 402),
                                                   QSize(624, 432)};
 

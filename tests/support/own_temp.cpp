@@ -5,8 +5,8 @@
 #include <system_error>
 #include <unistd.h>
 
-/// Every process of tests has a folder of its own for passing files (TMPDIR), removed at its end:
-/// the same test may run twice at a time, of two checkouts or users.
+/// Every test process has a separate folder for temporary files (TMPDIR), removed at its end: the
+/// same test may run twice at a time, in two checkouts or by two users.
 namespace {
 
 class OwnTemporaryFolder {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
-/// Where the tests find what they read and run. Compiled into one object, so that a clone in
+/// Paths of the files and programs of the tests. Compiled into one object, so that a clone in
 /// another folder shares the compiler cache for all others.
 namespace adore::test {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-/// What Qt warns of while a window is used: nobody reads it, and something in it is wrong.
+/// Warnings of Qt during the use of a window: each is a fault.
 namespace adore::test {
 
 class QtWarnings {
@@ -53,7 +53,7 @@ inline constexpr std::array<QSize, 7> kWindowSizes{
     QSize(640, 400),  QSize(700, 450),  QSize(800, 600),  QSize(1024, 700),
     QSize(1280, 800), QSize(1600, 900), QSize(1920, 1080)};
 
-/// What Qt says while every dock and every switch of the menus goes off and on, in every size.
+/// Warnings of Qt while every dock and every switch of the menus is changed, in every size.
 inline std::string warned_by_switches(QMainWindow& window) {
   std::string out;
   const auto trigger = [&](QAction* action) {

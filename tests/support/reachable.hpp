@@ -27,7 +27,7 @@
 #include <QTextBrowser>
 #include <QTreeWidget>
 
-/// What somebody without a mouse, or without eyes, finds in a window.
+/// Elements that users without a mouse or a screen can find in a window.
 namespace adore::test {
 
 /// Widgets that can be used but have neither a text nor an accessible name nor a label of theirs.
@@ -35,8 +35,8 @@ inline QStringList nameless_widgets(const QMainWindow& window) {
   QStringList out;
   const auto labels = window.findChildren<QLabel*>();
   for (const QWidget* widget : window.findChildren<QWidget*>()) {
-    // Whatever the keyboard can reach, and buttons that it cannot. A scroll area takes the focus
-    // for what is in it, which has its own name.
+    // Elements that the keyboard can reach, and buttons that it cannot. A scroll area takes the
+    // focus for its content, which has a separate name.
     const bool used = (widget->focusPolicy() != Qt::NoFocus &&
                        qobject_cast<const QScrollArea*>(widget) == nullptr) ||
                       qobject_cast<const QAbstractButton*>(widget) != nullptr;
@@ -139,7 +139,7 @@ inline QStringList contested_letters_of_dialogs(QMainWindow& window, int& dialog
     action->trigger();
     QCoreApplication::processEvents();
     for (QWidget* dialog : open_ones()) {
-      // A file dialog of Qt has letters of its own.
+      // A file dialog of Qt has its letters.
       if (qobject_cast<QFileDialog*>(dialog) == nullptr) {
         ++dialogs;
         for (const QString& clash : contested_letters_of_pages(*dialog))
@@ -253,8 +253,8 @@ inline QString help_text(QMainWindow& window, const QString& entry) {
   return {};
 }
 
-/// What of the help "Keys and Mouse" nobody could read, with letters of the desktop's size and
-/// half as large again: windows larger than the screen, lines that go on beyond their window.
+/// Unreadable parts of the help "Keys and Mouse", with letters of the desktop's size and half as
+/// large again: windows larger than the screen, lines beyond their window.
 inline QStringList unreadable_help(QMainWindow& window) {
   QStringList out;
   const QFont usual = QApplication::font();

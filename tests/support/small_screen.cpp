@@ -3,9 +3,8 @@
 #include <QEvent>
 #include <catch2/catch.hpp>
 
-/// Every dialog that a test opens, whatever the test is about, must have room on a screen of
-/// 700 x 450 beside the frame of a window manager: what it cannot be made smaller than. (Messages
-/// find their own size and scroll, desktop/dialog_room.hpp.)
+/// Every dialog that a test opens must fit on a screen of 700 x 450 with the frame of a window
+/// manager, at its smallest size. (Messages find their size and scroll, desktop/dialog_room.hpp.)
 namespace {
 
 class SmallScreen : public QObject {

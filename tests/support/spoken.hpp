@@ -14,11 +14,11 @@
 
 #include <algorithm>
 
-/// What a screen reader can say of what has the keyboard.
+/// Text of a screen reader for the element with keyboard focus.
 namespace adore::test {
 
-/// Boxes of choices and texts of a window, in view or not, for which nothing can be said. On Linux
-/// Qt tells the present text of a box as its name: a label or a description says what it chooses.
+/// Combo boxes and texts of a window, visible or not, without an accessible name. On Linux Qt
+/// reports the present text of a box as its name: a label or a description states its purpose.
 inline QStringList unspoken_parts(const QWidget& window) {
   QStringList out;
   const auto labels = window.findChildren<QLabel*>();
@@ -37,8 +37,8 @@ inline QStringList unspoken_parts(const QWidget& window) {
   return out;
 }
 
-/// Widgets of a window that can have the keyboard and for which nothing can be said, neither a text
-/// or label of theirs nor an accessible name: "QComboBox unit-choice".
+/// Widgets of a window with keyboard focus and without a text, a label or an accessible name:
+/// "QComboBox unit-choice".
 inline QStringList unspoken(const QWidget& window) {
   QStringList out = unspoken_parts(window);
   for (QWidget* widget : window.findChildren<QWidget*>()) {
