@@ -40,7 +40,7 @@ std::string adore_says(const QStringList& arguments) {
   adore::test::use_qt();
   QProcess program;
   program.start(QString::fromStdString(adore::test::program("adore").string()), arguments);
-  REQUIRE(program.waitForFinished(240000));
+  REQUIRE(program.waitForFinished(600000));
   INFO(arguments.join(' ').toStdString() << "\n" << program.readAllStandardError().toStdString());
   CHECK(program.exitStatus() == QProcess::NormalExit);
   return program.readAllStandardOutput().toStdString();
