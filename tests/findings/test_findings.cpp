@@ -40,7 +40,7 @@ std::string adore_says(const QStringList& arguments) {
   adore::test::use_qt();
   QProcess program;
   program.start(QString::fromStdString(adore::test::program("adore").string()), arguments);
-  REQUIRE(program.waitForFinished(240000));
+  REQUIRE(program.waitForFinished(600000));
   INFO(arguments.join(' ').toStdString() << "\n" << program.readAllStandardError().toStdString());
   CHECK(program.exitStatus() == QProcess::NormalExit);
   return program.readAllStandardOutput().toStdString();
@@ -191,15 +191,17 @@ TEST_CASE("findings: decks of the table lead to their codes in the command line 
     for (const std::string code : deck.at("codes")) {
       INFO(code);
       CHECK(said.all.count(code) == 1);
-      const bool of_check = adore::find_finding_kind(code)->origin == "check";
-      if (ran && !of_check && said.last.count(code) == 1) CHECK(stored.count(code) == 1);
+      const adore::FindingKind* kind = adore::find_finding_kind(code);
+      REQUIRE(kind != nullptr);
+      if (ran && kind->origin != "check" && said.last.count(code) == 1)
+        CHECK(stored.count(code) == 1);
     }
     for (const auto& [code, detailed] : table().at("replaced").items()) {
       INFO(code << " in place of " << detailed);
       CHECK(said.all.count(code) + stored.count(code) == 0);
     }
-    if (!ran || !deck.contains("runs")) continue;
-    CHECK(stored == said.last);
+    if (!ran) continue;
+    if (deck.contains("runs")) CHECK(stored == said.last);
     check_windows(path, stored);
   }
 }
