@@ -18,6 +18,7 @@ struct RaceSlope {
   double radius = 0.0, angle = 0.0;                                        ///< R', α'; cones
   double groove_radius = 0.0, groove_x = 0.0, groove_centre_radius = 0.0;  ///< grooves
   double land_offset = 0.0;
+  const double* rise = nullptr;  ///< of tables: ∂δ_k/∂ψ by slice (contact/slice_table.hpp) [m/rad]
 };
 
 /// @param at depth and directions at X

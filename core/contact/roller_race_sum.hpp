@@ -151,7 +151,10 @@ template <class T, class Traction, class Slope = std::nullptr_t>
     T Q = elastic;
     [[maybe_unused]] Triple<T> u{};
     [[maybe_unused]] T along_n = 0.0, rise = 0.0;
-    if constexpr (kWavy) rise = depth_slope(surface, slope, d.X, d.at);
+    if constexpr (kWavy) {
+      rise = depth_slope(surface, slope, d.X, d.at);
+      if (slope.rise != nullptr) rise = rise + Lanes::read(slope.rise + k);
+    }
     if (kTraction || slices.damped) {
       u = at.velocity + cross(at.omega, arm);
       along_n = dot(u, n);

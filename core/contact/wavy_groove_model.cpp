@@ -1,6 +1,7 @@
 #include "contact/wavy_groove_model.hpp"
 
 #include "base/chebyshev.hpp"
+#include "bearing/given_surface.hpp"
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
 #include "contact/race_errors.hpp"
@@ -55,7 +56,17 @@ WavyGroove make_wavy_groove(const bearing::BallGeometry& balls, int race,
   const GrooveGeometry groove = groove_geometry(balls);
   check_whole_waves(errors);
   WavyGroove out;
-  out.form = race_form(errors, groove.centre_radius[j] + sign * groove.groove_radius[j]);
+  const bearing::SurfaceTable* const t = bearing::table_of(errors.given.get());
+  if (t == nullptr)
+    out.form = race_form(errors, groove.centre_radius[j] + sign * groove.groove_radius[j]);
+  else
+    out.table = {t->height.data(),
+                 t->factor.empty() ? nullptr : t->factor.data(),
+                 t->around,
+                 t->across,
+                 t->first,
+                 t->step,
+                 sign};
   out.curvature_diameter = balls.diameter;
   out.normal_x = sign * std::sin(balls.contact_angle);
   out.normal_r = sign * std::cos(balls.contact_angle);

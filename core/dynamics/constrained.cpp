@@ -14,7 +14,8 @@ namespace adore::dynamics {
 namespace {
 
 RacePose in_frame(const Mat3& frame, const RacePose& pose) noexcept {
-  return {frame * pose.centre, frame * pose.axis, frame * pose.zero};
+  return {frame * pose.centre, frame * pose.axis, frame * pose.zero,
+          pose.to_base * frame.transpose()};
 }
 
 constexpr int kMaxIterations = 200;
@@ -70,12 +71,28 @@ GrooveContact ConstrainedBall::wavy_contact(int race, const RacePose& pose, cons
                     D::variable(-pose.centre[2], 2)};
   const Triple<D> zero = fixed(pose.zero) + D::variable(0.0, 3) * fixed(pose.axis.cross(pose.zero));
   const auto place = con::groove_place(d, k, groove_.centre_radius[j]);
-  const con::WavyTouch<D> wavy =
+  con::WavyTouch<D> wavy =
       con::wavy_touch(*wavy_[j], wavy_[j]->ratios, con::azimuth_in_race(k, place.e, zero),
                       place.axial, place.lift, groove_.offset[j]);
   const con::GrooveTouch<D>& touch = wavy.touch;
   const Triple<D> t = cross(k, place.e);
   const Triple<D> n = touch.n_k * k + touch.n_e * place.e;
+  if (wavy_[j]->forms != nullptr) {
+    const auto base = [&](const Triple<D>& v) {
+      const Vec3 out = pose.to_base * Vec3(v.x.v, v.y.v, v.z.v);
+      return Triple<double>{out[0], out[1], out[2]};
+    };
+    const Triple<D> c_axis = cross(t, n);
+    const con::Lobe lobe = con::lobe_at(*wavy_[j]->forms, number_, base(n), base(c_axis), base(t));
+    // To first order in the direction; how g turns is left out of the stiffness.
+    const auto along = [&](const Triple<D>& axis) {
+      const Triple<D> fixed_axis{D(axis.x.v), D(axis.y.v), D(axis.z.v)};
+      const D part = dot(n, fixed_axis);
+      return part - part.v;
+    };
+    con::add_lobe(wavy, D(lobe.height) + lobe.c * along(c_axis) + lobe.t * along(t), D(lobe.c),
+                  D(lobe.t));
+  }
 
   GrooveContact c;
   const auto split = [](const Triple<D>& v, Vec3& value, Mat3& over_place, Vec3& over_turn) {
@@ -102,7 +119,8 @@ GrooveContact ConstrainedBall::wavy_contact(int race, const RacePose& pose, cons
   c.load = load.v;
   c.energy = con::point_energy(c.load, c.approach);
   c.angle = con::contact_angle(race, touch.n_k.v, touch.n_e.v);
-  const Triple<D> force = push * t - load * n + across * cross(t, n);
+  const D lean = con::wavy_lean(wavy, load, load, touch.approach);
+  const Triple<D> force = push * t - load * n + (across + lean) * cross(t, n);
   split(force, c.force, c.stiffness, per_turn);
   c.stiffness *= -1.0;
   return c;

@@ -30,6 +30,8 @@ struct RacePose {
   Vec3 axis = Vec3::UnitX();
   Vec3 zero = Vec3::UnitZ();  ///< across the axis, where azimuths in the race begin now; read of
                               ///< races that are not of revolution only
+  Mat3 to_base = Mat3::Identity();  ///< from the frame of the other members; of balls that are not
+                                    ///< round only
 };
 
 /// One ball/race contact at a ball position; vectors in the azimuth frame (e_x, e_r, e_θ) of the
@@ -79,7 +81,12 @@ class ConstrainedBall {
       : groove_(groove), K_(K), law_(law), mass_(mass) {}
 
   /// @param wavy imperfections of the races, null: none; outlive this
-  void set_wavy(const std::array<const contact::WavyGroove*, 2>& wavy) noexcept { wavy_ = wavy; }
+  /// @param number of the ball, where balls are not round
+  void set_wavy(const std::array<const contact::WavyGroove*, 2>& wavy,
+                std::size_t number = 0) noexcept {
+    wavy_ = wavy;
+    number_ = number;
+  }
   [[nodiscard]] double mass() const noexcept { return mass_; }
   /// Radius of the ball circle between the unloaded grooves, for a first guess [m].
   [[nodiscard]] double mid_radius() const noexcept {
@@ -120,6 +127,7 @@ class ConstrainedBall {
   std::array<contact::AngleLaw, 2> law_;
   double mass_;
   std::array<const contact::WavyGroove*, 2> wavy_{};
+  std::size_t number_ = 0;
 };
 
 /// Derivatives of the solved (x, r); each column or vector is -(∂G/∂(x,r))⁻¹ ∂G/∂(...). Directions

@@ -1,5 +1,7 @@
 #include "dynamics/held_balls.hpp"
 
+#include "contact/wavy_groove.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +20,7 @@ BallSpringsKernel kernel_of(InstructionSet set) noexcept {
 /// Pose of a race in the azimuth frame of ball i.
 RacePose seen_by(const Evaluation& e, std::size_t i, const RacePose& pose) noexcept {
   return {e.to_cylindrical(i, pose.centre), e.to_cylindrical(i, pose.axis),
-          e.to_cylindrical(i, pose.zero)};
+          e.to_cylindrical(i, pose.zero), azimuth_frame(e.elements.theta[i]).transpose()};
 }
 RacePose seen_by(const Evaluation& e, std::size_t i, const RaceBody& race) noexcept {
   return {e.to_cylindrical(i, race.position), e.to_cylindrical(i, race.axis())};
@@ -32,12 +34,13 @@ HeldBalls::HeldBalls(const std::array<RaceContactModel, 2>& contacts, const Elem
       offset_(std::min(contacts[0].groove.offset[0], contacts[0].groove.offset[1])),
       kernel_(kernel_of(chosen_instruction_set())),
       found_(balls) {
-  const std::size_t own = masses.alike() && !contacts[0].own ? 1 : balls;
+  const bool round = !contacts[0].wavy || contacts[0].wavy->forms == nullptr;
+  const std::size_t own = masses.alike() && !contacts[0].own && round ? 1 : balls;
   for (std::size_t i = 0; i < own; ++i) {
     const RaceContactModel &outer = contacts[0].of(i), &inner = contacts[1].of(i);
     ConstrainedBall ball(outer.groove, {outer.hertz.K, inner.hertz.K}, masses[i].mass,
                          {outer.angle, inner.angle});
-    ball.set_wavy({outer.wavy.get(), inner.wavy.get()});
+    ball.set_wavy({outer.wavy.get(), inner.wavy.get()}, i);
     offset_ = std::min({offset_, outer.groove.offset[0], outer.groove.offset[1]});
     balls_.push_back(ball);
   }

@@ -2,6 +2,7 @@
 
 #include "base/symmetric_eigen.hpp"
 #include "contact/slice_circle.hpp"
+#include "contact/slice_table.hpp"
 #include "dynamics/effects/roller_races.hpp"
 #include "dynamics/race_contacts.hpp"
 
@@ -67,10 +68,14 @@ HeldRollers::HeldRollers(statics::RollerModel model, const bearing::Imperfection
     for (const statics::RollerBody& body : model_.bodies)
       slices_[j].push_back(contact::roller_race_slices(
           body.race[j], body.slices, model_.slicing.width, model_.law[j], model_.E_star[j]));
-    if (!errors.race[j].ideal())
+    if (const auto* const table = bearing::table_of(errors.race[j].given.get())) {
+      surface_[j] = errors.race[j].given;
+      nearer_[j] = contact::nearest(*table);
+    } else if (!errors.race[j].ideal()) {
       wavy_[j] = contact::make_wavy_race(errors.race[j], model_.race[j],
                                          model_.rollers.race_radius(static_cast<int>(j)),
                                          model_.rollers.crown_radius);
+    }
     for (const auto& lobe : out_of_round) {
       lobes_[j].emplace_back();
       if (lobe)
@@ -100,6 +105,15 @@ HeldRollers::Contact HeldRollers::contact(const Evaluation& e, std::size_t i, st
     contact::WavyRace lobe = *lobes_[j][i];
     lobe.ideal = slices.race;
     slices.race = lobe.at(azimuth_in_roller(e.attitude[i], out.back(Vec3::UnitZ()), j)).surface;
+  }
+  std::vector<double> radius;
+  if (const bearing::SurfaceTable* const table = bearing::table_of(surface_[j].get())) {
+    const auto psi = contact::azimuth_in_turned(out.turn, std::cos(race.turn_beyond),
+                                                std::sin(race.turn_beyond));
+    radius.assign(slices.radius, slices.radius + slices.count);
+    contact::recede_slices(*table, std::atan2(psi.sine, psi.cosine), radius.data(), nullptr);
+    slices.radius = radius.data();
+    for (double& around : slices.around) around += nearer_[j];
   }
   const statics::SliceTurns axes = statics::slice_turns(p(2), p(3));
   if (!contact::surely_open(slices, p(0), p(1), axes.a)) {

@@ -48,6 +48,8 @@ class HeldRollers final : public HeldContacts {
   std::array<std::vector<contact::RollerRaceSlices>, 2> slices_;
   RollerSpringsKernel kernel_;
   std::array<std::optional<contact::WavyRace>, 2> wavy_;
+  std::array<std::shared_ptr<const bearing::GivenRace>, 2> surface_;  ///< tables in their place
+  std::array<double, 2> nearer_{};                                    ///< contact::nearest of them
   std::array<std::vector<std::optional<contact::WavyRace>>, 2> lobes_;  ///< by roller, or none
   ElementMasses masses_;
 };

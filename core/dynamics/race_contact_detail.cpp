@@ -45,6 +45,15 @@ Meeting meeting_of(const RaceContactModel& model, const ElementViews& balls, std
         out.place.lift, model.groove.offset[j]);
   else
     out.wavy.touch = contact::groove_touch(out.place.axial, out.place.lift, model.groove.offset[j]);
+  if (model.wavy && model.wavy->forms != nullptr) {
+    const auto base = [&](const Triple<double>& v) {
+      return contact::from_azimuth(v, out.s, out.c);
+    };
+    const Triple<double> n = out.n(), t = out.t();
+    const contact::Lobe lobe =
+        contact::lobe_at(*model.wavy->forms, index, base(n), base(cross(t, n)), base(t));
+    contact::add_lobe(out.wavy, lobe.height, lobe.c, lobe.t);
+  }
   return out;
 }
 
@@ -78,6 +87,8 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
       model.groove.ball_radius};
   state.motion = ellipse_motion(pair, at.d, at.k, t, at.place, touch, state.approach_rate);
   state.approach_rate -= wavy.turn / at.place.distance * state.motion.u_t;
+  state.approach_rate -= wavy.lean * state.motion.u_c;
+  state.approach_rate -= wavy.lobe_t * state.motion.W_c - wavy.lobe_c * state.motion.W_t;
   if (state.approach > 0.0) {
     if (model.angle.follows) {
       const double root = std::sqrt(state.approach);

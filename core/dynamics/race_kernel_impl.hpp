@@ -17,6 +17,31 @@
 /// instruction set; see race_contacts.hpp for the equations' source, frames and signs.
 ///
 /// Local basis of one contact: k, e, t of contact/ball_groove.hpp.
+namespace adore::contact {
+
+/// Lane by lane.
+template <>
+struct TableLookup<SimdReal> {
+  using V = SimdReal;
+  [[nodiscard]] static TableTouch<V> at(const RaceTable& table, const AzimuthDirection<V>& psi,
+                                        const V& n_k, const V& n_e) {
+    TableTouch<V> out;
+    for (int lane = 0; lane < static_cast<int>(V::size()); ++lane) {
+      const TableTouch<double> one = TableLookup<double>::at(
+          table, AzimuthDirection<double>{psi.cosine[lane], psi.sine[lane]}, n_k[lane], n_e[lane]);
+      out.height[lane] = one.height;
+      out.height_psi[lane] = one.height_psi;
+      out.height_phi[lane] = one.height_phi;
+      out.factor[lane] = one.factor;
+      out.factor_psi[lane] = one.factor_psi;
+      out.factor_phi[lane] = one.factor_phi;
+    }
+    return out;
+  }
+};
+
+}  // namespace adore::contact
+
 namespace adore::dynamics {
 namespace {
 
@@ -184,7 +209,7 @@ class RoundRace {
  public:
   static constexpr bool kWavy = false;
   template <class Balls>
-  RoundRace(const RaceKernelInput&, const Balls& balls, const Vec&,
+  RoundRace(const RaceKernelInput&, const Lanes&, const Balls& balls, const Vec&,
             const contact::GroovePlace<V>& place, V, V)
       : touch_(contact::groove_touch(place.axial, place.lift, balls.offset())) {}
   const contact::GrooveTouch<V>& touch() const { return touch_; }
@@ -198,9 +223,11 @@ class WavyRace {
  public:
   static constexpr bool kWavy = true;
   template <class Balls>
-  WavyRace(const RaceKernelInput& in, const Balls& balls, const Vec& k,
+  WavyRace(const RaceKernelInput& in, const Lanes& at, const Balls& balls, const Vec& k,
            const contact::GroovePlace<V>& place, V s, V c)
-      : distance_(place.distance), at_(touch_of(in, balls, k, place, s, c)) {}
+      : distance_(place.distance), at_(touch_of(in, balls, k, place, s, c)) {
+    if (in.wavy != nullptr && in.wavy->forms != nullptr) add_lobes(in, at, k, place.e, s, c);
+  }
   const contact::GrooveTouch<V>& touch() const { return at_.touch; }
   /// Hertz's constants, and the force of their change with the angle, of the groove as it is here.
   void scale(V& K, V& leaning, V& major, V& minor) const {
@@ -216,6 +243,14 @@ class WavyRace {
   }
   /// (D/R) x: of the velocity of the ball along t relative to the race, what it adds to dδ/dt.
   V turning_approach(V x) const { return at_.turn / distance_ * x; }
+  /// What tables add: to the force on the ball along c, and likewise of a velocity along c.
+  V lean(V elastic, V load, V approach) const {
+    return contact::wavy_lean(at_, load, elastic, approach);
+  }
+  V leaning_approach(V x) const { return at_.lean * x; }
+  /// Of balls that are not round: derivatives of their radius along c and t.
+  V lobe_c() const { return at_.lobe_c; }
+  V lobe_t() const { return at_.lobe_t; }
 
  private:
   /// Balls that differ come here with round races, too: a race of no waves.
@@ -228,6 +263,27 @@ class WavyRace {
     return contact::wavy_touch(*in.wavy, balls.ratios(),
                                contact::azimuth_in_race(k, place.e, to_azimuth(in.zero, s, c)),
                                place.axial, place.lift, balls.offset());
+  }
+
+  void add_lobes(const RaceKernelInput& in, const Lanes& at, const Vec& k, const Vec& e, V s, V c) {
+    const auto& touch = at_.touch;
+    const Vec t_all = cross(k, e), n_all = touch.n_k * k + touch.n_e * e;
+    const Vec c_all = touch.n_k * e - touch.n_e * k;
+    V height = 0.0, g_c = 0.0, g_t = 0.0;
+    for (int lane = 0; lane < static_cast<int>(V::size()); ++lane) {
+      const auto base = [&](const Vec& v) {
+        return contact::from_azimuth(contact::Triple<double>{v.x[lane], v.y[lane], v.z[lane]},
+                                     static_cast<double>(s[lane]), static_cast<double>(c[lane]));
+      };
+      const std::size_t ball =
+          at.first + static_cast<std::size_t>(lane < at.used ? lane : at.used - 1);
+      const contact::Lobe one =
+          contact::lobe_at(*in.wavy->forms, ball, base(n_all), base(c_all), base(t_all));
+      height[lane] = one.height;
+      g_c[lane] = one.c;
+      g_t[lane] = one.t;
+    }
+    contact::add_lobe(at_, height, g_c, g_t);
   }
 
   V distance_;
@@ -281,7 +337,7 @@ class Contacts {
         k_(balls.axis(s_, c_)),
         d_(from_centre(at, r_, balls.centre(s_, c_))),
         place_(contact::groove_place(d_, k_, balls.centre_radius())),
-        groove_(in, balls, k_, place_, s_, c_),
+        groove_(in, at, balls, k_, place_, s_, c_),
         approach_(groove_.touch().approach) {
     if (at.used < static_cast<int>(V::size())) {
       const V lane([](auto i) { return static_cast<double>(i); });
@@ -371,7 +427,11 @@ inline void Contacts<Race, Balls>::press(const RaceKernelInput& in, const Lanes&
                                   radius};
   ellipse_.motion = ellipse_motion(pair, d_, k_, cross(k_, place_.e), place_, touch, rate_);
   if (in.damped) {
-    if constexpr (Race::kWavy) rate_ -= groove_.turning_approach(ellipse_.motion.u_t);
+    if constexpr (Race::kWavy) {
+      rate_ -= groove_.turning_approach(ellipse_.motion.u_t);
+      rate_ -= groove_.leaning_approach(ellipse_.motion.u_c);
+      rate_ -= groove_.lobe_t() * ellipse_.motion.W_c - groove_.lobe_c() * ellipse_.motion.W_t;
+    }
     load_ = contact::damped_load(balls.damping(), elastic_, V(1.5 * K * root_approach), approach_,
                                  rate_);
   }
@@ -409,8 +469,23 @@ inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes
     meridian.along -= leaning_ * touch.n_e;
     meridian.outward += leaning_ * touch.n_k;
   }
-  if constexpr (Race::kWavy)
+  if constexpr (Race::kWavy) {
     force_t += groove_.push(elastic_, load_ - elastic_, leaning_, approach_);
+    const V lean = groove_.lean(elastic_, load_, approach_);
+    meridian.along -= lean * touch.n_e;
+    meridian.outward += lean * touch.n_k;
+    if (in.wavy != nullptr && in.wavy->forms != nullptr) {
+      const V about_c = -load_ * groove_.lobe_t(), of_t = load_ * groove_.lobe_c();
+      const V of_k = -about_c * touch.n_e, of_e = about_c * touch.n_k;
+      const Vec moment = in_azimuth(of_k, of_e, of_t);
+      moment_k += of_k;
+      moment_e += of_e;
+      moment_t += of_t;
+      add(at.M_x, moment.x);
+      add(at.M_r, moment.y);
+      add(at.M_theta, moment.z);
+    }
+  }
   const V force_k = meridian.along, force_e = meridian.outward;
   const Vec force = in_azimuth(force_k, force_e, force_t);
   add(at.F_x, force.x);

@@ -223,15 +223,17 @@ struct ReportedSlices {
 inline void report_slices(const RollerReportInput& in) {
   contact::RaceSlices some = *in.slices;
   some.count = Lanes::kSize;
+  contact::RaceSlope slope = in.slope != nullptr ? *in.slope : contact::RaceSlope{};
   for (std::size_t k = 0; k < in.slices->count; k += Lanes::kSize) {
     const ReportedSlices report{in.rows, k};
     if (in.slope != nullptr)
-      (void)contact::roller_race_sums<V>(some, *in.roller, report, *in.slope);
+      (void)contact::roller_race_sums<V>(some, *in.roller, report, slope);
     else
       (void)contact::roller_race_sums<V>(some, *in.roller, report);
     some.s += Lanes::kSize;
     some.radius += Lanes::kSize;
     some.width += Lanes::kSize;
+    if (slope.rise != nullptr) slope.rise += Lanes::kSize;
   }
 }
 

@@ -67,7 +67,7 @@ setup::UserHooks user_hooks(const std::shared_ptr<user::Session>& session,
   out.surface = [of](const bearing::Bearing& bearing, bearing::UserSurface& places) {
     of->surface(bearing, places);
   };
-  out.out_of_round = [of](std::size_t k, bearing::GivenRace form) {
+  out.out_of_round = [of](std::size_t k, std::shared_ptr<const bearing::GivenRace> form) {
     of->keep_out_of_round(k, std::move(form));
   };
   out.document = [of](int hook, const std::string& line) { of->document(hook, line); };
@@ -84,6 +84,7 @@ void start_session(Prepared& prepared, setup::UserHooks& hooks) {
   hooks.drives = session.drives();
   hooks.moves_frame = session.moves_frame();
   hooks.suppressed = session.suppressed();
+  hooks.balls_out_of_round = prepared.bearing.rollers() == nullptr && session.has_out_of_round();
   if (session.active(4) && prepared.bearing.cage) {
     const auto& lands = prepared.bearing.cage->lands;
     if (std::any_of(lands.begin(), lands.end(),
@@ -125,9 +126,9 @@ std::vector<std::string> idle_routines(const Prepared& prepared) {
     idle(6, "the deck does not use user-defined races (kRaceGeoImp1, kRaceGeoImp2 = 3)");
   if (session.has_out_of_round())
     out.push_back(
-        fmt::format("user routine ADRX5 of {} gives out-of-round rollers: they turn in motion; the "
+        fmt::format("user routine ADRX5 of {} gives out-of-round {}: they turn in motion; the "
                     "equilibrium uses their mean radius over the azimuth",
-                    session.source()));
+                    session.source(), prepared.bearing.rollers() != nullptr ? "rollers" : "balls"));
   if (!prepared.control.dynamic) {
     for (const int hook : {1, 2, 3, 4, 7, 9})
       idle(hook, "it acts in motion, and mode = -1 ends with the equilibrium");

@@ -1,5 +1,6 @@
 #include "listing/print_imperfections.hpp"
 
+#include "bearing/given_surface.hpp"
 #include "contact/groove.hpp"
 #include "contact/race_errors.hpp"
 
@@ -58,7 +59,9 @@ double raceway_radius(const bearing::Bearing& b, std::size_t race) {
   return g.centre_radius[race] + (race == bearing::kOuter ? 1.0 : -1.0) * g.groove_radius[race];
 }
 
+/// None of a surface over both coordinates, which has no one value at an azimuth.
 std::vector<Deviation> race_deviations(const bearing::Bearing& b, std::size_t race) {
+  if (bearing::table_of(b.imperfections.race[race].given.get()) != nullptr) return {};
   const double radius = raceway_radius(b, race);
   const bool groove = !b.rollers() || b.rollers()->groove_factor[race] > 0.0;
   std::vector<Deviation> out{{"radius", "radius [m]", &unit::kLength, {}}};
@@ -97,6 +100,17 @@ void print_race(Report& report, const bearing::Bearing& b, std::size_t race) {
           of.least, unit);
       report.item("    largest", of.largest, unit);
     };
+    if (const bearing::SurfaceTable* const table = bearing::table_of(&given)) {
+      report.text(
+          fmt::format("User routine ADRX6 gives the surface of the {} race over {} places around "
+                      "and {} across.",
+                      kRaceName[race], table->around, table->across));
+      if (given.curvature_factor.least != 0.0 || given.curvature_factor.largest != 0.0) {
+        report.item(fmt::format("Curvature factor of the {} race: least", kRaceName[race]),
+                    given.curvature_factor.least, unit::kPure);
+        report.item("    largest", given.curvature_factor.largest, unit::kPure);
+      }
+    }
     range("radius", given.radius, unit::kLength);
     range("taper", given.taper, unit::kAngle);
     range("curvature factor", given.curvature_factor, unit::kPure);

@@ -140,7 +140,8 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
                      cage && dof <= 2 && dof >= 1, cage && dof == 2};
 
   plan.rollers = bearing.rollers() != nullptr;
-  plan.rigid_balls = !plan.rollers && !moves_as_sphere(bearing);
+  const bool lobes = user != nullptr && user->balls_out_of_round;
+  plan.rigid_balls = !plan.rollers && (lobes || !moves_as_sphere(bearing));
   std::vector<std::string> left_out = options.effects_off;
   if (dof == 6 && user != nullptr) {
     plan.suppressed = user->suppressed;
@@ -275,6 +276,10 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   effect(Effect::ElementOrientation, element + " orientation", oriented > 0 || rigid,
          plan.rollers ? std::string("contacts use the axes of all rollers; total rotation of those "
                                     "in kPltElemInd, kPrtOpt or kAGraf")
+         : rigid && user != nullptr && user->balls_out_of_round
+             ? fmt::format("user routine ADRX5 of {}: contacts of out-of-round balls use their "
+                           "orientation; total rotation of those in kPltElemInd, kPrtOpt or kAGraf",
+                           user->source)
          : rigid
              ? fmt::format("kReIP = {}: the inertia of balls turns with them; total rotation of "
                            "those in kPltElemInd, kPrtOpt or kAGraf",

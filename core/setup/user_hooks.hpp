@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <string>
 
 /// Functions of user routines while a deck becomes a model and a plan, independent of
@@ -24,8 +25,9 @@ struct UserHooks {
   std::function<void(const bearing::Bearing&, bearing::UserSurface&)> surface;
   /// A line for the front part of PRINT.txt on what ADRX5 or ADRX6 gave.
   std::function<void(int hook, const std::string& line)> document;
-  /// ADRX5: roller k is out of round (scene/user_laws.hpp).
-  std::function<void(std::size_t k, bearing::GivenRace)> out_of_round;
+  /// ADRX5: element k is out of round (scene/user_laws.hpp).
+  std::function<void(std::size_t k, std::shared_ptr<const bearing::GivenRace>)> out_of_round;
+  bool balls_out_of_round = false;  ///< known when the scene is planned
   int slices = 0;       ///< of rollers
   bool points = false;  ///< barrels touch at points, not in slices
   // Announcements of ADRX1, known when the scene is planned.

@@ -1,8 +1,10 @@
 #include "setup/user_surfaces.hpp"
 
 #include "base/errors.hpp"
+#include "contact/race_table.hpp"
 #include "contact/roller_pocket.hpp"
 #include "contact/roller_shape.hpp"
+#include "setup/surface_table.hpp"
 
 #include <fmt/format.h>
 
@@ -11,12 +13,15 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace adore::setup {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kSeriesError = 0.01;  // of the range
+constexpr double kRounding = 1e-12;    // of the largest value
 constexpr const char* kRaceName[] = {"outer race", "inner race"};
 
 /// Two numbers that say the same: to 1e-9 of what varies, to rounding of what does not.
@@ -86,7 +91,7 @@ bearing::TurnSeries taken(const UserHooks& user, int hook, const std::string& bo
   if (series.series.pairs.empty()) return {};
   const double range =
       std::max(series.series.largest - series.series.least, std::numeric_limits<double>::min());
-  if (series.error > 0.01 * range)
+  if (series.error > kSeriesError * range + kRounding * largest(values))
     throw InputError(fmt::format(
         "{}{} jumps somewhere around the turn: 255 waves through 512 places miss it by {:.3g} {} "
         "between them, of a range of {:.3g} {}; give a surface that closes and has no steps",
@@ -173,36 +178,129 @@ std::vector<double> places_of(const bearing::RollerGeometry& rollers, std::size_
 
 }  // namespace
 
+namespace {
+
+constexpr std::size_t kBallAround = 512, kBallAcross = 193;  // rows from pole to pole
+
+/// Of a table at places between its own, up to 60 degrees of latitude (beyond, azimuths mean
+/// little).
+double error_between(const UserHooks& user, const bearing::Bearing& b,
+                     const bearing::GivenSurface& form, int element, double mean) {
+  const bearing::SurfaceTable& of = form.table;
+  const contact::RaceTable table{of.height.data(), nullptr, of.around, of.across,
+                                 of.first,         of.step, 1.0};
+  bearing::UserSurface t;
+  t.element = element;
+  const double R = 0.5 * b.element_diameter();
+  std::vector<double> latitudes;
+  for (int m = 0; m < 31; ++m) latitudes.push_back((m - 15) * 4.03 * std::numbers::pi / 180.0);
+  for (const double latitude : latitudes)
+    for (int i = 0; i < of.around; ++i)
+      t.place(R * std::sin(latitude), kTurn * (i + 0.5) / of.around);
+  user.surface(b, t);
+  double out = 0.0;
+  for (std::size_t k = 0; k < t.radius.size(); ++k)
+    out = std::max(out,
+                   std::abs(t.radius[k] - mean -
+                            contact::table_value(table, table.height, t.azimuth[k],
+                                                 latitudes[k / static_cast<std::size_t>(of.around)])
+                                .value));
+  return out;
+}
+
+/// Balls: a mean that is their diameter, and what is left as a table; nothing where it is 0.
+void user_balls(const UserHooks& user, bearing::Bearing& b) {
+  const auto count = static_cast<std::size_t>(b.element_count());
+  const double R = 0.5 * b.element_diameter();
+  const double step = std::numbers::pi / (kBallAcross - 1);
+  const auto latitude = [&](double row) { return -0.5 * std::numbers::pi + row * step; };
+  double least = 0.0, most = 0.0;
+  std::vector<double> growth(count, 0.0);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::string body = fmt::format("ball {}", k + 1);
+    bearing::UserSurface t;
+    const auto ask = [&](std::size_t rows, std::size_t columns) {
+      t = {};
+      t.element = static_cast<int>(k);
+      for (std::size_t m = 0; m < kBallAcross; m += (kBallAcross - 1) / rows)
+        for (std::size_t i = 0; i < columns; ++i)
+          t.place(R * std::sin(latitude(static_cast<double>(m))),
+                  kTurn * static_cast<double>(i) / static_cast<double>(columns));
+      user.surface(b, t);
+      const auto [low, high] = std::minmax_element(t.radius.begin(), t.radius.end());
+      return !same(*high, *low, largest(t.radius));
+    };
+    const bool varies = ask(32, 64) && ask(kBallAcross - 1, kBallAround);
+    const auto [low, high] = std::minmax_element(t.radius.begin(), t.radius.end());
+    const double bottom = *low, top = *high, range = top - bottom;
+    least = std::min(least, bottom);
+    most = std::max(most, top);
+    if (!(R + bottom > 0.0))
+      throw InputError(fmt::format("{}a radius of {:.6g} m less leaves nothing of {:.6g} m",
+                                   about(user, 5, body), -bottom, R));
+    if (!varies) {
+      growth[k] = 2.0 * t.radius.front();
+      continue;
+    }
+    if (top - bottom > 0.01 * R)
+      throw InputError(
+          fmt::format("{}a radius that varies by {:.3g} m of {:.6g} m is no ball; give "
+                      "at most a hundredth",
+                      about(user, 5, body), range, R));
+    double mean = 0.0, weight = 0.0;  // over the sphere
+    for (std::size_t m = 0; m < kBallAcross; ++m) {
+      const double w = std::cos(latitude(static_cast<double>(m)));
+      for (std::size_t i = 0; i < kBallAround; ++i) {
+        mean += w * t.radius[m * kBallAround + i];
+        weight += w;
+      }
+    }
+    mean /= weight;
+    growth[k] = 2.0 * mean;
+    for (double& one : t.radius) one -= mean;
+    auto form = std::make_shared<bearing::GivenSurface>(
+        bearing::SurfaceTable{kBallAround, kBallAcross, latitude(0.0), step, t.radius, {}});
+    form->radius.least = bottom;
+    form->radius.largest = top;
+    spline_table(form->table.height, kBallAround, true);
+    const double error = error_between(user, b, *form, t.element, mean);
+    if (error > kSeriesError * range)
+      throw InputError(fmt::format(
+          "{}the radius has steps or more than about 60 waves around: a surface through {} x {} "
+          "places misses it by {:.3g} m between them, of a range of {:.3g} m",
+          about(user, 5, body), kBallAround, kBallAcross, error, range));
+    user.document(5, fmt::format("{}: radius {:.6g} to {:.6g} m more than the deck's, mean {:.6g} "
+                                 "m; within {:.2g} m between {} x {} places",
+                                 body, bottom, top, mean, error, kBallAround, kBallAcross));
+    user.out_of_round(k, std::move(form));
+  }
+  user.document(
+      5, fmt::format("elements: radius {:.6g} to {:.6g} m more than the deck's", least, most));
+  if (std::all_of(growth.begin(), growth.end(), [](double one) { return one == 0.0; })) return;
+  b.imperfections.ball_diameter.resize(count, 0.0);
+  for (std::size_t k = 0; k < count; ++k) b.imperfections.ball_diameter[k] += growth[k];
+  if (b.imperfections.elements == bearing::ElementErrors::None)
+    b.imperfections.elements = bearing::ElementErrors::Listed;
+}
+
+}  // namespace
+
 void user_elements(const UserHooks& user, bearing::Bearing& b) {
+  if (b.rollers() == nullptr) return user_balls(user, b);
   constexpr std::size_t kAzimuths = 8;
   const auto count = static_cast<std::size_t>(b.element_count());
   bearing::RollerGeometry* const rollers = b.rollers();
   double least = 0.0, most = 0.0;
   std::vector<bearing::RollerDeviation> deviation;
-  std::vector<double> growth(count, 0.0);
   for (std::size_t k = 0; k < count; ++k) {
     bearing::UserSurface t;
     t.element = static_cast<int>(k);
-    std::vector<double> places;
-    if (rollers != nullptr) {
-      places = places_of(*rollers, k, user.slices);
-    } else {
-      const double D = b.element_diameter();
-      places = {-0.4 * D, 0.0, 0.4 * D};
-    }
+    std::vector<double> places = places_of(*rollers, k, user.slices);
     for (const double s : places)
       for (std::size_t i = 0; i < kAzimuths; ++i)
         t.place(s, kTurn * static_cast<double>(i) / kAzimuths);
     user.surface(b, t);
-    const Roundness shape = roundness_of(
-        user, b, t.element,
-        rollers != nullptr ? 0.5 * rollers->contact_length() : 0.4 * b.element_diameter());
-    if (!shape.round && rollers == nullptr)
-      throw InputError(fmt::format(
-          "{}the radius of a ball varies over its surface by up to {:.3g} m; balls stay round: "
-          "give "
-          "one number for each",
-          about(user, 5, fmt::format("element {}", k + 1)), 2.0 * largest(shape.radius)));
+    const Roundness shape = roundness_of(user, b, t.element, 0.5 * rollers->contact_length());
     if (!shape.round && user.points)
       throw InputError(about(user, 5, fmt::format("element {}", k + 1)) +
                        "a barrel that touches at points is round; set the run option that cuts it "
@@ -219,7 +317,7 @@ void user_elements(const UserHooks& user, bearing::Bearing& b) {
       bearing::GivenRace form;
       form.radius = taken(user, 5, name, "radius over the azimuth", "m", shape.radius);
       form.taper = taken(user, 5, name, "taper over the azimuth", "rad", angle);
-      user.out_of_round(k, std::move(form));
+      user.out_of_round(k, std::make_shared<const bearing::GivenRace>(std::move(form)));
     }
     std::vector<double> radius = unturned(user, t, kAzimuths, shape);
     const double size = largest(radius), top = *std::max_element(radius.begin(), radius.end());
@@ -231,15 +329,6 @@ void user_elements(const UserHooks& user, bearing::Bearing& b) {
     if (!(0.5 * b.element_diameter() + bottom > 0.0))
       throw InputError(fmt::format("{}a radius of {:.6g} m less leaves nothing of {:.6g} m",
                                    about(user, 5, body), -bottom, 0.5 * b.element_diameter()));
-    if (rollers == nullptr) {
-      if (!even)
-        throw InputError(fmt::format(
-            "{}the radius of a ball varies by {:.3g} m along the axis; balls stay round: give one "
-            "number for each",
-            about(user, 5, body), top - bottom));
-      growth[k] = 2.0 * radius[1];
-      continue;
-    }
     bearing::RollerDeviation& own = deviation.emplace_back(rollers->deviation_of(k));
     own.diameter += 2.0 * top;
     if (even) continue;
@@ -255,65 +344,132 @@ void user_elements(const UserHooks& user, bearing::Bearing& b) {
   user.document(
       5, fmt::format("elements: radius {:.6g} to {:.6g} m more than the deck's", least, most));
   if (least == 0.0 && most == 0.0) return;
-  if (rollers != nullptr) {
-    rollers->deviation = std::move(deviation);
-  } else {
-    b.imperfections.ball_diameter.resize(count, 0.0);
-    for (std::size_t k = 0; k < count; ++k) b.imperfections.ball_diameter[k] += growth[k];
-  }
+  rollers->deviation = std::move(deviation);
   if (b.imperfections.elements == bearing::ElementErrors::None)
     b.imperfections.elements = bearing::ElementErrors::Listed;
 }
 
-void user_race(const UserHooks& user, std::size_t race, bearing::Bearing& b) {
-  constexpr std::size_t kPlaces = kAround;
+namespace {
+
+/// Greatest distance of a series from values around the turn.
+double distance(const bearing::TurnSeries& series, const std::vector<double>& values) {
+  const contact::RaceSum sum{series.pairs.data(), static_cast<int>(series.pairs.size() / 2)};
+  double out = 0.0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double psi = kTurn * static_cast<double>(k) / static_cast<double>(values.size());
+    const double at =
+        sum.count == 0 ? 0.0 : contact::sum_at(sum, std::cos(psi), std::sin(psi)).value;
+    out = std::max(out, std::abs(at - values[k]));
+  }
+  return out;
+}
+
+/// A race over the turn alone, as series; nothing where it varies across, or jumps.
+/// @param all what the routine says at all places of a table
+std::shared_ptr<bearing::GivenRace> race_by_series(const UserHooks& user, std::size_t race,
+                                                   const bearing::Bearing& b,
+                                                   const bearing::UserSurface& all) {
+  constexpr std::size_t kTurnPlaces = kTableAround, kEvery = kTurnPlaces / kAround;
   const bearing::RollerGeometry* const rollers = b.rollers();
   const bool groove = rollers == nullptr || rollers->groove_factor[race] > 0.0;
   const double half =
       rollers != nullptr ? 0.5 * rollers->contact_length() : 0.3 * b.element_diameter();
-  constexpr double kAcross[] = {-1.0, -0.5, 0.0, 0.5, 1.0};
-  constexpr std::size_t kMiddle = 2, kMany = 5;
   bearing::UserSurface t;
   t.race = static_cast<int>(race);
-  for (const double x : kAcross)
-    for (std::size_t k = 0; k < kPlaces; ++k)
-      t.place(x * half, kTurn * static_cast<double>(k) / kPlaces);
+  for (const double x : {0.0, -half, half})
+    for (std::size_t k = 0; k < kTurnPlaces; ++k)
+      t.place(x, kTurn * static_cast<double>(k) / kTurnPlaces);
   user.surface(b, t);
-  const std::string body = kRaceName[race];
-  const double size = largest(t.radius);
-  std::vector<double> radius(kPlaces), taper(kPlaces), factor(kPlaces);
-  for (std::size_t k = 0; k < kPlaces; ++k) {
-    const auto at = [&](std::size_t across) { return t.radius[across * kPlaces + k]; };
-    radius[k] = at(kMiddle);
-    const double slope = (at(kMany - 1) - at(0)) / (2.0 * half);
-    for (std::size_t i = 0; i < kMany; ++i)
-      if (!same(at(i), radius[k] + (groove ? 0.0 : slope * kAcross[i] * half), size))
-        throw InputError(fmt::format(
-            "{}the radius at azimuth {:.4g} rad and {:.4g} m across is {:.3g} m from that of {}; "
-            "{}",
-            about(user, 6, body), t.azimuth[k], t.axial[i * kPlaces + k],
-            std::abs(at(i) - radius[k]), groove ? "the middle" : "a taper",
-            groove ? "across a groove its curvature factor varies, and the radius not"
-                   : "a straight raceway may be tapered, and its crown is record 5B's or the "
-                     "rollers' own"));
+  const double size = std::max(largest(t.radius), largest(all.radius));
+  const double size_of_factor =
+      std::max(largest(t.curvature_factor), largest(all.curvature_factor));
+  std::vector<double> radius, taper, factor, every_radius, every_factor;
+  for (std::size_t k = 0; k < kTurnPlaces; ++k) {
+    const double middle = t.radius[k], f = t.curvature_factor[k];
+    const double slope = (t.radius[2 * kTurnPlaces + k] - t.radius[kTurnPlaces + k]) / (2.0 * half);
+    const auto fits = [&](const bearing::UserSurface& at, std::size_t i) {
+      return same(at.radius[i], middle + (groove ? 0.0 : slope * at.axial[i]), size) &&
+             same(at.curvature_factor[i], f, size_of_factor);
+    };
+    for (std::size_t i = k; i < t.radius.size(); i += kTurnPlaces)
+      if (!fits(t, i)) return nullptr;
+    for (std::size_t i = k; i < all.radius.size(); i += kTurnPlaces)
+      if (!fits(all, i)) return nullptr;
+    every_radius.push_back(middle);
+    every_factor.push_back(f);
+    if (k % kEvery != 0) continue;
+    radius.push_back(middle);
+    factor.push_back(f);
+    taper.push_back(0.0);
     if (!groove && !same(slope * half, 0.0, size)) {
       const double cone = rollers->race_angle[race];  // R(x) falls by x tan of it
-      taper[k] = cone - std::atan(std::tan(cone) - slope);
+      taper.back() = cone - std::atan(std::tan(cone) - slope);
     }
-    factor[k] = t.curvature_factor[kMiddle * kPlaces + k];
-    if (!groove && factor[k] != 0.0)
-      throw InputError(about(user, 6, body) +
-                       "a straight raceway has no groove factor; leave curvature_factor at 0");
-    for (std::size_t i = 0; i < kMany; ++i)
-      if (!same(t.curvature_factor[i * kPlaces + k], factor[k], largest(t.curvature_factor)))
-        throw InputError(about(user, 6, body) +
-                         "the curvature factor varies across the groove; give one number for each "
-                         "azimuth");
   }
+  for (const auto& [some, every] : {std::pair{&radius, &every_radius}, {&factor, &every_factor}}) {
+    const auto [low, high] = std::minmax_element(every->begin(), every->end());
+    if (distance(series_of(*some).series, *every) > kSeriesError * (*high - *low) + 1e-15)
+      return nullptr;
+  }
+  if (const Series series = series_of(taper);
+      series.error >
+      kSeriesError * (series.series.largest - series.series.least) + kRounding * largest(taper))
+    return nullptr;
+  const std::string body = kRaceName[race];
   auto given = std::make_shared<bearing::GivenRace>();
   given->radius = taken(user, 6, body, "radius", "m", radius);
   given->taper = taken(user, 6, body, "taper", "rad", taper);
   given->curvature_factor = taken(user, 6, body, "curvature factor", "", factor);
+  return given;
+}
+
+void set_range(bearing::TurnSeries& of, const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  of.least = *low;
+  of.largest = *high;
+}
+
+std::shared_ptr<bearing::GivenRace> race_by_table(const UserHooks& user, std::size_t race,
+                                                  const bearing::Bearing& b,
+                                                  const std::vector<double>& places,
+                                                  const bearing::UserSurface& t) {
+  const std::string body = kRaceName[race];
+  if (user.points)
+    throw InputError(about(user, 6, body) +
+                     "the surface varies across or has steps, and a barrel that touches at points "
+                     "does not feel that; set the run option that cuts it into slices");
+  const bool curves = largest(t.curvature_factor) > 0.0;
+  auto given = std::make_shared<bearing::GivenSurface>(surface_table(
+      b, race, places, t.radius, curves ? t.curvature_factor : std::vector<double>{}));
+  set_range(given->radius, t.radius);
+  set_range(given->curvature_factor, t.curvature_factor);
+  user.document(
+      6, fmt::format(
+             "{}: surface of {} x {} places around and across, rolled over by the element; "
+             "radius {:.6g} to {:.6g} m{}",
+             body, kTableAround, places.size(), given->radius.least, given->radius.largest,
+             curves ? fmt::format(", curvature factor {:.6g} to {:.6g}",
+                                  given->curvature_factor.least, given->curvature_factor.largest)
+                    : ""));
+  return given;
+}
+
+}  // namespace
+
+void user_race(const UserHooks& user, std::size_t race, bearing::Bearing& b) {
+  const bearing::RollerGeometry* const rollers = b.rollers();
+  const std::vector<double> places = table_places(b, race, user.slices);
+  bearing::UserSurface all;
+  all.race = static_cast<int>(race);
+  for (const double x : places)
+    for (int k = 0; k < kTableAround; ++k) all.place(x, kTurn * k / kTableAround);
+  user.surface(b, all);
+  std::shared_ptr<bearing::GivenRace> given = race_by_series(user, race, b, all);
+  if (!given) given = race_by_table(user, race, b, places, all);
+  const bool straight = rollers != nullptr && !(rollers->groove_factor[race] > 0.0);
+  if (straight && (given->curvature_factor.least != 0.0 || given->curvature_factor.largest != 0.0))
+    throw InputError(about(user, 6, kRaceName[race]) +
+                     "a straight raceway has no groove factor; leave curvature_factor at 0");
   b.imperfections.race_given[race] = true;
   b.imperfections.race[race].given = std::move(given);
 }

@@ -7,8 +7,8 @@
 /// the bearing is built: what they answer becomes the deviations that decks give in records 5G.
 ///
 /// ADRX6: radius and groove factor over the turn become series of up to 255 waves through 512
-/// places around; as many between them tell the error. Over the axis a straight raceway may be
-/// turned by a taper, a groove has its factor: more is refused.
+/// places around; as many between them tell the error. What varies across (beyond the taper of a
+/// straight raceway), or jumps over the turn, becomes a table (surface_table.hpp).
 /// ADRX5: the radius of an element over its axis x and its azimuth ψ. Of a roller
 ///   f(x) + c(ψ) + x t(ψ),   c and t without mean:
 /// f at the middles of its slices and between, c and t as series of up to 255 waves, which turn

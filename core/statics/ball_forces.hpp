@@ -17,7 +17,7 @@
 /// field m a of its origin along e_r. On the inner race: minus its force, and the moment Rc_i P_x -
 /// r_i f_i about the axis opposite to the circumferential direction. Where K varies with the angle,
 /// no K' term enters and Q acts along the normal, but with Curvature::Potential
-/// (contact/angle_law.hpp).
+/// (contact/angle_law.hpp). Races that are tables: contact/wavy_groove.hpp, with K' of the table.
 ///
 /// A ball that is about to lose its inner race cannot be driven by it: while Q_i is below 1/1000 of
 /// the centrifugal force, ω_m and M_g fade (smoothly, C1) into those of a ball seated on the outer
@@ -31,7 +31,7 @@ struct ContactState {
   S n_k = 0.0, n_e = 0.0;  ///< normal from the ball into the race: on its axis, on e
   Direction<S> alpha;
   S friction = 0.0;
-  S leaning = 0.0;  ///< L along c, at the centre (contact/angle_law.hpp)
+  S leaning = 0.0;  ///< L along c, at the centre (contact/angle_law.hpp, tables)
 };
 
 /// S: numbers of the ball, P: of the pose of the inner race.
@@ -46,6 +46,30 @@ struct BallForces {
   bool rolls = true;
 };
 
+/// The touch with a race that is a table.
+template <class S, class P>
+contact::WavyTouch<S> table_touch(const BallSeat& seat, std::size_t race,
+                                  const GroovePosition<S, P>& p) {
+  const contact::WavyGroove& of = *seat.table[race];
+  const S psi = seat.azimuth_in_race + p.e.z;  // to first order: the race has moved a little
+  return contact::wavy_touch(of, of.ratios, contact::AzimuthDirection<S>{cosine(psi), sine(psi)},
+                             p.xi, p.eta, seat.groove.offset[race]);
+}
+
+/// Hertz's constants of a closed contact at its angle α, of the groove as it is there.
+inline contact::HertzConstants hertz_here(const BallSeat& seat, std::size_t race,
+                                          const GroovePosition<double>& p, double alpha) {
+  contact::HertzConstants out = seat.hertz[race].at(alpha);
+  if (!seat.table[race]) return out;
+  const auto table = table_touch(seat, race, p);
+  const double root = std::cbrt(table.stiffness);  // half axes over √δ become those over Q^(1/3)
+  out.K *= table.stiffness;
+  out.a_hat *= table.major / root;
+  out.b_hat *= table.minor / root;
+  out.kappa *= table.major / table.minor;
+  return out;
+}
+
 template <class S, class P>
 ContactState<S> contact_state(const BallModel& m, const BallSeat& seat, std::size_t race,
                               const GroovePosition<S, P>& p) {
@@ -56,6 +80,7 @@ ContactState<S> contact_state(const BallModel& m, const BallSeat& seat, std::siz
   c.n_e = touch.n_e;
   c.alpha = {sign * touch.n_k, sign * touch.n_e};
   c.approach = touch.approach;
+  if (seat.table[race]) c.approach = table_touch(seat, race, p).touch.approach;
   if (value_of(c.approach) > 0.0) {
     const HertzSeries& hertz = seat.hertz[race];
     const double K_reference = hertz.reference().K;
@@ -76,6 +101,12 @@ ContactState<S> contact_state(const BallModel& m, const BallSeat& seat, std::siz
                                    c.approach, root);
     } else {
       c.load = contact::point_load(K_reference, c.approach, root);
+    }
+    if (seat.table[race]) {
+      const auto table = table_touch(seat, race, p);
+      c.load = c.load * table.stiffness;
+      c.leaning =
+          c.leaning * table.stiffness + contact::wavy_lean(table, c.load, c.load, c.approach);
     }
   }
   return c;
@@ -220,6 +251,14 @@ BallForces<S, P> ball_forces(const BallModel& m, const BallSite& site, const S& 
         const S push = -(c.load * c.alpha.cos) * seat.inner_slope / (eta + groove.centre_radius[1]);
         force = force + push * cross(a, e);
         moment = moment - (xi * push) * e;
+      }
+      if (seat.table[1]) {
+        const auto at = table_touch(seat, 1, f.position[1]);
+        const S R = eta + groove.centre_radius[1];
+        const S push = contact::wavy_push(at, c.load, S(0.0), c.approach, R);
+        const S recess = at.touch.length - groove.offset[1] - c.approach;
+        force = force + push * cross(a, e);
+        moment = moment - (xi * push) * e - (recess * c.leaning) * cross(e, a);
       }
       const Triple<S> on_race = contact::from_azimuth(force, site.sin, site.cos);
       const Triple<S> about = contact::from_azimuth(moment, site.sin, site.cos);

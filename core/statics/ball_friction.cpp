@@ -56,6 +56,12 @@ StaticBall moved_to(const BallSeat& seat, const StaticBall& ball, const Places& 
     const double root = std::cbrt(out.Q[j]);
     out.a[j] = hertz.a_hat * root;
     out.b[j] = hertz.b_hat * root;
+    if (seat.table[j]) {  // the groove as it is at the ball
+      const contact::HertzConstants before = seat.hertz[j].at(ball.alpha[j]);
+      const double root_before = std::cbrt(ball.Q[j]);
+      out.a[j] *= ball.a[j] / (before.a_hat * root_before);
+      out.b[j] *= ball.b[j] / (before.b_hat * root_before);
+    }
     out.p_max[j] = 1.5 * out.Q[j] / (std::numbers::pi * out.a[j] * out.b[j]);
   }
   out.r = s[4];

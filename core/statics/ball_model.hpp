@@ -4,11 +4,13 @@
 #include "contact/angle_law.hpp"
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
+#include "contact/wavy_groove.hpp"
 #include "statics/ball_statics.hpp"
 
 #include <Eigen/Core>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 /// Constants of one quasi-static ball bearing problem: what all balls share.
@@ -78,6 +80,9 @@ struct BallSeat {
   double window =
       0.0;  ///< inner load below which the ball is only partly driven (see ball_forces.hpp) [N]
   double inner_slope = 0.0;  ///< dR/dψ of the inner race here [m/rad]
+  /// Races whose surface is a table (contact/wavy_groove.hpp); null: the groove here is a circle.
+  std::array<std::shared_ptr<const contact::WavyGroove>, 2> table;
+  double azimuth_in_race = 0.0;  ///< ψ at the start, read of tables only [rad]
 
   [[nodiscard]] double offset_sum() const noexcept { return groove.offset[0] + groove.offset[1]; }
 };

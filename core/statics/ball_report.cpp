@@ -254,7 +254,8 @@ StaticBall report_ball(const BallModel& m, const std::array<double, 5>& q, const
     s.shoulder_depth[j] = kNone;
     s.inner_chord[j] = kNone;
     s.other_half[j] = kNone;
-    const contact::HertzConstants hertz = seat.hertz[j].at(loaded ? alpha : m.balls.contact_angle);
+    const contact::HertzConstants hertz = loaded ? hertz_here(seat, j, f.position[j], alpha)
+                                                 : seat.hertz[j].at(m.balls.contact_angle);
     s.K[j] = hertz.K;
     if (!loaded) {
       continue;

@@ -1,6 +1,8 @@
 #include "base/errors.hpp"
 #include "bearing/element_inertia.hpp"
+#include "bearing/given_surface.hpp"
 #include "contact/race_errors.hpp"
+#include "contact/wavy_groove_model.hpp"
 #include "statics/ball_model.hpp"
 
 #include <fmt/format.h>
@@ -60,6 +62,22 @@ bool make_seat(const BallModel& m, const bearing::Bearing& b, const StaticsOptio
       continue;
     }
     differs = true;
+    if (bearing::table_of(errors.race[j].given.get()) != nullptr) {
+      struct Kept {
+        std::shared_ptr<const bearing::GivenRace> given;
+        contact::WavyGroove groove;
+      };
+      const auto race = static_cast<int>(j);
+      auto kept = std::make_shared<Kept>(
+          Kept{errors.race[j].given,
+               contact::make_wavy_groove(m.balls, race, errors.race[j], options.fixed_angle[j])});
+      if (growth != 0.0)
+        kept->groove.ratios =
+            contact::ratios_of_ball(m.balls, growth, race, errors.race[j], options.fixed_angle[j]);
+      seat.table[j] = std::shared_ptr<const contact::WavyGroove>(kept, &kept->groove);
+      seat.azimuth_in_race = m.azimuth[k];
+      continue;
+    }
     const double slope = deform_groove(m, j, errors.race[j], m.azimuth[k], seat.groove);
     if (j == bearing::kInner) {
       seat.inner_slope = slope;

@@ -4,6 +4,7 @@
 #include "contact/hertz.hpp"
 #include "contact/race_errors.hpp"
 #include "contact/roller_shape.hpp"
+#include "contact/slice_table.hpp"
 
 #include <fmt/format.h>
 
@@ -89,7 +90,7 @@ void place_races(const RollerModel& m, const bearing::Imperfections& errors, dou
                  RollerBody& body) {
   body.race = m.race;
   for (std::size_t j = 0; j < 2; ++j) {
-    if (errors.race[j].ideal()) {
+    if (errors.race[j].ideal() || bearing::table_of(errors.race[j].given.get()) != nullptr) {
       continue;
     }
     const contact::RaceSurface& ideal = m.race[j];
@@ -113,6 +114,24 @@ RollerBody body_of(const RollerModel& m, bearing::Type type, const bearing::Impe
     for (contact::RollerSlice& slice : body.slices) {
       slice.radius -=
           contact::logarithmic_drop(slice.s, m.rollers.length, 0.00035 * m.rollers.diameter);
+    }
+  }
+  for (std::size_t j = 0; j < 2; ++j) {
+    const bearing::SurfaceTable* const table = bearing::table_of(errors.race[j].given.get());
+    if (table == nullptr) {
+      continue;
+    }
+    if (table->across != m.slicing.count) {
+      refuse("the surface of a race was given for another number of slices");
+    }
+    std::vector<double> radius;
+    for (const contact::RollerSlice& slice : body.slices) {
+      radius.push_back(slice.radius);
+    }
+    contact::recede_slices(*table, m.azimuth[roller], radius.data(), nullptr);
+    body.on_race[j] = body.slices;
+    for (std::size_t k = 0; k < radius.size(); ++k) {
+      body.on_race[j][k].radius = radius[k];
     }
   }
   if (m.contact == RollerContact::Point) {

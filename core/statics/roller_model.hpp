@@ -18,6 +18,8 @@ struct RollerBody {
   contact::RollerProfile profile;
   std::vector<contact::RollerSlice> slices;
   std::array<contact::RaceSurface, 2> race;
+  /// As they meet race j where its surface is a table: less what it recedes; empty: `slices`.
+  std::array<std::vector<contact::RollerSlice>, 2> on_race;
   double inner_slope = 0.0;         ///< dR/dψ of the inner race here [m/rad]
   std::array<PointSet, 2> point;    ///< RollerContact::Point
   std::vector<FlangePair> flanges;  ///< that this roller can touch
@@ -66,13 +68,15 @@ struct RollerModel {
     return contact == RollerContact::Point ? 1 : body.slices.size();
   }
   [[nodiscard]] SliceSet slices(std::size_t j, const RollerBody& body) const {
-    return {body.race[j], body.slices, slicing.width, law[j]};
+    return {body.race[j], body.on_race[j].empty() ? body.slices : body.on_race[j], slicing.width,
+            law[j]};
   }
 };
 
 /// Imperfections: diameter, crown, length and land of each roller (RollerGeometry::deviation);
 /// races with the errors of their own azimuth under each roller (contact/race_errors.hpp), the
-/// inner one with its slope. Mass, spin and the places of flanges stay those of the ideal bearing.
+/// inner one with its slope; of tables the slices are less what the race recedes there. Mass, spin
+/// and the places of flanges stay those of the ideal bearing.
 /// @throws InputError naming the value that makes no bearing.
 [[nodiscard]] RollerModel make_roller_model(const bearing::Bearing& bearing,
                                             const RollerOptions& options);

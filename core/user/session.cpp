@@ -431,10 +431,10 @@ void Session::surface(const bearing::Bearing& bearing, bearing::UserSurface& pla
   s.ask_or_refuse(hook, a, ADORE_COMPUTE);
 }
 
-void Session::keep_out_of_round(std::size_t k, bearing::GivenRace form) {
+void Session::keep_out_of_round(std::size_t k, std::shared_ptr<const bearing::GivenRace> form) {
   auto& all = impl_->out_of_round;
   if (all.size() <= k) all.resize(k + 1);
-  all[k] = std::make_shared<const bearing::GivenRace>(std::move(form));
+  all[k] = std::move(form);
 }
 
 bool Session::has_out_of_round() const noexcept { return !impl_->out_of_round.empty(); }

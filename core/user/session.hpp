@@ -52,7 +52,7 @@ class Session {
   /// @throws InputError
   void surface(const bearing::Bearing& bearing, bearing::UserSurface& places);
   /// ADRX5: roller k is out of round; the laws show it to the solver.
-  void keep_out_of_round(std::size_t k, bearing::GivenRace form);
+  void keep_out_of_round(std::size_t k, std::shared_ptr<const bearing::GivenRace> form);
   [[nodiscard]] bool has_out_of_round() const noexcept;
   /// A line behind those of the routine's own documentation.
   void document(int hook, const std::string& line);

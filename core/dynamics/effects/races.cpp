@@ -1,5 +1,7 @@
 #include "dynamics/effects/races.hpp"
 
+#include "base/errors.hpp"
+#include "bearing/given_surface.hpp"
 #include "contact/make_angle_law.hpp"
 #include "contact/wavy_groove_model.hpp"
 #include "dynamics/effect_makers.hpp"
@@ -194,6 +196,41 @@ class RacePower final : public EffectBlock {
 
 namespace {
 
+/// Of each ball; null: all are round.
+const std::vector<std::shared_ptr<const bearing::GivenRace>>* forms_of(const SceneBuilder& scene) {
+  return scene.options.user && !scene.options.user->out_of_round.empty()
+             ? &scene.options.user->out_of_round
+             : nullptr;
+}
+
+/// A groove with errors, or any under balls that are not round, with all that it reads.
+std::shared_ptr<const contact::WavyGroove> wavy_groove(const SceneBuilder& scene, std::size_t j,
+                                                       const bearing::RaceErrors& errors) {
+  struct Kept {
+    contact::WavyGroove groove;
+    std::vector<std::shared_ptr<const bearing::GivenRace>> given;
+    std::vector<contact::RaceTable> of_ball;
+    contact::BallForms forms;
+  };
+  auto kept = std::make_shared<Kept>();
+  kept->groove = contact::make_wavy_groove(scene.bearing.balls(), static_cast<int>(j), errors,
+                                           scene.fixed_angle[j]);
+  if (const auto* const forms = forms_of(scene)) {
+    kept->given = *forms;
+    for (const auto& one : *forms) {
+      kept->of_ball.emplace_back();
+      if (const bearing::SurfaceTable* const t = bearing::table_of(one.get()))
+        kept->of_ball.back() = {t->height.data(), nullptr, t->around, t->across,
+                                t->first,         t->step, 1.0};
+    }
+    demand(!scene.e.attitude.empty(), "balls that are not round need their orientation");
+    kept->forms.of_ball = kept->of_ball.data();
+    kept->forms.attitude = scene.e.attitude.front().data();  // for all evaluations
+    kept->groove.forms = &kept->forms;
+  }
+  return {kept, &kept->groove};
+}
+
 /// A race whose land is no circle pushes the cage around, and so does one in a cage that is none.
 bool has_uneven_lands(const SceneBuilder& scene) {
   if (!scene.plan.has(Effect::LandContact) || !scene.bearing.cage) return false;
@@ -236,9 +273,7 @@ void Races::set_up_balls(const SceneBuilder& scene) {
         model.effective_modulus);
     const bearing::RaceErrors& errors = scene.bearing.imperfections.race[j];
     given_[j] = errors.given;
-    if (!errors.ideal())
-      model.wavy = std::make_shared<const contact::WavyGroove>(contact::make_wavy_groove(
-          scene.bearing.balls(), static_cast<int>(j), errors, scene.fixed_angle[j]));
+    if (!errors.ideal() || forms_of(scene) != nullptr) model.wavy = wavy_groove(scene, j, errors);
     if (scene.options.moving_angle)
       model.angle = contact::make_angle_law(scene.bearing.balls(), static_cast<int>(j),
                                             model.effective_modulus);

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "contact/line_contact.hpp"
+#include "contact/slice_table.hpp"
 #include "dynamics/effects/contact_damping.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "dynamics/roller_start.hpp"
@@ -107,7 +108,9 @@ std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
         race_damping(scene.plan, scene.bearing, scene.options, scene.statics, j);
     for (contact::RollerRaceSlices& one : of.slices) one.damping = damping;
     const bearing::RaceErrors& errors = scene.bearing.imperfections.race[j];
-    if (!errors.ideal())
+    if (bearing::table_of(errors.given.get()) != nullptr)
+      of.surface = errors.given;
+    else if (!errors.ideal())
       of.wavy = contact::make_wavy_race(errors, model.race[j],
                                         model.rollers.race_radius(static_cast<int>(j)),
                                         model.rollers.crown_radius);
@@ -177,16 +180,41 @@ RollersOnRace::RollersOnRace(const RollerRaceModel& model, std::size_t rollers)
     : model_(model),
       reads_spin_(model.law.has_film() || model.law.is_of_user()),
       poses_(rollers),
-      turns_(rollers) {
+      turns_(rollers),
+      table_(bearing::table_of(model.surface.get())) {
   for (const contact::RollerRaceSlices& slices : model.slices)
     views_.push_back(contact::view_of(slices));
   if (!model.lobes.empty()) {
     own_slopes_.resize(rollers);
     axes_.resize(rollers, Vec3::UnitX());
   }
-  if (model.wavy) slopes_.resize(rollers);
+  if (model.wavy || table_ != nullptr) slopes_.resize(rollers);
   if (slopes_.empty() && own_slopes_.empty()) return;
   while (views_.size() < rollers) views_.push_back(views_.front());  // each with a race of its own
+  if (table_ == nullptr) return;
+  const std::size_t slices = views_.front().count;
+  radius_.resize(rollers * slices);
+  rise_.resize(rollers * slices);
+  const double nearer = contact::nearest(*table_);
+  for (std::size_t i = 0; i < rollers; ++i) {
+    views_[i].radius = radius_.data() + i * slices;
+    slopes_[i].rise = rise_.data() + i * slices;
+    for (double& around : views_[i].around) around += nearer;
+  }
+}
+
+void RollersOnRace::form_table(const RaceBody& race) noexcept {
+  const double cosine = std::cos(race.turn_beyond), sine = std::sin(race.turn_beyond);
+  const std::size_t slices = views_.front().count;
+  for (std::size_t i = 0; i < turns_.size(); ++i) {
+    const contact::AzimuthDirection<double> at =
+        contact::azimuth_in_turned(turns_[i], cosine, sine);
+    const std::vector<double>& ideal = model_.of(i).radius;
+    std::copy(ideal.begin(), ideal.end(),
+              radius_.begin() + static_cast<std::ptrdiff_t>(i * slices));
+    contact::recede_slices(*table_, std::atan2(at.sine, at.cosine), radius_.data() + i * slices,
+                           rise_.data() + i * slices);
+  }
 }
 
 void RollersOnRace::form_race(const RaceBody& race) noexcept {
@@ -228,7 +256,10 @@ void RollersOnRace::place(const Evaluation& e) noexcept {
     poses_[i] = in.roller;
     turns_[i] = in.turn;
   }
-  if (!slopes_.empty()) form_race(race);
+  if (table_ != nullptr)
+    form_table(race);
+  else if (!slopes_.empty())
+    form_race(race);
   if (!own_slopes_.empty()) form_lobes(e);
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     contact::RollerPose& at = poses_[i];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bearing/given_surface.hpp"
 #include "contact/race_errors.hpp"
 #include "contact/roller_race.hpp"
 #include "dynamics/effect.hpp"
@@ -10,6 +11,7 @@
 #include "tribology/traction_law.hpp"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +25,8 @@
 /// of C in the race, which turns: U = Σ 9/19 Q δ depends on ψ too, and -∂U/∂ψ/r acts on the roller
 /// at C along growing ψ, the opposite on the race. Its power is that of -dU/dt, so that the work of
 /// the drive balances. Left out is the curvature of a wave under one roller.
+/// Surfaces that vary across or jump over the turn are tables (setup/surface_table.hpp): slice k
+/// meets a race that is farther by w_k(ψ), and ∂U/∂ψ = -Σ Q_k ∂w_k/∂ψ.
 /// A roller that is out of round by h(s, ψ) = c + s t (routine ADRX5) meets a race that is nearer
 /// by h: ψ is the azimuth in the roller's frame, about its axis a from its z axis, of the direction
 /// d from C to the race (d = e_r outer, -e_r inner), so that the contact follows the turn of the
@@ -39,6 +43,7 @@ struct RollerRaceModel {
   bearing::Race race = bearing::kOuter;
   std::vector<contact::RollerRaceSlices> slices;        ///< one for all, or one by roller
   std::optional<contact::WavyRace> wavy;                ///< errors of the race
+  std::shared_ptr<const bearing::GivenRace> surface;    ///< a table in their place; else null
   std::vector<std::optional<contact::WavyRace>> lobes;  ///< by roller, out of round; empty: none
   double mass_offset = 0.0;                             ///< s_G [m]
   double load_limit = 0.0;                              ///< [N]
@@ -94,6 +99,7 @@ class RollersOnRace {
 
  private:
   void form_race(const RaceBody& race) noexcept;
+  void form_table(const RaceBody& race) noexcept;
   void form_lobes(const Evaluation& e) noexcept;
 
   const RollerRaceModel& model_;
@@ -104,6 +110,8 @@ class RollersOnRace {
   std::vector<contact::MeridianTurn> turns_;
   std::vector<contact::RaceSlope> slopes_, own_slopes_;
   std::vector<Vec3> axes_;
+  const bearing::SurfaceTable* table_ = nullptr;
+  std::vector<double> radius_, rise_;  ///< of tables: slices of one roller after the other
 };
 
 /// The lobe of one roller as an error of race j, by the roller's azimuth.

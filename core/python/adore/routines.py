@@ -100,13 +100,14 @@ class Routines:
     def elements(self, law: _Function) -> _Function:
         """ADRX5, the radius of rolling elements: ``law(places)`` gives what the radius is larger at each place [m].
         ``places`` has ``element`` (from 0), ``axial`` (from mid length) [m] and ``azimuth`` [rad], an entry for each place,
-        ``elements``, ``element_diameter`` and ``pitch_diameter``. It may vary along rollers and, evenly along them, around them; balls stay round."""
+        ``elements``, ``element_diameter`` and ``pitch_diameter``. It may vary along rollers and, evenly along them, around them; of
+        balls over both, smoothly (``axial`` along the x axis of the ball, ``azimuth`` about it)."""
         return self._decorator(5, "elements")(law)
 
     def races(self, law: _Function) -> _Function:
         """ADRX6, surfaces of races that the deck asks for (kRaceGeoImp1, kRaceGeoImp2 = 3): ``law(places)`` gives what the
         radius is larger at each place [m], or a dictionary of ``radius`` and, of grooves, ``curvature_factor``, added to the
-        groove factor. ``places`` as of :meth:`elements`, with ``race``, "outer_race" or "inner_race", for ``element``."""
+        groove factor. Both may vary across, and have steps. ``places`` as of :meth:`elements`, with ``race``, "outer_race" or "inner_race", for ``element``."""
         return self._decorator(6, "races")(law)
 
     def imperfections(self, law: _Function) -> _Function:
