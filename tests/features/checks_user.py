@@ -162,7 +162,7 @@ def _(b):
     acts = max(abs(a - c) for a, c in zip(loads[1], loads[2])) / max(loads[1])
     step = b.static(sets={"kRaceGeoImp2": 3}, more=["--user", b.formulas("step", {"adrx6": {"inner_race": {"radius": "psi < 1 ? -2e-6 : 0"}}})], check=False)
     across = b.static(sets={"kRaceGeoImp2": 3}, more=["--user", b.formulas("across", {"adrx6": {"inner_race": {"curvature_factor": "x*0.01/0.001"}}})], check=False)
-    return r.command, [less("loads, departure from the waves of record 5G.2", worst, 1e-6), more("what the waves do", acts, 1e-3),
+    return r.command, [less("loads, departure from the waves of record 5G.2", worst, 1e-6), more("effect of the waves", acts, 1e-3),
                        equal("step: exit code", step.code, 0), equal("curvature across the groove: exit code", across.code, 0)]
 
 
