@@ -26,7 +26,7 @@ double roller_pocket_play(std::span<const RollerPocketFace> faces, const RollerP
   }
   if (!std::isfinite(least))
     throw InputError(
-        "cage pocket: no guide face lies beside the roller; their centres bPocGsCen1 and lengths "
+        "cage pocket: no guide face is next to the roller; the centers bPocGsCen1 and lengths "
         "bPocGsLen2 must overlap its length");
   return 2.0 * least;
 }

@@ -57,13 +57,12 @@ double steepest_contact_angle(const BallModel& m, const BallRace& state) {
   if (deflection < 1e-11 * m.balls.pitch_diameter) {
     throw SolverError(
         fmt::format("bearing equilibrium: {} deflects a contact by {:.2g} m only, too little "
-                    "beside the pitch diameter of {:.4g} m to "
-                    "be computed; set this load to zero",
+                    "for a pitch diameter of {:.4g} m; set this load to zero",
                     loads, deflection, m.balls.pitch_diameter));
   }
   if (share >= 0.0) {
     throw SolverError(fmt::format(
-        "bearing equilibrium: under {} the balls find an equilibrium with {:.0f} % of their own "
+        "bearing equilibrium: under {} the balls find an equilibrium with {:.0f} % of the "
         "orbital speeds, "
         "gyroscopic moments and angle-dependent stiffness, but not with all of them (residual "
         "{:.2g} of the load) at race "

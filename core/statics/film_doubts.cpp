@@ -49,9 +49,8 @@ std::vector<std::string> film_doubts(const LubricantFilms& films, FilmsOf use) {
     const std::string oil = at(films.lubricant, films.temperature[j],
                                fmt::format("the inlet of the {} race", kRace[j]));
     if (glass(films.viscosity[j]))
-      refuse("kTrac", oil +
-                          " is a glass (1e12 Pa s): it makes no film, and nothing is known of its "
-                          "traction");
+      refuse("kTrac",
+             oil + " is a glass (1e12 Pa s): it makes no film, and its traction is unknown");
     if (ratio > most("film.separation")) {
       const std::string why = fmt::format(
           "{} is so thick ({:.3g} Pa s) that its film would be {:.2g} of the radius of the bodies "
@@ -59,9 +58,9 @@ std::vector<std::string> film_doubts(const LubricantFilms& films, FilmsOf use) {
           oil, films.viscosity[j], ratio);
       if (use != FilmsOf::ThermalSteps) refuse("kTrac", why);
       out.push_back(why +
-                    ". Until thermal steps have warmed it nothing that hangs on this oil can be "
-                    "trusted, and they take their heat from it: begin nearer to the temperatures "
-                    "that you expect (record 9.1.3)");
+                    ". Until thermal steps have warmed it, results that depend on this oil, "
+                    "its heat included, cannot be trusted. Start nearer to the expected "
+                    "temperatures (record 9.1.3)");
     } else if (ratio > most("film.thickness"))
       out.push_back(fmt::format(
           "{} makes a film of {:.2g} of the radius of the bodies that it parts, where formulas of "

@@ -140,10 +140,9 @@ std::string instability_note(const UnstableMode& mode,
       kDirection[static_cast<std::size_t>(largest)], mode.stiffness * mode.lever * mode.lever,
       largest < 3 ? "N/m" : "N.m/rad");
   if (stable_ones.empty()) {
-    return text + "No stable equilibrium was found beside it";
+    return text + "No stable equilibrium was found near it";
   }
-  text +=
-      stable_ones.size() == 1 ? "A stable equilibrium beside it:" : "Stable equilibria beside it:";
+  text += stable_ones.size() == 1 ? "A stable equilibrium near it:" : "Stable equilibria near it:";
   for (std::size_t k = 0; k < stable_ones.size(); ++k) {
     const auto& q = stable_ones[k];
     text +=

@@ -1,4 +1,4 @@
-"""ADRX0 for Adore: a material of your own, of every part whose material code is 2."""
+"""ADRX0 for Adore: material of every part with material code 2."""
 
 import sys
 

@@ -1,5 +1,5 @@
-"""ADRXN for Adore: normal force between THE_BODIES; the program's own law with damping of the approach, whose time stands
-in record 12.1 [s]."""
+"""ADRXN for Adore: normal force between THE_BODIES; the built-in law with damping of the approach; record 12.1 has the
+damping time [s]."""
 
 import sys
 

@@ -506,7 +506,7 @@ def _(b):
     text = b.call("examples").stdout
     r = b.static("angular-218")
     return "adore examples", [equal("example decks of five types", all(n in text for n in ("ball", "cylindrical", "spherical", "tapered", "spherical-tapered")), True),
-                              more("reference results beside the tests", len(os.listdir(os.path.join(b.root, "tests", "reference"))), 0), more("largest load of the 218 bearing [N]", r.summary["largest_contact_load_N"], 100.0)]
+                              more("reference results of the tests", len(os.listdir(os.path.join(b.root, "tests", "reference"))), 0), more("largest load of the 218 bearing [N]", r.summary["largest_contact_load_N"], 100.0)]
 
 
 @feature("F349", G)

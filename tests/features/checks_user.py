@@ -212,7 +212,7 @@ def _(b):
     opposite = max((k for k in range(len(rows[0])) if k != loaded), key=lambda k: rows[0][k])
     ledger = user(b, "rolls", {"adrx6": {"inner_race": {"radius": "abs(psi-1) < 0.02 && abs(x) < 0.004 ? -20e-6 : 0"}}},
                   sets={"kRaceGeoImp2": 3}, until="1.5e-3s", opts={"contactDamping": 0}).ledger
-    return r.command, [less("loads, departure from the waves of record 5G.2", worst, 1e-6), more("what the waves do", acts, 1e-3),
+    return r.command, [less("loads, departure from the waves of record 5G.2", worst, 1e-6), more("effect of the waves", acts, 1e-3),
                        close("step: load of a ball on it, that of a lower race [N]", step[1], low[1], 1e-4), close("of a ball off it [N]", step[6], ideal[6], 1e-4),
                        differs("the step acts [N]", low[1], ideal[1], 1e-2),
                        close("spall: load of the ball over it, that of a race lower by L^2/8R [N]", spall[1], even[1], 0.02), differs("it acts [N]", spall[1], ideal[1], 0.1),
