@@ -80,6 +80,10 @@ class ConstrainedBall {
 
   /// @param wavy imperfections of the races, null: none; outlive this
   void set_wavy(const std::array<const contact::WavyGroove*, 2>& wavy) noexcept { wavy_ = wavy; }
+  /// @param half of split races, by race
+  void set_split(const std::array<std::array<contact::SplitHalf, 2>, 2>& half) noexcept {
+    half_ = half;
+  }
   [[nodiscard]] double mass() const noexcept { return mass_; }
   /// Radius of the ball circle between the unloaded grooves, for a first guess [m].
   [[nodiscard]] double mid_radius() const noexcept {
@@ -91,6 +95,10 @@ class ConstrainedBall {
   /// @param pose in the azimuth frame of the ball; place x and r of its centre
   [[nodiscard]] GrooveContact contact_with(int race, const RacePose& pose,
                                            const Vec2& place) const noexcept;
+  /// The same with a split race: force, stiffness and energy of both halves, the rest of the one
+  /// with more load.
+  [[nodiscard]] GrooveContact split_contact(int race, const RacePose& pose,
+                                            const Vec2& place) const noexcept;
   /// The same with a wavy race. @param per_turn change of the force on the ball, -Q n, with the
   /// turn of the race about its axis [N/rad]
   [[nodiscard]] GrooveContact wavy_contact(int race, const RacePose& pose, const Vec2& place,
@@ -120,6 +128,7 @@ class ConstrainedBall {
   std::array<contact::AngleLaw, 2> law_;
   double mass_;
   std::array<const contact::WavyGroove*, 2> wavy_{};
+  std::array<std::array<contact::SplitHalf, 2>, 2> half_{};
 };
 
 /// Derivatives of the solved (x, r); each column or vector is -(∂G/∂(x,r))⁻¹ ∂G/∂(...). Directions

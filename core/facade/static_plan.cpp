@@ -52,8 +52,8 @@ void contact_model(Entries& out, const Prepared& p) {
     for (std::size_t j = 0; j < 2; ++j)
       if (b.balls().shim[j] > 0.0)
         out.add(j == 0 ? "split outer race" : "split inner race", true,
-                fmt::format("shimThickness{} = {:g}: dual contact is watched, one contact modelled",
-                            j + 1, deck.real(j == 0 ? "shimThickness1" : "shimThickness2")));
+                fmt::format("shimThickness{} = {:g}: contact with each half", j + 1,
+                            deck.real(j == 0 ? "shimThickness1" : "shimThickness2")));
     return;
   }
   const bool sliced = p.options.rollers.contact == statics::RollerContact::Sliced;

@@ -130,6 +130,9 @@ void flanges(Report& report, const scene::Snapshot& snapshot, int interval) {
 void heat_of_elements(Report& report, const StepRecord& record, int interval) {
   std::vector<ChannelColumn> columns{{"outer race", "contact.heat", 0},
                                      {"inner race", "contact.heat", 1}};
+  if (record.shape.split)
+    columns.insert(columns.end(), {{"outer 2nd", "second_contact.heat", 0},
+                                   {"inner 2nd", "second_contact.heat", 1}});
   if (record.shape.rollers)
     columns.push_back({"flanges", "contact.heat", 0, [&record](std::size_t j) {
                          const std::vector<double>& heat = record["flange.heat"];
@@ -214,6 +217,17 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
         return snapshot.elements[j].race[1].centre_chord;
       };
     element_table(report, record, interval, columns);
+    if (!record.shape.split || !(bearing.balls().shim[static_cast<std::size_t>(race)] > 0.0))
+      continue;
+    report.heading(fmt::format("Contacts with the other half of the split {} race", name));
+    element_table(report, record, interval,
+                  {{"load", "second_contact.load", race},
+                   {"angle", "second_contact.angle", race},
+                   {"a", "second_contact.half_major", race},
+                   {"b", "second_contact.half_minor", race},
+                   {"pressure", "second_contact.pressure", race},
+                   {"slip", "second_contact.slip", race},
+                   {"heat", "second_contact.heat", race}});
   }
   heat_of_elements(report, record, interval);
   if (rollers) {
