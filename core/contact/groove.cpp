@@ -160,4 +160,39 @@ FreeState free_state(double diameter, const std::array<double, 2>& groove_factor
   return {angle, clearance};
 }
 
+std::array<SplitHalf, 2> split_halves(const bearing::BallGeometry& balls,
+                                      const GrooveGeometry& groove, int race) {
+  const auto j = static_cast<std::size_t>(race);
+  const double shim = balls.shim[j];
+  if (!(shim > 0.0)) return {};
+  const HertzConstants hertz = hertz_constants(race_curvature(balls, race, 0.0), 1.0);
+  const double side = race == bearing::kOuter ? 1.0 : -1.0;
+  SplitHalf half{side, 0.5 * shim, groove.groove_radius[j], 0.0,
+                 hertz.a_hat * std::cbrt(hertz.K)};  // of any modulus
+  SplitHalf other = half;
+  other.side = -side;
+  other.shift = side * shim;
+  if (groove.centre_x[j] == 0.0) {
+    half.shift = -side * half.half_shim;
+    other.shift = side * half.half_shim;
+  }
+  return {half, other};
+}
+
+double split_end_play(const std::array<double, 2>& offset, const std::array<double, 2>& shim,
+                      double contact_angle) {
+  const double across = (offset[0] + offset[1]) * std::cos(contact_angle);
+  std::array<double, 2> along{offset[0] * std::sin(contact_angle),
+                              offset[1] * std::sin(contact_angle)};
+  for (std::size_t j = 0; j < 2; ++j) {
+    const std::size_t k = 1 - j;
+    if (!(along[j] < 0.5 * shim[j])) continue;
+    along[j] = 0.5 * shim[j];
+    const double rest = across - std::sqrt(offset[j] * offset[j] - along[j] * along[j]);
+    along[k] =
+        std::max(0.5 * shim[k], std::sqrt(std::max(0.0, offset[k] * offset[k] - rest * rest)));
+  }
+  return 2.0 * (along[0] + along[1]) - shim[0] - shim[1];
+}
+
 }  // namespace adore::contact

@@ -2,6 +2,7 @@
 
 #include "bearing/bearing.hpp"
 #include "contact/hertz.hpp"
+#include "contact/split_race.hpp"
 
 #include <array>
 
@@ -64,5 +65,17 @@ struct FreeState {
 [[nodiscard]] FreeState free_state(double diameter, const std::array<double, 2>& groove_factor,
                                    const std::array<double, 2>& shim, double contact_angle,
                                    double measured_clearance);
+
+/// Both halves of a race: {} twice where it is not split. P_j is the centre of the half that thrust
+/// along +x loads, halfway between both centres in bearings given by their clearance (centre_x 0).
+[[nodiscard]] std::array<SplitHalf, 2> split_halves(const bearing::BallGeometry& balls,
+                                                    const GrooveGeometry& groove, int race);
+
+/// Axial play of a ball between unloaded races whose curvature centres are A cos α apart radially
+/// [m]: 2 A sin α - Σ g. Where a ball would reach the split of a race before (s sin α < g/2), both
+/// halves of that race touch it and it turns there no further; 0: no play is left.
+/// @param offset s = groove radius - ball radius [m]; shim g [m]
+[[nodiscard]] double split_end_play(const std::array<double, 2>& offset,
+                                    const std::array<double, 2>& shim, double contact_angle);
 
 }  // namespace adore::contact

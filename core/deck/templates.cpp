@@ -13,7 +13,7 @@
 namespace adore::deck {
 namespace {
 
-constexpr std::array<TemplateInfo, 14> kTemplates = {{
+constexpr std::array<TemplateInfo, 15> kTemplates = {{
     {"ball",
      "7208-size angular contact ball bearing, thrust and radial load, 10000 rpm, guided cage"},
     {"cylindrical",
@@ -24,6 +24,8 @@ constexpr std::array<TemplateInfo, 14> kTemplates = {{
     {"ball-thrust", "the ball bearing under pure thrust, with a cage without guide lands"},
     {"ball-english", "the ball bearing in English units"},
     {"ball-18", "7014-size angular contact bearing with 18 balls and two-slope traction"},
+    {"four-point-qj208",
+     "QJ 208-size four-point contact bearing: arched grooves, thrust and radial load, 6000 rpm"},
     {"lox-turbopump",
      "57 mm hybrid bearing of a turbopump in liquid oxygen at 30000 rpm, solid lubrication"},
     {"angular-218", "quasi-static: 218 angular contact bearing of textbooks, stiffness over speed"},

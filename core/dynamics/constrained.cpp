@@ -35,6 +35,7 @@ GrooveContact ConstrainedBall::contact_with(int race, const RacePose& pose,
                                             const Vec2& at) const noexcept {
   using adore::contact::Triple;
   const auto j = static_cast<std::size_t>(race);
+  if (half_[j][0].is_split()) return split_contact(race, pose, at);
   if (Vec3 per_turn; wavy_[j] != nullptr) return wavy_contact(race, pose, at, per_turn);
   const Triple<double> k{pose.axis[0], pose.axis[1], pose.axis[2]};
   const Triple<double> d{at[0] - pose.centre[0], at[1] - pose.centre[1], -pose.centre[2]};
@@ -124,6 +125,62 @@ GrooveContact ConstrainedBall::wavy_contact(int race, const RacePose& pose, cons
   split(force, c.force, c.stiffness, per_turn);
   c.stiffness *= -1.0;
   return c;
+}
+
+/// The gradient of V of contact/split_race.hpp, with dual numbers for the ball's place.
+GrooveContact ConstrainedBall::split_contact(int race, const RacePose& pose,
+                                             const Vec2& at) const noexcept {
+  namespace con = adore::contact;
+  using D = statics::Dual<3>;
+  using con::Triple;
+  const auto j = static_cast<std::size_t>(race);
+  const auto fixed = [](const Vec3& v) { return Triple<D>{D(v[0]), D(v[1]), D(v[2])}; };
+  const Triple<D> k = fixed(pose.axis);
+  const Triple<D> d{D::variable(at[0] - pose.centre[0], 0), D::variable(at[1] - pose.centre[1], 1),
+                    D::variable(-pose.centre[2], 2)};
+  const auto place = con::groove_place(d, k, groove_.centre_radius[j]);
+  const Triple<D> t = cross(k, place.e);
+  const auto fill = [](const Triple<D>& v, Vec3& value, Mat3& over_place) {
+    const std::array<const D*, 3> parts{&v.x, &v.y, &v.z};
+    for (int row = 0; row < 3; ++row) {
+      const D& part = *parts[static_cast<std::size_t>(row)];
+      value[row] = part.v;
+      for (int column = 0; column < 3; ++column)
+        over_place(row, column) = part.d[static_cast<std::size_t>(column)];
+    }
+  };
+  std::array<GrooveContact, 2> both;
+  for (std::size_t h = 0; h < 2; ++h) {
+    const con::SplitHalf& half = half_[j][h];
+    GrooveContact& c = both[h];
+    const con::GrooveTouch<D> touch =
+        con::groove_touch(D(place.axial - half.shift), place.lift, groove_.offset[j]);
+    const Triple<D> n = touch.n_k * k + touch.n_e * place.e;
+    c.approach = touch.approach.v;
+    fill(n, c.normal, c.bending);
+    if (!(c.approach > 0.0)) continue;
+    const D root = statics::square_root(touch.approach);
+    con::PolynomialValue<D> K{D(K_[j]), D(0.0)};
+    if (law_[j].follows) K = con::polynomial_with_slope(law_[j].K, touch.n_e);
+    const D load = con::point_load(K.value, touch.approach, root);
+    const auto share = con::split_share(half, load, root, touch.n_k, touch.n_e, touch.length);
+    const D across =
+        share.energy * con::leaning_force(K.slope, touch.approach, root, touch.n_k, touch.length) +
+        share.turned;
+    c.load = share.load.v * load.v;
+    c.energy = share.energy.v * con::point_energy(load.v, c.approach);
+    c.angle = con::contact_angle(race, touch.n_k.v, touch.n_e.v);
+    fill(across * cross(t, n) - (share.load * load) * n, c.force, c.stiffness);
+    c.stiffness *= -1.0;
+  }
+  const bool second = both[1].load > both[0].load ||
+                      (both[0].load == both[1].load && both[1].approach > both[0].approach);
+  GrooveContact out = both[second ? 1 : 0];
+  const GrooveContact& other = both[second ? 0 : 1];
+  out.energy += other.energy;
+  out.force += other.force;
+  out.stiffness += other.stiffness;
+  return out;
 }
 
 double ConstrainedBall::speed_of(const Orbit& orbit, double r) const noexcept {

@@ -87,6 +87,10 @@ class ConstrainedBall {
     wavy_ = wavy;
     number_ = number;
   }
+  /// @param half of split races, by race
+  void set_split(const std::array<std::array<contact::SplitHalf, 2>, 2>& half) noexcept {
+    half_ = half;
+  }
   [[nodiscard]] double mass() const noexcept { return mass_; }
   /// Radius of the ball circle between the unloaded grooves, for a first guess [m].
   [[nodiscard]] double mid_radius() const noexcept {
@@ -98,6 +102,10 @@ class ConstrainedBall {
   /// @param pose in the azimuth frame of the ball; place x and r of its center
   [[nodiscard]] GrooveContact contact_with(int race, const RacePose& pose,
                                            const Vec2& place) const noexcept;
+  /// The same with a split race: force, stiffness and energy of both halves, the rest of the one
+  /// with more load.
+  [[nodiscard]] GrooveContact split_contact(int race, const RacePose& pose,
+                                            const Vec2& place) const noexcept;
   /// The same with a wavy race. @param per_turn change of the force on the ball, -Q n, with the
   /// turn of the race about its axis [N/rad]
   [[nodiscard]] GrooveContact wavy_contact(int race, const RacePose& pose, const Vec2& place,
@@ -128,6 +136,7 @@ class ConstrainedBall {
   double mass_;
   std::array<const contact::WavyGroove*, 2> wavy_{};
   std::size_t number_ = 0;
+  std::array<std::array<contact::SplitHalf, 2>, 2> half_{};
 };
 
 /// Derivatives of the solved (x, r); each column or vector is -(∂G/∂(x,r))⁻¹ ∂G/∂(...). Directions

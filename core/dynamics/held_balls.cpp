@@ -28,18 +28,21 @@ RacePose seen_by(const Evaluation& e, std::size_t i, const RaceBody& race) noexc
 
 }  // namespace
 
-HeldBalls::HeldBalls(const std::array<RaceContactModel, 2>& contacts, const ElementMasses& masses,
-                     std::size_t balls)
+HeldBalls::HeldBalls(const std::array<RaceContactModel, 2>& contacts,
+                     const std::array<std::array<contact::SplitHalf, 2>, 2>& half,
+                     const ElementMasses& masses, std::size_t balls)
     : contacts_(contacts),
       offset_(std::min(contacts[0].groove.offset[0], contacts[0].groove.offset[1])),
       kernel_(kernel_of(chosen_instruction_set())),
       found_(balls) {
   const bool round = !contacts[0].wavy || contacts[0].wavy->forms == nullptr;
-  const std::size_t own = masses.alike() && !contacts[0].own && round ? 1 : balls;
+  const std::size_t own =
+      masses.alike() && !contacts[0].own && !contacts[1].own && round ? 1 : balls;
   for (std::size_t i = 0; i < own; ++i) {
     const RaceContactModel &outer = contacts[0].of(i), &inner = contacts[1].of(i);
     ConstrainedBall ball(outer.groove, {outer.hertz.K, inner.hertz.K}, masses[i].mass,
                          {outer.angle, inner.angle});
+    ball.set_split(half);
     ball.set_wavy({outer.wavy.get(), inner.wavy.get()}, i);
     offset_ = std::min({offset_, outer.groove.offset[0], outer.groove.offset[1]});
     balls_.push_back(ball);

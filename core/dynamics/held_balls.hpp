@@ -14,8 +14,10 @@ namespace adore::dynamics {
 class HeldBalls final : public HeldContacts {
  public:
   /// @param contacts outlive this
-  HeldBalls(const std::array<RaceContactModel, 2>& contacts, const ElementMasses& masses,
-            std::size_t balls);
+  /// @param half of split races
+  HeldBalls(const std::array<RaceContactModel, 2>& contacts,
+            const std::array<std::array<contact::SplitHalf, 2>, 2>& half,
+            const ElementMasses& masses, std::size_t balls);
 
   void springs(const Evaluation& e, std::span<const std::size_t> held,
                std::span<HeldSprings> out) noexcept override;

@@ -1,16 +1,17 @@
 #include "dynamics/normal_contacts.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace adore::dynamics {
 
-NormalContacts::NormalContacts(const std::array<RaceContactModel, 2>& contacts,
-                               const ElementSlices& slices, const ElementMasses& masses)
-    : contacts_(contacts), s_(slices) {
+NormalContacts::NormalContacts(std::vector<RaceContactModel> contacts, const ElementSlices& slices,
+                               const ElementMasses& masses)
+    : contacts_(std::move(contacts)), s_(slices) {
   for (std::size_t i = 0; i < slices.elements(); ++i) per_mass_.push_back(1.0 / masses[i].mass);
-  for (std::size_t j = 0; j < 2; ++j) {
-    contacts_[j].traction = false;
-    load_limit_[j] = load_limit(contacts[j]);
+  for (RaceContactModel& contact : contacts_) {
+    contact.traction = false;
+    load_limit_.push_back(load_limit(contact));
   }
   for (auto* array : {&sin_, &cos_, &load_, &heat_}) array->assign(slices.elements(), 0.0);
   for (auto& array : actions_) array.assign(slices.elements(), 0.0);
@@ -24,9 +25,10 @@ bool NormalContacts::evaluate(const std::array<RaceBody, 2>& races, const double
   bool valid = true;
   for (auto& array : actions_) std::fill(array.begin(), array.end(), 0.0);
   const ElementForces out = forces_in(actions_, load_.data(), heat_.data(), nullptr);
-  for (std::size_t j = 0; j < 2; ++j) {
-    evaluate_race_contacts(contacts_[j], balls, races[j].motion(), out);
-    for (const double Q : load_) valid = valid && !(Q > load_limit_[j]);
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const RaceBody& race = races[static_cast<std::size_t>(contacts_[k].race)];
+    evaluate_race_contacts(contacts_[k], balls, race.motion(), out);
+    for (const double Q : load_) valid = valid && !(Q > load_limit_[k]);
   }
   std::fill(dydt, dydt + size, 0.0);
   const double* const F_x = out.F_x;

@@ -18,7 +18,8 @@ namespace adore::dynamics {
 /// Source of the contact: race_contacts.hpp. Units SI. Limit: as there.
 class NormalContacts {
  public:
-  NormalContacts(const std::array<RaceContactModel, 2>& contacts, const ElementSlices& slices,
+  /// @param contacts of both races, of split ones with each half
+  NormalContacts(std::vector<RaceContactModel> contacts, const ElementSlices& slices,
                  const ElementMasses& masses);
   /// Writes all `size` rates; false where the whole right-hand side is not valid either: a ball on
   /// the axis, or pressed into a race by more than its radius. No allocation.
@@ -26,10 +27,10 @@ class NormalContacts {
                 int size) noexcept;
 
  private:
-  std::array<RaceContactModel, 2> contacts_;  ///< without traction
+  std::vector<RaceContactModel> contacts_;  ///< without traction
   ElementSlices s_;
   std::vector<double> per_mass_;  ///< by ball [1/kg]
-  std::array<double, 2> load_limit_{};
+  std::vector<double> load_limit_;
   std::vector<double> sin_, cos_, load_, heat_;
   ElementActions actions_;  ///< without traction no moments
 };

@@ -60,7 +60,13 @@ Meeting meeting_of(const RaceContactModel& model, const ElementViews& balls, std
 }  // namespace
 
 RaceContactState race_contact_state(const RaceContactModel& model, const ElementViews& balls,
-                                    std::size_t index, const RaceMotion& race) {
+                                    std::size_t index, const RaceMotion& of_race) {
+  RaceMotion race = of_race;
+  if (model.half.is_split()) {
+    const Vec3 shift = model.half.shift * race.axis;
+    race.centre += shift;
+    race.velocity += race.tilt.cross(shift);
+  }
   const auto j = static_cast<std::size_t>(model.race);
   const Meeting at = meeting_of(model, balls, index, race);
   const double s = at.s, c = at.c, r = balls.r[index];
@@ -108,6 +114,11 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
       state.ellipse.b *= wavy.minor;
     }
     const double Q = state.elastic = state.ellipse.Q;
+    if (model.half.is_split()) {
+      const contact::SplitShare<double> share = contact::split_share(
+          model.half, Q, std::sqrt(state.approach), touch.n_k, touch.n_e, touch.length);
+      state.share = share.load, state.turned = share.turned, state.energy = share.energy;
+    }
     if (contact::is_damped(model.damping))
       state.ellipse.Q = contact::damped_load(model.damping, Q, 1.5 * Q / state.approach,
                                              state.approach, state.approach_rate);
@@ -123,9 +134,9 @@ double race_rolling_heat(const RaceContactModel& model, const tribology::Rolling
   if (!(g.Q > 0.0)) return 0.0;
   const tribology::EllipseKinematics& m = state.motion;
   const double radius = model.groove.ball_radius;
-  const double F = rolling.force(
-      tribology::ContactPoint<double>{g.Q, 1.5 * g.Q / (std::numbers::pi * g.a * g.b), g.a, g.b,
-                                      m.entrainment, tribology::middle_slip(g, m), m.curvature});
+  const double F = state.share * rolling.force(tribology::ContactPoint<double>{
+                                     g.Q, 1.5 * g.Q / (std::numbers::pi * g.a * g.b), g.a, g.b,
+                                     m.entrainment, tribology::middle_slip(g, m), m.curvature});
   return F * ((2.0 / (m.curvature * radius) - 1.0) * m.u_t + radius * m.W_c);
 }
 
@@ -136,10 +147,10 @@ template <class Traction>
 RaceContactSnapshot detail_of(const RaceContactModel& model, const RaceContactState& state,
                               const Traction& traction_of) {
   RaceContactSnapshot snapshot;
-  if (!(state.approach > 0.0)) return snapshot;
+  if (!(state.approach > 0.0) || !(state.share > 0.0)) return snapshot;
   const tribology::EllipseGeometry& ellipse = state.ellipse;
-  snapshot.load = ellipse.Q;
-  snapshot.damping_heat = (ellipse.Q - state.elastic) * state.approach_rate;
+  snapshot.load = state.share * ellipse.Q;
+  snapshot.damping_heat = state.share * (ellipse.Q - state.elastic) * state.approach_rate;
   snapshot.angle = state.angle;
   snapshot.half_major = ellipse.a;
   snapshot.half_minor = ellipse.b;
@@ -160,8 +171,8 @@ RaceContactSnapshot detail_of(const RaceContactModel& model, const RaceContactSt
     snapshot.rolling_speed = std::abs(state.motion.entrainment);
   }
   snapshot.max_slip = traction.max_slip;
-  snapshot.heat = model.traction ? traction.heat : 0.0;
-  snapshot.load_slip = model.traction ? traction.load_slip : 0.0;
+  snapshot.heat = model.traction ? state.share * traction.heat : 0.0;
+  snapshot.load_slip = model.traction ? state.share * traction.load_slip : 0.0;
   return snapshot;
 }
 
@@ -183,8 +194,8 @@ RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const Ele
   return detail_of(model, race_contact_state(model, balls, index, race),
                    [&](const RaceContactState& at) {
                      tribology::EllipseTraction out;
-                     out.heat = known.heat;
-                     out.load_slip = known.load_slip;
+                     out.heat = known.heat / at.share;
+                     out.load_slip = known.load_slip / at.share;
                      out.max_slip = tribology::largest_slip(at.ellipse, at.motion);
                      return out;
                    });

@@ -140,6 +140,14 @@ RaceKernelInput input_of(const RaceContactModel& model, const ElementViews& ball
     for (int i = 0; i < 3; ++i) in.zero[i] = zero[i];
   }
   in.own = model.own ? model.own->constants.data() : nullptr;
+  in.half = model.half;
+  if (model.half.is_split()) {
+    const Vec3 shift = model.half.shift * race.axis, moved = race.tilt.cross(shift);
+    for (int i = 0; i < 3; ++i) {
+      in.centre[i] += shift[i];
+      in.velocity[i] += moved[i];
+    }
+  }
   in.n = balls.n;
   in.x = balls.x, in.r = balls.r, in.sin_theta = balls.sin_theta, in.cos_theta = balls.cos_theta;
   in.x_dot = balls.x_dot, in.r_dot = balls.r_dot, in.theta_dot = balls.theta_dot;
@@ -164,7 +172,9 @@ RaceSums sums_of(const RaceKernelSums& sums) noexcept {
 RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const ElementViews& balls,
                        const RaceMotion& race, const ElementForces& out,
                        const tribology::RollingResistance* rolling = nullptr) noexcept {
-  return sums_of(kernel(input_of(model, balls, race, out, rolling)));
+  RaceSums sums = sums_of(kernel(input_of(model, balls, race, out, rolling)));
+  if (model.half.is_split()) sums.moment += model.half.shift * race.axis.cross(sums.force);
+  return sums;
 }
 
 std::array<RaceSums, 2> evaluate_pair_with(RacePairKernel kernel,
@@ -195,9 +205,12 @@ const RaceContactModel& RaceContactModel::of(std::size_t ball) const noexcept {
 }
 
 void set_own_balls(RaceContactModel& model, const bearing::BallGeometry& balls,
-                   const bearing::RaceErrors& errors, const std::vector<double>& growth,
-                   double angle) {
-  if (std::all_of(growth.begin(), growth.end(), [](double one) { return one == 0.0; })) return;
+                   const bearing::RaceErrors& errors, std::vector<double> growth, double angle,
+                   std::size_t count) {
+  if (std::all_of(growth.begin(), growth.end(), [](double one) { return one == 0.0; })) {
+    if (!model.half.is_split()) return;
+    growth.assign(count, 0.0);
+  }
   const int race = model.race;
   const double E_star = model.effective_modulus;
   auto own = std::make_shared<OwnBalls>();

@@ -33,6 +33,8 @@ struct WavyGroove;
 ///   on the ball:  F = -Q n + F_c c + F_t t,  M = M_c c + M_t t + M_n n about its centre;
 ///   constants that follow the contact angle add L c at its centre (contact/angle_law.hpp)
 ///   on the race:  -Σ F,  about P_j: -Σ (d × F + M)
+/// Split races have a model for each half, with P_j the centre of its arc; moments of the sums are
+/// about the race's own P_j (contact/split_race.hpp).
 /// A race that is not one of revolution: contact/wavy_groove.hpp; it has a kernel of its own. So
 /// have balls that differ: what is theirs is one value a lane.
 /// Source: tests/reference/dynamics_README.md ("Ball/race contact geometry", "Traction"). The
@@ -75,6 +77,7 @@ struct RaceContactModel {
   tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;
   tribology::EllipseRule rule;          ///< fixed quadrature rule of the run (make_ellipse_rule)
   std::shared_ptr<const OwnBalls> own;  ///< balls that differ; null: all are alike
+  contact::SplitHalf half;              ///< of a split race: this contact is with one half
   std::shared_ptr<UserScratch> points;  ///< of a law of the user; else null
 
   /// Of one ball. What is here is that of the nominal one.
@@ -89,10 +92,12 @@ struct OwnBalls {
   std::vector<BallConstants> constants;  ///< the same for kernels
 };
 /// Gives `model`, of a nominal ball, those of balls that are `growth` larger [m]. All 0: nothing.
+/// All 0 on a split race: the same ones for each ball.
 /// @param angle where constants are frozen [rad]
+/// @param count of balls
 void set_own_balls(RaceContactModel& model, const bearing::BallGeometry& balls,
-                   const bearing::RaceErrors& errors, const std::vector<double>& growth,
-                   double angle);
+                   const bearing::RaceErrors& errors, std::vector<double> growth, double angle,
+                   std::size_t count);
 
 /// Load up to which a contact can be one [N]: there the ball lies in the race by its own radius, or
 /// half the major axis is as long as that.
@@ -165,6 +170,9 @@ struct RaceContactState {
   double angle = 0.0;                  ///< contact angle [rad]
   tribology::EllipseGeometry ellipse;  ///< Q = a = b = 0 when open
   tribology::EllipseKinematics motion;
+  double share = 1.0;   ///< of the ellipse's load Q that the half of a split race carries
+  double turned = 0.0;  ///< M of contact/split_race.hpp, along c [N]
+  double energy = 1.0;  ///< φ of contact/split_race.hpp
 };
 RaceContactState race_contact_state(const RaceContactModel& model, const ElementViews& balls,
                                     std::size_t index, const RaceMotion& race);

@@ -2,6 +2,7 @@
 
 #include "contact/angle_law.hpp"
 #include "contact/damping_law.hpp"
+#include "contact/split_race.hpp"
 #include "tribology/ellipse_sum.hpp"
 #include "tribology/laws/rolling_resistance.hpp"
 
@@ -68,6 +69,7 @@ struct RaceKernelInput {
   const contact::WavyGroove* wavy;  ///< null: a race of revolution
   double zero[3];                   ///< start of azimuths in a wavy race
   const BallConstants* own;         ///< of all balls of the bearing; null: they are identical
+  contact::SplitHalf half;          ///< of a split race, whose kernels read `own`
   // Balls and results (see race_contacts.hpp).
   std::size_t n;
   const double *x, *r, *sin_theta, *cos_theta, *x_dot, *r_dot, *theta_dot;

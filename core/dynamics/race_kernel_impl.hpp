@@ -207,7 +207,7 @@ class OnBothRaces {
 /// A race of revolution.
 class RoundRace {
  public:
-  static constexpr bool kWavy = false;
+  static constexpr bool kWavy = false, kSplit = false;
   template <class Balls>
   RoundRace(const RaceKernelInput&, const Lanes&, const Balls& balls, const Vec&,
             const contact::GroovePlace<V>& place, V, V)
@@ -218,10 +218,17 @@ class RoundRace {
   contact::GrooveTouch<V> touch_;
 };
 
+/// A half of a split race (contact/split_race.hpp): the arc of a round race.
+class HalfRace : public RoundRace {
+ public:
+  static constexpr bool kSplit = true;
+  using RoundRace::RoundRace;
+};
+
 /// A race with errors.
 class WavyRace {
  public:
-  static constexpr bool kWavy = true;
+  static constexpr bool kWavy = true, kSplit = false;
   template <class Balls>
   WavyRace(const RaceKernelInput& in, const Lanes& at, const Balls& balls, const Vec& k,
            const contact::GroovePlace<V>& place, V s, V c)
@@ -348,6 +355,13 @@ class Contacts {
   /// Load, and the ellipse where there is traction.
   [[gnu::always_inline]] void press(const RaceKernelInput& in, const Lanes& at, const Balls& balls);
   [[nodiscard]] const tribology::EllipseContact<V, S>& ellipse() const { return ellipse_; }
+  /// Load of this race.
+  [[nodiscard, gnu::always_inline]] V load() const {
+    if constexpr (Race::kSplit)
+      return share_.load * load_;
+    else
+      return load_;
+  }
   [[gnu::always_inline]] void add_to(const RaceKernelInput& in, const Lanes& at,
                                      const tribology::EllipseSums<V>& traction,
                                      Totals& totals) const;
@@ -392,6 +406,9 @@ class Contacts {
   Race groove_;
   V approach_, load_ = 0.0, elastic_ = 0.0, rate_ = 0.0, leaning_ = 0.0;
   tribology::EllipseContact<V, S> ellipse_{};
+  /// Of half races; load_, elastic_ and the ellipse are those of the whole contact.
+  struct Whole {};
+  [[no_unique_address]] std::conditional_t<Race::kSplit, contact::SplitShare<V>, Whole> share_;
 };
 
 template <class Race, class Balls>
@@ -414,6 +431,11 @@ inline void Contacts<Race, Balls>::press(const RaceKernelInput& in, const Lanes&
   }
   if constexpr (Race::kWavy) groove_.scale(K, leaning_, major, minor);
   load_ = elastic_ = contact::point_load(K, approach_, root_approach);
+  if constexpr (Race::kSplit) {
+    share_ =
+        contact::split_share(in.half, elastic_, root_approach, touch.n_k, touch.n_e, touch.length);
+    leaning_ = share_.energy * leaning_ + share_.turned;
+  }
   if (!in.traction && !in.damped) return;
   const V theta_dot = get(at.theta_dot);
   const S radius = balls.radius();
@@ -445,15 +467,20 @@ inline void Contacts<Race, Balls>::press(const RaceKernelInput& in, const Lanes&
 
 template <class Race, class Balls>
 inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes& at,
-                                          const tribology::EllipseSums<V>& traction,
+                                          const tribology::EllipseSums<V>& whole_traction,
                                           Totals& totals) const {
   const auto& touch = groove_.touch();
-  const V R = place_.distance;
-  contact::MeridianForce<V> meridian{-load_ * touch.n_k, -load_ * touch.n_e};
+  const V R = place_.distance, load = this->load();
+  contact::MeridianForce<V> meridian{-load * touch.n_k, -load * touch.n_e};
+  tribology::EllipseSums<V> traction = whole_traction;
+  if constexpr (Race::kSplit)
+    for (V* sum : {&traction.F_c, &traction.F_t, &traction.M_c, &traction.M_t, &traction.M_n,
+                   &traction.heat, &traction.load_slip})
+      *sum *= share_.load;
   V force_t = 0.0, heat = 0.0, load_slip = 0.0;
   V moment_k = 0.0, moment_e = 0.0, moment_t = 0.0;
   if (in.traction) {
-    meridian = contact::meridian_force(load_, traction.F_c, touch.n_k, touch.n_e);
+    meridian = contact::meridian_force(load, traction.F_c, touch.n_k, touch.n_e);
     force_t = traction.F_t;
     moment_k = traction.M_n * touch.n_k - traction.M_c * touch.n_e;
     moment_e = traction.M_n * touch.n_e + traction.M_c * touch.n_k;
@@ -465,7 +492,7 @@ inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes
     add(at.M_r, moment.y);
     add(at.M_theta, moment.z);
   }
-  if (in.follow != nullptr) {
+  if (Race::kSplit || in.follow != nullptr) {
     meridian.along -= leaning_ * touch.n_e;
     meridian.outward += leaning_ * touch.n_k;
   }
@@ -491,7 +518,7 @@ inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes
   add(at.F_x, force.x);
   add(at.F_r, force.y);
   add(at.F_theta, force.z);
-  put(at.load, load_);
+  put(at.load, load);
   put(at.heat, heat);
   if (at.load_slip != nullptr) put(at.load_slip, load_slip);
 
@@ -500,8 +527,13 @@ inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes
   const V about_e = moment_e - place_.axial * force_t;
   const V about_t = place_.axial * force_e - R * force_k + moment_t;
   react(force, in_azimuth(about_k, about_e, about_t), totals);
-  totals.elastic_energy += contact::point_energy(elastic_, approach_);
-  if (in.damped) totals.damping += (load_ - elastic_) * rate_;
+  if constexpr (Race::kSplit) {
+    totals.elastic_energy += share_.energy * contact::point_energy(elastic_, approach_);
+    if (in.damped) totals.damping += share_.load * (load_ - elastic_) * rate_;
+  } else {
+    totals.elastic_energy += contact::point_energy(elastic_, approach_);
+    if (in.damped) totals.damping += (load_ - elastic_) * rate_;
+  }
   totals.heat += heat;
   totals.load_slip += load_slip;
 }
@@ -689,9 +721,10 @@ RaceKernelSums evaluate_race(const RaceKernelInput& in, tribology::TypeList<Laws
   return sums;
 }
 
-/// Once per race: groove, balls and law are chosen here, and nowhere below.
+/// Once per race, or half of one: groove, balls and law are chosen here, and nowhere below.
 inline RaceKernelSums evaluate_race(const RaceKernelInput& in) {
   constexpr tribology::TractionLawList kLaws;
+  if (in.half.is_split()) return evaluate_race<HalfRace, DifferentBalls>(in, kLaws);
   if (in.own != nullptr) return evaluate_race<WavyRace, DifferentBalls>(in, kLaws);
   return in.wavy != nullptr ? evaluate_race<WavyRace, AlikeBalls>(in, kLaws)
                             : evaluate_race<RoundRace, AlikeBalls>(in, kLaws);

@@ -26,7 +26,8 @@ inline void Contacts<Race, Balls>::roll(const Lanes& at, const Balls& balls, con
   point.slip = stdx::sqrt(along * along + across * across);
   point.curvature = m.curvature;
   const V radius = balls.radius();
-  const V F = law.force(point);
+  V F = law.force(point);
+  if constexpr (Race::kSplit) F *= share_.load;
   const V force_t = (2.0 / (m.curvature * radius) - 1.0) * F, M_c = F * radius;
   const V moment_k = -M_c * touch.n_e, moment_e = M_c * touch.n_k;  // c = n_k e - n_e k
   const Vec force = in_azimuth(V(0.0), V(0.0), force_t);
@@ -58,6 +59,7 @@ RaceKernelSums roll_all(const RaceKernelInput& in) {
 }
 
 inline RaceKernelSums roll_on_race(const RaceKernelInput& in) {
+  if (in.half.is_split()) return roll_all<HalfRace, DifferentBalls>(in);
   if (in.own != nullptr) return roll_all<WavyRace, DifferentBalls>(in);
   return in.wavy != nullptr ? roll_all<WavyRace, AlikeBalls>(in)
                             : roll_all<RoundRace, AlikeBalls>(in);

@@ -17,14 +17,16 @@ void slip_all(const RaceKernelInput& in) {
     if (!contacts.open()) {
       contacts.press(in, at, balls);
       slip = stdx::sqrt(tribology::largest_slip_square(contacts.ellipse()));
-      stdx::where(!(contacts.ellipse().load > 0.0), slip) = 0.0;
+      stdx::where(!(contacts.load() > 0.0), slip) = 0.0;
     }
     put(at.load, slip);
   });
 }
 
 inline void slip_on_race(const RaceKernelInput& in) {
-  if (in.own != nullptr)
+  if (in.half.is_split())
+    slip_all<HalfRace, DifferentBalls>(in);
+  else if (in.own != nullptr)
     slip_all<WavyRace, DifferentBalls>(in);
   else if (in.wavy != nullptr)
     slip_all<WavyRace, AlikeBalls>(in);

@@ -26,19 +26,23 @@ BallVibration ball_vibration(const statics::StaticBall& ball, const contact::Gro
   double xx = 0.0, xr = 0.0, rr = 0.0;                 // the symmetric 2 x 2 matrix
   double loss_xx = 0.0, loss_xr = 0.0, loss_rr = 0.0;  // Σ (d Q + c) n nᵀ
   std::array<double, 2> normal{};
-  for (std::size_t j = 0; j < 2; ++j) {
-    if (!(ball.Q[j] > 0.0) || !(ball.delta[j] > 0.0)) continue;
-    const double nx = std::sin(ball.alpha[j]), nr = std::cos(ball.alpha[j]);
+  const auto add = [&](const statics::StaticBall& at, std::size_t j) {
+    if (!(at.Q[j] > 0.0) || !(at.delta[j] > 0.0)) return;
+    const double nx = std::sin(at.alpha[j]), nr = std::cos(at.alpha[j]);
     const contact::PointStiffness s = contact::point_stiffness(
-        ball.K[j], ball.delta[j], ball.Q[j], groove.offset[j] + ball.delta[j], 0.0);
-    normal[j] = s.normal;
+        at.share[j] * at.K[j], at.delta[j], at.Q[j], groove.offset[j] + at.delta[j], 0.0);
+    normal[j] += s.normal;
     xx += s.normal * nx * nx + s.across * nr * nr;
     xr += (s.normal - s.across) * nx * nr;
     rr += s.normal * nr * nr + s.across * nx * nx;
-    const double loss = laws[j].impact * ball.Q[j] + laws[j].material * std::sqrt(s.normal);
+    const double loss = laws[j].impact * at.Q[j] + laws[j].material * std::sqrt(s.normal);
     loss_xx += loss * nx * nx;
     loss_xr += loss * nx * nr;
     loss_rr += loss * nr * nr;
+  };
+  for (std::size_t j = 0; j < 2; ++j) {
+    add(ball, j);
+    if (ball.second[j].Q > 0.0) add(statics::on_other_halves(ball), j);
   }
   const double mean = 0.5 * (xx + rr), half = std::hypot(0.5 * (xx - rr), xr);
   result.along = std::sqrt((mean + half) / mass);

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/rotation.hpp"
+#include "dynamics/effects/races.hpp"
 #include "dynamics/state_access.hpp"
 #include "dynamics/system_impl.hpp"
 #include "scene/user_laws.hpp"
@@ -138,6 +139,12 @@ const StateLayout& System::layout() const noexcept { return impl_->parts.layout;
 const Scales& System::scales() const noexcept { return impl_->scales; }
 std::span<const double> System::contact_loads(std::size_t race) const noexcept {
   return impl_->e.load[race];
+}
+std::span<const double> System::second_loads(std::size_t race) const noexcept {
+  for (const auto& effect : impl_->parts.effects)
+    if (const auto* races = dynamic_cast<const Races*>(effect.get()))
+      return races->second_loads(race);
+  return {};
 }
 void System::look(scene::Look& out) const {
   for (const auto& effect : impl_->parts.effects) effect->look(impl_->e, out);

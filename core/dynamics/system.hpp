@@ -100,6 +100,8 @@ class System {
   [[nodiscard]] std::string stated() const;
   /// Normal loads of all elements at a race, of the evaluation that was made last [N].
   [[nodiscard]] std::span<const double> contact_loads(std::size_t race) const noexcept;
+  /// The same with the other half of a split race; empty: not split.
+  [[nodiscard]] std::span<const double> second_loads(std::size_t race) const noexcept;
   /// Forces and heats of the evaluation that was made last (scene/look.hpp).
   void look(scene::Look& out) const;
   /// Rolling speed at which the film breaks down in contacts that slide and are about to stop

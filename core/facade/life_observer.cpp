@@ -50,7 +50,9 @@ void LifeObserver::evaluate(const scene::Snapshot& snapshot) {
     parts[bearing::kElementPart] = std::numeric_limits<double>::infinity();
   std::array<std::vector<double>, 2> loads;
   for (const scene::ElementSnapshot& element : snapshot.elements)
-    for (std::size_t j = 0; j < 2; ++j) loads[j].push_back(element.race[j].load);
+    for (std::size_t j = 0; j < 2; ++j)
+      loads[j].push_back(life::load_of_both(element.race[j].load,
+                                            element.second.empty() ? 0.0 : element.second[j].load));
   const double turned = std::abs(snapshot.shaft_rotation) / (2.0 * std::numbers::pi);
   run_->evaluate(snapshot.time, loads, life::damage_rate(state.relative_speed, parts),
                  turned >= choices.skip_turns);

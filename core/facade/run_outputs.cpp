@@ -23,6 +23,7 @@
 #include "facade/run_files.hpp"
 #include "facade/start_state.hpp"
 #include "facade/user_session.hpp"
+#include "life/contacts.hpp"
 #include "listing/print_fits.hpp"
 #include "listing/print_heat.hpp"
 #include "listing/solution_tables.hpp"
@@ -122,6 +123,7 @@ struct RunOutputs::Impl {
   scene::Look look;
   bool may_jump;  ///< the state or the bearing at a counted step (RunOutputs::follow_jump)
   LifeObserver life;
+  std::array<std::vector<double>, 2> both_loads;  ///< of balls on split races, as one load [N]
   MotionWatch watch;
   CageState cage_state;
   LawRanges ranges;
@@ -613,7 +615,16 @@ void RunOutputs::follow_step(const dynamics::System& system, double time, bool s
     if (!stored) s.band.look(s.look);
   }
   s.averages.add_loads(time, system.contact_loads(0), system.contact_loads(1));
-  s.life.follow_step(time, system.contact_loads(0), system.contact_loads(1));
+  std::array<std::span<const double>, 2> loads{system.contact_loads(0), system.contact_loads(1)};
+  for (std::size_t j = 0; j < 2; ++j) {
+    const std::span<const double> second = system.second_loads(j);
+    if (second.empty()) continue;
+    s.both_loads[j].assign(loads[j].begin(), loads[j].end());
+    for (std::size_t i = 0; i < second.size(); ++i)
+      s.both_loads[j][i] = life::load_of_both(loads[j][i], second[i]);
+    loads[j] = s.both_loads[j];
+  }
+  s.life.follow_step(time, loads[0], loads[1]);
 }
 
 bool RunOutputs::life_due() const { return impl_->life.evaluation_due(); }

@@ -56,10 +56,9 @@ void contact_model(Entries& out, const Prepared& p) {
                               given(deck, "kAngVel"), rule));
     for (std::size_t j = 0; j < 2; ++j)
       if (b.balls().shim[j] > 0.0)
-        out.add(
-            j == 0 ? "split outer race" : "split inner race", true,
-            fmt::format("shimThickness{} = {:g}: dual contact is reported, one contact is modeled",
-                        j + 1, deck.real(j == 0 ? "shimThickness1" : "shimThickness2")));
+        out.add(j == 0 ? "split outer race" : "split inner race", true,
+                fmt::format("shimThickness{} = {:g}: contact with each half", j + 1,
+                            deck.real(j == 0 ? "shimThickness1" : "shimThickness2")));
     return;
   }
   const bool sliced = p.options.rollers.contact == statics::RollerContact::Sliced;

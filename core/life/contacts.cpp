@@ -61,6 +61,18 @@ class RollerPatches {
   contact::RollerRaceCurvature curvature_;
 };
 
+bool has_split_race(const bearing::Bearing& bearing) {
+  return bearing.balls().shim[0] > 0.0 || bearing.balls().shim[1] > 0.0;
+}
+
+/// Halves of split races are tracks of their own: that of positive contact angles first.
+void add_tracks(const ContactPatch& first, const ContactPatch& second, double angle,
+                std::vector<ContactPatch>& out) {
+  const bool backward = first.Q > 0.0 && angle < 0.0;
+  out.push_back(backward ? second : first);
+  out.push_back(backward ? first : second);
+}
+
 void set_motion(BearingContacts& out, double outer_speed, double inner_speed) {
   out.relative_speed = std::abs(inner_speed - outer_speed);
   out.race[0].rotating = outer_speed != 0.0;
@@ -112,11 +124,20 @@ LifeGeometry ball_life_geometry(const bearing::BallGeometry& balls) {
 BearingContacts life_contacts(const statics::StaticSolution& solution,
                               const bearing::Bearing& bearing) {
   BearingContacts out;
+  const bool split = has_split_race(bearing);
+  out.slices = split ? 2 : 1;
   for (std::size_t i = 0; i < 2; ++i) {
     MeanAngle angle;
     for (const statics::StaticBall& ball : solution.balls) {
-      out.race[i].patches.push_back({ball.Q[i], ball.a[i], ball.b[i], ball.p_max[i]});
+      const ContactPatch first{ball.Q[i], ball.a[i], ball.b[i], ball.p_max[i]};
+      const statics::SecondContact& second = ball.second[i];
+      if (split)
+        add_tracks(first, {second.Q, second.a, second.b, second.p_max}, ball.alpha[i],
+                   out.race[i].patches);
+      else
+        out.race[i].patches.push_back(first);
       angle.add(ball.Q[i], ball.alpha[i]);
+      angle.add(second.Q, second.alpha);
     }
     out.race[i].angle = angle.value(bearing.balls().contact_angle);
   }
@@ -187,11 +208,22 @@ BearingContacts life_contacts(const scene::Snapshot& snapshot, const bearing::Be
   if (bearing.rollers() != nullptr) out = life_contacts(solution_of(snapshot, bearing), bearing);
   for (std::size_t i = 0; i < 2 && bearing.rollers() == nullptr; ++i) {
     MeanAngle angle;
-    out.race[i].patches.reserve(snapshot.elements.size());
+    const bool split = has_split_race(bearing);
+    out.slices = split ? 2 : 1;
+    out.race[i].patches.reserve(out.slices * snapshot.elements.size());
     for (const scene::ElementSnapshot& element : snapshot.elements) {
       const scene::RaceContactSnapshot& c = element.race[i];
-      out.race[i].patches.push_back({c.load, c.half_major, c.half_minor, c.max_pressure});
+      const ContactPatch first{c.load, c.half_major, c.half_minor, c.max_pressure};
       angle.add(c.load, c.angle);
+      if (!split) {
+        out.race[i].patches.push_back(first);
+        continue;
+      }
+      const scene::RaceContactSnapshot second =
+          element.second.empty() ? scene::RaceContactSnapshot{} : element.second[i];
+      add_tracks(first, {second.load, second.half_major, second.half_minor, second.max_pressure},
+                 c.angle, out.race[i].patches);
+      angle.add(second.load, second.angle);
     }
     out.race[i].angle = angle.value(bearing.balls().contact_angle);
   }

@@ -7,6 +7,7 @@
 #include "statics/roller_statics.hpp"
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -29,8 +30,16 @@ struct LifeGeometry {
                                            ///< infinite: straight raceway
 };
 
+/// Load on one half of a split race that does the damage of both contacts of a ball: lives of point
+/// contacts go with Q^-3. Both halves count as one track, up to 7 % more damage than on two
+/// [derived].
+[[nodiscard]] inline double load_of_both(double first, double second) {
+  return second > 0.0 ? std::cbrt(first * first * first + second * second * second) : first;
+}
+
 /// Contacts of one race. patches[element * slices + slice]; a roller's slices have the same order
-/// on every element, because slice k of all elements shares one track on the race.
+/// on every element, because slice k of all elements shares one track on the race. Balls on a split
+/// race have two tracks: its halves.
 struct RaceContacts {
   std::vector<ContactPatch> patches;
   /// Rollers: the Hertz ellipse of each one's whole load, its crown against the race; empty without

@@ -104,8 +104,14 @@ ReferenceLife reference_life(const IsoReport& report, const bearing::Bearing& be
                              const BearingContacts& contacts,
                              const std::optional<IsoCondition>& condition) {
   std::vector<double> inner, outer;
-  for (const ContactPatch& patch : contacts.race[0].patches) outer.push_back(patch.Q);
-  for (const ContactPatch& patch : contacts.race[1].patches) inner.push_back(patch.Q);
+  const std::size_t tracks = bearing.rollers() ? 1 : contacts.slices;
+  const auto loads_of = [&](std::size_t race, std::vector<double>& loads) {
+    const std::vector<ContactPatch>& patches = contacts.race[race].patches;
+    for (std::size_t at = 0; at < patches.size(); at += tracks)
+      loads.push_back(tracks == 1 ? patches[at].Q : load_of_both(patches[at].Q, patches[at + 1].Q));
+  };
+  loads_of(0, outer);
+  loads_of(1, inner);
   const bool inner_rotates = contacts.race[1].rotating, outer_rotates = contacts.race[0].rotating;
   if (!bearing.rollers())
     return iso_reference_life_ball(report.geometry, report.C, inner, outer, inner_rotates,

@@ -41,9 +41,28 @@ std::size_t heaviest_element(const RaceContacts& race, std::size_t slices) {
 
 double damage_of(double life) { return life > 0.0 ? 1.0 / life : 0.0; }  // NaN: not counted
 
+/// Balls on split races, which have two tracks: with the contact of the larger load alone.
+BearingContacts on_one_track(const BearingContacts& of, bool line) {
+  BearingContacts out = of;
+  if (line || of.slices == 1) return out;
+  out.slices = 1;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const std::vector<ContactPatch>& from = of.race[j].patches;
+    std::vector<ContactPatch>& patches = out.race[j].patches;
+    patches.clear();
+    for (std::size_t at = 0; at < from.size(); at += of.slices)
+      patches.push_back(*std::max_element(
+          from.begin() + static_cast<std::ptrdiff_t>(at),
+          from.begin() + static_cast<std::ptrdiff_t>(at + of.slices),
+          [](const ContactPatch& a, const ContactPatch& b) { return a.Q < b.Q; }));
+  }
+  return out;
+}
+
 }  // namespace
 
-LoadDamage::LoadDamage(LifeCalculator& calculator, const BearingContacts& reference) {
+LoadDamage::LoadDamage(LifeCalculator& calculator, const BearingContacts& contacts) {
+  const BearingContacts reference = on_one_track(contacts, calculator.parameters().line);
   const LifeParameters& parameters = calculator.parameters();
   for (std::size_t j = 0; j < 2; ++j) rotating_[j] = reference.race[j].rotating;
   for (std::size_t i = 0; i < kDamageParts; ++i)

@@ -15,6 +15,8 @@
 namespace adore::listing {
 namespace {
 
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
 void ball_contacts(Report& report, const statics::StaticSolution& solution) {
   report.item("Race control criterion (above 1: outer race)", solution.race_control_ratio,
               unit::kPure);
@@ -121,19 +123,30 @@ void split_races(Report& report, const statics::StaticSolution& solution,
     std::vector<Report::Row> rows;
     for (std::size_t k = 0; k < solution.balls.size(); ++k) {
       const statics::StaticBall& b = solution.balls[k];
-      rows.push_back({std::to_string(k + 1),
-                      {b.azimuth, b.inner_chord[race] - 0.5 * bearing.balls().shim[race],
-                       b.other_half[race], b.shoulder_depth[race]}});
+      const statics::SecondContact& second = b.second[race];
+      const bool dual = second.Q > 0.0;
+      const auto of_second = [&](double value) { return dual ? value : kNone; };
+      rows.push_back(
+          {std::to_string(k + 1),
+           {b.azimuth, b.inner_chord[race] - 0.5 * bearing.balls().shim[race], b.other_half[race],
+            b.shoulder_depth[race], second.Q, of_second(second.alpha), of_second(second.delta),
+            of_second(second.p_max), of_second(second.a), of_second(second.b)}});
     }
     report.heading(
         fmt::format("Split {} race: inner edge of the contact from the split, gap to "
-                    "the other half (below 0: dual contact)",
+                    "the other half, contact with the other half",
                     name));
     report.table("ball",
                  {{"azimuth", &unit::kAngle},
                   {"from split", &unit::kLength},
                   {"other half", &unit::kLength},
-                  {"shoulder", &unit::kLength}},
+                  {"shoulder", &unit::kLength},
+                  {"second load", &unit::kForce},
+                  {"angle", &unit::kAngle},
+                  {"approach", &unit::kLength},
+                  {"pressure", &unit::kPressure},
+                  {"a", &unit::kLength},
+                  {"b", &unit::kLength}},
                  rows);
   }
 }

@@ -139,6 +139,9 @@ void heat_of_elements(Report& report, const StepRecord& record, int interval, bo
          {std::pair{"friction", "contact.heat"}, std::pair{"rolling", "contact.rolling_heat"},
           std::pair{"damping", "contact.damping_heat"}})
       columns.push_back({fmt::format("{} {}", title, race + 1), id, race});
+  if (record.shape.split)
+    columns.insert(columns.end(), {{"other half 1", "second_contact.heat", 0},
+                                   {"other half 2", "second_contact.heat", 1}});
   const auto flanges = [&record](std::string_view id) {
     return [&record, id](std::size_t j) {
       double sum = 0.0;
@@ -228,6 +231,17 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
         return snapshot.elements[j].race[1].centre_chord;
       };
     element_table(report, record, interval, columns);
+    if (!record.shape.split || !(bearing.balls().shim[static_cast<std::size_t>(race)] > 0.0))
+      continue;
+    report.heading(fmt::format("Contacts with the other half of the split {} race", name));
+    element_table(report, record, interval,
+                  {{"load", "second_contact.load", race},
+                   {"angle", "second_contact.angle", race},
+                   {"a", "second_contact.half_major", race},
+                   {"b", "second_contact.half_minor", race},
+                   {"pressure", "second_contact.pressure", race},
+                   {"slip", "second_contact.slip", race},
+                   {"heat", "second_contact.heat", race}});
   }
   heat_of_elements(report, record, interval, rollers, record.shape.cages > 0);
   if (rollers) {

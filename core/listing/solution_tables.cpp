@@ -57,6 +57,15 @@ StaticTables static_tables(const statics::StaticSolution& solution, const Bearin
                  column([&](const auto& b) { return b.Q[j] > 0.0 ? b.p_max[j] : 0.0; }));
     elements.add(race + "spin to roll", unit::kPure,
                  column([&](const auto& b) { return b.Q[j] > 0.0 ? b.spin_roll[j] : kNone; }));
+    if (bearing.balls().shim[j] > 0.0) {  // contact with the other half of a split race
+      elements.add(race + "second load", unit::kForce,
+                   column([&](const auto& b) { return b.second[j].Q; }));
+      elements.add(race + "second contact angle", unit::kAngle, column([&](const auto& b) {
+                     return b.second[j].Q > 0.0 ? b.second[j].alpha : kNone;
+                   }));
+      elements.add(race + "second pressure", unit::kPressure,
+                   column([&](const auto& b) { return b.second[j].p_max; }));
+    }
     const double end = shoulder_angle(bearing, groove, j);
     if (std::isfinite(end))
       elements.add(race + "groove end", unit::kAngle,

@@ -33,6 +33,8 @@ void fill(Source s, const Shape& shape, double* out) {
     some(s.element, shape.pairs, values);
   else if constexpr (P == Per::Contact)
     some(s.element, shape.elements, [&] { some(s.race, 2, values); });
+  else if constexpr (P == Per::Second)
+    some(s.element, shape.split ? shape.elements : 0, [&] { some(s.race, 2, values); });
   else if constexpr (P == Per::Flange)
     some(s.element, shape.rollers ? shape.elements : 0,
          [&] { some(s.race, 2, [&] { some(s.side, 2, values); }); });
@@ -153,7 +155,7 @@ constexpr auto kTable = std::to_array<Channel>({
      "dissipated in the contact"},
     {"contact.rolling_heat", "rolling resistance heat", &unit::kPower, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().rolling_heat; }),
-     "taken by the rolling resistance of the oil"},
+     "rolling resistance of the oil; on both halves of a split race"},
     {"contact.damping_heat", "contact damping heat", &unit::kPower, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().damping_heat; }),
      "taken by contact damping"},
@@ -193,6 +195,30 @@ constexpr auto kTable = std::to_array<Channel>({
     {"contact.peak_position", "place of the largest pressure", &unit::kLength, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().peak_position; }),
      "along a roller from its middle; 0 for balls"},
+    // Balls on split races: contacts above are those with the half that carries more.
+    {"second_contact.load", "second contact load", &unit::kForce, "-", false,
+     each<Per::Second, 1>([](const Source& s) { return s.second().load; }),
+     "normal load on the other half of a split race; 0 when open"},
+    {"second_contact.angle", "second contact angle", &unit::kAngle, "A", false,
+     each<Per::Second, 1>([](const Source& s) { return s.second().angle; }), "0 when open"},
+    {"second_contact.heat", "second contact heat", &unit::kPower, "-", false,
+     each<Per::Second, 1>([](const Source& s) { return s.second().heat; }),
+     "dissipated in the contact"},
+    {"second_contact.slip", "second contact slip velocity", &unit::kSpeed, "-", false,
+     each<Per::Second, 1>([](const Source& s) { return s.second().max_slip; }),
+     "largest within the contact ellipse"},
+    {"second_contact.load_slip", "second contact load times slip", &unit::kPower, "-", false,
+     each<Per::Second, 1>([](const Source& s) { return s.second().load_slip; }),
+     "pressure times slip speed over the contact"},
+    {"second_contact.half_major", "second contact half width, transverse", &unit::kLength, "-",
+     false, each<Per::Second, 1>([](const Source& s) { return s.second().half_major; }),
+     "half axis a of the whole ellipse"},
+    {"second_contact.half_minor", "second contact half width, rolling", &unit::kLength, "-", false,
+     each<Per::Second, 1>([](const Source& s) { return s.second().half_minor; }),
+     "half axis b of the whole ellipse"},
+    {"second_contact.pressure", "second contact largest pressure", &unit::kPressure, "-", false,
+     each<Per::Second, 1>([](const Source& s) { return s.second().max_pressure; }),
+     "in the middle of the whole ellipse"},
     // Roller ends at the flanges of the races, -x side then +x side.
     {"flange.force", "flange force", &unit::kForce, "-", false,
      each<Per::Flange, 1>([](const Source& s) { return s.flange().force; }),

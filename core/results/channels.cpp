@@ -31,6 +31,7 @@ Shape shape_of(const bearing::Bearing& bearing) {
   Shape shape;
   shape.elements = bearing.element_count();
   shape.rollers = bearing.rollers() != nullptr;
+  shape.split = !shape.rollers && (bearing.balls().shim[0] > 0.0 || bearing.balls().shim[1] > 0.0);
   shape.thermal = bearing.thermal.has_value();
   if (bearing.cage) {
     const bearing::Segmentation& cut = bearing.cage->segments;
@@ -54,6 +55,8 @@ std::size_t places(Per per, const Shape& shape) {
         return shape.elements;
       case Per::Contact:
         return 2 * shape.elements;
+      case Per::Second:
+        return shape.split ? 2 * shape.elements : 0;
       case Per::Flange:
         return shape.rollers ? 4 * shape.elements : 0;
       case Per::Pocket:
@@ -114,6 +117,10 @@ const StepRecord& ChannelRecorder::record(const scene::Snapshot& snapshot, StepB
   for (std::size_t i = 0; i < static_cast<std::size_t>(shape.pairs); ++i)
     demand(snapshot.elements[i].to_next.has_value(),
            "each element of a snapshot without cage shows the next one");
+
+  for (const scene::ElementSnapshot& element : snapshot.elements)
+    demand(!shape.split || element.second.size() == 2,
+           "each ball of a snapshot shows its contacts with both halves of split races");
 
   demand(!shape.thermal || snapshot.thermal.has_value(),
          "a snapshot of a run with a thermal analysis shows its last thermal step");

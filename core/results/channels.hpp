@@ -25,6 +25,7 @@ enum class Per : unsigned char {
   Run,
   Element,
   Contact,
+  Second,  ///< contact with the other half of a split race, in bearings that have one
   Flange,
   Pocket,
   Pair,
@@ -46,6 +47,7 @@ struct ChannelSource {
 
   [[nodiscard]] const scene::ElementSnapshot& ball() const { return snapshot->elements[element]; }
   [[nodiscard]] const scene::RaceContactSnapshot& contact() const { return ball().race[race]; }
+  [[nodiscard]] const scene::RaceContactSnapshot& second() const { return ball().second[race]; }
   [[nodiscard]] const scene::FlangeContactSnapshot& flange() const {
     return ball().flange[race][side];
   }
@@ -122,6 +124,7 @@ struct Shape {
   int last_halves = 0;   ///< half pockets at the ends of segments, behind the elements' pockets
   int first_pocket = 0;  ///< element that the first segment starts with, from 0
   int pairs = 0;         ///< of elements that may touch
+  bool split = false;    ///< a race is split: balls may have second contacts
   bool rollers = false;  ///< each with two ends at two races' flanges
   bool thermal = false;  ///< with a thermal analysis
   bool operator==(const Shape&) const = default;

@@ -54,6 +54,9 @@ std::vector<hsize_t> dimensions(const Channel& channel, const Shape& shape) {
     case Per::Contact:
       out = {n(shape.elements), 2};
       break;
+    case Per::Second:
+      out = {n(shape.split ? shape.elements : 0), 2};
+      break;
     case Per::Flange:
       out = {n(shape.rollers ? shape.elements : 0), 2, 2};
       break;
@@ -88,6 +91,7 @@ std::string_view dimension_names(const Channel& channel) {
     case Per::Element:
       return vector ? "step, element, component" : "step, element";
     case Per::Contact:
+    case Per::Second:
       return "step, element, race";
     case Per::Flange:
       return "step, element, race, side";

@@ -78,7 +78,9 @@ struct ElementSnapshot {
   double total_rotation = 0.0;   ///< ∫ ω·(body x axis) dt [rad]; valid when oriented
   bool oriented = false;         ///< orientation is integrated for this element
   bool held = false;  ///< x and r in force balance (qFac): vx, vr, ax, ar are zero by definition
-  std::array<RaceContactSnapshot, 2> race{};
+  std::array<RaceContactSnapshot, 2> race{};  ///< of split races the contact with more load
+  /// With the other halves of split races; empty: no race is split.
+  std::vector<RaceContactSnapshot> second;
   std::array<std::array<FlangeContactSnapshot, 2>, 2> flange{};  ///< [race][side: -x, +x]
   std::vector<PocketContactSnapshot> pocket;  ///< one per surface; empty without cage
   Vec3 pocket_to_centre =

@@ -118,6 +118,19 @@ void check_requests(const Deck& deck, const UserHooks* user, Checker& check) {
   }
 }
 
+/// The contact law of a half (contact/split_race.hpp) has no waves.
+void check_split_races(const Deck& deck, Checker& check) {
+  for (const char* race : {"1", "2"}) {
+    const std::string shim = std::string("shimThickness") + race;
+    const std::string errors = std::string("kRaceGeoImp") + race;
+    if (!deck.has(shim) || !(deck.si(shim) > 0.0) || deck.integer(errors) == 0) continue;
+    check.error(shim.c_str(),
+                fmt::format("a split race cannot have geometric errors ({} = {})", errors,
+                            deck.integer(errors)),
+                fmt::format("give {} = 0 or {} = 0", shim, errors));
+  }
+}
+
 /// A wave that does not close: allowed, but hardly meant. In motion no finite force lifts an
 /// element over its step.
 void check_waves(const Deck& deck, Checker& check) {
@@ -371,6 +384,7 @@ std::vector<Issue> check_buildable(const Deck& deck, const UserHooks* user) {
   if (rollers)
     for (Issue& issue : check_flanges(deck)) check.add(std::move(issue));
   check_requests(deck, user, check);
+  check_split_races(deck, check);
   check_waves(deck, check);
   check_law_ranges(deck, check);
   check_pocket_errors(deck, check);

@@ -243,9 +243,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   for (std::size_t j = 0; j < 2; ++j)
     if (!bearing.rollers() && bearing.balls().shim[j] > 0.0)
       effect(Effect::RaceContact, j == 0 ? "split outer race" : "split inner race", true,
-             fmt::format("shimThickness{} > 0: contact with one half; the static solution checks "
-                         "the other half",
-                         j + 1));
+             fmt::format("shimThickness{} > 0: contact with each half", j + 1));
 
   for (std::size_t j = 0; j < 2; ++j)
     if (bearing.imperfections.race_given[j]) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #ifndef ADORE_CLONES  // core/CMakeLists.txt
@@ -112,10 +113,14 @@ struct LineOfCentres {
   double closure;  ///< by how much the ball is squeezed between the races [m]
 };
 
+/// Halves of both races.
+using Halves = std::array<std::size_t, 2>;
+
 /// Ball on the line of groove centres, squeezed by both races in the ratio of their compliances, at
 /// least as deep in the outer race as its centrifugal force asks for.
+/// @param halves of split races
 LineOfCentres line_of_centres(const BallModel& m, const BallSite& site,
-                              const SeenRaces<double>& races, Point at) {
+                              const SeenRaces<double>& races, Point at, const Halves& halves = {}) {
   const BallSeat& own = m.seat(site.own);
   const double K_o = own.hertz[0].reference().K;
   const double K_i = own.hertz[1].reference().K;
@@ -128,7 +133,8 @@ LineOfCentres line_of_centres(const BallModel& m, const BallSite& site,
     for (std::size_t j = 0; j < 2; ++j) {
       const auto& a = p[j].a;
       const auto& e = p[j].e;
-      v[j] = {p[j].xi * a.x + p[j].eta * e.x, p[j].xi * a.y + p[j].eta * e.y};
+      const double xi = p[j].xi - m.half[j][halves[j]].shift;
+      v[j] = {xi * a.x + p[j].eta * e.x, xi * a.y + p[j].eta * e.y};
     }
     const Point outer{result.start.x - v[0].x, result.start.rho - v[0].rho};
     const Point inner{result.start.x - v[1].x, result.start.rho - v[1].rho};
@@ -150,6 +156,60 @@ LineOfCentres line_of_centres(const BallModel& m, const BallSite& site,
   return result;
 }
 
+/// A place where the ball is in no half by more than its offset, which is inside of circles of that
+/// radius about the centres of all halves: projected onto one after the other. The rest of the
+/// overlap, 0 where there is room for the ball, is `closure`.
+LineOfCentres between_halves(const BallModel& m, const BallSite& site,
+                             const SeenRaces<double>& races) {
+  constexpr int kPasses = 60;
+  LineOfCentres out{};
+  for (int pass = 0; pass < kPasses; ++pass) {
+    out.closure = 0.0;
+    for (std::size_t j = 0; j < 2; ++j)
+      for (const contact::SplitHalf& half : m.half[j]) {
+        const auto p = groove_positions(m, site, out.start.x, out.start.rho, races);
+        const double xi = p[j].xi - half.shift, length = std::hypot(xi, p[j].eta);
+        const double over = length - m.seat(site.own).groove.offset[j];
+        if (!(over > 0.0)) continue;
+        out.closure = std::max(out.closure, over);
+        const double share = over / length;
+        out.start.x -= share * (xi * p[j].a.x + p[j].eta * p[j].e.x);
+        out.start.rho -= share * (xi * p[j].a.y + p[j].eta * p[j].e.y);
+      }
+    if (out.closure <= 4e-16 * m.balls.pitch_diameter) break;
+  }
+  return out;
+}
+
+/// Of a ball with room between split races: outwards until it touches the outer one.
+Point touching_outer(const BallModel& m, const BallSite& site, const SeenRaces<double>& races,
+                     Point at) {
+  const auto p = groove_positions(m, site, at.x, at.rho, races);
+  const double s = m.seat(site.own).groove.offset[0];
+  double room = std::numeric_limits<double>::infinity();
+  for (const contact::SplitHalf& half : m.half[0]) {
+    const double xi = p[0].xi - half.shift;
+    room = std::min(room, std::sqrt(std::max(0.0, s * s - xi * xi)) - p[0].eta);
+  }
+  return {at.x + room * p[0].e.x, at.rho + room * p[0].e.y};
+}
+
+/// Starts of a ball between split races: between each pair of halves, and where it has most room.
+std::vector<Point> split_starts(const BallModel& m, const BallSite& site,
+                                const SeenRaces<double>& races) {
+  std::vector<Point> out;
+  const auto count = [&](std::size_t j) { return m.half[j][0].is_split() ? 2U : 1U; };
+  for (std::size_t outer = 0; outer < count(0); ++outer)
+    for (std::size_t inner = 0; inner < count(1); ++inner)
+      out.push_back(line_of_centres(m, site, races, {}, {outer, inner}).start);
+  out.push_back(between_halves(m, site, races).start);
+  // Least force first: others may lead to an equilibrium on the wrong side of a split.
+  const auto force = [&](const Point& at) { return residual_at(m, site, at, races).size(); };
+  std::stable_sort(out.begin(), out.end(),
+                   [&](const Point& a, const Point& b) { return force(a) < force(b); });
+  return out;
+}
+
 }  // namespace
 
 bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& ball,
@@ -157,7 +217,19 @@ bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& bal
   const SeenRaces<double> races = see_races(m, ball.site, pose);
   const Point nominal{};
   ball.idle = false;
-  if (m.base_centrifugal == 0.0) {
+  if (m.base_centrifugal == 0.0 && m.split) {
+    const LineOfCentres place = between_halves(m, ball.site, races);
+    if (place.closure <= 4e-16 * m.balls.pitch_diameter) {
+      const Point at = touching_outer(m, ball.site, races, place.start);
+      ball.x = at.x;
+      ball.rho = at.rho;
+      ball.idle = true;
+      ball.known = false;
+      ball.follow.setZero();
+      return true;
+    }
+  }
+  if (m.base_centrifugal == 0.0 && !m.split) {
     const LineOfCentres line = line_of_centres(m, ball.site, races, nominal);
     if (line.closure <= 4e-16 * m.balls.pitch_diameter) {
       ball.x = line.start.x;
@@ -180,10 +252,11 @@ bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& bal
   const BallSeat& own = m.seat(ball.site.own);
   const double seat = std::cbrt(own.base_centrifugal * own.base_centrifugal) *
                       std::pow(own.hertz[0].reference().K, -2.0 / 3.0);
-  std::vector<Point> starts{
-      line.start,
-      Point{own.groove.centre_x[0], own.groove.centre_radius[0] - 0.5 * m.balls.pitch_diameter +
-                                        own.groove.offset[0] + seat}};
+  std::vector<Point> starts =
+      m.split ? split_starts(m, ball.site, races) : std::vector<Point>{line.start};
+  starts.push_back(Point{
+      own.groove.centre_x[0],
+      own.groove.centre_radius[0] - 0.5 * m.balls.pitch_diameter + own.groove.offset[0] + seat});
   if (!m.field.isZero(0.0)) {  // it may press the ball against the inner race alone
     const double force = own.mass * m.field.norm();
     const double depth =
@@ -193,11 +266,17 @@ bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& bal
     starts.push_back(
         {-(xi * a.x + eta * e.x), -(xi * a.y + eta * e.y) - own.groove.offset[1] - depth});
   }
+  // Of a ball at rest that split races squeeze less than the projections above can tell.
+  const double nothing = m.split && m.base_centrifugal == 0.0
+                             ? own.hertz[0].reference().K * std::pow(1e-11 * own.offset_sum(), 1.5)
+                             : -1.0;
   for (Point at : starts) {
     if (newton(m, ball.site, races, accuracy, at)) {
+      ball.idle = residual_at(m, ball.site, at, races).scale <= nothing;
       ball.x = at.x;
       ball.rho = at.rho;
-      ball.known = true;
+      ball.known = !ball.idle;
+      if (ball.idle) ball.follow.setZero();
       return true;
     }
   }

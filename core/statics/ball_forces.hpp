@@ -19,6 +19,9 @@
 /// no K' term enters and Q acts along the normal, but with Curvature::Potential
 /// (contact/angle_law.hpp). Races that are tables: contact/wavy_groove.hpp, with K' of the table.
 ///
+/// Split races: both halves of contact/split_race.hpp, each at its own angle. Where a ball touches
+/// both, the spin rule, the gyroscopic moment and its friction are those of their resultant.
+///
 /// A ball that is about to lose its inner race cannot be driven by it: while Q_i is below 1/1000 of
 /// the centrifugal force, ω_m and M_g fade (smoothly, C1) into those of a ball seated on the outer
 /// race alone. Without this the forces would jump when the contact opens, and some loads would have
@@ -31,7 +34,10 @@ struct ContactState {
   S n_k = 0.0, n_e = 0.0;  ///< normal from the ball into the race: on its axis, on e
   Direction<S> alpha;
   S friction = 0.0;
-  S leaning = 0.0;  ///< L along c, at the centre (contact/angle_law.hpp, tables)
+  S leaning = 0.0;  ///< L along c, at the center (contact/angle_law.hpp, tables)
+  // Of a split race.
+  S shift = 0.0;    ///< center of the arc along the race axis; of two halves their mean [m]
+  S turning = 0.0;  ///< moment about P_j of all but friction, less Rc along [N m]
 };
 
 /// S: numbers of the ball, P: of the pose of the inner race.
@@ -70,11 +76,15 @@ inline contact::HertzConstants hertz_here(const BallSeat& seat, std::size_t race
   return out;
 }
 
+/// @param half null: the race is not split
 template <class S, class P>
 ContactState<S> contact_state(const BallModel& m, const BallSeat& seat, std::size_t race,
-                              const GroovePosition<S, P>& p) {
+                              const GroovePosition<S, P>& p,
+                              const contact::SplitHalf* half = nullptr) {
   ContactState<S> c;
-  const auto touch = contact::groove_touch(p.xi, p.eta, seat.groove.offset[race]);
+  S xi = p.xi;
+  if (half != nullptr) xi = xi - half->shift;
+  const auto touch = contact::groove_touch(xi, p.eta, seat.groove.offset[race]);
   const double sign = race == 0 ? 1.0 : -1.0;
   c.n_k = touch.n_k;
   c.n_e = touch.n_e;
@@ -108,8 +118,52 @@ ContactState<S> contact_state(const BallModel& m, const BallSeat& seat, std::siz
       c.leaning =
           c.leaning * table.stiffness + contact::wavy_lean(table, c.load, c.load, c.approach);
     }
+    if (half != nullptr) {
+      const auto share = contact::split_share(*half, c.load, root, c.n_k, c.n_e, touch.length);
+      c.load = share.load * c.load;
+      c.leaning = share.energy * c.leaning + share.turned;
+      const auto [along, outward] = contact::meridian_force(c.load, c.leaning, c.n_k, c.n_e);
+      c.shift = S(half->shift);
+      c.turning = -(touch.length * c.leaning) - half->shift * outward;
+    }
   }
   return c;
+}
+
+/// A half of a split race. @param p about P_j
+template <class S, class P>
+ContactState<S> half_state(const BallModel& m, const BallSeat& seat, std::size_t race,
+                           const GroovePosition<S, P>& p, std::size_t half) {
+  const contact::SplitHalf& of = m.half[race][half];
+  return contact_state(m, seat, race, p, &of);
+}
+
+/// Both halves of a split race as one contact.
+template <class S, class P>
+ContactState<S> split_state(const BallModel& m, const BallSeat& seat, std::size_t race,
+                            const GroovePosition<S, P>& p) {
+  const std::array<ContactState<S>, 2> c{half_state(m, seat, race, p, 0),
+                                         half_state(m, seat, race, p, 1)};
+  for (std::size_t h = 0; h < 2; ++h)
+    if (!(value_of(c[1 - h].load) > 0.0) &&
+        (value_of(c[h].load) > 0.0 || value_of(c[h].approach) >= value_of(c[1 - h].approach)))
+      return c[h];
+  ContactState<S> out;
+  S along = 0.0, outward = 0.0;
+  for (const ContactState<S>& one : c) {
+    const auto force = contact::meridian_force(one.load, one.leaning, one.n_k, one.n_e);
+    along += force.along;
+    outward += force.outward;
+    out.turning += one.turning;
+  }
+  out.load = square_root(along * along + outward * outward);
+  out.n_k = -along / out.load;
+  out.n_e = -outward / out.load;
+  const double sign = race == 0 ? 1.0 : -1.0;
+  out.alpha = {sign * out.n_k, sign * out.n_e};
+  out.shift = (c[0].load * c[0].shift + c[1].load * c[1].shift) / (c[0].load + c[1].load);
+  out.approach = value_of(c[0].approach) < value_of(c[1].approach) ? c[0].approach : c[1].approach;
+  return out;
 }
 
 /// Spin axis of least heat, shifted by BallSite::axis_shift, with its derivatives carried over from
@@ -223,7 +277,9 @@ BallForces<S, P> ball_forces(const BallModel& m, const BallSite& site, const S& 
   const BallSeat& seat = m.seat(site.own);
   f.position = groove_positions(m, site, x, rho, races);
   for (std::size_t j = 0; j < 2; ++j) {
-    f.contact[j] = contact_state(m, seat, j, f.position[j]);
+    const GroovePosition<S, P>& p = f.position[j];
+    f.contact[j] =
+        m.half[j][0].is_split() ? split_state(m, seat, j, p) : contact_state(m, seat, j, p);
   }
   if (m.moving) {
     add_inertia(m, site, rho, f);
@@ -235,16 +291,20 @@ BallForces<S, P> ball_forces(const BallModel& m, const BallSite& site, const S& 
       continue;
     }
     const auto [along, outward] =
-        contact::meridian_force(c.load, c.friction + c.leaning, c.n_k, c.n_e);
+        contact::meridian_force(site.tractions ? S(c.load - site.tractions->into[j]) : c.load,
+                                c.friction + c.leaning, c.n_k, c.n_e);
+    const bool split = m.half[j][0].is_split();
     const auto& [xi, eta, a, e] = f.position[j];
     Triple<S> force = along * a + outward * e;
     f.axial += force.x;
     f.radial += force.y;
     if (j == 1) {
       const contact::GrooveGeometry& groove = seat.groove;
-      Triple<S> moment = (groove.centre_radius[1] * along - groove.groove_radius[1] * c.friction -
-                          (groove.offset[1] + c.approach) * c.leaning) *
-                         cross(e, a);
+      const S about = split ? S(c.turning - c.shift * c.friction * c.n_k)
+                            : S(-((groove.offset[1] + c.approach) * c.leaning));
+      Triple<S> moment =
+          (groove.centre_radius[1] * along - groove.groove_radius[1] * c.friction + about) *
+          cross(e, a);
       if (seat.inner_slope != 0.0) {
         // Where the inner race is not round its normal leans by R'/r against the direction of
         // growing azimuth a × e: the ball also pushes it sideways, by -Q cos α R'/r at ξ a.
@@ -261,8 +321,8 @@ BallForces<S, P> ball_forces(const BallModel& m, const BallSite& site, const S& 
         moment = moment - (xi * push) * e - (recess * c.leaning) * cross(e, a);
       }
       const Triple<S> on_race = contact::from_azimuth(force, site.sin, site.cos);
-      const Triple<S> about = contact::from_azimuth(moment, site.sin, site.cos);
-      f.race = {on_race.x, on_race.y, on_race.z, about.y, about.z};
+      const Triple<S> turned = contact::from_azimuth(moment, site.sin, site.cos);
+      f.race = {on_race.x, on_race.y, on_race.z, turned.y, turned.z};
     }
   }
   return f;

@@ -134,8 +134,11 @@ class Ball {
   }
 
   /// Of a balance G(v, s) = 0 that stays balanced while the contacts move: dv/ds = -G_v⁻¹ G_s.
+  /// 0 of a ball with two contacts at a race.
   [[nodiscard]] Eigen::Matrix<double, 3, 5> slopes(const BallSeat& seat, const StaticBall& ball,
                                                    const BallMotion& motion) {
+    if (has_second(ball) || ball.share[0] < 1.0 || ball.share[1] < 1.0)
+      return Eigen::Matrix<double, 3, 5>::Zero();
     const Vec4 v = speeds(motion);
     Mat4 G_v;
     Eigen::Matrix<double, 3, 4> t_v;
@@ -169,7 +172,16 @@ class Ball {
  private:
   void stand(const StaticBall& ball) {
     r_ = ball.r;
-    for (std::size_t j = 0; j < 2; ++j) contact_[j] = ball_contact(bearing_, laws_, ball, j);
+    for (std::size_t j = 0; j < 2; ++j) {
+      contact_[j] = ball_contact(bearing_, laws_, ball, j);
+      second_[j].reset();
+      normal_[j] = Eigen::Vector2d(contact_[j].n_x, contact_[j].n_r);
+      if (!(ball.second[j].Q > 0.0)) continue;
+      second_[j] = ball_contact(bearing_, laws_, on_other_halves(ball), j);
+      normal_[j] = ball.Q[j] * normal_[j] +
+                   ball.second[j].Q * Eigen::Vector2d(second_[j]->n_x, second_[j]->n_r);
+      normal_[j].normalize();
+    }
   }
   [[nodiscard]] Vec4 speeds(const BallMotion& motion) const {
     return Vec4(motion.omega[0], motion.omega[1], motion.omega[2], motion.orbit) / spin_;
@@ -188,8 +200,7 @@ class Ball {
     at.orbit = spin_ * v[3];
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();
     double force = 0.0;
-    for (std::size_t j = 0; j < 2; ++j) {
-      const BallContact& c = contact_[j];
+    const auto add = [&](std::size_t j, const BallContact& c) {
       const tribology::EllipseKinematics slip = contact_motion(bearing_, c, at, r_, j);
       const tribology::EllipseTraction on_ball =
           tribology::ellipse_traction(c.law, c.ellipse, slip, *rule_);
@@ -197,10 +208,21 @@ class Ball {
       film.speed = slip.entrainment;
       const double rolling = laws_.rolling_force(j, film);
       const double about_c = on_ball.M_c + radius_ * rolling;
-      moment += Eigen::Vector3d(-about_c * c.n_r + on_ball.M_n * c.n_x,
-                                about_c * c.n_x + on_ball.M_n * c.n_r, on_ball.M_t);
-      force += on_ball.F_t + (2.0 * c.film.radius / radius_ - 1.0) * rolling;
-      motion.along[j] = on_ball.F_c;
+      moment += c.share * Eigen::Vector3d(-about_c * c.n_r + on_ball.M_n * c.n_x,
+                                          about_c * c.n_x + on_ball.M_n * c.n_r, on_ball.M_t);
+      force += c.share * (on_ball.F_t + (2.0 * c.film.radius / radius_ - 1.0) * rolling);
+      if (!second_[j]) {
+        motion.along[j] = c.share * on_ball.F_c;
+        return;
+      }
+      const Eigen::Vector2d along = c.share * on_ball.F_c * Eigen::Vector2d(-c.n_r, c.n_x);
+      motion.along[j] += along.dot(Eigen::Vector2d(-normal_[j][1], normal_[j][0]));
+      motion.into[j] += along.dot(normal_[j]);
+    };
+    motion.along = motion.into = {};
+    for (std::size_t j = 0; j < 2; ++j) {
+      add(j, contact_[j]);
+      if (second_[j]) add(j, *second_[j]);
     }
     if (drag_ != nullptr) {
       const double V = (at.orbit - bearing_.speed[0]) * r_;
@@ -223,6 +245,8 @@ class Ball {
   const tribology::BearingDrag* drag_;
   double frame_, r_ = 0.0, radius_ = 0.0, load_ = 0.0, spin_ = 0.0;
   std::array<BallContact, 2> contact_;
+  std::array<std::optional<BallContact>, 2> second_;  ///< with the other half of a split race
+  std::array<Eigen::Vector2d, 2> normal_;             ///< of their resultant on (e_x, e_r)
 };
 
 /// Balls of a solution with their tractions, and the race on them.
@@ -268,6 +292,7 @@ class Balls {
       return out;
     };
     now.along = {value(motion.along[0], 0), value(motion.along[1], 1)};
+    now.into = motion.into;
     now.orbital = value(motion.orbit, 2);
     now.at.load = ball.Q;
     now.at.rho = ball.r - 0.5 * model_.balls.pitch_diameter;

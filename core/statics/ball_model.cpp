@@ -178,6 +178,10 @@ BallModel make_ball_model(const bearing::Bearing& bearing, const StaticsOptions&
   m.outer_tilted = m.outer_tilt[0] != 0.0 || m.outer_tilt[1] != 0.0;
   m.spin_angle = prescribed_pitch_angle(bearing.spin_angle);
 
+  for (std::size_t j = 0; j < 2; ++j) {
+    m.half[j] = contact::split_halves(m.balls, m.groove, static_cast<int>(j));
+    m.split = m.split || m.half[j][0].is_split();
+  }
   const double free_angle = bearing.balls().contact_angle;
   for (std::size_t j = 0; j < 2; ++j) {
     const double E_star =

@@ -105,7 +105,9 @@ struct BallModel : BallSeat {
   double spin_angle = 0.0;  ///< prescribed pitch angle [rad]
   double own_speed_share =
       1.0;  ///< 0: conservative problem (constant K and base speed); 1: the full one
-  std::vector<double> azimuth;          ///< [rad]
+  std::array<std::array<contact::SplitHalf, 2>, 2> half{};  ///< by race; of a nominal ball
+  bool split = false;                                       ///< a race is
+  std::vector<double> azimuth;                              ///< [rad]
   std::vector<BallSeat> own;            ///< seats of balls that differ from the nominal one
   std::vector<std::size_t> own_number;  ///< by ball: 1 + index into own, 0: nominal; empty: all 0
 

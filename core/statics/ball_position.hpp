@@ -20,8 +20,9 @@ struct GivenTractions {
     double value = 0.0;
     std::array<double, kPlaces> slope{};
   };
-  std::array<Value, 2> along;  ///< along the major axes, on the ball [N]
-  Value orbital;               ///< ω_m [rad/s]
+  std::array<Value, 2> along;    ///< along the major axes, on the ball [N]
+  std::array<double, 2> into{};  ///< along the normals of the resultants of split races [N]
+  Value orbital;                 ///< ω_m [rad/s]
   struct At {
     std::array<double, 2> load{};                ///< Q [N]
     std::array<double, 2> sin{}, cos{1.0, 1.0};  ///< of the contact angle

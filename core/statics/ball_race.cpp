@@ -59,7 +59,12 @@ Vec5 first_guess(const BallModel& m, const RaceTask& task, const Vec5& given) {
   const double S = m.offset_sum();
   const double across =
       m.groove.centre_radius[1] - m.groove.centre_radius[0];  // of the groove centres, unloaded
-  const double along = m.groove.centre_x[1] - m.groove.centre_x[0];
+  const auto of_half = [&](std::size_t h) {
+    return m.groove.centre_x[1] + m.half[1][h].shift - m.groove.centre_x[0] - m.half[0][h].shift;
+  };
+  const bool backward = !task.given[0] && task.load(0) < 0.0;
+  const bool centred = task.given[0] || task.load(0) == 0.0;
+  const double along = centred ? 0.5 * (of_half(0) + of_half(1)) : of_half(backward ? 1 : 0);
   const double soft = std::pow(m.hertz[0].reference().K, -2.0 / 3.0) +
                       std::pow(m.hertz[1].reference().K, -2.0 / 3.0);
   const auto closure = [&](double load) { return soft * std::cbrt(load * load); };

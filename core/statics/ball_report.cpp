@@ -158,21 +158,22 @@ void check_ellipse(const BallSeat& seat, std::size_t j, const StaticBall& s) {
 /// the halves by g against each other, towards and past the split, which stands g/2 from the arc
 /// centre in use on the side of the contact. Where the ball's nearest point of the other arc would
 /// lie beyond the split, the ridge is the nearest.
-double gap_to_other_half(const BallModel& m, const BallSeat& seat, std::size_t j,
-                         const GroovePosition<double>& p) {
+/// @param xi from the arc in use, along the race axis
+double gap_to_other_half(const BallModel& m, const BallSeat& seat, std::size_t j, double xi,
+                         double eta) {
   const double shim = m.balls.shim[j];
   if (!(shim > 0.0)) {
     return kNone;
   }
   const double radius = seat.groove.groove_radius[j];
-  const double towards = std::abs(p.xi);  // along the axis, to the side of the contact
+  const double towards = std::abs(xi);  // along the axis, to the side of the contact
   const double from_other = towards - shim;
-  const double length = std::hypot(from_other, p.eta);
+  const double length = std::hypot(from_other, eta);
   if (radius * from_other < -0.5 * shim * length) {
     return seat.groove.offset[j] - length;
   }
   const double ridge = std::sqrt(radius * radius - 0.25 * shim * shim);
-  return std::hypot(towards - 0.5 * shim, std::abs(p.eta) - ridge) - seat.groove.ball_radius;
+  return std::hypot(towards - 0.5 * shim, std::abs(eta) - ridge) - seat.groove.ball_radius;
 }
 
 template <class Predicate>
@@ -186,50 +187,101 @@ std::vector<std::size_t> balls_that(const std::vector<StaticBall>& balls, Predic
   return numbers;
 }
 
-/// Only one half of a split race is modelled: where the other one may have a say.
+/// Balls on both halves of a split race, and ellipses that the split cuts.
 void note_split_race(const BallModel& m, std::size_t j, const std::vector<StaticBall>& balls,
                      std::vector<std::string>& notes) {
-  const double half_shim = 0.5 * m.balls.shim[j];
-  if (!(half_shim > 0.0)) {
-    return;
-  }
-  const auto dual = balls_that(balls, [&](const StaticBall& b) { return b.other_half[j] < 0.0; });
+  if (!(m.balls.shim[j] > 0.0)) return;
+  const auto dual = balls_that(balls, [&](const StaticBall& b) { return b.second[j].Q > 0.0; });
   if (!dual.empty()) {
-    double deepest = 0.0;
-    for (const StaticBall& b : balls) {
-      deepest = std::max(deepest, -b.other_half[j]);  // NaN compares false
-    }
-    notes.push_back(fmt::format(
-        "{}: dual contact; the other half of the split {} race is touched too (by up to {:.3g} m), "
-        "and the solution has only one contact per ball and race",
-        number_list(dual, "ball"), kRaceName[j], deepest));
+    double heaviest = 0.0;
+    for (const StaticBall& b : balls) heaviest = std::max(heaviest, b.second[j].Q);
+    notes.push_back(
+        fmt::format("{}: dual contact with both halves of the split {} race; the second contact "
+                    "carries up to {:.4g} N",
+                    number_list(dual, "ball"), kRaceName[j], heaviest));
   }
-  const auto across = balls_that(balls, [&](const StaticBall& b) {
-    return b.inner_chord[j] < half_shim && !(b.other_half[j] < 0.0);
-  });
-  if (!across.empty()) {
+  const auto forward = balls_that(
+      balls, [&](const StaticBall& b) { return b.alpha[j] > 0.0 && !(b.second[j].Q > 0.0); });
+  const auto backward = balls_that(
+      balls, [&](const StaticBall& b) { return b.alpha[j] < 0.0 && !(b.second[j].Q > 0.0); });
+  if (!forward.empty() && !backward.empty())
+    notes.push_back(
+        fmt::format("the balls touch both halves of the split {} race, {} the one and {} the other",
+                    kRaceName[j], number_list(forward, "ball"), number_list(backward, "ball")));
+  const auto cut = balls_that(
+      balls, [&](const StaticBall& b) { return b.share[j] < 1.0 && !(b.second[j].Q > 0.0); });
+  if (!cut.empty())
     notes.push_back(fmt::format(
-        "{}: the contact ellipse reaches the split of the {} race, so dual contact is possible; "
-        "only one contact is modelled",
-        number_list(across, "ball"), kRaceName[j]));
+        "{}: the split of the {} race cuts the contact ellipse, so dual contact is possible",
+        number_list(cut, "ball"), kRaceName[j]));
+}
+
+/// One contact of a ball, and where it is cut by a split.
+struct Contact {
+  double Q, alpha, delta, a, b, p_max, K, share, E_integral;
+};
+/// @param whole load of the whole ellipse
+Contact contact_of(const BallSeat& seat, std::size_t j, double alpha, double delta, double load,
+                   double whole) {
+  const contact::HertzConstants hertz = seat.hertz[j].at(alpha);
+  const double cube_root = std::cbrt(whole);
+  Contact c{load, alpha,   delta,        hertz.a_hat * cube_root, hertz.b_hat * cube_root,
+            0.0,  hertz.K, load / whole, hertz.E_integral};
+  c.p_max = 1.5 * whole / (std::numbers::pi * c.a * c.b);
+  return c;
+}
+
+/// Both contacts of a ball with a split race, the one with more load first. @returns the half
+std::size_t report_halves(const BallModel& m, const BallSeat& seat, std::size_t j,
+                          const GroovePosition<double>& p, Contact& first, SecondContact& second) {
+  std::array<ContactState<double>, 2> state;
+  std::array<double, 2> whole{};
+  for (std::size_t h = 0; h < 2; ++h) {
+    state[h] = half_state(m, seat, j, p, h);
+    if (!(state[h].load > 0.0)) continue;
+    GroovePosition<double> of_half = p;
+    of_half.xi -= m.half[j][h].shift;
+    whole[h] = contact_state(m, seat, j, of_half).load;
   }
-  const auto forward = balls_that(balls, [&](const StaticBall& b) { return b.alpha[j] > 0.0; });
-  const auto backward = balls_that(balls, [&](const StaticBall& b) { return b.alpha[j] < 0.0; });
-  if (!backward.empty() && forward.empty())
-    notes.push_back(fmt::format(
-        "{}: contact with the half of the split {} race that thrust along -x loads; the solution "
-        "takes one circular groove, whose axial play is larger by the shim: loads and angles are "
-        "right, displacements along x are {:.3g} m too far",
-        number_list(backward, "ball"), kRaceName[j], m.balls.shim[j]));
-  if (!forward.empty() && !backward.empty()) {
-    notes.push_back(fmt::format(
-        "the balls touch both halves of the split {} race, {} the one and {} the other; the "
-        "solution takes one circular groove, whose axial play is larger by the shim",
-        kRaceName[j], number_list(forward, "ball"), number_list(backward, "ball")));
+  const std::size_t heavy = state[1].load > state[0].load ? 1 : 0;
+  const auto of = [&](std::size_t h) {
+    const ContactState<double>& c = state[h];
+    return contact_of(seat, j, contact::contact_angle(static_cast<int>(j), c.n_k, c.n_e),
+                      c.approach, c.load, whole[h]);
+  };
+  first = of(heavy);
+  if (const std::size_t light = 1 - heavy; state[light].load > 0.0) {
+    const Contact c = of(light);
+    second = {c.Q, c.alpha, c.delta, c.a, c.b, c.p_max, c.K, c.share, 0.0, 0.0};
   }
+  return heavy;
 }
 
 }  // namespace
+
+StaticBall on_other_halves(const StaticBall& ball) {
+  StaticBall out = ball;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const SecondContact& second = ball.second[j];
+    out.Q[j] = second.Q;
+    out.alpha[j] = second.Q > 0.0 ? second.alpha : kNone;
+    out.delta[j] = second.delta;
+    out.a[j] = second.a, out.b[j] = second.b, out.p_max[j] = second.p_max;
+    out.K[j] = second.K, out.share[j] = second.share;
+    out.inner_chord[j] = second.Q > 0.0 ? second.inner_chord : kNone;
+    out.shoulder_depth[j] = second.Q > 0.0 ? second.shoulder_depth : kNone;
+    out.beyond[j] = 0.0;
+    out.second[j] = {};
+  }
+  return out;
+}
+
+std::vector<StaticBall> StaticSolution::second_contacts() const {
+  std::vector<StaticBall> out;
+  for (const StaticBall& ball : balls)
+    if (has_second(ball)) out.push_back(on_other_halves(ball));
+  return out;
+}
 
 StaticBall report_ball(const BallModel& m, const std::array<double, 5>& q, const BallState& ball) {
   StaticBall s;
@@ -265,10 +317,25 @@ StaticBall report_ball(const BallModel& m, const std::array<double, 5>& q, const
     s.a[j] = hertz.a_hat * cube_root;
     s.b[j] = hertz.b_hat * cube_root;
     s.p_max[j] = 1.5 * c.load / (std::numbers::pi * s.a[j] * s.b[j]);
-    check_ellipse(seat, j, s);
     capacity[j] = c.load * s.a[j] * hertz.E_integral;
+    if (m.half[j][0].is_split()) {
+      const GroovePosition<double>& p = f.position[j];
+      Contact first{};
+      const std::size_t half = report_halves(m, seat, j, p, first, s.second[j]);
+      s.Q[j] = first.Q, s.alpha[j] = first.alpha, s.delta[j] = first.delta;
+      s.a[j] = first.a, s.b[j] = first.b, s.p_max[j] = first.p_max;
+      s.K[j] = first.K, s.share[j] = first.share;
+      s.other_half[j] = gap_to_other_half(m, seat, j, p.xi - m.half[j][half].shift, p.eta);
+      if (s.second[j].Q > 0.0) {
+        StaticBall other = on_other_halves(s);
+        check_ellipse(seat, j, other);
+        report_edges(m, seat, j, other);
+        s.second[j].inner_chord = other.inner_chord[j];
+        s.second[j].shoulder_depth = other.shoulder_depth[j];
+      }
+    }
+    check_ellipse(seat, j, s);
     report_edges(m, seat, j, s);
-    s.other_half[j] = gap_to_other_half(m, seat, j, f.position[j]);
   }
   s.edge = {s.shoulder_depth[0], s.inner_chord[1]};
   s.orbital_speed = f.orbital;

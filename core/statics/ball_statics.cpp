@@ -105,7 +105,9 @@ Staged solve_in_stages(BallModel& m, const RaceTask& task, BallRace& state, bool
     m.own_speed_share = plain ? 1.0 : std::min(1.0, result.reached + step);
     BallRace trial = state;
     const int before = result.solve.iterations;
-    result.solve = plain ? solve_race_surely(m, task, trial) : solve_race(m, task, trial);
+    // Between split races a ball that changes its halves makes a kink in the load.
+    result.solve =
+        plain || m.split ? solve_race_surely(m, task, trial) : solve_race(m, task, trial);
     result.solve.iterations += before;
     if (result.solve.converged) {
       result.reached = m.own_speed_share;

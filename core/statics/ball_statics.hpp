@@ -58,6 +58,16 @@ struct StaticsOptions {
                             ///< as given, even when 0
 };
 
+/// Contact of a ball with the other half of a split race: the half with less load.
+struct SecondContact {
+  double Q = 0.0;                        ///< load; 0: the ball does not touch this half [N]
+  double alpha = 0.0, delta = 0.0;       ///< contact angle [rad], approach [m]
+  double a = 0.0, b = 0.0, p_max = 0.0;  ///< of the whole ellipse [m, Pa]
+  double K = 0.0;                        ///< [N m^-1.5]
+  double share = 1.0;                    ///< part of the ellipse's load on this side of the split
+  double inner_chord = 0.0, shoulder_depth = 0.0;  ///< as of the first contact [m]
+};
+
 struct StaticBall {
   double azimuth = 0.0;           ///< [rad]
   double x = 0.0, r = 0.0;        ///< centre: axial in the base frame, radial [m]
@@ -81,7 +91,9 @@ struct StaticBall {
   std::array<double, 2> friction{};    ///< coefficient of friction that the race must have to hold
                                        ///< the ball against its gyroscopic moment; NaN unloaded
   std::array<double, 2> K{};           ///< Hertz constants in use [N m^-1.5]
-  double orbital_speed = 0.0;          ///< ω_m [rad/s]
+  std::array<double, 2> share{1.0, 1.0};  ///< part of the ellipse's load on this side of the split
+  std::array<SecondContact, 2> second{};  ///< with the other half of a split race
+  double orbital_speed = 0.0;             ///< ω_m [rad/s]
   double omega_x = 0.0, omega_r = 0.0,
          omega_theta = 0.0;        ///< ABSOLUTE angular velocity on (e_x, e_r, e_θ) [rad/s]
   double centrifugal_force = 0.0;  ///< [N]
@@ -96,10 +108,19 @@ struct StaticBall {
   bool inner_contact = false;
 };
 
+/// The ball with its second contacts in the place of the first, for sums over contacts. Without
+/// second contact Q is 0.
+[[nodiscard]] StaticBall on_other_halves(const StaticBall& ball);
+[[nodiscard]] inline bool has_second(const StaticBall& ball) {
+  return ball.second[0].Q > 0.0 || ball.second[1].Q > 0.0;
+}
+
 struct StaticSolution : RaceResult {
   std::array<contact::HertzConstants, 2> hertz{};  ///< at the free angle (Free), fixed angle
                                                    ///< (Fixed), or of the most loaded ball (Actual)
   std::vector<StaticBall> balls;
+  /// on_other_halves() of each ball that has a second contact.
+  [[nodiscard]] std::vector<StaticBall> second_contacts() const;
   double race_control_ratio =
       0.0;  ///< > 1: outer race control by the classical criterion (most loaded ball)
 };

@@ -141,12 +141,12 @@ class ContactLaws {
   return 0.5 * (race + (ball.omega_x - ball.orbital_speed) * r - ball.omega_r * x);
 }
 
-/// What films read of a loaded contact of a ball.
+/// What films read of a loaded contact of a ball, with the whole ellipse where a split cuts it.
 [[nodiscard]] inline tribology::FilmContact film_of(const bearing::Bearing& bearing,
                                                     const StaticBall& ball, std::size_t j) {
   const bearing::BallGeometry& balls = bearing.balls();
   tribology::FilmContact film;
-  film.load = ball.Q[j];
+  film.load = ball.Q[j] / ball.share[j];
   film.radius =
       1.0 /
       contact::race_curvature(balls, static_cast<int>(j), std::abs(ball.alpha[j])).along_minor;
@@ -164,6 +164,7 @@ struct BallContact {
   tribology::EllipseGeometry ellipse;
   tribology::FilmContact film;
   tribology::TractionLaw law;
+  double share = 1.0;  ///< of the whole ellipse above (StaticBall::share)
 };
 [[nodiscard]] inline BallContact ball_contact(const bearing::Bearing& bearing,
                                               const ContactLaws& laws, const StaticBall& ball,
@@ -175,7 +176,8 @@ struct BallContact {
   BallContact out;
   out.n_x = side * std::sin(ball.alpha[j]);
   out.n_r = side * std::cos(ball.alpha[j]);
-  out.ellipse = {ball.Q[j], ball.a[j], ball.b[j], 0.0, 0.0};
+  out.share = ball.share[j];
+  out.ellipse = {ball.Q[j] / out.share, ball.a[j], ball.b[j], 0.0, 0.0};
   tribology::set_contact_surface(out.ellipse, tribology::ContactSurface::CurvedEdge, R,
                                  2.0 * balls.groove_factor[j] * R, ball.delta[j]);
   out.film = film_of(bearing, ball, j);

@@ -96,6 +96,37 @@ std::string FrictionEstimate::why_none() const {
          "drags";
 }
 
+namespace {
+
+/// Adds one contact; of a second contact with a split race (on_other_halves) to what the first has.
+void add_contact(const Bearing& bearing, const ContactLaws& oil, const tribology::EllipseRule& rule,
+                 const StaticBall& ball, std::size_t j, const BallMotion& motion,
+                 FrictionOfContact& one) {
+  BallContact at = ball_contact(bearing, oil, ball, j);
+  EllipseKinematics m = contact_motion(bearing, at, motion, ball.r, j);
+  if (motion.balanced)
+    at.film.speed = m.entrainment;
+  else
+    m.entrainment = at.film.speed;  // no slip at the centre: that of the race
+  const auto traction = [&](const EllipseGeometry& surface, bool balanced) {
+    if (balanced) return tribology::ellipse_traction(at.law, surface, m, rule);
+    EllipseKinematics free = m;
+    free.W_t = 0.0;
+    return free_traction(at.law, surface, free, rule);
+  };
+  const tribology::EllipseTraction found = traction(at.ellipse, motion.balanced);
+  one.load_slip += at.share * found.load_slip;
+  one.of_oil = is_film(at.law, at.film);
+  EllipseGeometry flat = at.ellipse;
+  flat.rho = 0.0;
+  const double spin = std::min(traction(flat, false).heat, found.heat);
+  one.spin += at.share * spin;
+  one.sliding += at.share * (found.heat - spin);
+  one.rolling += at.share * oil.rolling(j, at.film, 0.0);
+}
+
+}  // namespace
+
 FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution& solution,
                                    const FrictionBalance& balance) {
   const ContactLaws oil(bearing);
@@ -111,26 +142,9 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
     for (std::size_t j = 0; j < 2; ++j) {
       FrictionOfContact& one = out.race[j].emplace_back();
       if (!(ball.Q[j] > 0.0)) continue;
-      BallContact at = ball_contact(bearing, oil, ball, j);
-      EllipseKinematics m = contact_motion(bearing, at, motion, ball.r, j);
-      if (motion.balanced)
-        at.film.speed = m.entrainment;
-      else
-        m.entrainment = at.film.speed;  // no slip at the centre: that of the race
-      const auto traction = [&](const EllipseGeometry& surface, bool balanced) {
-        if (balanced) return tribology::ellipse_traction(at.law, surface, m, rule);
-        EllipseKinematics free = m;
-        free.W_t = 0.0;
-        return free_traction(at.law, surface, free, rule);
-      };
-      const tribology::EllipseTraction found = traction(at.ellipse, motion.balanced);
-      one.load_slip = found.load_slip;
-      one.of_oil = is_film(at.law, at.film);
-      EllipseGeometry flat = at.ellipse;
-      flat.rho = 0.0;
-      one.spin = std::min(traction(flat, false).heat, found.heat);
-      one.sliding = found.heat - one.spin;
-      one.rolling = oil.rolling(j, at.film, 0.0);
+      add_contact(bearing, oil, rule, ball, j, motion, one);
+      if (ball.second[j].Q > 0.0)
+        add_contact(bearing, oil, rule, on_other_halves(ball), j, motion, one);
     }
   }
   add_drag(bearing, orbit, spin, out);
@@ -150,8 +164,8 @@ double rolling_over_strips(const Bearing& bearing, const StaticSolution& solutio
     for (std::size_t j = 0; j < 2; ++j) {
       if (!(ball.Q[j] > 0.0)) continue;
       const tribology::FilmContact film = film_of(bearing, ball, j);
-      points += oil.rolling(j, film, 0.0);
-      strips += oil.rolling_of_strips(j, film);
+      points += ball.share[j] * oil.rolling(j, film, 0.0);
+      strips += ball.share[j] * oil.rolling_of_strips(j, film);
     }
   return strips > 0.0 ? points / strips : 0.0;
 }

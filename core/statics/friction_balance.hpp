@@ -18,6 +18,7 @@ struct BallMotion {
       Eigen::Vector3d::Zero();    ///< on (e_x, e_r, e_θ), in the base frame [rad/s]
   double orbit = 0.0;             ///< ω_m [rad/s]
   std::array<double, 2> along{};  ///< traction on the ball along the major axis, by race [N]
+  std::array<double, 2> into{};   ///< the same along the normal of both halves of a split race [N]
   bool balanced = false;          ///< false: no slip at the contact centres, spin by kAngVel
 };
 

@@ -82,14 +82,17 @@ RaceConductance race_conductance(const bearing::Bearing& b,
   Sum sum(b);
   const auto films = films_of(b, solution);
   for (std::size_t i = 0; i < solution.balls.size(); ++i) {
-    const statics::StaticBall& ball = solution.balls[i];
-    for (std::size_t j = 0; j < 2; ++j) {
-      if (!(ball.Q[j] > 0.0)) continue;
-      const double radius =
-          ball.r + (j == 0 ? 0.5 : -0.5) * b.element_diameter() * std::cos(ball.alpha[j]);
-      sum.add(j, {ball.a[j], ball.b[j], ball.p_max[j],
-                  std::abs(b.speed[j] - ball.orbital_speed) * radius, film_of(films, j, i)});
-    }
+    const auto add = [&](const statics::StaticBall& ball) {
+      for (std::size_t j = 0; j < 2; ++j) {
+        if (!(ball.Q[j] > 0.0)) continue;
+        const double radius =
+            ball.r + (j == 0 ? 0.5 : -0.5) * b.element_diameter() * std::cos(ball.alpha[j]);
+        sum.add(j, {ball.share[j] * ball.a[j], ball.b[j], ball.p_max[j],
+                    std::abs(b.speed[j] - ball.orbital_speed) * radius, film_of(films, j, i)});
+      }
+    };
+    add(solution.balls[i]);
+    if (statics::has_second(solution.balls[i])) add(statics::on_other_halves(solution.balls[i]));
   }
   return sum.out;
 }

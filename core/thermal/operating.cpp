@@ -91,8 +91,7 @@ OperatingFits ring_report(const Bearing& b, const MountedState& state,
 }
 
 /// Adds the three states of a ball bearing's clearance and the circles of curvature centers. Shims
-/// g of split races take their thickness from the play: 2 A sin α - g (assembly.hpp); below 0 no
-/// ball reaches that contact angle, since both halves touch it first.
+/// g of split races take their thickness from the end play: 2 A sin α - g (contact/groove.hpp).
 void add_ball_states(OperatingFits& out, const Bearing& b, const contact::GrooveGeometry& groove,
                      const MountedState& state, const MountedState& mounted,
                      double element_growth) {
@@ -110,10 +109,15 @@ void add_ball_states(OperatingFits& out, const Bearing& b, const contact::Groove
   out.mounted = ball_state(operating_clearance(Pd, raceway_displacement(mounted), 0.0), free);
   out.operating = ball_state(operating_clearance(Pd, u, out.element_growth), operating);
   const std::array<double, 2>& shim = b.balls().shim;
-  const double grown = shim[0] * (1.0 + g_outer) + shim[1] * (1.0 + g_inner);
-  out.free.end_play -= shim[0] + shim[1];
-  out.mounted.end_play -= shim[0] + shim[1];
-  out.operating.end_play -= grown;
+  if (shim[0] > 0.0 || shim[1] > 0.0) {
+    const std::array<double, 2> offset{r0 - 0.5 * D, r1 - 0.5 * D};
+    const double grown_radius = 0.5 * (D + out.element_growth);
+    out.free.end_play = contact::split_end_play(offset, shim, out.free.contact_angle);
+    out.mounted.end_play = contact::split_end_play(offset, shim, out.mounted.contact_angle);
+    out.operating.end_play = contact::split_end_play(
+        {r0 * (1.0 + g_outer) - grown_radius, r1 * (1.0 + g_inner) - grown_radius},
+        {shim[0] * (1.0 + g_outer), shim[1] * (1.0 + g_inner)}, out.operating.contact_angle);
+  }
   out.pitch_free = out.pitch = b.balls().pitch_diameter;
 }
 

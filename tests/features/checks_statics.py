@@ -357,19 +357,30 @@ def _(b):
 
 @feature("F054", G)
 def _(b):
-    r, plain = b.static(sets={"shimThickness2": 1e-4}), b.static()
+    shim = 1e-4
+    r, plain = b.static(sets={"shimThickness2": shim}), b.static()
     play = plain.fits["unmounted"]["free end play [m]"]
-    rest = {"appLoadX": 1500.0, "appLoadZ": 0.0, "rpm2": 0.0, "shimThickness2": 1e-4}
+    rest = {"appLoadX": 1500.0, "appLoadZ": 0.0, "rpm2": 0.0, "shimThickness2": shim}
     back = b.static(sets={**rest, "appLoadX": -1500.0})
     fore = b.static(sets=rest)
-    a = 0.0127 * 0.035
-    return r.command, [close("end play 2 A sin a0 - g [m]", r.fits["unmounted"]["free end play [m]"], play - 1e-4, 1e-3),
+    a, s = 0.0127 * 0.035, 0.0127 * 0.015
+    # Radial load alone: both halves of the inner race carry a ball at the angle where it rests on them, sin = g/(2 (s + delta)),
+    # and the load of its outer contact is the sum of both, Q_o = 2 Q cos(angle).
+    radial = b.static(sets={**rest, "appLoadX": 0.0, "appLoadZ": 2000.0}).elements
+    angle, second = math.radians(radial["inner contact angle [deg]"][0]), math.radians(radial["inner second contact angle [deg]"][0])
+    q = [radial[n][0] for n in ("outer load [N]", "inner load [N]", "inner second load [N]")]
+    rest_angle = math.asin(0.5 * shim / s)
+    return r.command, [close("end play 2 A sin a0 - g [m]", r.fits["unmounted"]["free end play [m]"], play - shim, 1e-9),
                        close("end play without a shim [m]", play, 2 * a * math.sin(A0), 1e-6),
                        close("largest load under reversed thrust, that under thrust [N]", back.summary["largest_contact_load_N"],
-                             fore.summary["largest_contact_load_N"], 1e-3),
+                             fore.summary["largest_contact_load_N"], 1e-9),
                        close("displacements under both thrusts apart: end play and elastic parts [m]",
                              fore.summary["displacement_x_m"] - back.summary["displacement_x_m"],
-                             play - 1e-4 + 2 * abs(fore.summary["displacement_x_m"]), 0.05)]
+                             play - shim + 2 * abs(fore.summary["displacement_x_m"]), 1e-9),
+                       close("ball 1 under radial load: loads of both inner halves [N]", q[2], q[1], 1e-3),
+                       close("outer load, that of both inner halves [N]", q[0], 2 * q[1] * math.cos(angle), 5e-3),
+                       close("angles of both halves, opposite [rad]", second, -angle, 1e-3),
+                       between("inner angle below the angle of rest without load [rad]", abs(angle), 0.8 * rest_angle, rest_angle)]
 
 
 OIL = {"kTrac": 4, "reRaceFilm": 1e-9, "strParam": 10.0, "hsngTemp": 350.0, "shftTemp": 350.0, "raceTemp1": 350.0, "raceTemp2": 350.0, "reTemp": 350.0,

@@ -122,7 +122,8 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
         scene.options.user ? std::span(scene.options.user->out_of_round)
                            : std::span<const std::shared_ptr<const bearing::GivenRace>>());
   } else {
-    contacts = std::make_unique<HeldBalls>(scene.find<Races>()->contacts(), masses_,
+    contacts = std::make_unique<HeldBalls>(scene.find<Races>()->contacts(),
+                                           scene.find<Races>()->halves(), masses_,
                                            static_cast<std::size_t>(scene.bearing.element_count()));
   }
   RaceBalance* race = scene.find<RaceBalance>();

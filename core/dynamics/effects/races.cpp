@@ -81,7 +81,9 @@ class RaceBooks {
     return forces_in(e.actions, e.load[j].data(), e.heat[j].data(),
                      load_slip_ ? e.load_slip[j].data() : nullptr);
   }
-  void book(Evaluation& e, const RaceSums& sums) noexcept;
+  /// @param halves,second of a split race
+  void book(Evaluation& e, const RaceSums& sums, const HalfLoads* halves = nullptr,
+            const RaceContactModel* second = nullptr) noexcept;
 
  private:
   const RaceContactModel& model_;
@@ -90,7 +92,8 @@ class RaceBooks {
   RaceAccount& sums_;
 };
 
-void RaceBooks::book(Evaluation& e, const RaceSums& sums) noexcept {
+void RaceBooks::book(Evaluation& e, const RaceSums& sums, const HalfLoads* halves,
+                     const RaceContactModel* second) noexcept {
   const auto j = static_cast<std::size_t>(model_.race);
   RaceBody& race = e.race[j];
   race.force += sums.force;
@@ -100,14 +103,61 @@ void RaceBooks::book(Evaluation& e, const RaceSums& sums) noexcept {
   sums_.damping = sums.damping;
   sums_.load_slip = sums.load_slip;
   sums_.load_slip_element1 = e.load_slip[j][0];
+  if (halves != nullptr) sums_.load_slip_element1 += halves->load_slip[0];
+  // The heavier contact of a split race has at least half of its ellipse.
+  const double limit = halves != nullptr ? 0.5 * load_limit_ : load_limit_;
   bool doubtful = false;
-  for (const double Q : e.load[j]) doubtful = doubtful || Q > load_limit_;
+  for (const double Q : e.load[j]) doubtful = doubtful || Q > limit;
   if (!doubtful) return;
-  for (std::size_t i = 0; i < e.load[j].size(); ++i)
-    e.valid = e.valid && (!(e.load[j][i] > load_limit_) ||
-                          within_hertz(model_.of(i), race_contact_state(model_.of(i), e.elements, i,
-                                                                        race.motion())));
+  for (std::size_t i = 0; i < e.load[j].size(); ++i) {
+    if (!(e.load[j][i] > limit)) continue;
+    const RaceContactModel& model =
+        (halves != nullptr && halves->swapped[i] != 0 ? *second : model_).of(i);
+    e.valid =
+        e.valid && within_hertz(model, race_contact_state(model, e.elements, i, race.motion()));
+  }
 }
+
+/// A split race: one half after the other.
+class SplitRaceBlock final : public EffectBlock {
+ public:
+  SplitRaceBlock(const RaceContactModel& first, const RaceContactModel& second, bool load_slip,
+                 HalfLoads& halves, RaceAccount& sums)
+      : first_(first),
+        second_(second),
+        halves_(halves),
+        load_slip_(load_slip),
+        books_(first, load_slip, sums) {}
+  void apply(Evaluation& e) noexcept override {
+    const auto j = static_cast<std::size_t>(first_.race);
+    const RaceMotion race = e.race[j].motion();
+    const ElementForces out = books_.out(e);
+    RaceSums sums = evaluate_race_contacts(first_, e.elements, race, out);
+    const ElementForces other = forces_in(e.actions, halves_.load.data(), halves_.heat.data(),
+                                          load_slip_ ? halves_.load_slip.data() : nullptr);
+    const RaceSums more = evaluate_race_contacts(second_, e.elements, race, other);
+    sums.force += more.force;
+    sums.moment += more.moment;
+    sums.elastic_energy += more.elastic_energy;
+    sums.heat += more.heat;
+    sums.load_slip += more.load_slip;
+    sums.damping += more.damping;
+    for (std::size_t i = 0; i < e.elements.n; ++i) {
+      halves_.swapped[i] = halves_.load[i] > e.load[j][i] ? 1 : 0;
+      if (halves_.swapped[i] == 0) continue;
+      std::swap(halves_.load[i], e.load[j][i]);
+      std::swap(halves_.heat[i], e.heat[j][i]);
+      std::swap(halves_.load_slip[i], e.load_slip[j][i]);
+    }
+    books_.book(e, sums, &halves_, &second_);
+  }
+
+ private:
+  const RaceContactModel &first_, &second_;
+  HalfLoads& halves_;
+  bool load_slip_;
+  RaceBooks books_;
+};
 
 class RaceBlock final : public EffectBlock {
  public:
@@ -300,8 +350,20 @@ void Races::set_up_balls(const SceneBuilder& scene) {
         stated_ = tribology::strips_of(tribology::lubricant_of(*scene.bearing.lubrication),
                                        *scene.bearing.lubrication, surface);
     }
-    set_own_balls(model, scene.bearing.balls(), errors, scene.bearing.imperfections.ball_diameter,
-                  scene.fixed_angle[j]);
+    const auto count = static_cast<std::size_t>(scene.bearing.element_count());
+    const auto halves = contact::split_halves(scene.bearing.balls(), groove, static_cast<int>(j));
+    model.half = halves[0];
+    const RaceContactModel whole = model;
+    const auto& growth = scene.bearing.imperfections.ball_diameter;
+    set_own_balls(model, scene.bearing.balls(), errors, growth, scene.fixed_angle[j], count);
+    if (!model.half.is_split()) continue;
+    demand(!model.wavy, "a split race has no other errors");
+    second_[j] = whole;
+    second_[j]->half = halves[1];
+    set_own_balls(*second_[j], scene.bearing.balls(), errors, growth, scene.fixed_angle[j], count);
+    HalfLoads& loads = halves_[j];
+    for (auto* values : {&loads.load, &loads.heat, &loads.load_slip}) values->assign(count, 0.0);
+    loads.swapped.assign(count, 0);
   }
   place(scene, groove.centre_x);
 }
@@ -338,6 +400,9 @@ void Races::declare_contact(SceneBuilder& scene, std::size_t j, bool load_slip) 
     scene.block<RollerRaceBlock>(Phase::Force, rolls ? cost + ", rolling in oil" : cost, race,
                                  (*rollers_)[j], *on_race_[j], load_slip, rolls, account_[j],
                                  fastest_[j]);
+  else if (second_[j])
+    scene.block<SplitRaceBlock>(Phase::Force, cost, race, contacts_[j], *second_[j], load_slip,
+                                halves_[j], account_[j]);
   else
     scene.block<RaceBlock>(Phase::Force, cost, race, contacts_[j], load_slip, account_[j]);
 }
@@ -359,7 +424,7 @@ void Races::declare(SceneBuilder& scene) {
   const ScenePlan& plan = scene.plan;
   in_contact_ = plan.has(Effect::RaceContact);
   rolls_ = plan.has(Effect::RollingResistance);
-  for (auto* values : {&slip_, &scratch_})
+  for (auto* values : {&slip_, &other_slip_, &scratch_})
     values->resize(static_cast<std::size_t>(scene.bearing.element_count()));
   const bool traction = plan.has(Effect::RaceTraction), wear = plan.has(Effect::WearIntegrals);
   // Without friction a body of revolution that only spins about its axis exerts no power.
@@ -392,10 +457,25 @@ void Races::declare(SceneBuilder& scene) {
   if (in_contact_ && !rollers_ &&
       !plan.has(Effect::ElementBalance)) {  // whose balls do not vibrate
     const Balls* balls = scene.find<Balls>();
-    normal_.emplace(contacts_,
+    std::vector<RaceContactModel> models(contacts_.begin(), contacts_.end());
+    for (const auto& other : second_)
+      if (other) models.push_back(*other);
+    normal_.emplace(std::move(models),
                     balls != nullptr ? balls->slices() : scene.find<RigidElements>()->slices(),
                     ElementMasses(scene.bearing));
   }
+}
+
+std::array<std::array<contact::SplitHalf, 2>, 2> Races::halves() const noexcept {
+  std::array<std::array<contact::SplitHalf, 2>, 2> out;
+  for (std::size_t j = 0; j < 2; ++j)
+    if (second_[j]) out[j] = {contacts_[j].half, second_[j]->half};
+  return out;
+}
+
+const RaceContactModel& Races::model_of(std::size_t j, std::size_t i, bool other) const noexcept {
+  if (!second_[j]) return contacts_[j].of(i);
+  return ((halves_[j].swapped[i] != 0) != other ? *second_[j] : contacts_[j]).of(i);
 }
 
 void Races::prescribe(double, PrescribedRaces& races) const {
@@ -434,7 +514,7 @@ std::string Races::why_invalid(const Evaluation& e) const {
       if (rollers_) {
         sunk = e.load[j][i] > (*rollers_)[j].load_limit;
       } else {
-        const RaceContactModel& model = contacts_[j].of(i);
+        const RaceContactModel& model = model_of(j, i);
         const RaceContactState state = race_contact_state(model, e.elements, i, e.race[j].motion());
         radius = model.groove.ball_radius;
         sunk = state.approach >= radius;
@@ -457,21 +537,37 @@ std::string Races::why_invalid(const Evaluation& e) const {
 }
 
 /// Of a ball, without a second integral where the right-hand side has just taken it.
-RaceContactSnapshot Races::detail(const Evaluation& e, std::size_t j, std::size_t i) const {
-  const RaceContactModel& model = contacts_[j].of(i);
+RaceContactSnapshot Races::detail(const Evaluation& e, std::size_t j, std::size_t i,
+                                  bool second) const {
+  const RaceContactModel& model = model_of(j, i, second);
   const RaceMotion motion = e.race[j].motion();
-  RaceContactSnapshot out = sums_known_
-                                ? race_contact_detail(model, e.elements, i, motion,
-                                                      ContactSums{e.heat[j][i], e.load_slip[j][i]})
-                                : race_contact_detail(model, e.elements, i, motion);
+  const ContactSums sums = second ? ContactSums{halves_[j].heat[i], halves_[j].load_slip[i]}
+                                  : ContactSums{e.heat[j][i], e.load_slip[j][i]};
+  RaceContactSnapshot out = sums_known_ ? race_contact_detail(model, e.elements, i, motion, sums)
+                                        : race_contact_detail(model, e.elements, i, motion);
   if (rolls_)
     out.rolling_heat =
         race_rolling_heat(model, rolling_[j], race_contact_state(model, e.elements, i, motion));
   return out;
 }
 
+void Races::complete(RaceContactSnapshot& contact, std::size_t j, bool in_oil) const {
+  if (in_oil && contact.load > 0.0) {
+    if (roughness_[j] > 0.0)
+      contact.film_parameter = std::max(contact.least_film / roughness_[j], scene::kNoFilmLeft);
+    const double area =
+        (rollers_ ? 4.0 : std::numbers::pi) * contact.half_major * contact.half_minor;
+    contact.temperature_rise =
+        tribology::contact_flash({contact.heat, area, contact.half_minor, contact.rolling_speed},
+                                 material_[j], material_[2]);
+  }
+  contact.contact_temperature = temperature_[j] + contact.temperature_rise;
+}
+
 void Races::report(const Evaluation& e, Snapshot& snapshot) const {
   snapshot.shaft_rotation = e.race[1].angle - e.race[0].angle;
+  if (second_[0] || second_[1])
+    for (scene::ElementSnapshot& element : snapshot.elements) element.second.assign(2, {});
   for (std::size_t j = 0; j < 2; ++j) {
     const RaceBody& body = e.race[j];
     RaceSnapshot& race = snapshot.races[j];
@@ -499,16 +595,13 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
         if (!sums.rolling_of.empty()) contact.rolling_heat = sums.rolling_of[i];
         if (!sums.damping_of.empty()) contact.damping_heat = sums.damping_of[i];
       }
-      if (in_oil && contact.load > 0.0) {
-        if (roughness_[j] > 0.0)
-          contact.film_parameter = std::max(contact.least_film / roughness_[j], scene::kNoFilmLeft);
-        const double area =
-            (rollers_ ? 4.0 : std::numbers::pi) * contact.half_major * contact.half_minor;
-        contact.temperature_rise = tribology::contact_flash(
-            {contact.heat, area, contact.half_minor, contact.rolling_speed}, material_[j],
-            material_[2]);
-      }
-      contact.contact_temperature = temperature_[j] + contact.temperature_rise;
+      complete(contact, j, in_oil);
+      if (!second_[j]) continue;
+      std::vector<RaceContactSnapshot>& others = snapshot.elements[i].second;
+      others[j] = detail(e, j, i, true);
+      complete(others[j], j, in_oil);
+      contact.rolling_heat += others[j].rolling_heat;
+      contact.damping_heat += others[j].damping_heat;
     }
   }
 }
@@ -537,7 +630,7 @@ double Races::speed_to_resolve(const Evaluation& e, double near) const {
     const ElementViews elements = kept_.elements(e);
     for (std::size_t i = 0; i < elements.n; ++i) {
       if (!(e.load[j][i] > 0.0)) continue;
-      const RaceContactModel& model = contacts_[j].of(i);
+      const RaceContactModel& model = model_of(j, i);
       const RaceContactState at = race_contact_state(model, elements, i, kept_.race(j));
       const double speed = std::max(std::abs(at.motion.entrainment), 1e-3 * near);
       if (!(speed < near) || !(at.approach > 0.0)) continue;
@@ -555,10 +648,18 @@ double Races::speed_to_resolve(const Evaluation& e, double near) const {
 
 void Races::look_at_slips(const Evaluation& e, std::size_t j) const noexcept {
   if (!in_contact_) return;  // stays 0
-  if (!rollers_)
+  if (!rollers_) {
     largest_slips(chosen_instruction_set(), contacts_[j], kept_.elements(e), kept_.race(j),
                   scratch_.data(), slip_.data());
-  else if ((*rollers_)[j].traction)
+    if (!second_[j]) return;
+    std::vector<double>& other = other_slip_;
+    largest_slips(chosen_instruction_set(), *second_[j], kept_.elements(e), kept_.race(j),
+                  scratch_.data(), other.data());
+    for (std::size_t i = 0; i < other.size(); ++i)
+      if (halves_[j].swapped[i] != 0) slip_[i] = other[i];
+    return;
+  }
+  if ((*rollers_)[j].traction)
     std::transform(fastest_[j].begin(), fastest_[j].end(), slip_.begin(),
                    [](double square) { return std::sqrt(square); });
   else
@@ -594,7 +695,7 @@ void Races::add_quadrature_error(const Evaluation& e, scene::QuadratureError& er
     const tribology::EllipseRule twice =
         tribology::make_split_ellipse_rule(2 * rule.major, 2 * rule.minor);
     for (std::size_t i = 0; i < e.elements.n; ++i) {
-      const RaceContactModel& model = contacts_[j].of(i);
+      const RaceContactModel& model = model_of(j, i);
       const RaceContactState contact = race_contact_state(model, e.elements, i, e.race[j].motion());
       if (!(contact.ellipse.Q > 0.0)) continue;
       const auto fixed =

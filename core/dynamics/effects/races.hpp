@@ -7,11 +7,19 @@
 #include "dynamics/normal_contacts.hpp"
 
 #include <optional>
+#include <span>
 
 /// Both races: bodies that are prescribed unless an effect integrates them, and the contacts of the
 /// elements with them (effects "race contact" and "race traction"). Not valid when an element is
 /// pressed into a race by more than its radius.
 namespace adore::dynamics {
+
+/// Contacts of balls with a split race. Evaluation::load, heat and load_slip are those of the half
+/// that carries more of the ball, these of the other one.
+struct HalfLoads {
+  std::vector<double> load, heat, load_slip;
+  std::vector<char> swapped;  ///< the second half carries more
+};
 
 class Races final : public SceneEffect {
  public:
@@ -39,6 +47,15 @@ class Races final : public SceneEffect {
   [[nodiscard]] const std::array<RaceContactModel, 2>& contacts() const noexcept {
     return contacts_;
   }
+  /// Of the second half of split races, whose first is in contacts(); empty: no race is split.
+  [[nodiscard]] const std::array<std::optional<RaceContactModel>, 2>& second() const noexcept {
+    return second_;
+  }
+  [[nodiscard]] std::array<std::array<contact::SplitHalf, 2>, 2> halves() const noexcept;
+  /// Loads of second contacts at this evaluation; empty: the race is not split.
+  [[nodiscard]] std::span<const double> second_loads(std::size_t j) const noexcept {
+    return halves_[j].load;
+  }
   /// Of rollers; null: the elements are balls.
   [[nodiscard]] const std::array<RollerRaceModel, 2>* roller_contacts() const noexcept {
     return rollers_ ? &*rollers_ : nullptr;
@@ -64,17 +81,26 @@ class Races final : public SceneEffect {
   void declare_contact(SceneBuilder& scene, std::size_t j, bool load_slip);
   /// Of race j to slip_.
   void look_at_slips(const Evaluation& e, std::size_t j) const noexcept;
-  [[nodiscard]] RaceContactSnapshot detail(const Evaluation& e, std::size_t j, std::size_t i) const;
+  /// @param second the contact with the other half of a split race
+  [[nodiscard]] RaceContactSnapshot detail(const Evaluation& e, std::size_t j, std::size_t i,
+                                           bool second = false) const;
+  /// Films, temperatures and rise of a contact that detail() has found.
+  void complete(RaceContactSnapshot& contact, std::size_t j, bool in_oil) const;
+  /// Contact of ball i with race j, of split ones with the half that carries more; `other`: less.
+  [[nodiscard]] const RaceContactModel& model_of(std::size_t j, std::size_t i,
+                                                 bool other = false) const noexcept;
 
   /// Whose numbers wavy grooves read; null: no routine ADRX6.
   std::array<std::shared_ptr<const bearing::GivenRace>, 2> given_;
-  std::array<RaceContactModel, 2> contacts_;               ///< of balls
-  std::array<tribology::RollingResistance, 2> rolling_;    ///< likewise
-  std::optional<std::array<RollerRaceModel, 2>> rollers_;  ///< else
-  std::array<std::optional<RollersOnRace>, 2> on_race_;    ///< of rollers, as evaluated last
-  std::array<std::vector<double>, 2> fastest_;             ///< likewise, by roller [m²/s²]
-  KeptElements kept_;                                      ///< of balls, likewise
-  mutable std::vector<double> slip_, scratch_;             ///< of look()
+  std::array<RaceContactModel, 2> contacts_;                 ///< of balls
+  std::array<std::optional<RaceContactModel>, 2> second_;    ///< other halves of split races
+  std::array<HalfLoads, 2> halves_;                          ///< of split races, as evaluated last
+  std::array<tribology::RollingResistance, 2> rolling_;      ///< likewise
+  std::optional<std::array<RollerRaceModel, 2>> rollers_;    ///< else
+  std::array<std::optional<RollersOnRace>, 2> on_race_;      ///< of rollers, as evaluated last
+  std::array<std::vector<double>, 2> fastest_;               ///< likewise, by roller [m²/s²]
+  KeptElements kept_;                                        ///< of balls, likewise
+  mutable std::vector<double> slip_, other_slip_, scratch_;  ///< of look()
   std::array<Vec3, 2> free_centre_;  ///< free positions of the race centres [m]
   std::array<RaceBody, 2> at_rest_;  ///< at t = 0: they stand still but for their spin
   /// Turn of prescribed races beyond speed times time: of earlier speeds [rad].

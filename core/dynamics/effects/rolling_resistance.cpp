@@ -29,9 +29,10 @@ constexpr const LedgerTerm* kTerms[] = {&kHeat};
 
 class BallRolling final : public EffectBlock {
  public:
-  BallRolling(const RaceContactModel& model, const tribology::RollingResistance& law,
-              std::size_t balls, double& heat)
-      : model_(model), law_(law), heat_(heat), scratch_(balls) {}
+  /// @param second other half of a split race; null: not split
+  BallRolling(const RaceContactModel& model, const RaceContactModel* second,
+              const tribology::RollingResistance& law, std::size_t balls, double& heat)
+      : model_(model), second_(second), law_(law), heat_(heat), scratch_(balls) {}
   void apply(Evaluation& e) noexcept override {
     RaceBody& race = e.race[static_cast<std::size_t>(model_.race)];
     const ElementForces out = forces_in(e.actions, scratch_.data(), scratch_.data(), nullptr);
@@ -39,10 +40,16 @@ class BallRolling final : public EffectBlock {
     race.force += sums.force;
     race.moment += sums.moment;
     heat_ = sums.heat;
+    if (second_ == nullptr) return;
+    const RaceSums more = evaluate_race_rolling(*second_, law_, e.elements, race.motion(), out);
+    race.force += more.force;
+    race.moment += more.moment;
+    heat_ += more.heat;
   }
 
  private:
   const RaceContactModel& model_;
+  const RaceContactModel* second_;
   const tribology::RollingResistance& law_;
   double& heat_;
   std::vector<double> scratch_;  ///< loads and heats of the kernel's last vector
@@ -64,8 +71,9 @@ class Rolling final : public SceneEffect {
           scene.block<RollerRaceRolling>(Phase::Force, kCost, race, (*races.roller_contacts())[j],
                                          elements, races.account(j));
       } else
-        scene.block<BallRolling>(Phase::Force, kCost, race, races.contacts()[j], races.rolling()[j],
-                                 elements, heat_[j]);
+        scene.block<BallRolling>(Phase::Force, kCost, race, races.contacts()[j],
+                                 races.second()[j] ? &*races.second()[j] : nullptr,
+                                 races.rolling()[j], elements, heat_[j]);
       scene.energy(kNames[j], kHeat, heat, static_cast<int>(j));
     }
   }

@@ -106,7 +106,8 @@ std::array<dynamics::RaceContactModel, 2> models(const bearing::Bearing& b, bool
           contact::make_wavy_groove(b.balls(), race, errors, angle));
     model.law = b.race_traction;
     model.rule = tribology::make_split_ellipse_rule(4, 4);
-    dynamics::set_own_balls(model, b.balls(), errors, b.imperfections.ball_diameter, angle);
+    dynamics::set_own_balls(model, b.balls(), errors, b.imperfections.ball_diameter, angle,
+                            b.imperfections.ball_diameter.size());
   }
   return out;
 }

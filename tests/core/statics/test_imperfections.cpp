@@ -248,7 +248,7 @@ TEST_CASE("the random table is SplitMix64 and normal", "[unit][imperfections]") 
   CHECK((largest > 3.5 && largest < 6.0));
 }
 
-TEST_CASE("dual contact of a split race is seen and said", "[physics][statics][split]") {
+TEST_CASE("split race: gap to the other half and dual contact", "[physics][statics][split]") {
   Bearing bearing = make(16, 0.0127, 0.07, 0.52, 0.52, 30.0);
   const double shim = 1.2e-4;
   bearing.balls().shim = {0.0, shim};
@@ -281,7 +281,7 @@ TEST_CASE("dual contact of a split race is seen and said", "[physics][statics][s
   }
   // Mostly radial load: the loaded balls sink to small angles, where both halves hold them.
   const auto radial = solve_ball_statics(load(bearing, 300, 0, 6000));
-  CHECK(has_note(radial, "dual contact; the other half of the split inner race"));
+  CHECK(has_note(radial, "dual contact with both halves of the split inner race"));
   CHECK(radial.balls[0].other_half[1] < 0.0);
   for (const StaticBall& b : radial.balls) {
     if (b.Q[1] > 0.0) {
