@@ -401,7 +401,8 @@ TEST_CASE("the load carried on the mean stands beside the one that the deck asks
   REQUIRE(run.code == 0);
   const json load = json::parse(read(folder / "RUN.json")).at("load carried by the elements");
   CHECK(load.at("asked x [N]") == 1500.0);
-  CHECK(load.at("mean x [N]").get<double>() == Approx(1450.0).epsilon(0.03));
+  // The start is in balance of friction (decision 860); by the spin rule 1450 N (measured).
+  CHECK(load.at("mean x [N]").get<double>() == Approx(1500.0).epsilon(0.005));
   CHECK(contains(read(folder / "PRINT.txt"), "departure from the asked load"));
   // A light load at high speed: carried by the bodies' inertia rather than by the contacts'
   // closing.

@@ -312,7 +312,7 @@ STUDENT = {3: 3.18, 4: 2.78, 5: 2.57, 6: 2.45, 8: 2.31, 10: 2.23, 15: 2.13, 30: 
 def interval(one, other):
     """Half width of the 95 % interval of the difference of race heat of two windows [W]. Degrees of freedom by Welch and Satterthwaite: of windows of
     four pieces 6 where both scatter alike, 3 where one of them does. 0: a window is too short for an error, and the means are compared as they are."""
-    errors = [(w.get("race_heat_error") or 0.0, w.get("race_heat_pieces", 4)) for w in (one, other)]
+    errors = [(w.get("race_heat_error") or 0.0, w.get("race_heat_pieces") or 4) for w in (one, other)]
     variance = sum(e * e for e, _ in errors)
     if variance == 0.0:
         return 0.0
