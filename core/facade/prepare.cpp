@@ -81,12 +81,14 @@ std::optional<double> available_friction(const deck::Deck& deck, const bearing::
   return largest;
 }
 
-/// Mode -1 does not evaluate the routine that kTrac = -1 or kRFTrac = -1 asks for. The curves of
-/// record 10, which such a deck has as well, do not stand in for it: friction is not computed.
+/// Equilibria do not evaluate the routine that kTrac = -1 or kRFTrac = -1 asks for. The curves of
+/// record 10, which such a deck has as well, do not stand in for it: balls keep the spin rule, also
+/// at the start of a motion, and mode -1 has no friction.
 bool leave_out_user_traction(Prepared& out) {
   const deck::Deck& deck = out.input.deck;
   const auto asks = [&](const char* code) { return deck.has(code) && deck.integer(code) == -1; };
   const bool races = asks("kTrac");
+  if (races) out.options.rollers.ball_balance = false;
   if (deck.integer("mode") >= 0 || (!races && !asks("kRFTrac"))) return false;
   const char* const code = races ? "kTrac" : "kRFTrac";
   if (out.as_built.thermal)

@@ -278,7 +278,9 @@ void operation(Report& report, const PrintFront& front) {
   // kAngVel is a rule for balls.
   statics::StaticsOptions statics;
   for (const auto& [name, value] : front.options)
-    if (name == "ballFriction") statics.friction_balance = value == "balance";
+    if (name == "ballFriction")
+      statics.friction_balance =
+          value == "balance" && !(front.deck.has("kTrac") && front.deck.integer("kTrac") == -1);
   report.item("Hypothesis of the internal speeds",
               bearing.rollers() ? "pure rolling at nominal geometry"
               : statics::has_friction_balance(bearing, statics)

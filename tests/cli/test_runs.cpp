@@ -400,7 +400,8 @@ TEST_CASE("actual mean load → reported next to the specified load", "[cli]") {
   REQUIRE(run.code == 0);
   const json load = json::parse(read(folder / "RUN.json")).at("load carried by the elements");
   CHECK(load.at("asked x [N]") == 1500.0);
-  CHECK(load.at("mean x [N]").get<double>() == Approx(1450.0).epsilon(0.03));
+  // Friction equilibrium at the start (decision 860); with the spin rule 1450 N (measured).
+  CHECK(load.at("mean x [N]").get<double>() == Approx(1500.0).epsilon(0.005));
   CHECK(contains(read(folder / "PRINT.txt"), "difference from the specified load"));
   // A light load at high speed: carried by the bodies' inertia rather than by the contacts'
   // closing.

@@ -39,6 +39,7 @@ def same_run(b, deck, first, second, part, third=None, until=SHORT):
 
 
 A, B, C, D = four_conditions(0.0, 0.06, 0.04, 0.5)
+RULE = {"ballFriction": "spin-rule"}  # by the same axis, whatever the law; impacts of the first turn
 DIRECT = {"kTracType": -1, "reRaceTC1": A, "reRaceTC2": B, "reRaceTC3": C, "reRaceTC4": D}
 
 
@@ -245,11 +246,11 @@ def _(b):
 @feature("F177", "lubricants")
 def _(b):
     def heat_of(**sets):
-        r = b.static(sets={**oil(4), **sets})
+        r = b.static(sets={**oil(4), **sets}, opts=RULE)
         f = r.table("friction")
         return r, [f[n][0] for n in ("sliding of the curved contact, outer race [W]", "spin, inner race [W]")]
 
-    dry = b.static(sets=T350).table("friction")
+    dry = b.static(sets=T350, opts=RULE).table("friction")
     dry = [dry[n][0] for n in ("sliding of the curved contact, outer race [W]", "spin, inner race [W]")]
     thick, both = heat_of(reRaceFilm=1e-3)
     thin, none = heat_of(reRaceFilm=1e-9)
@@ -278,7 +279,7 @@ def _(b):
         psi = m * (half**2 / (2 * radius * full))**(2 / 3)
         factor = 1 - math.exp(-1.68005 * psi**0.8315 + 0.260137 * psi**1.558 - 0.016146 * psi**2.296)
         out.append(close(f"meniscus at {m} half widths: film over the flooded one (Wolveridge, Baglin and Archard)", start(strParam=m)[1] / full, factor, 0.02))
-    above, below = (b.static(sets=oil(4, reRaceFilm=v)).table("friction")["spin, inner race [W]"][0] for v in (0.25e-6, 0.4e-6))
+    above, below = (b.static(sets=oil(4, reRaceFilm=v), opts=RULE).table("friction")["spin, inner race [W]"][0] for v in (0.25e-6, 0.4e-6))
     return "adore run ball.txt --set kTrac=4 --set strParam=1.01 --until 0.0001rev", out + [
         more("spin heat at the inner race with a critical film above its 0.32 um over that with one below it", below / above, 2.0)]
 
@@ -338,7 +339,7 @@ def _(b):
 
 
 def first_heat(b, sets, more=()):
-    c = b.channels(b.run(sets=sets, until="0.0001rev", more=list(more)))
+    c = b.channels(b.run(sets=sets, until="0.0001rev", more=list(more), opts=RULE))
     return [c[f"contact.heat.1.{race}"][0] for race in (1, 2)]
 
 
@@ -358,7 +359,7 @@ def _(b):
 def _(b):
     import hertz
     constant = {"kTrac": 0, "kTracType": -1, "reRaceTC1": 0.0, "reRaceTC2": 0.0, "reRaceTC3": 1.0, "reRaceTC4": 0.05}
-    r = b.static(sets=constant)
+    r = b.static(sets=constant, opts=RULE)
     e, out = r.elements, []
     for k in (0, 6):
         q, a, ao = e["inner load [N]"][k], math.radians(e["inner contact angle [deg]"][k]), math.radians(e["outer contact angle [deg]"][k])
@@ -367,7 +368,7 @@ def _(b):
         orbit = 10000 * (1 - 0.0127 / 0.0600104 * math.cos(a)) / (1 + math.cos(a - ao))
         spin = e["inner spin to roll [-]"][k] * (10000 - orbit) * math.pi / 30 * 0.0600104 / 0.0127
         out.append(close(f"k = 0.05: spin heat of ball {k + 1}, 3/8 k Q a E ws [W]", e["inner spin heat [W]"][k], moment * spin, 2e-3))
-    curve, half_curve = b.static(), b.static(sets={"reRaceTC2": 0.03, "reRaceTC3": 0.02})
+    curve, half_curve = b.static(opts=RULE), b.static(sets={"reRaceTC2": 0.03, "reRaceTC3": 0.02}, opts=RULE)
     return r.command, out + [close("half the curve of record 10.1C over the curve, spin heat", half_curve.table("friction")["spin, inner race [W]"][0] / curve.table("friction")["spin, inner race [W]"][0], 0.5, 1e-6)]
 
 
@@ -394,7 +395,7 @@ def _(b):
                          between("lubStressLimit 0.02: largest coefficient over the limit at 350 K", mu / limit, 0.85, 1.0),
                          between("without softening, over 0.02", friction_coefficient(b, constant) / 0.02, 0.85, 1.0),
                          more("lubStressLimit 0.05: coefficient over that with 0.02", friction_coefficient(b, middle) / mu, 1.9),
-                         more("without a limit: coefficient", friction_coefficient(b, off), 0.2),
+                         more("without a limit: coefficient", friction_coefficient(b, off), 0.18),
                          equal("register of validity: coefficient outside, without a limit and with one",
                                [any(v["range"] == "traction.coefficient" for v in x.json["outside_validity"]) for x in (off, low)], [True, False]),
                          equal("a limit that is not given is noted as assumed", [f["code"] for f in r.json["findings"]].count("film.stress_limit_assumed"), 1),
@@ -406,10 +407,10 @@ HYDRO = {"pocVis": 0.02, "gsVis": 0.02}
 
 @feature("F204", G)
 def _(b):
-    r = b.run(sets={"kPocHydro": 1, **HYDRO}, until="0.1rev")
+    r = b.run(sets={"kPocHydro": 1, **HYDRO}, until="0.1rev", opts=RULE)
     c = b.channels(r)
-    thick = b.run(sets={"kPocHydro": 1, "pocVis": 0.04, "gsVis": 0.02}, until="0.1rev")
-    dry = b.run(until="0.1rev")
+    thick = b.run(sets={"kPocHydro": 1, "pocVis": 0.04, "gsVis": 0.02}, until="0.1rev", opts=RULE)
+    dry = b.run(until="0.1rev", opts=RULE)
     film_of = [k for k in r.ledger if "pocket" in k and "film" in k]
     return r.command, [equal("pocket films in the plan", [e["on"] for e in r.json["plan"]["effects"] if e["name"] == "pocket films"][0], True),
                        more("heat of the films [J]", sum(r.ledger[k] for k in film_of), 0.0), differs("cage speed with twice the viscosity [rad/s]",

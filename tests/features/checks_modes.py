@@ -282,7 +282,8 @@ NO_CAGE = {"nCseg": 0, "kNumPltElem": 1, "kPltElemInd": 1}
 
 def end_state(b, method, step, until="0.004rev"):
     """Radial velocities of the balls at the end, and the step that was taken: the program shortens steps at which the method is unstable."""
-    r = b.run(until=until, sets={**NO_CAGE, "intMet": method, "stpInit": step, "stpMin": step, "stpMax": step, "nStps": 1, "tol": 1e-3})
+    r = b.run(until=until, sets={**NO_CAGE, "intMet": method, "stpInit": step, "stpMin": step, "stpMax": step, "nStps": 1, "tol": 1e-3},
+              opts={"ballFriction": "spin-rule"})  # a start out of balance: radial velocities of mm/s
     c = b.channels(r)
     return r, [c[f"element.radial_velocity.{k}"][-1] for k in range(1, 13)], r.sol("SOL1").steps[1][3] / r.json["scales"]["time [s]"]
 

@@ -39,7 +39,7 @@ def _(b):
 
 @feature("F141", OPERATING)
 def _(b):
-    r = b.static(sets={"appLoadX": 900.0, "appLoadY": -350.0, "appLoadZ": 250.0})
+    r = b.static(sets={"appLoadX": 900.0, "appLoadY": -350.0, "appLoadZ": 250.0}, opts={"ballFriction": "spin-rule"})  # no traction at the inner race
     x, y, z = sums(r.elements)
     roller = b.static("cylindrical", sets={"appLoadY": 3000.0, "appLoadZ": 4000.0})
     _, ry, rz = sums(roller.elements)
@@ -121,7 +121,7 @@ def spin(c, race):
 def _(b):
     out, command = [], ""
     for outer, inner in ((0.0, 10000.0), (10000.0, 0.0), (-4000.0, 10000.0)):
-        r = b.run(sets={"rpm1": outer, "rpm2": inner}, until="3e-6s")
+        r = b.run(sets={"rpm1": outer, "rpm2": inner}, until="3e-6s", opts={"ballFriction": "spin-rule"})
         command = r.command
         c = b.channels(r)
         ao, ai = c["contact.angle.1.1"][0], c["contact.angle.1.2"][0]
@@ -452,8 +452,9 @@ def cage_conductance(r):
 
 @feature("F160", HEAT)
 def _(b):
+    # A balance of friction follows the temperature of the oil, and the equilibrium with it, at each thermal step.
     def changes(every):
-        run = b.run(sets={**THERMAL, "kGeoMod": every, "skipTime": 0.0}, until="1.2rev")
+        run = b.run(sets={**THERMAL, "kGeoMod": every, "skipTime": 0.0}, until="1.2rev", opts={"ballFriction": "spin-rule"})
         return geometry_changes(b, run), thermal_steps(run)
 
     (one, steps), (two, others), (none, _) = changes(1), changes(2), changes(0)
@@ -489,7 +490,7 @@ def _(b):
     twice, m = steady(b, cFlowRate=4e-5)
 
     def steps(**sets):
-        run = b.run(sets={**THERMAL, "skipTime": 0.0, **sets}, until="0.8rev")
+        run = b.run(sets={**THERMAL, "skipTime": 0.0, **sets}, until="0.8rev", opts={"ballFriction": "spin-rule"})
         return run, thermal_steps(run)
 
     run, short = steps()

@@ -107,7 +107,7 @@ def _(b):
 @feature("F336", G)
 def _(b):
     r = user(b, "pocket", {"adrx3": {"force": "1e6*overlap"}, "adrx9": channels(*[f"pocket.{what}[{k}]" for k in range(1, 13) for what in ("force", "gap")])},
-             until="0.1rev", opts={"contactDamping": 0})
+             until="0.1rev", opts={"contactDamping": 0, "ballFriction": "spin-rule"})  # balls meet their pockets
     pairs = [(row[k], row[k + 1]) for row in table(r) for k in range(1, 25, 2) if row[k] > 1e-3]
     worst = max((abs(f / (-g * 1e6) - 1.0) for f, g in pairs), default=1.0)
     return r.command, [more("contacts with force", len(pairs), 3), less("force over 1e6 N/m times overlap, worst departure", worst, 1e-6)]
@@ -227,7 +227,7 @@ def _(b):
 @feature("F340", G)
 def _(b):
     # Constant traction k: k Q everywhere, as that of the deck's curve A = B = 0, D = k; from a formula and from a table.
-    deck = b.run(sets={"kTracType": -1, "reRaceTC1": -0.05, "reRaceTC2": 0.0, "reRaceTC3": 20.0, "reRaceTC4": 0.05}, until=SHORT)
+    deck = b.run(sets={"kTracType": -1, "reRaceTC1": -0.05, "reRaceTC2": 0.0, "reRaceTC3": 20.0, "reRaceTC4": 0.05}, until=SHORT, opts={"ballFriction": "spin-rule"})  # all start by the same axis
     r = b.run(sets={"kTrac": -1}, until=SHORT, more=["--user", b.formulas("kappa", {"adrx7": {"element_race": {"formula": "0.05*(1-exp(-20*u))", "slip_scale": "0.05"}}})])
     with open(os.path.join(b.folder, "kappa.csv"), "w", encoding="utf-8") as file:
         file.write("".join(f"{u!r},{0.05 * (1 - math.exp(-20 * u))!r}\n" for u in [0.002 * k for k in range(500)]))

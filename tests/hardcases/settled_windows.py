@@ -280,6 +280,7 @@ class Window:
             names = self.names(r"energy\.(heat|rolling_heat|flange_heat)\.[12]")
             out["race_heat"] = sum(map(self.rate, names))
             out["race_heat_error"] = self.standard_error(names)
+            out["race_heat_pieces"] = max(4, round((self.last - self.first) / self.PIECE))
         if "cage.rotation.1" in self.columns:
             out["cage_ratio"] = abs(self.rate("cage.rotation.1")) / shaft
         for key, name in (("outer", "race.temperature.1"), ("inner", "race.temperature.2"), ("elements", "power.element_temperature"),
@@ -305,12 +306,18 @@ class Window:
         return worst
 
 
-STUDENT = 2.45  # 95 %, of the difference of two means of four pieces each (6 degrees of freedom)
+STUDENT = {3: 3.18, 4: 2.78, 5: 2.57, 6: 2.45, 8: 2.31, 10: 2.23, 15: 2.13, 30: 2.04}  # 95 %, by degrees of freedom
 
 
 def interval(one, other):
-    """Half width of the 95 % interval of the difference of race heat of two windows [W]."""
-    return STUDENT * math.hypot(one.get("race_heat_error") or 0.0, other.get("race_heat_error") or 0.0)
+    """Half width of the 95 % interval of the difference of race heat of two windows [W]. Degrees of freedom by Welch and Satterthwaite: of windows of
+    four pieces 6 where both scatter alike, 3 where one of them does. 0: a window is too short for an error, and the means are compared as they are."""
+    errors = [(w.get("race_heat_error") or 0.0, w.get("race_heat_pieces") or 4) for w in (one, other)]
+    variance = sum(e * e for e, _ in errors)
+    if variance == 0.0:
+        return 0.0
+    freedom = variance**2 / sum(e**4 / (n - 1) for e, n in errors)
+    return STUDENT[max(k for k in STUDENT if k <= max(3, freedom + 1e-9))] * math.sqrt(variance)
 
 
 def with_suffix(name, suffix):
