@@ -25,21 +25,22 @@ namespace adore::dynamics {
 namespace {
 
 // The kinetic energy excludes ½m(ẋ² + ṙ²) of held elements.
-constexpr LedgerTerm kSwitches{LedgerKind::Switch,
-                               "switches",
-                               "switches of held elements",
-                               {"switches of held elements"},
-                               "stored energy after less before, since the start"};
+constexpr LedgerTerm kSwitches{
+    LedgerKind::Switch,
+    "switches",
+    "changes between quasi-static and dynamic elements",
+    {"switches of held elements"},
+    "change of stored energy at the changes (after minus before), total since the start"};
 /// ∫ G·(ẋ, ṙ) dt
 constexpr LedgerTerm kBalance{LedgerKind::Taken,
                               "balance",
-                              "way of held elements to balance",
-                              {"taken by held elements' way to balance"},
+                              "approach of quasi-static elements to equilibrium",
+                              {"taken by quasi-static elements moving to equilibrium"},
                               "taken since the start"};
 constexpr LedgerTerm kLeftOut{LedgerKind::Note,
                               "left_out",
-                              "kinetic energy left out of held elements",
-                              {"kinetic energy left out of held elements now"},
+                              "kinetic energy excluded for quasi-static elements",
+                              {"kinetic energy excluded for quasi-static elements now"},
                               "for information"};
 constexpr LedgerTerm kMomentum{
     LedgerKind::Taken, "", "", {"linear momentum taken by held elements"}, ""};

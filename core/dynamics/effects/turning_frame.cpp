@@ -19,14 +19,15 @@ namespace {
 
 constexpr LedgerTerm kEnergy{LedgerKind::Stored,
                              "frame",
-                             "energy in the field of the turning base frame",
-                             {"energy in the turning base frame now"},
+                             "centrifugal energy in the rotating base frame",
+                             {"centrifugal energy in the rotating base frame now"},
                              "stored now",
                              "N"};
 constexpr const LedgerTerm* kTerms[] = {&kEnergy};
-constexpr LedgerTerm kImpulse{LedgerKind::Work, "", "", {"impulse of the turning base frame"}, ""};
+constexpr LedgerTerm kImpulse{
+    LedgerKind::Work, "", "", {"inertial impulse (rotating base frame)"}, ""};
 constexpr LedgerTerm kAngularImpulse{
-    LedgerKind::Work, "", "", {"angular impulse of the turning base frame"}, ""};
+    LedgerKind::Work, "", "", {"inertial angular impulse (rotating base frame)"}, ""};
 
 class TurningFrame final : public SceneEffect {
  public:
@@ -35,7 +36,7 @@ class TurningFrame final : public SceneEffect {
     frame_ = {motion.speed, motion.orbit_radius, motion.orbit_angle};
     load_share_ = motion.load_share;
     masses_ = ElementMasses(scene.bearing);
-    scene.block<Fields>(Phase::Force, "turning base frame", {}, *this);
+    scene.block<Fields>(Phase::Force, "rotating base frame", {}, *this);
     if (!scene.plan.has(Effect::MomentumLedger)) return;
     using Momentum = SceneBuilder::Momentum;
     scene.momentum(impulse_, "frame.impulse", Momentum::Linear, kImpulse, force_.data());
