@@ -178,7 +178,7 @@ void DeckWindow::makeCentre() {
   connect(accuracy_, &AccuracyPanel::applyWanted, this, &DeckWindow::applyAccuracy);
   original_ = new QPlainTextEdit(this);
   original_->setObjectName("original");
-  original_->setAccessibleName(tr("The deck as it is in its file"));
+  original_->setAccessibleName(tr("Deck file as opened"));
   original_->setReadOnly(true);
   original_->setLineWrapMode(QPlainTextEdit::NoWrap);
   original_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));

@@ -216,7 +216,7 @@ void Document::save(const fs::path& name) {
       Issue issue;
       issue.record = back.deck.records == state_.deck.records ? "12" : "";
       issue.message = issue.record.empty()
-                          ? "a text of the deck would be read back differently"
+                          ? "a title or label would differ when the saved deck is read again"
                           : "lines of user routines would be read back differently; the first line "
                             "looks like a record, or a line is blank";
       issue.remedy = "change that text";

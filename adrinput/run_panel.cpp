@@ -73,7 +73,7 @@ QString headline_of(const facade::RunOutcome& outcome) {
       return from(
           "Done: " + (message.empty() ? done : message + ".") +
           (outcome.missed_end > 0.0
-               ? fmt::format(" maxStps ended the run before fTime, {:.6g} s.", outcome.missed_end)
+               ? fmt::format(" maxStps ended the run before fTime = {:.6g} s.", outcome.missed_end)
                : ""));
     case facade::RunStatus::Interrupted:
       return from("Cancelled; the files are valid up to the last stored step. " + done);

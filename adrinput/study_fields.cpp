@@ -185,7 +185,8 @@ const std::vector<StudyField>& study_fields() {
       {"until",
        "Study",
        "Run length",
-       "Simulated length of each run: 5rev, 0.02s or 1000",
+       "Simulated length of each run: revolutions (5rev), time (0.02s) or dimensionless time "
+       "(1000)",
        StudyCell::Text,
        kAllKinds,
        {}},

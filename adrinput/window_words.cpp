@@ -15,7 +15,7 @@ constexpr std::pair<std::string_view, std::string_view> kWords[]{
      "continue that run (Continue the run), replace its results"},
     {"--continue: the deck ", "Continue the run: the deck "},
     {"there is nothing to continue; omit the option", "there is nothing to continue; run it (F7)"},
-    {"continue the run with --continue", "continue the run (Continue the run)"},
+    {"continue the run with --continue", "continue the run (Run > Continue the run)"},
     {"without --continue, with --overwrite if files are left",
      "again, and replace the remaining files"},
     {", and --overwrite if files are left", ", and replace the remaining files"},

@@ -149,8 +149,8 @@ desktop::ChartPage page_of(const nlohmann::json& rows, const std::string& title,
   page.note = "One point per completed run. Best: bottom left.";
   if (const std::string tolerances = tolerances_of(rows); !tolerances.empty())
     page.note += fmt::format(
-        " The points of a method are its tolerances ({}), mostly from left to right. See the study "
-        "table for the tolerances.",
+        " Each point of a method is one tolerance ({}), usually in this order from left to right. "
+        "The study table lists them.",
         tolerances);
   page.x_title = "Computing time";
   page.x_unit = "s";

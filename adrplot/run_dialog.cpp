@@ -35,7 +35,7 @@ RunDialog::RunDialog(const std::vector<long>& runs, std::function<std::string(lo
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   auto* open = buttons->addButton(tr("Open its files"), QDialogButtonBox::ActionRole);
   open->setObjectName("open-run");
-  open->setToolTip(tr("Plots of this run (needs keep_files of the study)"));
+  open->setToolTip(tr("Open the plots of this run (requires \"keep_files\" in the study)"));
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(both, 1);

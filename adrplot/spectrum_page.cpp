@@ -26,7 +26,7 @@ constexpr std::string_view kHere = "No vibration: ";
 constexpr std::string_view kSo = ", so there is no frequency spectrum.";
 constexpr auto kStill = "No vibration: the value is constant.";
 constexpr auto kAllStill = "No vibration: all values of this page are constant.";
-constexpr auto kRounding = "No vibration: only rounding errors change.";
+constexpr auto kRounding = "No vibration: the value changes only by rounding errors.";
 
 /// Position of missing values, which prevent a spectrum; empty: no values are missing.
 std::string missing_values(const std::vector<double>& t, const std::vector<double>& values) {

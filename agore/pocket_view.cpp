@@ -351,10 +351,11 @@ void pocket_view(const Scene& s) {
   }
   const bool low = too_low(s.options, s.sketch.area().height());
   if (!contacts.empty() && !low) contacts += ", see arrow";
-  std::vector<KeyEntry> key{{contacts.empty() ? QColor() : t.red,
-                             !contacts.empty() ? QString::fromStdString(contacts)
-                             : rollers ? QString("no side wall contact; end walls are not stored")
-                                       : QString("no contact")}};
+  std::vector<KeyEntry> key{
+      {contacts.empty() ? QColor() : t.red,
+       !contacts.empty() ? QString::fromStdString(contacts)
+       : rollers         ? QString("no side wall contact (contacts with end walls are not stored)")
+                         : QString("no contact")}};
   if (rollers && shape_known) key.push_back({{}, gaps_text(pose.walls, s.animation.file.units[0])});
   if (!rollers) name_turning_mark(s, k, key);
   if (!arrow_named) key.push_back({t.green, "cage rotation", KeyMark::Arrow});

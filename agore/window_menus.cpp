@@ -117,7 +117,7 @@ void AgoreWindow::makeMenus() {
        {tr("P"), tr("pause")},
        {tr("Right, Left"), tr("next, previous frame (hold to repeat)")},
        {tr("Home, End"), tr("first, last frame")},
-       {tr("Up, Down"), tr("next, previous element or pocket and its segment")},
+       {tr("Up, Down"), tr("next, previous element or pocket (with its cage segment)")},
        {tr("[, ]"), tr("slower, faster")},
        {tr("S"), tr("next slow motion")},
        {tr("R"), tr("repeat")},

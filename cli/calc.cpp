@@ -134,7 +134,7 @@ void add_calc(CLI::App& app, int& exit_code) {
               *as_json = true;
               if (!given.empty() && !given.front().empty()) *source = given.front();
             },
-            "print --list or --describe as JSON; an optional FILE is the input")
+            "print --list or --describe as JSON; --json FILE: read the input from FILE")
         ->expected(0, 1)
         ->type_name("FILE");
     command->add_flag("--as-json", *as_json, "the older name of --json")->group("");
@@ -177,7 +177,8 @@ void add_calc(CLI::App& app, int& exit_code) {
         ->add_flag("--torque", *torques,
                    "compare the friction torque of three bearings with a catalog formula instead")
         ->excludes(experiments_flag);
-    command->add_flag("--markdown", *markdown, "print --experiments or --torque in Markdown");
+    command->add_flag("--markdown", *markdown,
+                      "print the results of --experiments or --torque as Markdown");
     command->add_option("--report", *report, "write the results as JSON to this file")
         ->type_name("FILE");
     command->add_flag("--json", *json, "print the results as JSON");

@@ -265,8 +265,8 @@ void add_study(CLI::App& app, int& exit_code) {
   look->add_flag("--json", options->json, "as JSON");
   look->callback([=, &exit_code] { exit_code = plan(*options); });
 
-  add_run_like(*study, "run", "run all cases without a result, then write tables and report", false,
-               options, exit_code);
+  add_run_like(*study, "run", "run all cases that have no result yet, then write tables and report",
+               false, options, exit_code);
   add_run_like(*study, "resume", "resume an interrupted study", true, options, exit_code);
 
   CLI::App* state = study->add_subcommand("status", "show progress and failed runs");

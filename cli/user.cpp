@@ -159,7 +159,8 @@ void new_routine(const UserOptions& options) {
 }  // namespace
 
 void add_user(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("user", "user routines ADRX0 to ADRX9 (run --user)");
+  CLI::App* command = app.add_subcommand(
+      "user", "write an example of a user routine, ADRX0 to ADRX9 (for `adore run --user`)");
   command->require_subcommand(1);
   CLI::App* make = command->add_subcommand("new", "write a complete example with its makefile");
   auto options = std::make_shared<UserOptions>();

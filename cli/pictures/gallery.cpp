@@ -206,7 +206,7 @@ void draw_gallery(const GalleryRequest& request) {
   }
   const auto progress = make_count_progress("run", request.progress);
   std::string index = fmt::format(
-      "# Gallery\n\nAll pages of AdrPlot and all views of AGORE, one run for each. Created by "
+      "# Gallery\n\nAll pages of AdrPlot and all views of AGORE for each run. Created by "
       "`adore gallery --out DIR --size {}{}`.\n",
       request.size, request.dark ? " --dark" : "");
   long done = 0;

@@ -104,7 +104,8 @@ const std::vector<CalculatorInfo>& calculator_list() {
       {"load-capacity", "life_lp_capacity", "",
        "Lundberg-Palmgren load capacity of ball and roller races"},
       {"life", "life_stress_models", "",
-       "life of races, elements and bearing by one model from contact loads"},
+       "life of races, rolling elements and bearing from contact loads, with the selected life "
+       "model"},
       {"life-factors", "life_factors", "", "STLE and Tallian-type life factors"},
       {"life-statistics", "life_race_bearing", "", "race lives, product law, survival probability"},
       {"life-sum", "life_accumulation", "", "Palmgren-Miner life of a load history"},

@@ -190,7 +190,7 @@ std::optional<Json> bearing_case(const Json& in) {
     for (const double Q : life_values(in.at(name)))
       out.patches.push_back(hertz_patch(g, race, Q, E_star));
     require(out.patches.size() == static_cast<std::size_t>(g.life.count) * contacts.slices,
-            fmt::format("{} has {}: Z = {} needs one for each element. Enter as many.", name,
+            fmt::format("{} has {}, but Z = {}. Enter one load for each rolling element.", name,
                         counted(out.patches.size(), "load"), g.life.count));
     out.angle = g.alpha;
     out.rotating = (race == 1) == inner_rotates;

@@ -173,7 +173,7 @@ Json roller_reference(const Json& in) {
   loads.laminae = static_cast<std::size_t>(whole(in, "ns", 1, kMostSlices));
   const std::size_t weights = in.at("lamina_weights").size();
   require(weights == loads.laminae,
-          fmt::format("lamina_weights has {}: ns = {} needs one for each lamina. Enter as many.",
+          fmt::format("lamina_weights has {}, but ns = {}. Enter one weight for each lamina.",
                       counted(weights, "weight"), loads.laminae));
   for (const Json& Q : in.at("Q_roller"))
     for (const Json& weight : in.at("lamina_weights"))

@@ -60,7 +60,8 @@ void check(const LubricantContact& c) {
         "radius is {:g} m and across {:g} m; rolling goes along the shorter axis of the contact: "
         "give the smaller radius as radius",
         c.radius, c.across));
-  if (c.metal.size() != 4) throw InputError("metal has four values, those of record 10.1C");
+  if (c.metal.size() != 4)
+    throw InputError("metal must have four values: the traction coefficients of record 10.1C");
 }
 
 bearing::Lubrication lubrication_of(const LubricantContact& contact) {

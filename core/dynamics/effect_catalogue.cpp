@@ -54,7 +54,7 @@ constexpr CatalogueLine kCatalogue[] = {
     {"free races", "kDCR", "races that move under loads", make_free_races, free_race_terms},
     {"gravity", "gravityVec", "weight of elements, cage and free races", make_gravity,
      gravity_terms},
-    {"turning base frame", "kRotFrame", "transport and Coriolis forces", make_turning_frame,
+    {"rotating base frame", "kRotFrame", "transport and Coriolis forces", make_turning_frame,
      turning_frame_terms},
     {"momentum ledger", "-", "external forces on elements and cage", make_momentum_ledger, nullptr},
     {"race balance", "mode", "inner race in force balance", make_race_balance, nullptr},

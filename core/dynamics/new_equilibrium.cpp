@@ -93,7 +93,7 @@ class Instant {
     return q;
   }
   /// Directions in which a race moves under its load, and that load.
-  /// @param fields with weight and the field of a turning base frame
+  /// @param fields with weight and the field of a rotating base frame
   [[nodiscard]] statics::RaceTask task(bool fields = true) const;
   /// Moves the free races of a state by a change of race().
   void move_race(std::span<double> y, const Vec5& change);

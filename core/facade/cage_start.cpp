@@ -66,8 +66,7 @@ void refuse_start(const Prepared& prepared, const SolverError& error) {
   issue.record = segments > 1 ? "9.6.k" : "9.6";
   issue.variable = turned ? "cageAngPos" : "cageGcPos";
   issue.message = "puts the cage outside its elements: " + why;
-  issue.remedy =
-      "start it within its clearances: smaller offsets and angles, or 0 for the centered cage";
+  issue.remedy = "enter smaller offsets and angles (0: centered cage)";
   throw InputError(std::vector<Issue>{issue});
 }
 
@@ -142,8 +141,7 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
                              : fmt::format("{}, where {} and {} put it", found, triple("cageGcPos"),
                                            triple("cageAngPos"));
     issue.remedy = fmt::format(
-        "start it within its clearances: smaller offsets and angles, or 0 for the centered cage, "
-        "or more clearance ({})",
+        "enter smaller offsets and angles (0: centered cage), or a larger clearance ({})",
         wall_of_worst != nullptr ? "bPocCls1" : "cageGsCls");
   } else if (const double lean = lean_that_does_not_fit(prepared.bearing);
              lean != 0.0 && wall_of_worst != nullptr) {

@@ -134,7 +134,7 @@ RunData read_run(JsonMembers& in) {
   out.oil_share = part(in, "oil_share", read_oil_share);
   out.hottest_ring = part(in, "hottest_ring", read_ring);
   if (out.deck.empty() && !out.discs && !out.film)
-    in.reject("member \"deck\" is missing (or discs, or film)");
+    in.reject("one of the members \"deck\", \"discs\" and \"film\" must be given");
   if (!out.deck.empty() && (out.discs || out.film))
     in.reject("discs and film have no deck. Remove \"deck\"");
   const std::string kind = in.text("kind", "prediction"), certainty = in.text("certainty", "");

@@ -81,7 +81,8 @@ std::vector<std::string> jumps_of_races(const dynamics::PrescribedRaces& before,
                           before[j].speed * 30.0 / std::numbers::pi);
     if (what.empty()) continue;
     out.push_back(fmt::format(
-        "the {} race continues {}, at once, as the present deck specifies{}", kRace[j], what,
+        "the {} race jumps at the start of the continuation: it is now {}, as the deck specifies{}",
+        kRace[j], what,
         law || spins
             ? ": laws of time (records 9.3 and 9.4) count from the start of the files, so a "
               "changed frequency changes the phase; the first revolutions contain the impact"

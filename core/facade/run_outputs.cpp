@@ -236,8 +236,9 @@ void RunOutputs::Impl::make_room() {
   if (!away.empty())
     remark(make_finding(
         "run.moved_results",
-        fmt::format("results of an earlier run that this run does not write were moved into {}",
-                    away.string())));
+        fmt::format(
+            "result files of an earlier run that this run does not replace were moved to {}",
+            away.string())));
 }
 
 results::FinalState RunOutputs::Impl::final_state(dynamics::System& system, const Snapshot& at,

@@ -32,20 +32,20 @@ StartState start_state(const Prepared& prepared, dynamics::System& system) {
   if (balls) {
     if (left > 0)
       out.remark = fmt::format(
-          "{} of {} balls start in pure rolling, because their balance of friction was not found: "
+          "{} of {} balls start in pure rolling, because no friction equilibrium was found: "
           "the first revolutions contain a transient",
           left, found.rollers);
     return out;
   }
   if (left == 0 && found.largest_skew < kAligned)
-    out.remark = "the rollers start in balance of friction, without skew";
+    out.remark = "the rollers start in friction equilibrium, without skew";
   else if (left == 0)
     out.remark =
-        fmt::format("the rollers start in balance of friction, skewed by up to {:.3g} mrad",
+        fmt::format("the rollers start in friction equilibrium, skewed by up to {:.3g} mrad",
                     1e3 * found.largest_skew);
   else
     out.remark = fmt::format(
-        "{} of {} rollers start without skew, because their balance of friction was not found: the "
+        "{} of {} rollers start without skew, because no friction equilibrium was found: the "
         "first revolutions contain a transient, averages over later ones do not",
         left, found.rollers);
   return out;

@@ -49,7 +49,7 @@ void contact_model(Entries& out, const Prepared& p) {
                                                                        : "given angle of the axis";
     out.add("ball speeds", true,
             statics::has_friction_balance(b, ball_options(p))
-                ? fmt::format("balance of friction (ballFriction); balls without a balance: {}, "
+                ? fmt::format("friction equilibrium (ballFriction); balls without it: {}, "
                               "spin axis by {}",
                               given(deck, "kAngVel"), rule)
                 : fmt::format("{}: no slip at both contact centers, spin axis by {}",
@@ -84,7 +84,7 @@ void surroundings(Entries& out, const Prepared& p) {
       fmt::format("rpm1 = {:g}, rpm2 = {:g}", rpm(b.speed[0]), rpm(b.speed[1]));
   out.add("centrifugal, gyroscopic loads", turning, speeds);
   if (const auto& frame = p.options.rollers.frame)
-    out.add("turning base frame", true,
+    out.add("rotating base frame", true,
             fmt::format("kRotFrame = 1: {:g} rpm on a radius of {:g} m", rpm(frame->speed),
                         frame->orbit_radius));
   const bearing::Mounting& m = p.as_built.mounting;
@@ -136,7 +136,7 @@ void results(Entries& out, const Prepared& p) {
       p.bearing.rollers()
           ? "estimated from speeds and loads of the equilibrium, which does not include friction"
       : statics::has_friction_balance(p.bearing, ball_options(p))
-          ? "balls in balance of friction under the laws of motion; no cage"
+          ? "balls in friction equilibrium under the laws of motion; no cage"
           : "estimated from speeds and loads of the equilibrium (kAngVel); no cage");
   out.add("thermal steady state", p.thermal.has_value(),
           p.thermal ? fmt::format("kTherm = 1, kCoolant = {}, {}", p.as_built.thermal->coolant,

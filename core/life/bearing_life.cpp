@@ -58,9 +58,7 @@ void note_shapes(BearingLife& out, std::size_t slices) {
     lines = lines || state.model[0].line[i];
     if (!(share > 0.0)) {
       out.notes.push_back(fmt::format(
-          "{}: line contact; the rollers carry no load there or have no crown that could "
-          "make an ellipse",
-          name));
+          "{}: line contact, because the rollers are unloaded there or have no crown", name));
       continue;
     }
     const std::string ellipse = fmt::format(
@@ -426,10 +424,10 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
                       "plastic deformation is not modeled",
                       name, 1e-9 * r.p_max));
     if (out.state.factors.residual_refused[i])
-      out.notes.push_back(
-          fmt::format("WARNING: {}: the compressive residual stress is at least twice the largest "
-                      "shear stress; its factor has no meaning there and is not applied",
-                      name));
+      out.notes.push_back(fmt::format(
+          "WARNING: {}: the compressive residual stress is at least twice the largest "
+          "shear stress; the residual-stress life factor is not valid there and is not applied",
+          name));
   }
   const auto& films = out.state.factors.film_parameter;
   if (parameters_.choices.film_parameter) {

@@ -106,7 +106,7 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
               "carries {} of the contact's {} ({:.3g} %), which a real race does not have ({:.3g} "
               "% of "
               "the load of all contacts that reach over it). The solution keeps the whole ellipse: "
-              "displacement, loads and life are better than real, and the pressure at the edge of "
+              "displacement, loads and life are optimistic, and the pressure at the edge of "
               "the "
               "shoulder is not in them",
               over.text(), kRace[j], quantity(-worst.shoulder_depth[j], unit::kLength, units),
@@ -123,7 +123,7 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
           fmt::format(
               "{}: half the length of the contact ellipse at the {} race, {}, is more than half "
               "the "
-              "ball radius of {}; Hertz's theory takes both bodies for flat there, so that "
+              "ball radius of {}; Hertz theory assumes flat bodies there, so that "
               "deflection "
               "and pressure are approximate (groove factor {:.5g}). It grows with the cube root of "
               "the "

@@ -58,9 +58,9 @@ void lands(Report& report, const Cage& cage) {
         contact::land_extremes(contact::land_profile(0.5 * land.diameter, land.of_race));
     const bool outer = land.guide == GuideLand::Guide::Outer;
     const double c = 0.5 * land.clearance;
-    report.item(fmt::format("Least radial clearance at land {} with its errors", i + 1),
+    report.item(fmt::format("Smallest radial clearance at land {} including form errors", i + 1),
                 c + (outer ? r_least - c_most : c_least - r_most), unit::kLength);
-    report.item(fmt::format("Largest radial clearance at land {} with its errors", i + 1),
+    report.item(fmt::format("Largest radial clearance at land {} including form errors", i + 1),
                 c + (outer ? r_most - c_least : c_most - r_least), unit::kLength);
   }
 }
@@ -126,7 +126,7 @@ void print_cage_geometry(Report& report, const Bearing& bearing, const deck::Dec
   report.item("Clearance to the outer race, diametral", cage.clearance_outer, unit::kLength);
   report.item("Clearance to the inner race, diametral", cage.clearance_inner, unit::kLength);
   if (cage.segments.several()) {
-    report.item("Equal segments (mass and inertia are those of one)",
+    report.item("Number of equal segments (mass and inertia: one segment)",
                 static_cast<long>(cage.segments.count));
     report.item(
         "Cut",

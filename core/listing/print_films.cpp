@@ -31,9 +31,9 @@ void print_films(Report& report, const statics::LubricantFilms& films, const std
     report.item("Viscosity " + at, films.viscosity[j], unit::kViscosity);
     report.item("Pressure-viscosity coefficient " + at, films.alpha[j], unit::kPerStress);
   }
-  report.item("Critical film, below which contacts count as metallic", films.critical_film,
+  report.item("Critical film thickness (thinner: metallic contact)", films.critical_film,
               unit::kLength);
-  report.item("Meniscus before the contact over its half width", films.meniscus, unit::kPure);
+  report.item("Inlet meniscus distance divided by contact half width", films.meniscus, unit::kPure);
   std::vector<Report::Row> rows;
   for (std::size_t k = 0; k < films.race[0].size(); ++k) {
     Report::Row row{std::to_string(k + 1), {}};

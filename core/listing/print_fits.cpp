@@ -39,7 +39,7 @@ void fits_table(Report& report, const OperatingFits& fits) {
                 {"operating", &unit::kLength},
                 {"p operating", &unit::kPressure}},
                rows, 24);
-  report.heading("Hoop stress of largest size in operation (fit and rotation; above 0 tension)");
+  report.heading("Largest hoop stress in operation (fit and rotation; tension above 0)");
   report.table("", {{"stress", &unit::kPressure}, {"elastic lim", &unit::kPressure}}, stresses, 12);
 }
 
@@ -74,7 +74,8 @@ void clearance_table(Report& report, const OperatingFits& fits) {
   const bool balls = fits.locus[0] > 0.0;
   std::vector<Report::Row> rows;
   if (!balls) {
-    report.heading("Internal clearance, diametral (of cones: change from the nominal pose)");
+    report.heading(
+        "Diametral internal clearance (tapered bearings: change from the nominal position)");
     for (const auto& [name, state] :
          {std::pair{"unmounted, cold", &fits.free}, std::pair{"mounted, cold", &fits.mounted},
           std::pair{"in operation", &fits.operating}})
@@ -162,7 +163,7 @@ void print_fits(Report& report, const bearing::Bearing& bearing) {
       "are added. Mounted is at room temperature and rest.");
   if (!fits.changed)
     report.text(
-        "Nothing grows and nothing presses on a raceway: the geometry is that of the input.");
+        "No thermal or centrifugal growth and no fit pressure: the geometry is that of the deck.");
   fits_table(report, fits);
   growth_table(report, fits, !fits.plays.empty());
   clearance_table(report, fits);

@@ -281,10 +281,10 @@ void operation(Report& report, const PrintFront& front) {
     if (name == "ballFriction")
       statics.friction_balance =
           value == "balance" && !(front.deck.has("kTrac") && front.deck.integer("kTrac") == -1);
-  report.item("Hypothesis of the internal speeds",
+  report.item("Assumption for the internal speeds",
               bearing.rollers() ? "pure rolling at nominal geometry"
               : statics::has_friction_balance(bearing, statics)
-                  ? fmt::format("balance of friction, else {}", spin)
+                  ? fmt::format("friction equilibrium, else {}", spin)
                   : spin);
   if (!bearing.rollers() && bearing.spin_rule == bearing::SpinRule::Prescribed)
     report.item("Angle of the spin axis from x", bearing.spin_angle, unit::kAngle);
@@ -310,8 +310,9 @@ void operation(Report& report, const PrintFront& front) {
     const bearing::PieceStart& start = bearing.cage->start_of(static_cast<std::size_t>(piece));
     const std::string name = pieces > 1 ? fmt::format("cage segment {}", piece + 1) : "cage";
     report.heading(fmt::format("Start of the {}", name));
-    report.item("Whirl speed over angular speed of the cage", start.whirl_ratio, unit::kPure);
-    report.item("Angular speed over epicyclic speed", start.speed_ratio, unit::kPure);
+    report.item("Whirl speed divided by the angular speed of the cage", start.whirl_ratio,
+                unit::kPure);
+    report.item("Angular speed divided by the epicyclic speed", start.speed_ratio, unit::kPure);
     for (int k = 0; k < 3; ++k)
       report.item(fmt::format("Center along {}", "xyz"[k]), start.start_offset[k], unit::kLength);
     for (int k = 0; k < 3; ++k)

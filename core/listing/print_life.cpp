@@ -76,7 +76,7 @@ void lives(Report& report, const BearingLife& life) {
   const bearing::LifeChoices& choices = life.parameters.choices;
   report.item("SOL7, terminal and sweeps show (sol7Life)",
               life_name(choices.stored_model, choices.stored_modification));
-  report.item("Survival probability asked for", marked(life.parameters.survival));
+  report.item("Specified survival probability", marked(life.parameters.survival));
   report.item("Weibull slope of the bearing", marked(life.parameters.bearing_slope));
   report.text(
       "Origin (of a life with factors: the model's, then the factors'): the constant of the "
@@ -186,7 +186,7 @@ void parameters(Report& report, const BearingLife& life) {
 void properties(Report& report, const BearingLife& life) {
   if (!(life.parameters.part[0].temperature > 0.0)) return;
   const bool follows = life.parameters.modulus_follows_temperature;
-  report.heading("Material properties behind the lives");
+  report.heading("Material properties used for the lives");
   std::vector<Report::Row> rows;
   for (const life::PartParameters& part : life.parameters.part)
     rows.push_back({part.name, {part.temperature, part.elastic_modulus, part.poisson_ratio}});
@@ -280,7 +280,7 @@ void iso(Report& report, const life::IsoReport& r) {
     report.item("    e", r.equivalent->e, unit::kPure);
   }
   optional_life("L10 (ISO 281; with C and P as marked)", r.L10);
-  report.item("a1 at the survival probability (formula recalled)", r.a1, unit::kPure);
+  report.item("Life factor a1 for the survival probability (from memory)", r.a1, unit::kPure);
   if (r.kappa) report.item("Viscosity ratio kappa (option)", *r.kappa, unit::kPure);
   if (r.contamination)
     report.item("Contamination factor eC (option)", *r.contamination, unit::kPure);
@@ -336,8 +336,8 @@ void print_run_life(Report& report, const RunLife& run) {
   report.item("Origin of its constants", life_origin(run.model, run.modification));
   report.item("Left out at the start", run.skipped_turns * 2.0 * unit::kPi, unit::kRevolution);
   report.item("Window", run.damage.seconds(), unit::kTime);
-  report.item("Window, races relative to each other", run.damage.revolutions() * 2.0 * unit::kPi,
-              unit::kRevolution);
+  report.item("Window, relative revolutions of the races",
+              run.damage.revolutions() * 2.0 * unit::kPi, unit::kRevolution);
   constexpr std::array<const char*, 3> kParts{"outer race", "inner race", "rolling elements"};
   for (std::size_t i = 0; i < kParts.size(); ++i)
     report.item(fmt::format("Damage in the window, {}", kParts[i]), run.damage.damage()[i],

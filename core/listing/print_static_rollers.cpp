@@ -100,8 +100,8 @@ void contacts(Report& report, const statics::RollerSolution& s, std::size_t race
   }
   report.heading(fmt::format("Contacts with the {} race", kRaceName[race]));
   report.text(
-      "Moment about mid length. At: largest pressure from mid length, of two equal peaks the one "
-      "towards +x.");
+      "Moments are about mid-length. At: distance of the pressure peak from mid-length (of two "
+      "equal peaks: larger x).");
   report.table("roller",
                {{"load Q", &unit::kForce},
                 {"moment", &unit::kMoment},

@@ -195,7 +195,8 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
         fmt::format("Contact temperature and its rise above the race ({})", no_films(friction)),
         "not computed");
   if (film) {
-    report.heading("Least film of the contacts, and lambda: over the composite roughness");
+    report.heading(
+        "Minimum film thickness of the contacts, and lambda (divided by the composite roughness)");
     std::vector<ChannelColumn> films;
     for (int race = 0; race < 2; ++race) {
       films.push_back({race == 0 ? "least outer" : "least inner", "contact.least_film", race});
@@ -405,7 +406,8 @@ void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& r
     report.table("", columns, lands, 12);
   }
   if (segments) {
-    report.heading("Gaps between segments, which do not touch each other (negative: overlap)");
+    report.heading(
+        "Gaps between cage segments (contact between them is not modeled; negative: overlap)");
     for (std::size_t k = 0; k < snapshot.cages.size(); ++k)
       report.item(fmt::format("Segments {} and {}", k + 1, (k + 1) % snapshot.cages.size() + 1),
                   snapshot.cages[k].to_next, unit::kLength);
@@ -577,7 +579,7 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
     report.item("difference from the specified load", run.load->departure(), unit::kPure);
   }
 
-  report.heading("Arithmetic: what decides the last digits");
+  report.heading("Arithmetic settings (affect the last digits)");
   for (const auto& [name, value] : arithmetic_items(run)) {
     if (name == "note")
       report.text(value);
@@ -587,7 +589,7 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
 
   if (life) print_run_life(report, *life);
 
-  report.heading("Plan: what was simulated and why");
+  report.heading("Plan: simulated length and its reason");
   std::vector<std::vector<std::string>> rows;
   for (const scene::EffectEntry& effect : plan.effects)
     for (std::string_view rest = effect.because, first = effect.name;;) {
@@ -659,7 +661,7 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
     report.text_table({{"part", 40}, {"calls", 14}, {"seconds", 12}, {"share", 8}}, rows);
   }
   if (!run.no_part.empty()) {
-    report.heading("Values of the deck that play no part in this run");
+    report.heading("Deck values without effect in this run");
     std::vector<std::string> reasons;
     for (const deck::NoPart& value : run.no_part)
       if (std::find(reasons.begin(), reasons.end(), value.because) == reasons.end())

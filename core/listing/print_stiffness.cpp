@@ -60,7 +60,7 @@ void print_row(Report& report, const statics::StiffnessRow& row) {
   report.text_table(columns, rows);
   report.item("Largest contact load", row.result.max_load, unit::kForce);
   if (differences)
-    report.item("Largest disagreement, over the largest entry of its kind",
+    report.item("Largest difference, divided by the largest entry of its kind",
                 statics::stiffness_disagreement(row.result.stiffness, *differences), unit::kPure);
   if (!row.operating) return;
   const bearing::OperatingFits& fits = *row.operating;

@@ -337,8 +337,9 @@ void print_static_summary(Report& report, const StaticSummary& s, const Bearing&
   }
   lives(report, life);
   report.text(
-      "Constants: seen in a public source; recalled from the literature; calibrated or derived by "
-      "this program, not the authors'; deck: given.");
+      "Origin of constants. seen: found in a public source. recalled: quoted from memory of the "
+      "literature, not checked. calibrated, derived: determined by this program, not by the "
+      "authors of the model. deck: given in the deck.");
   report.blank();
   remarks(report, warnings, notes);
 }

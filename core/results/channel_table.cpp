@@ -101,7 +101,7 @@ constexpr auto kTable = std::to_array<Channel>({
      each<Per::Element, 1>([](const Source& s) { return s.ball().vx; }), "along the bearing axis"},
     {"element.orbital_position", "orbital position", &unit::kAngle, "N", false,
      each<Per::Element, 1>([](const Source& s) { return s.ball().theta; }),
-     "azimuth about +X from +Z, turns accumulate"},
+     "azimuth about +X from +Z, accumulated over revolutions"},
     {"element.radial_position", "radial position", &unit::kLength, "N", false,
      each<Per::Element, 1>([](const Source& s) { return s.ball().r; }),
      "distance of the mass center from the bearing axis"},
@@ -118,7 +118,7 @@ constexpr auto kTable = std::to_array<Channel>({
      "about the principal x axis; 0 when not integrated"},
     {"element.angular_velocity", "angular velocity", &unit::kRotation, "A", false,
      each<Per::Element, 1>([](const Source& s) { return s.ball().omega.norm(); }),
-     "size of the angular velocity vector"},
+     "magnitude of the angular velocity vector"},
     {"element.angular_velocity_theta", "angular velocity theta", &unit::kAngle, "A", true,
      each<Per::Element, 1>([](const Source& s) { return theta_of(s.ball().omega); }),
      "direction of the angular velocity vector"},
@@ -146,7 +146,7 @@ constexpr auto kTable = std::to_array<Channel>({
      each<Per::Contact, 1>([](const Source& s) { return s.contact().angle; }), "0 when open"},
     {"contact.spin_to_roll", "spin to roll ratio", &unit::kPure, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().spin_to_roll; }),
-     "relative angular velocity normal to the contact over that in it"},
+     "relative angular velocity normal to the contact divided by that in its plane"},
     {"contact.slip", "largest slip velocity", &unit::kSpeed, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().max_slip; }),
      "within the contact ellipse"},
@@ -155,10 +155,10 @@ constexpr auto kTable = std::to_array<Channel>({
      "dissipated in the contact"},
     {"contact.rolling_heat", "rolling resistance heat", &unit::kPower, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().rolling_heat; }),
-     "rolling resistance of the oil; on both halves of a split race"},
+     "power of the rolling resistance of the oil; on both halves of a split race"},
     {"contact.damping_heat", "contact damping heat", &unit::kPower, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().damping_heat; }),
-     "taken by contact damping"},
+     "power dissipated by contact damping"},
     {"contact.film", "film thickness", &unit::kLength, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().film; }),
      "0 with a hypothetical traction law"},
@@ -170,7 +170,7 @@ constexpr auto kTable = std::to_array<Channel>({
        const double lambda = s.contact().film_parameter;
        return lambda > scene::kNoFilmLeft ? lambda : 0.0;
      }),
-     "least film over the composite roughness; 0 without film or roughness"},
+     "smallest film thickness divided by the composite roughness; 0 without film or roughness"},
     {"contact.load_slip", "integral of load times slip", &unit::kPower, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().load_slip; }),
      "pressure times slip speed over the contact"},
@@ -232,7 +232,7 @@ constexpr auto kTable = std::to_array<Channel>({
      "dissipated in the contact"},
     {"flange.damping_heat", "flange damping heat", &unit::kPower, "-", false,
      each<Per::Flange, 1>([](const Source& s) { return s.flange().damping_heat; }),
-     "taken by contact damping"},
+     "power dissipated by contact damping"},
     {"flange.slip", "flange slip velocity", &unit::kSpeed, "-", false,
      each<Per::Flange, 1>([](const Source& s) { return s.flange().slip; }),
      "of the contact point; 0 when open"},
@@ -241,7 +241,7 @@ constexpr auto kTable = std::to_array<Channel>({
      "of the contact; 0 when open"},
     {"flange.height", "flange contact height", &unit::kLength, "-", false,
      each<Per::Flange, 1>([](const Source& s) { return s.flange().height; }),
-     "of the nearest point up the face"},
+     "height of the nearest point on the flange face"},
     // Pockets, one value per guide surface.
     {"pocket.force", "pocket force", &unit::kForce, "-", false,
      each<Per::Pocket, 1>([](const Source& s) { return s.pocket().force; }),
@@ -256,7 +256,7 @@ constexpr auto kTable = std::to_array<Channel>({
      "cone angle or latitude; 0 for cylindrical pockets"},
     {"pocket.position", "pocket contact position", &unit::kLength, "P", false,
      each<Per::Pocket, 1>([](const Source& s) { return s.pocket().position; }),
-     "of rollers: axial place of the contact on the surface; 0 for balls"},
+     "axial position of the contact on the roller surface; 0 for balls"},
     // Elements and the ones behind them in the ring, without cage.
     {"neighbour.force", "force between elements", &unit::kForce, "-", false,
      each<Per::Pair, 1>([](const Source& s) { return s.pair().force; }),
@@ -268,7 +268,7 @@ constexpr auto kTable = std::to_array<Channel>({
     {"cage.whirl_ratio", "whirl ratio", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return over_race_speed(s, cage_orbit(s).theta_dot); }),
-     "whirl speed of the center of the (uncut) cage over the speed of the faster race"},
+     "whirl speed of the center of the (uncut) cage divided by the speed of the faster race"},
     {"cage.radial_velocity", "radial velocity", &unit::kSpeed, "N", false,
      each<Per::Cage, 1>([](const Source& s) { return cage_orbit(s).r_dot; }),
      "of the center of the (uncut) cage"},
@@ -311,15 +311,18 @@ constexpr auto kTable = std::to_array<Channel>({
     {"cage.x_over_clearance", "x position over clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.x() / cage_clearance(s); }),
-     "mean radial guide land clearance; without guided lands radial pocket clearance I (N71)"},
+     "divided by the mean radial guide land clearance; without guided lands by the radial pocket "
+     "clearance I (N71)"},
     {"cage.y_over_clearance", "y position over clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.y() / cage_clearance(s); }),
-     "mean radial guide land clearance; without guided lands radial pocket clearance I (N71)"},
+     "divided by the mean radial guide land clearance; without guided lands by the radial pocket "
+     "clearance I (N71)"},
     {"cage.z_over_clearance", "z position over clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.z() / cage_clearance(s); }),
-     "mean radial guide land clearance; without guided lands radial pocket clearance I (N71)"},
+     "divided by the mean radial guide land clearance; without guided lands by the radial pocket "
+     "clearance I (N71)"},
     {"cage.orbital_position", "orbital position", &unit::kAngle, "N", true,
      each<Per::Cage, 1>([](const Source& s) { return cage_orbit(s).theta; }),
      "azimuth of the center of the (uncut) cage"},
@@ -343,7 +346,7 @@ constexpr auto kTable = std::to_array<Channel>({
     {"cage.speed_ratio", "angular velocity ratio", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return std::abs(over_race_speed(s, s.cage_body().omega.norm())); }),
-     "size of the angular velocity over the speed of the faster race"},
+     "magnitude of the angular velocity divided by the speed of the faster race"},
     {"cage.angular_velocity_theta", "angular velocity theta", &unit::kAngle, "N", true,
      each<Per::Cage, 1>([](const Source& s) { return theta_of(s.cage_body().omega); }),
      "direction of the angular velocity vector"},
@@ -367,8 +370,8 @@ constexpr auto kTable = std::to_array<Channel>({
      "absolute angular velocity"},
     {"cage.to_next", "gap to the next segment", &unit::kLength, "-", false,
      each<Per::Cage, 1>([](const Source& s) { return s.cage_body().to_next; }),
-     "least distance of the ends of neighboring segments along the circumference, negative where "
-     "they overlap; 0 for a cage in one piece"},
+     "smallest circumferential gap between the ends of neighboring segments; negative: overlap; 0 "
+     "for a one-piece cage"},
     {"land.force", "guide land force", &unit::kForce, "-", false,
      each<Per::Land, 1>([](const Source& s) {
        return land_value(s, s.land, [](const auto& l) { return l.force; });
@@ -393,7 +396,7 @@ constexpr auto kTable = std::to_array<Channel>({
      each<Per::Land, 1>([](const Source& s) {
        return land_value(s, s.land, [](const auto& l) { return l.attitude; });
      }),
-     "from the line of the least gap to the load of the film"},
+     "angle from the line of the smallest gap to the film load"},
     {"land.heat", "guide land heat", &unit::kPower, "-", false,
      each<Per::Land, 1>([](const Source& s) {
        return land_value(s, s.land, [](const auto& l) { return l.heat; });
@@ -437,13 +440,13 @@ constexpr auto kTable = std::to_array<Channel>({
      "of the mass center"},
     {"race.x", "x position", &unit::kLength, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().position.x(); }),
-     "of the mass center from its free position"},
+     "displacement of the mass center from its free position"},
     {"race.y", "y position", &unit::kLength, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().position.y(); }),
-     "of the mass center from its free position"},
+     "displacement of the mass center from its free position"},
     {"race.z", "z position", &unit::kLength, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().position.z(); }),
-     "of the mass center from its free position"},
+     "displacement of the mass center from its free position"},
     {"race.orbital_position", "orbital position", &unit::kAngle, "N", true,
      each<Per::Race, 1>([](const Source& s) { return race_orbit(s).theta; }),
      "azimuth of the mass center"},
@@ -465,7 +468,7 @@ constexpr auto kTable = std::to_array<Channel>({
      "about the race axis"},
     {"race.angular_velocity", "angular velocity", &unit::kRotation, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().omega.norm(); }),
-     "size of the angular velocity vector"},
+     "magnitude of the angular velocity vector"},
     {"race.angular_velocity_theta", "angular velocity theta", &unit::kAngle, "N", true,
      each<Per::Race, 1>([](const Source& s) { return theta_of(s.race_body().omega); }),
      "direction of the angular velocity vector"},
@@ -483,17 +486,17 @@ constexpr auto kTable = std::to_array<Channel>({
     {"race.flange_wear_rate", "average wear rate of the flanges", &unit::kVolumeFlow, "-", false,
      each<Per::Race, 1>(
          [](const Source& s) { return race_wear(s, s.snapshot->power.qv_flange[s.race]); }),
-     "part of the race's that its flanges have; 0 without"},
+     "part of the race wear rate at its flanges; 0 without flanges"},
     {"race.temperature", "bulk temperature", &unit::kTemperature, "-", false,
      each<Per::Race, 1>([](const Source& s) { return s.bearing->race_temperature[s.race]; }),
      "of the race"},
     // The whole bearing.
     {"power.loss", "power loss", &unit::kPower, "-", false,
      each<Per::Run, 1>([](const Source& s) { return s.snapshot->power.total_loss; }),
-     "all dissipation now"},
+     "current total dissipation"},
     {"power.churning_fraction", "churning fraction", &unit::kPure, "-", false,
      each<Per::Run, 1>([](const Source& s) { return s.snapshot->power.churning_fraction; }),
-     "share of churning and drag in the loss"},
+     "churning and drag as a fraction of the power loss"},
     {"power.life", "fatigue life", &unit::kLife, "-", false,
      each<Per::Run, 1>([](const Source& s) { return plotted_life(s.snapshot->power.life_hours); }),
      "at the loads of the last life prediction (kLifeFreq); infinite as 9.9999999E+30; 0 where no "
@@ -543,10 +546,10 @@ constexpr auto kTable = std::to_array<Channel>({
      "over the last thermal step"},
     {"thermal.outer_heat", "average heat to the outer race", &unit::kPower, "-", false,
      each<Per::Thermal, 1>([](const Source& s) { return s.thermal().race_heat[0]; }),
-     "through it, over the last thermal step"},
+     "heat through the race, averaged over the last thermal step"},
     {"thermal.inner_heat", "average heat to the inner race", &unit::kPower, "-", false,
      each<Per::Thermal, 1>([](const Source& s) { return s.thermal().race_heat[1]; }),
-     "through it, over the last thermal step"},
+     "heat through the race, averaged over the last thermal step"},
     // SOL7 has fixed columns; these are in RESULTS.h5.
     {"thermal.outer_raceway", "outer raceway surface temperature", &unit::kTemperature, "-", false,
      each<Per::Thermal, 1>([](const Source& s) { return s.thermal().raceway[0]; }),

@@ -55,9 +55,10 @@ EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic, 
   const auto limit = [none](Trust trust, double value) {
     return none && trust == Trust::None ? fmt::format(" (limit {:g})", value) : "";
   };
-  out.text = fmt::format("energy residual of {:.3g} J{}: {:.2g} of the {:.3g} J exchanged{}",
-                         residual, earlier ? " at some time of the run" : "", out.over_moved, moved,
-                         limit(shares.by_moved(), kMovedLimit));
+  out.text =
+      fmt::format("energy residual of {:.3g} J{}: {:.2g} times the exchanged energy of {:.3g} J{}",
+                  residual, earlier ? " at some time of the run" : "", out.over_moved, moved,
+                  limit(shares.by_moved(), kMovedLimit));
   if (elastic > 0.0)
     out.text +=
         fmt::format(", {:.2g} of the {:.3g} J of elastic energy in the quasi-static solution{}",

@@ -64,7 +64,7 @@ void SolParser::reject(const std::string& why) const {
 std::string_view SolParser::header_line(std::string_view what) {
   std::string_view line;
   if (reader_.next(line)) return line;
-  if (reader_.too_long()) reject("it contains binary data, or a line without end");
+  if (reader_.too_long()) reject("it contains binary data or a line that is too long");
   reject(fmt::format("line {} of the header, {}, is missing", reader_.number() + 1, what));
 }
 

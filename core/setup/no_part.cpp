@@ -99,7 +99,7 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (name.starts_with("rpmRange")) return "a table with one speed has no last speed";
   if (name == "pltNames8") return "kAGraf = 0 stores no animation";
   if (name.starts_with("pltNames") && scene.motion) return "fewer bodies have a plot file";
-  if (name == "angVelOrient") return "only kAngVel = 2 gives the angle of the spin axis";
+  if (name == "angVelOrient") return "the angle of the spin axis is an input only with kAngVel = 2";
   if (name == "bPocCls2") return "a pocket of this shape has one clearance";
   if (name == "bPocThknsVar" && scene.motion && scene.cage)
     return "guide faces have separate widths, independent of the wall";

@@ -360,7 +360,7 @@ void plan_race_motions(const Deck& deck, const bearing::Bearing& bearing, scene:
   for (std::size_t j = 0; j < 2; ++j)
     if (driven[j]) because += fmt::format(", {} driven by ADRX1", kRaces[j]);
   effect(Effect::FreeRaces, "races that move under loads", motions.any_free(), because);
-  effect(Effect::TurningFrame, "turning base frame", motions.frame.has_value(),
+  effect(Effect::TurningFrame, "rotating base frame", motions.frame.has_value(),
          fmt::format("kRotFrame = {}{}", deck.integer("kRotFrame"),
                      deck.integer("kRotFrame") == 1 && !motions.frame ? ", brgAngVel 0" : ""));
   for (std::size_t j = 0; j < 2; ++j) add_body(bearing, motions, j, plan, driven[j]);

@@ -166,7 +166,7 @@ void add_static_options(std::vector<Option>& table) {
   table.push_back(
       {{"ballFriction", "balance",
         "balls in mode -1, at the start of a motion and in thermal analyses: balance (spin and "
-        "orbit in balance of friction) or spin-rule (kAngVel gives the spin axis)"},
+        "orbit from friction equilibrium) or spin-rule (kAngVel gives the spin axis)"},
        [](RunOptions& o, std::string_view v) {
          if (v != "spin-rule" && v != "balance") return false;
          o.rollers.ball_balance = v == "balance";

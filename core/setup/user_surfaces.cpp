@@ -244,8 +244,8 @@ void user_balls(const UserHooks& user, bearing::Bearing& b) {
     }
     if (top - bottom > 0.01 * R)
       throw InputError(
-          fmt::format("{}a radius that varies by {:.3g} m of {:.6g} m is no ball; give "
-                      "at most a hundredth",
+          fmt::format("{}the radius varies by {:.3g} m, too much for a ball of radius {:.6g} m; "
+                      "return a variation of at most 1 %",
                       about(user, 5, body), range, R));
     double mean = 0.0, weight = 0.0;  // over the sphere
     for (std::size_t m = 0; m < kBallAcross; ++m) {

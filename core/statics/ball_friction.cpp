@@ -413,7 +413,7 @@ std::string FrictionBalance::note() const {
   std::vector<std::size_t> numbers;
   for (const std::size_t k : left) numbers.push_back(k + 1);
   return fmt::format(
-      "{}: no balance of friction was found; heat and loads are those of the spin "
+      "{}: no friction equilibrium was found; heat and loads are those of the spin "
       "rule (kAngVel)",
       number_list(numbers, "ball"));
 }

@@ -152,8 +152,8 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
     out.notes.push_back(note);
   else if (!balance.balls.empty())
     out.notes.emplace_back(
-        "balls are in balance of friction: loads, speeds, spin axes and heat follow from it, not "
-        "from kAngVel");
+        "ball speeds, spin axes, loads and heat are calculated from friction equilibrium; kAngVel "
+        "is not used");
   return out;
 }
 

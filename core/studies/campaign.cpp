@@ -148,9 +148,9 @@ Plan plan_of(const CampaignRequest& request, const Study& study, const fs::path&
     out.over_budget += (out.over_budget.empty() ? "" : "; ") + text;
   };
   if (study.budget.runs && static_cast<double>(runs) > *study.budget.runs)
-    exceeds(fmt::format("{}, and the budget has {:g}", counted(runs, "run"), *study.budget.runs));
+    exceeds(fmt::format("{}, but the budget is {:g}", counted(runs, "run"), *study.budget.runs));
   if (study.budget.hours && out.hours > *study.budget.hours)
-    exceeds(fmt::format("{}, and the budget has {:g}",
+    exceeds(fmt::format("{}, but the budget is {:g}",
                         counted(fmt::format("{:.3g}", out.hours), "hour"), *study.budget.hours));
   if (study.budget.disk_megabytes && out.disk_megabytes > *study.budget.disk_megabytes)
     exceeds(fmt::format("{:.3g} MB on disk, but the budget is {:g}", out.disk_megabytes,
@@ -326,7 +326,7 @@ class Campaign {
       add(points);
     }
     out_.note = search.best().empty()
-                    ? "no run gave the objective a value"
+                    ? "no run has a value of the objective"
                     : fmt::format("{}, the last step was {:.3g} % of each range",
                                   counted(search.rounds(), "round"), 100.0 * search.step());
   }
@@ -406,14 +406,15 @@ std::string plan_text(const CampaignRequest& request, const Plan& plan) {
       plan.free_disk_megabytes);
   if (!plan.pilot.trouble.empty())
     out += fmt::format("note:      a pilot run failed: {}\n", plan.pilot.trouble);
-  out += plan.over_budget.empty() ? "budget:    within it\n"
+  out += plan.over_budget.empty() ? "budget:    not exceeded\n"
                                   : fmt::format("budget:    exceeded: {}\n", plan.over_budget);
   return out;
 }
 
 std::string progress_text(const StudyProgress& p) {
-  return fmt::format("run {} of {}, {} failed, {} at work, {} left{}{}", p.done, p.total, p.failed,
-                     p.workers, p.remaining >= 0.0 ? duration_text(p.remaining) : "unknown time",
+  return fmt::format("{} of {} runs done, {} failed, {} active, {} left{}{}", p.done, p.total,
+                     p.failed, p.workers,
+                     p.remaining >= 0.0 ? duration_text(p.remaining) : "unknown time",
                      p.note.empty() ? "" : "; ", p.note);
 }
 

@@ -57,7 +57,7 @@ struct Plan {
 [[nodiscard]] Plan make_plan(const CampaignRequest& request, const std::stop_token& stop);
 [[nodiscard]] std::string plan_text(const CampaignRequest& request, const Plan& plan);
 
-/// "run 3 of 18, 0 failed, 2 at work, 0.4 s left"
+/// "3 of 18 runs done, 0 failed, 2 active, 0.4 s left"
 [[nodiscard]] std::string progress_text(const StudyProgress& progress);
 /// "18 runs: 18 done, 0 of them failed; 15 computed now in 0.4 s, 3 known before"
 [[nodiscard]] std::string outcome_text(const CampaignOutcome& outcome);

@@ -381,8 +381,9 @@ std::vector<Task> read_tasks(const fs::path& file, std::size_t decks) {
               fmt::format("not above that of the previous line, {}", out[out.size() - 2].number));
     bytes += memory_of(out.back().point);
     if (bytes > kMaxStudyBytes)
-      throw InputError(fmt::format("{}, line {}: its runs need more than {:.3g} GB of memory",
-                                   source.file, source.line, kMaxStudyBytes / 1e9));
+      throw InputError(fmt::format(
+          "{}, line {}: the list of runs needs more than {:.3g} GB of memory. Split the study.",
+          source.file, source.line, kMaxStudyBytes / 1e9));
   }
   return out;
 }

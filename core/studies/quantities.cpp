@@ -100,7 +100,7 @@ class Channels {
     std::size_t at = 0;
     for (std::size_t k = 0; k < dimensions.size(); ++k) {
       if (quantity.places[k] > dimensions[k])
-        throw InputError(fmt::format("{}: index {} goes to {}, but \"at\" gives {}",
+        throw InputError(fmt::format("{}: index {} must be 1 to {}, but \"at\" contains {}",
                                      quantity.channel, k + 1, dimensions[k], quantity.places[k]));
       at = at * dimensions[k] + quantity.places[k] - 1;
     }

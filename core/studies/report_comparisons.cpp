@@ -107,7 +107,7 @@ void Reporter::what_if() {
           !record                  ? "not finished"
           : record->exit_code != 0 ? "failed: " + record->message
           : own && own->processor > 0.0
-              ? fmt::format("{:.3g} s of the processor, {:.2f} of that of the original deck",
+              ? fmt::format("{:.3g} s processor time, {:.2f} times that of the original deck",
                             record->processor, record->processor / own->processor)
               : "");
       if (!record || record->exit_code != 0) continue;

@@ -165,10 +165,11 @@ Variable read_variable(const Json& json, const std::string& where, Kind kind) {
       object.refuse("common", "it only for lots, whose name has a # for the element number");
     out.common = object.number("common", "a correlation from 0 to 1");
     if (out.common < 0.0 || out.common > 1.0)
-      object.refuse("common", "a correlation of the elements of one lot from 0 to 1");
+      object.refuse("common", "a correlation between elements of the same lot (0 to 1)");
   }
   if (out.lot() && out.law == Law::Values)
-    object.refuse("name", "a lot (#) with uniform or normal, so that its elements differ");
+    object.refuse("name",
+                  "a lot (#) with a uniform or normal distribution, so that its elements differ");
   out.targets = {out.name};
   object.done();
   return out;
@@ -291,10 +292,10 @@ void read_correlations(const Json& json, const std::string& where, Study& out) {
           std::find_if(out.variables.begin(), out.variables.end(),
                        [&](const Variable& variable) { return variable.name == name; });
       if (found == out.variables.end() || found->law == Law::Values || found->lot())
-        throw InputError(
-            fmt::format("{}: \"{}\" is not one of the variables with uniform or normal (elements "
-                        "of a lot are correlated by \"common\")",
-                        at, name));
+        throw InputError(fmt::format(
+            "{}: \"{}\" is not a variable with a uniform or normal distribution (elements "
+            "of a lot are correlated by \"common\")",
+            at, name));
     }
     if (!(std::abs(next.value) <= 1.0) || next.first == next.second)
       throw InputError(at + " = " + dump_json(row) +
@@ -346,7 +347,9 @@ void check_kind(const Study& study, const std::string& name) {
     refuse(fmt::format("bearing_seeds has no effect in kind {}; remove it, or use kind sweep",
                        kind_name(study.kind)));
   if (study.kind == Kind::WorstCase && study.decks.size() > 1)
-    refuse("a worst-case search uses one deck; give \"deck\", and a study for each deck");
+    refuse(
+        "a worst-case search uses one deck; replace \"decks\" by \"deck\", and write a separate "
+        "study for each deck");
   std::set<std::string> names;
   for (const Variable& variable : study.variables)
     if (!names.insert(variable.name).second)
@@ -368,14 +371,17 @@ void check_kind(const Study& study, const std::string& name) {
                     "this study has {} of them and {} random ones",
                     values, count));
   if (study.kind == Kind::Tolerance && count == 0)
-    refuse("a tolerance study needs a variable with uniform or normal");
+    refuse(
+        "a tolerance study needs at least one variable with a \"uniform\" or \"normal\" "
+        "distribution");
   if (study.kind == Kind::WorstCase) {
-    if (values != 0) refuse("a worst-case search uses ranges: give every variable uniform");
+    if (values != 0)
+      refuse("a worst-case search needs a range for each variable: give \"uniform\": [low, high]");
     for (const Variable& variable : study.variables)
       if (variable.law != Law::Uniform)
-        refuse(
-            fmt::format("variable {}: a worst-case search needs limits; give uniform [low, high]",
-                        variable.name));
+        refuse(fmt::format(
+            "variable {}: a worst-case search needs limits; give \"uniform\": [low, high]",
+            variable.name));
     if (!study.correlations.empty())
       refuse("correlation has no effect in a worst-case search; remove it");
   }
@@ -383,7 +389,7 @@ void check_kind(const Study& study, const std::string& name) {
     refuse(
         "sampling.runs is missing: give the number of samples of the uniform and normal variables");
   if (!study.has_random() && study.samples > 0 && study.kind != Kind::Sensitivity)
-    refuse("sampling.runs has no effect without variables that are uniform or normal");
+    refuse("sampling.runs has no effect without variables with a uniform or normal distribution");
 }
 
 }  // namespace

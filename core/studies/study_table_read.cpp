@@ -420,7 +420,7 @@ std::string run_text(const fs::path& folder, long run) {
   if (std::error_code error; fs::exists(folder / "RUNS.csv", error))
     out = run_text(read_study_table(folder / "RUNS.csv"), run);
   if (record)
-    out += fmt::format("\ncost: {:.3g} s of the processor, {:.3g} MB, on {}\n", record->processor,
+    out += fmt::format("\ncost: {:.3g} s processor time, {:.3g} MB, on {}\n", record->processor,
                        record->memory_megabytes, record->host);
   // As run_task() makes it.
   std::string command = fmt::format("adore run {}", job.decks.at(task.point.deck).deck.string());

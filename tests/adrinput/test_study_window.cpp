@@ -209,7 +209,7 @@ TEST_CASE("study window: budget exceeded → starts only after confirmation",
   QSignalSpy ended(&window.panel(), &StudyPanel::finished);
   window.findChild<QPushButton*>("study-run")->click();
   REQUIRE(ended.wait(60000));
-  CHECK_THAT(window.panel().note().toStdString(), Contains("18 runs, and the budget has 5"));
+  CHECK_THAT(window.panel().note().toStdString(), Contains("18 runs, but the budget is 5"));
   auto* anyway = window.findChild<QPushButton*>("study-over-budget");
   REQUIRE(anyway->isVisible());
   // The check that the save asked for comes a moment later, before or after the answer.

@@ -373,7 +373,8 @@ TEST_CASE("pages: rounding errors → no spectrum for any column", "[unit][adrpl
         file.steps[i].values[c] = 1e-11 * std::sin(0.3 * static_cast<double>(i));
   const auto spectrum = page_with(file, "spectrum");
   REQUIRE(spectrum.panels.at(0).title == "X");
-  CHECK(spectrum.panels[0].message.find("No vibration: only rounding errors change") == 0);
+  CHECK(spectrum.panels[0].message.find(
+            "No vibration: the value changes only by rounding errors") == 0);
   CHECK(spectrum.panels[0].curves.at(0).y.empty());
   CHECK_FALSE(spectrum.panels[1].curves.at(0).y.empty());
   // The last digit of a text file.

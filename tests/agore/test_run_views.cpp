@@ -275,5 +275,5 @@ TEST_CASE("views: keys list exactly the drawn marks", "[gui][agore]") {
   MotionPicture free(std::move(rollers));
   options.beside.clear();
   options.view = View::Pocket;
-  CHECK(free.svg({1280, 800}, 3, options).contains("end walls are not stored"));
+  CHECK(free.svg({1280, 800}, 3, options).contains("contacts with end walls are not stored"));
 }

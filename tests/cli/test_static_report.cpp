@@ -144,7 +144,7 @@ TEST_CASE("the plan of a quasi-static deck names its unknowns and switches", "[c
   CHECK(line(ball, "together +35\n"));  // 16 balls of 2, and x, y, z
   CHECK(line(ball, "found: x \\(kFS1 = 0\\), y \\(kFS2 = 0\\), z \\(kFS3 = 0\\)"));
   CHECK(line(ball, "on +ball / race contact"));
-  CHECK(line(ball, "on +ball speeds +balance of friction .*kAngVel = 1, by race control"));
+  CHECK(line(ball, "on +ball speeds +friction equilibrium .*kAngVel = 1, .*by race control"));
   CHECK(line(plan("angular-218", "--opt ballFriction=spin-rule"),
              "on +ball speeds +kAngVel = 1: .*race control"));
   CHECK(line(ball, "on +stiffness over speed +kStif = 11"));

@@ -49,7 +49,7 @@ TEST_CASE("a study is planned, run, reported, and nothing is computed twice", "[
   const Result run = run_adore("study run " + file + " --progress plain");
   INFO(run.out);
   REQUIRE(run.code == 0);
-  CHECK(contains(run.out, "run 6 of 6, 0 failed"));
+  CHECK(contains(run.out, "6 of 6 runs done, 0 failed"));
   CHECK(contains(run.out, "3 computed now"));  // the pilots were there
   const std::string table = read(folder / "a.study" / "RUNS.csv");
   CHECK(lines_of(table) == 7);
@@ -237,7 +237,7 @@ TEST_CASE("a study that asks for what runs do not have, or for too much, does no
   write(file, std::string(text).insert(text.find("\"deck\""), "\"budget\": {\"runs\": 100}, "));
   const Result large = run_adore("study run " + file);
   CHECK(large.code == 2);
-  CHECK(contains(large.out, "500 runs, and the budget has 100"));
+  CHECK(contains(large.out, "500 runs, but the budget is 100"));
   CHECK(records_in(folder / "a.study") <= 6);
 }
 

@@ -128,7 +128,7 @@ def _(b):
     speed = math.hypot(orbit - roll * math.cos(beta), roll * math.sin(beta))
     first = r.sol("SOL1").values[0]
     return r.command, [close("orbital speed of ball 1 [rpm] (Jones, outer race control)", first[3], orbit, 2e-3),
-                       close("angular speed of ball 1 [rpm] (starts in balance of friction)", first[12], speed, 1e-2),
+                       close("angular speed of ball 1 [rpm] (starts in friction equilibrium)", first[12], speed, 1e-2),
                        close("cage speed over the epicyclic one of the contact angles", r.summary["mean_orbital_ratio"], orbit / 10000.0, 0.01)]
 
 

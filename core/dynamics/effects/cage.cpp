@@ -22,7 +22,7 @@ namespace {
 
 constexpr LedgerTerm kHolding{LedgerKind::Work,
                               "cage_holding",
-                              "work of what suppresses motions of the cage",
+                              "work of the constraints that suppress cage motions",
                               {"work of suppressed motions of the cage"},
                               "done since the start"};
 constexpr const LedgerTerm* kTerms[] = {&kHolding};

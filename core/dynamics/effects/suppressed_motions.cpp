@@ -17,7 +17,7 @@ namespace {
 
 constexpr LedgerTerm kWork{LedgerKind::Work,
                            "element_holding",
-                           "work of what suppresses motions of elements",
+                           "work of the constraints that suppress element motions",
                            {"work of suppressed motions of elements"},
                            "done since the start"};
 constexpr const LedgerTerm* kTerms[] = {&kWork};

@@ -5,11 +5,12 @@
 namespace adore::dynamics {
 namespace {
 
-constexpr LedgerTerm kEnergy{LedgerKind::Switch,
-                             "thermal_steps",
-                             "thermal steps",
-                             {"changes of geometry and material by thermal steps"},
-                             "stored energy after less before, since the start"};
+constexpr LedgerTerm kEnergy{
+    LedgerKind::Switch,
+    "thermal_steps",
+    "thermal steps",
+    {"changes of geometry and material by thermal steps"},
+    "change of stored energy at the changes (after minus before), total since the start"};
 constexpr LedgerTerm kMomentum{
     LedgerKind::Switch, "", "", {"linear momentum brought by thermal steps"}, ""};
 constexpr LedgerTerm kAngularMomentum{

@@ -457,7 +457,7 @@ class _Life(Calculator):
         nu: float = ...,
         z_over_b: float = ...,
     ) -> Result:
-        """life of races, elements and bearing by one model from contact loads"""
+        """life of races, rolling elements and bearing from contact loads, with the selected life model"""
 
 class _LifeFactors(Calculator):
     def __call__(  # type: ignore[override]

@@ -240,7 +240,8 @@ TEST_CASE("races excited by laws of time: follow the laws, energy ledger closes"
   CHECK(residual < 1e-2 * first);
 }
 
-TEST_CASE("turning base frame: free bodies move straight in space", "[physics][dynamics][frames]") {
+TEST_CASE("rotating base frame: free bodies move straight in space",
+          "[physics][dynamics][frames]") {
   bearing::Bearing b = angular_contact(6);
   b.cage->inertia = {0.05, {5e-5, 3e-5, 4e-5}};
   b.cage->start_angles = {0.0, 0.1, -0.05};

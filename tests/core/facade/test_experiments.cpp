@@ -243,7 +243,8 @@ TEST_CASE("experiment data: schema errors name experiment, run, row and member",
   CHECK_THAT(with("1676.0", "[3, 1]"), Contains("[least, most]"));
   CHECK_THAT(with("1676.0", "\"much\""), Contains("\"theirs\" must be a finite number"));
   CHECK_THAT(with("17800.0", "[1]"), Contains("appLoadX: must be a number or a string"));
-  CHECK_THAT(with("\"deck\"", "\"dek\""), Contains("\"deck\" is missing"));
+  CHECK_THAT(with("\"deck\"", "\"dek\""),
+             Contains("\"deck\", \"discs\" and \"film\" must be given"));
   CHECK_THAT(with("\"rows\"", "\"speeds\": [1], \"rows\""), Contains("unknown member \"speeds\""));
   CHECK_THAT(with("\"printed\"", "\"kept aside\""), Contains("kept aside"));
   CHECK_THAT(message_of(experiment_json(

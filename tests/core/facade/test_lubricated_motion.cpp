@@ -77,7 +77,7 @@ TEST_CASE("no oil at the contacts → every output has no film, as the equilibri
       // Metal rubs and is hot all the same.
       const std::vector<double> rise = file.read("contact.temperature_rise");
       CHECK(*std::max_element(rise.begin(), rise.end()) > 0.0);
-      CHECK_THAT(ran.print, Catch::Contains("Least film of the contacts"));
+      CHECK_THAT(ran.print, Catch::Contains("Minimum film thickness of the contacts"));
       CHECK_THAT(ran.print, !Catch::Contains("hypothetical traction)"));
       CHECK_THAT(ran.print, !Catch::Contains("film parameter 1e-09"));
       constexpr std::size_t kFilm = 25;  // of SOL1

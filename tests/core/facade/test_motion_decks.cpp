@@ -308,7 +308,7 @@ TEST_CASE("law of the races with zero amplitude → off, without cost", "[deck][
       {{{"kVarSpeed", "2"}},
        "varying race speed",
        {{"raceSpeedAmp2", "10"}, {"raceSpeedFreq2", "50"}}},
-      {{{"kRotFrame", "1"}}, "turning base frame", {{"brgAngVel", "500"}}}};
+      {{{"kRotFrame", "1"}}, "rotating base frame", {{"brgAngVel", "500"}}}};
   for (const auto& [code, name, acting] : laws)
     for (const bool acts : {false, true}) {
       const nlohmann::ordered_json plan =

@@ -298,7 +298,7 @@ TEST_CASE("uneven guide lands: decks run, and the energy ledger closes", "[valid
         plain = cage;
       else
         CHECK(cage != plain);
-      CHECK((ran.print.find("Least radial clearance at land 1 with its errors") !=
+      CHECK((ran.print.find("Smallest radial clearance at land 1 including form errors") !=
              std::string::npos) == !errors.empty());
     }
   }

@@ -588,7 +588,7 @@ TEST_CASE("user surfaces: not supported → rejected with the reason", "[user][u
   CHECK_THROWS_WITH(says("ball", {}, R"~({"adrx5": {"radius": "psi > 1 ? 1e-6 : 0"}})~"),
                     Catch::Contains("ADRX5") && Catch::Contains("has steps"));
   CHECK_THROWS_WITH(says("ball", {}, R"~({"adrx5": {"radius": "0.05*x"}})~"),
-                    Catch::Contains("ADRX5") && Catch::Contains("at most a hundredth"));
+                    Catch::Contains("ADRX5") && Catch::Contains("at most 1 %"));
   CHECK_THROWS_WITH(says("ball", {{"kRaceGeoImp1", "3"}},
                          R"~({"adrx6": {"outer_race": {"curvature_factor": "-0.1*sin(psi)^2"}}})~"),
                     Catch::Contains("kRaceGeoImp1") && Catch::Contains("do not fit"));
