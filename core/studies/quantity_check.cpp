@@ -47,6 +47,9 @@ std::string of_channel(std::string_view id, const deck::Deck& deck) {
     not_there = "no land guides the cage (nGL = 0)";
   if (id.starts_with("flange.") && deck.integer("kBrg") == 1)
     not_there = "a ball bearing has no roller flanges";
+  const auto split = [&deck](const char* shim) { return deck.has(shim) && deck.si(shim) > 0.0; };
+  if (id.starts_with("second_contact.") && !split("shimThickness1") && !split("shimThickness2"))
+    not_there = "no race is split (shimThickness1, shimThickness2)";
   if (id.starts_with("neighbour.") && deck.integer("nCseg") > 0)
     not_there = "the cage separates the elements";
   if (id.starts_with("thermal.") && deck.integer("kTherm") == 0)

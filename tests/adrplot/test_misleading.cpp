@@ -309,7 +309,7 @@ TEST_CASE("pages: cage orbit → divisor given in the note", "[unit][adrplot]") 
   CHECK_THAT(guided.note, Catch::Contains("clearance of the guide lands, 150 µm"));
   CHECK(guided.x_title == "Y / clearance");
   file.header.segments = 2;
-  CHECK_THAT(page_with(file, "orbit").note, Catch::Contains("middle of a segment"));
+  CHECK_THAT(page_with(file, "orbit").note, Catch::Contains("middle of an untilted segment"));
   file.header.segments = 1;
   for (const char* land : {"cage.land1_", "cage.land2_"}) set(file, land, 0.0);
   const desktop::ChartPage free = page_with(file, "orbit");

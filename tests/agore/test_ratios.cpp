@@ -118,7 +118,7 @@ TEST_CASE("curves with two values per period of the fastest contact → note nex
   const testing::TemporaryFolder folder;
   const fs::path run = turned(folder, "ball", 0, 6000);
   const Animation a = open_motion(run / "RESULTS.h5");
-  const std::string said = "stored steps a period";
+  const std::string said = "stored steps per period";
   for (const View view : {View::Cage, View::Element})
     CHECK_THAT(page_of(a, view).note, Contains(said));
   // These have the extremes between the steps.

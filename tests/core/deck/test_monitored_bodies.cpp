@@ -68,7 +68,7 @@ TEST_CASE("set_all_and_follow(): changed counts → same monitored bodies, with 
         CHECK(static_cast<long long>(names.size()) == deck.integer("kNumPltElem"));
         CHECK(said(notes, "the monitored bodies stay the same with"));
         CHECK(said(notes, fmt::format("{}", fmt::join(monitored_bodies(deck), ", "))));
-        CHECK(said(notes, "the cage is gone") ==
+        CHECK(said(notes, "the cage no longer exists") ==
               (before.integer("nCseg") > 0 && deck.integer("nCseg") == 0));
       }
   }

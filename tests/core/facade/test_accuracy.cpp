@@ -194,7 +194,7 @@ TEST_CASE("accuracy study: recommendation mentions warnings of its run and irreg
     CAPTURE(says);
     CHECK((says.find("of the exchanged energy, and the run warns of it") != std::string::npos) ==
           (share > results::kMovedWarning));
-    CHECK((says.find("1.6e-04 of the energy") != std::string::npos) ==
+    CHECK((says.find("1.6e-04 of the exchanged energy") != std::string::npos) ==
           (share > results::kMovedWarning));
     CHECK(says.find("rk4, tol 0.0001, stpMax as stable: the cheapest within 1 % over 50 turns") ==
           0);

@@ -100,7 +100,7 @@ TEST_CASE("catalogue: tapered bore → reported, with the type of its clearance 
           "[unit][catalogue]") {
   const auto told = [](std::string_view name) {
     for (const std::string& sentence : deck::catalogue_story(deck::find_bearing(name)))
-      if (sentence.starts_with("A tapered bore (K)")) return true;
+      if (sentence.starts_with("Bearings with a tapered bore (K)")) return true;
     return false;
   };
   for (const char* name : {"22210 K", "22210 EK", "22210 EK/C3", "SKF 22210 CCK/W33", "22210 K30",

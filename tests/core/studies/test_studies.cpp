@@ -251,7 +251,7 @@ TEST_CASE("study: run whose process is killed repeatedly → computed in the end
     CHECK(engine.done[k].values == std::vector<double>{1.0});
     CHECK(engine.starts(k) == 13);
   }
-  CHECK(engine.note.find("24 killed from outside") != std::string::npos);
+  CHECK(engine.note.find("24 killed and repeated") != std::string::npos);
 }
 
 TEST_CASE("study: run whose process is always killed → unfinished, without a record of failure",
@@ -260,7 +260,7 @@ TEST_CASE("study: run whose process is always killed → unfinished, without a r
     StandIn engine("always-killed",
                    kCount + "case $key in a*) kill -" + signal + " $$;; esac\n" + kAnswer);
     CHECK_THROWS_WITH(engine.run(), Catch::Contains("1 run has no result") &&
-                                        Catch::Contains("killed from outside 20 times"));
+                                        Catch::Contains("was killed 20 times"));
     REQUIRE(engine.done.size() == 1);
     CHECK(engine.done[0].key == engine.work.tasks[1].key);
     CHECK(engine.starts(0) == 20);
