@@ -140,8 +140,8 @@ void heat_of_elements(Report& report, const StepRecord& record, int interval, bo
           std::pair{"damping", "contact.damping_heat"}})
       columns.push_back({fmt::format("{} {}", title, race + 1), id, race});
   if (record.shape.split)
-    columns.insert(columns.end(), {{"other half 1", "second_contact.heat", 0},
-                                   {"other half 2", "second_contact.heat", 1}});
+    columns.insert(columns.end(), {{"second 1", "second_contact.heat", 0},
+                                   {"second 2", "second_contact.heat", 1}});
   const auto flanges = [&record](std::string_view id) {
     return [&record, id](std::size_t j) {
       double sum = 0.0;

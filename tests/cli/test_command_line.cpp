@@ -220,7 +220,7 @@ TEST_CASE("show, examples, run options and the run's summary speak JSON", "[cli]
     CHECK(json::accept(run_as_given("show --json " + (folder / file).string()).out));
 
   const json examples = json::parse(run_as_given("examples --json").out);
-  CHECK(examples.size() == 14);
+  CHECK(examples.size() == 15);
   for (const json& one : examples) CHECK(one.at("does").size() >= 4);
   CHECK(json::parse(run_as_given("run --list-options --json").out).size() > 8);
 }

@@ -138,9 +138,9 @@ TEST_CASE("continued run: changed loads and speeds â†’ reported; other bearing â
                                   {"cageGsCls[2]=2.5e-4", "cageGsCls[2]"},
                                   {"raceFit2=1e-6", "raceFit2"},
                                   {"runID=another", "another"},
-                                  {"mode=1", "do not fit (mode: 0"},
-                                  {"kDOF=2", "do not fit (kDOF: 0"},
-                                  {"kPltElemInd[1]=2", "do not fit (kPltElemInd[1]: 1"}}) {
+                                  {"mode=1", "do not match (mode: 0"},
+                                  {"kDOF=2", "do not match (kDOF: 0"},
+                                  {"kPltElemInd[1]=2", "do not match (kPltElemInd[1]: 1"}}) {
     const Result other = run(std::string("--set kIcOpt=1 --set ") + set);
     INFO(other.out);
     CHECK(other.code == 2);
@@ -170,7 +170,7 @@ TEST_CASE("continued run: changed loads and speeds â†’ reported; other bearing â
 
   const Result fewer = run("--set kIcOpt=-1 --set nRe=11 --set kPltElemInd=1,5,12,14");
   CHECK(fewer.code == 2);
-  CHECK(contains(fewer.out, "12 rolling elements and a cage, this deck has 11"));
+  CHECK(contains(fewer.out, "12 rolling elements and a cage, but this deck has 11"));
   const Result smaller = run("--set kIcOpt=-1 --set cageGsCls[2]=2.5e-4 --set rpm2=9000");
   CHECK(smaller.code == 0);
   CHECK(contains(smaller.out, "starts under a changed deck"));

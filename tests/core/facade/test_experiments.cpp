@@ -100,14 +100,16 @@ TEST_CASE(
     // times as many, leave 2e-14).
     if (row.what == "energy without account") CHECK(*row.ours < 2e-7);
     // Torque where the film carries; slower, where asperities do, ours falls short by up to 42 %.
+    // Lightly loaded balls of 6.35 mm skid in the friction equilibrium: 26 % less (decision 860).
     if (row.what == "friction torque" && row.condition.ends_with("210 rpm"))
-      CHECK(std::abs(*row.deviation()) < 0.15);
+      CHECK(std::abs(*row.deviation()) < (row.condition.starts_with("3 mm") ? 0.15 : 0.3));
   }
   REQUIRE(still.size() == 2);
   REQUIRE(in_time.size() == 2);
-  // Balls of 6.35 mm under 0.125 N skid at speed, with 0.07 of the heat, and resist less than the
-  // equilibrium says, which rolls freely: the fit goes across the skid and what follows it.
-  CHECK(in_time[0] < still[0] - 0.05);
+  // Balls of 6.35 mm under 0.125 N skid at speed, with 0.07 of the heat, in equilibria and in time:
+  // the fit goes across the skid and what follows it.
+  CHECK(in_time[0] < still[0]);
+  CHECK(in_time[0] > still[0] - 0.05);
   // Small balls roll, with 0.998 of the heat.
   CHECK(std::abs(in_time[1] - still[1]) < 0.01);
 }
