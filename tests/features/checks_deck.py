@@ -206,7 +206,7 @@ def _(b):
     r = b.run(until=BASE)
     c = b.channels(r)
     part = r.listing.split("ROLLING ELEMENT PARAMETERS")[-1]
-    q = f"{c['contact.load.1.1'][-1]:.4g}"
+    q = f"{c['contact.load.1.1'][-1]:.5g}"
     return r.command, [equal(f"load of ball 1 of RESULTS.h5 ({q} N) in section 1", q in part, True)]
 
 
@@ -399,7 +399,7 @@ def _(b):
     n = len(s.steps) // 2
     checks = [(4, c["element.orbital_velocity.1"][n] * 30 / math.pi), (8, c["element.radial_position.1"][n]), (16, c["contact.load.1.1"][n]), (18, math.degrees(c["contact.angle.1.1"][n])),
               (22, c["contact.slip.1.1"][n]), (24, c["contact.heat.1.1"][n])]
-    return r.command, [equal("values of a ball's record (27 and 6 appended)", s.integers[0], 33), equal("of a roller's (39 and 6)", t.sol("SOL1").integers[0], 45)] + [
+    return r.command, [equal("values of a ball's record (27 and 11 appended)", s.integers[0], 38), equal("of a roller's (39 and 15)", t.sol("SOL1").integers[0], 54)] + [
         close(f"value {k}, that of RESULTS.h5", s.values[n][k - 1], v, 1e-5, 1e-12) for k, v in checks]
 
 
@@ -426,7 +426,8 @@ def _(b):
     r = b.run(until=BASE)
     c, s = b.channels(r), r.sol("SOL7")
     n = len(s.steps) // 2
-    heat = sum(c[f"contact.heat.{k}.{race}"][n] for k in range(1, 13) for race in (1, 2)) + c["power.pocket_heat"][n] + c["power.land_heat"][n]
+    heat = sum(c[f"contact.{kind}.{k}.{race}"][n] for k in range(1, 13) for race in (1, 2) for kind in ("heat", "damping_heat"))
+    heat += sum(c[name][n] for name in ("power.pocket_heat", "power.land_heat", "power.pocket_damping", "power.land_damping") if name in c)
     return r.command, [equal("values without thermal analysis", s.integers[0], 17), close("power, sum of all contacts [W]", s.values[n][0], heat, 1e-4),
                        close("life [hr]", s.values[n][2], c["power.life"][n], 1e-5), equal("temperatures [K]", s.values[n][13:17], [293.15] * 4)]
 

@@ -57,10 +57,11 @@ def user_curve(b, kind, formula, name):
 @feature("F166", G)
 def _(b):
     two = {"kTracType": 0, "reRaceTC1": 0.0, "reRaceTC2": 0.3, "reRaceTC3": 0.0002, "reRaceTC4": 0.2}
-    r = b.run(sets=two, until=SHORT)
+    rule = {"ballFriction": "spin-rule"}  # one start for both: statics do not call ADRX7
+    r = b.run(sets=two, until=SHORT, opts=rule)
     law = user_curve(b, "element_race", "(u < 0.2) ? 0.3*u : 0.06 + 0.0002*(u-0.2)", "two")
-    same = b.run(sets={"kTrac": -1}, until=SHORT, more=["--user", law])
-    other, steep = (b.run(sets={**two, **x}, until=SHORT) for x in ({"reRaceTC4": 0.1}, {"reRaceTC3": 0.05}))
+    same = b.run(sets={"kTrac": -1}, until=SHORT, opts=rule, more=["--user", law])
+    other, steep = (b.run(sets={**two, **x}, until=SHORT, opts=rule) for x in ({"reRaceTC4": 0.1}, {"reRaceTC3": 0.05}))
     return r.command, [differs("heat with a second slope of 0.05 s/m [J]", heat(b, steep, "inner race contacts"), heat(b, r, "inner race contacts"), 1e-3),
                        close("heat at the inner races, that of the same curve by ADRX7 [J]", heat(b, r, "inner race contacts"), heat(b, same, "inner race contacts"), 0.02),
                        differs("with the kink at 0.1 m/s [J]", heat(b, other, "inner race contacts"), heat(b, r, "inner race contacts"), 1e-2)]

@@ -280,7 +280,7 @@ def _(b):
     base, heavy = b.static(sets=cage()), b.static(sets=cage(Den=2700.0))
     hot = b.static(sets={**HOT, **cage(CTE=4e-5)})
     warm = b.static(sets={**HOT, **cage()})
-    w0, w1, w2 = (wear(b, cage(**x), "cage") for x in ({}, {"WC": 4e-6}, {"H": 40.0}))
+    w0, w1, w2 = (wear(b, {**cage(**x), "avRatio": 1.2}, "cage") for x in ({}, {"WC": 4e-6}, {"H": 40.0}))
 
     out = []
     for what, x, e, n in (("6.55 GPa", {}, 6.55e9, 0.25), ("cageEM = 13.1 GPa", {"EM": 13.1e9}, 13.1e9, 0.25), ("cagePR = 0.4", {"PR": 0.4}, 6.55e9, 0.4)):
