@@ -88,7 +88,7 @@ void PlotWindow::makeMenus() {
   view->addAction(tr("Zoom &Forward"), Qt::ALT | Qt::Key_Right, view_,
                   &desktop::ChartView::zoomForward);
   view->addAction(tr("Show &Everything"), Qt::Key_Home, view_, &desktop::ChartView::zoomAll);
-  view->addAction(tr("&Remove Cursors"), Qt::Key_Escape, view_, &desktop::ChartView::clearCursors);
+  view->addAction(tr("Remove Cu&rsors"), Qt::Key_Escape, view_, &desktop::ChartView::clearCursors);
   makeKeyMenus(view);
   view->addSeparator();
   auto* log_x = view->addAction(tr("Logarithmic &Abscissa"));
@@ -116,7 +116,8 @@ void PlotWindow::makeMenus() {
        {tr("Ctrl+click, Ctrl+Shift+click"), tr("set cursor A, B; Esc removes them")},
        {tr("Tab"), tr("focus the chart for the keys below (shown by a frame)")},
        {tr("+ or =, -"), tr("zoom in, out at the current point or the center")},
-       {tr("Left, Right"), tr("move by a tenth of the visible range; with Shift by all of it")},
+       {tr("Left, Right"), tr("move by a tenth of the visible range")},
+       {tr("Shift+Left, Shift+Right"), tr("move by the whole visible range")},
        {tr("Up, Down"), tr("move an orbit or the enlarged values of a panel")},
        {tr("Ctrl++, Ctrl+-"), tr("enlarge, reduce the values of a panel")},
        {tr("Ctrl+Up, Ctrl+Down"), tr("select the panel for these keys (marked by a bar)")},

@@ -374,11 +374,10 @@ void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
       if (chart.x[k] > chart.view_high && y[k] > beyond) beyond = y[k], at = chart.x[k];
   }
   if (beyond > 0.0)
-    add_note(
-        chart,
-        fmt::format(
-            "Outside the first view, lines are below {} % of the maximum of the curve (at {}).",
-            desktop::pretty_number(100.0 * beyond, 2), desktop::pretty_quantity(at, "Hz", 3)));
+    add_note(chart,
+             fmt::format("Outside the first view, lines are below {} % of the highest one (at {}).",
+                         desktop::pretty_number(100.0 * beyond, 2),
+                         desktop::pretty_quantity(at, "Hz", 3)));
 }
 
 }  // namespace adore::adrplot

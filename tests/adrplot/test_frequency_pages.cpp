@@ -161,7 +161,7 @@ TEST_CASE("pages: short gaps of a curve are bridged for its spectrum, and said",
     to_waterfall(fall, {t, {}}, {});
     INFO(fall.note);
     CHECK(fall.panels.empty() != drawn);
-    CHECK(fall.note.find(drawn ? "2 of 5000 steps have no value: bridged"
+    CHECK(fall.note.find(drawn ? "2 of 5000 steps have no value: interpolated linearly"
                                : "There are no values at 49 of 5000 steps") != std::string::npos);
   }
 }
@@ -359,7 +359,7 @@ TEST_CASE("waterfall: motion slower than a piece does not fill its first lines",
     CHECK(*std::max_element(piece.begin(), piece.end()) == 0.0);
   desktop::ChartPage page = page_of({tone(t, 2000.0)});
   to_waterfall(page, {t, {}}, {Window::Hann, SpectrumScale::Units});
-  CHECK(page.note.find("Mean and trend are removed") != std::string::npos);
+  CHECK(page.note.find("mean and trend removed") != std::string::npos);
 }
 
 TEST_CASE("own charts: differences are from the curve that was ticked first, or from a chosen one",

@@ -330,7 +330,7 @@ TEST_CASE("pages: cage orbit → divisor given in the note", "[unit][adrplot]") 
   const std::vector<PageSpec> pages = plot_pages(file.kind, file.header);
   PageContext context;
   context.facts.cage_scale = {60e-6, CageScale::Of::Pockets};
-  CHECK_THAT(build_page(file, pages, 5, {}, context).note, Catch::Contains("pockets, 60 µm"));
+  CHECK_THAT(build_page(file, pages, 5, {}, context).note, Catch::Contains("pocket clearance, 60 µm"));
   context.facts.cage_scale = {149e-6, CageScale::Of::GuideLands};
   CHECK_THAT(build_page(file, pages, 5, {}, context).note, Catch::Contains("lands, 149 µm"));
 }

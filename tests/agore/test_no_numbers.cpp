@@ -144,6 +144,6 @@ TEST_CASE("no_numbers: stars in SOL8 → reported in the picture", "[gui]") {
   test::write_text(folder / "SOL8", test::sol8_text(file));
   const Animation a = open_motion(folder / "SOL8");
   REQUIRE(a.notes().size() == 1);
-  CHECK(a.notes().front().find("1 value is no finite number") == 0);
+  CHECK(a.notes().front().find("1 value is not finite") == 0);
   CHECK(a.source.find(a.notes().front()) != std::string::npos);
 }
