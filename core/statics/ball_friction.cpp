@@ -26,6 +26,8 @@ using Vec4 = Eigen::Vector4d;
 using Mat4 = Eigen::Matrix4d;
 
 constexpr int kSteps = 100, kCuts = 4, kPasses = 30;
+/// Residuals that the search for one ball may take in all passes.
+constexpr int kResiduals = 3000;
 /// Residual over the larger contact load: where steps end (with few nodes kNear), and what is taken
 /// when they are used up.
 constexpr double kBalanced = 1e-11, kNear = 1e-5, kAccepted = 1e-5;
@@ -75,8 +77,8 @@ using Result = Eigen::Vector3d;
 class Ball {
  public:
   Ball(const Bearing& bearing, const ContactLaws& laws, const tribology::BearingDrag* drag,
-       double frame, const StaticBall& ball)
-      : bearing_(bearing), laws_(laws), drag_(drag), frame_(frame) {
+       double frame, const StaticBall& ball, int& left)
+      : bearing_(bearing), laws_(laws), drag_(drag), left_(left), frame_(frame) {
     radius_ = 0.5 * bearing.balls().diameter;
     load_ = std::max(ball.Q[0], ball.Q[1]);
     spin_ = std::abs(ball.spin_speed);
@@ -96,7 +98,7 @@ class Ball {
     bool known = false;
     for (int n = 0; n < kSteps && G.norm() > balanced; ++n) {
       const double size = G.norm();
-      if (!std::isfinite(size)) return false;
+      if (!std::isfinite(size) || left_ <= 0) return false;
       BallMotion ignored;
       for (int k = 0; k < 4 && !known; ++k) {
         Vec4 w = v;
@@ -195,6 +197,7 @@ class Ball {
 
   /// M_x, M_r, M_θ over load and radius; F_θ over the load, as what it does to the orbit.
   Vec4 residual(const Vec4& v, BallMotion& motion) const {
+    --left_;
     BallMotion at;
     at.omega = spin_ * v.head<3>();
     at.orbit = spin_ * v[3];
@@ -243,6 +246,7 @@ class Ball {
   const ContactLaws& laws_;
   const tribology::EllipseRule* rule_ = nullptr;
   const tribology::BearingDrag* drag_;
+  int& left_;  ///< residuals
   double frame_, r_ = 0.0, radius_ = 0.0, load_ = 0.0, spin_ = 0.0;
   std::array<BallContact, 2> contact_;
   std::array<std::optional<BallContact>, 2> second_;  ///< with the other half of a split race
@@ -442,6 +446,7 @@ FrictionBalance balance_balls(const Bearing& bearing, const StaticsOptions& opti
   for (std::size_t k = 0; k < solution.balls.size(); ++k)
     out.balls.push_back(out.motion_of(k, solution.balls[k]));
   Balls balls(bearing, options, solution);
+  std::vector<int> residuals(solution.balls.size(), kResiduals);
   double change = 0.0;
   for (int pass = 0; pass < kPasses; ++pass) {
     change = pass == 0 ? std::numeric_limits<double>::infinity() : 0.0;
@@ -454,7 +459,7 @@ FrictionBalance balance_balls(const Bearing& bearing, const StaticsOptions& opti
       if (!is_loaded(ball)) {
         now = FrictionBalance{}.motion_of(k, ball);
       } else {
-        Ball at(bearing, laws, drag ? &*drag : nullptr, frame, ball);
+        Ball at(bearing, laws, drag ? &*drag : nullptr, frame, ball, residuals[k]);
         if (pass == 0 && !at.find(now, few, kNear)) now = FrictionBalance{}.motion_of(k, ball);
         if (!at.find(now, rule, kBalanced)) {
           now = FrictionBalance{}.motion_of(k, ball);  // once more from pure rolling

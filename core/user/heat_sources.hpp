@@ -29,7 +29,7 @@ class HeatSources {
   /// Of the bearing, what places of contacts need.
   struct Geometry {
     struct Land {
-      double x = 0.0, radius = 0.0;  ///< middle from the cage's centre, on the cage [m]
+      double x = 0.0, radius = 0.0;  ///< middle from the cage's center, on the cage [m]
       int race = -1;
     };
     double element_radius = 0.0, half_length = 0.0;  ///< rollers: half the length [m]

@@ -93,7 +93,7 @@ TEST_CASE("check and run: agree on every example deck in every lubricant, cold a
         const deck::UnitSystem units = deck::new_deck(info.name).units();
         facade::DeckRequest request = request_of(
             deck_of(info.name, with(with({{"mode", "-1"}}, in_oil(code)), at(kelvin, units))));
-        // Friction equilibria in oil that is nearly solid take up to half a minute.
+        // Films are the subject; friction equilibria in oil that is nearly solid take seconds.
         request.options.emplace_back("ballFriction", "spin-rule");
         const facade::CheckReport report = facade::check(request);
         const std::string end = end_of_preparation(request);

@@ -56,7 +56,7 @@ Force force_of_race(const Bearing& bearing, const StaticBall& b, std::size_t j) 
   return force_of(bearing, j, b.Q[j], b.alpha[j], b.delta[j], b.K[j]) +
          force_of(bearing, j, s.Q, s.alpha, s.delta, s.K);
 }
-/// Direction from the centre of the displaced inner race to the ball, on (y, z).
+/// Direction from the center of the displaced inner race to the ball, on (y, z).
 Force outward(const StaticSolution& s, const StaticBall& b) {
   return Force(-b.r * std::sin(b.azimuth) - s.displacement[1],
                b.r * std::cos(b.azimuth) - s.displacement[2])

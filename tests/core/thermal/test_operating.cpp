@@ -135,7 +135,7 @@ TEST_CASE("operating bearing: groove centers of statics are on the moved circles
     const bearing::OperatingFits& fits = *warm.operating;
     for (std::size_t j = 0; j < 2; ++j) {
       CHECK(groove.centre_radius[j] == Approx(fits.locus[j]).epsilon(1e-14));
-      // The groove bottom, reached from its own centre, is the raceway moved by its growth.
+      // The groove bottom, reached from its own center, is the raceway moved by its growth.
       const double bottom =
           groove.centre_radius[j] + (j == 0 ? 1.0 : -1.0) * groove.groove_radius[j];
       CHECK(bottom == Approx(fits.raceway_radius[j] + fits.raceway[j].total()).epsilon(1e-14));
