@@ -26,8 +26,7 @@ using Vec4 = Eigen::Vector4d;
 using Mat4 = Eigen::Matrix4d;
 
 constexpr int kSteps = 100, kCuts = 4, kPasses = 30;
-/// Residuals that the search for one ball may take in all passes.
-constexpr int kResiduals = 3000;
+constexpr int kSearches = 2;  ///< without an equilibrium, of one ball; from then on the spin rule
 /// Residual over the larger contact load: where steps end (with few nodes kNear), and what is taken
 /// when they are used up.
 constexpr double kBalanced = 1e-11, kNear = 1e-5, kAccepted = 1e-5;
@@ -77,8 +76,8 @@ using Result = Eigen::Vector3d;
 class Ball {
  public:
   Ball(const Bearing& bearing, const ContactLaws& laws, const tribology::BearingDrag* drag,
-       double frame, const StaticBall& ball, int& left)
-      : bearing_(bearing), laws_(laws), drag_(drag), left_(left), frame_(frame) {
+       double frame, const StaticBall& ball)
+      : bearing_(bearing), laws_(laws), drag_(drag), frame_(frame) {
     radius_ = 0.5 * bearing.balls().diameter;
     load_ = std::max(ball.Q[0], ball.Q[1]);
     spin_ = std::abs(ball.spin_speed);
@@ -98,7 +97,7 @@ class Ball {
     bool known = false;
     for (int n = 0; n < kSteps && G.norm() > balanced; ++n) {
       const double size = G.norm();
-      if (!std::isfinite(size) || left_ <= 0) return false;
+      if (!std::isfinite(size)) return false;
       BallMotion ignored;
       for (int k = 0; k < 4 && !known; ++k) {
         Vec4 w = v;
@@ -121,13 +120,16 @@ class Ball {
       }
       constexpr double kFast = 0.1;  // slopes stay while the residual falls so
       known = next.norm() < kFast * size;
-      constexpr double kRounding = 1e-8;
-      if (size <= kRounding && !(next.norm() < size)) {
+      // Rounding, or a speed on which nearly nothing depends, since its tractions saturate.
+      constexpr double kSmall = 1e-8, kSlow = 0.9;
+      const bool at_end = size <= kSmall && !(next.norm() < kSlow * size);
+      if (at_end && !(next.norm() < size)) {
         (void)residual(v, motion);
         break;
       }
       v += d;
       G = next;
+      if (at_end) break;
     }
     motion.omega = spin_ * v.head<3>();
     motion.orbit = spin_ * v[3];
@@ -197,7 +199,6 @@ class Ball {
 
   /// M_x, M_r, M_θ over load and radius; F_θ over the load, as what it does to the orbit.
   Vec4 residual(const Vec4& v, BallMotion& motion) const {
-    --left_;
     BallMotion at;
     at.omega = spin_ * v.head<3>();
     at.orbit = spin_ * v[3];
@@ -246,7 +247,6 @@ class Ball {
   const ContactLaws& laws_;
   const tribology::EllipseRule* rule_ = nullptr;
   const tribology::BearingDrag* drag_;
-  int& left_;  ///< residuals
   double frame_, r_ = 0.0, radius_ = 0.0, load_ = 0.0, spin_ = 0.0;
   std::array<BallContact, 2> contact_;
   std::array<std::optional<BallContact>, 2> second_;  ///< with the other half of a split race
@@ -446,7 +446,7 @@ FrictionBalance balance_balls(const Bearing& bearing, const StaticsOptions& opti
   for (std::size_t k = 0; k < solution.balls.size(); ++k)
     out.balls.push_back(out.motion_of(k, solution.balls[k]));
   Balls balls(bearing, options, solution);
-  std::vector<int> residuals(solution.balls.size(), kResiduals);
+  std::vector<int> failed(solution.balls.size(), 0);
   double change = 0.0;
   for (int pass = 0; pass < kPasses; ++pass) {
     change = pass == 0 ? std::numeric_limits<double>::infinity() : 0.0;
@@ -459,14 +459,19 @@ FrictionBalance balance_balls(const Bearing& bearing, const StaticsOptions& opti
       if (!is_loaded(ball)) {
         now = FrictionBalance{}.motion_of(k, ball);
       } else {
-        Ball at(bearing, laws, drag ? &*drag : nullptr, frame, ball, residuals[k]);
-        if (pass == 0 && !at.find(now, few, kNear)) now = FrictionBalance{}.motion_of(k, ball);
-        if (!at.find(now, rule, kBalanced)) {
-          now = FrictionBalance{}.motion_of(k, ball);  // once more from pure rolling
-          if (!at.find(now, rule, kBalanced)) {
-            now = FrictionBalance{}.motion_of(k, ball);
-            out.left.push_back(k);
-          }
+        Ball at(bearing, laws, drag ? &*drag : nullptr, frame, ball);
+        const auto find = [&] {
+          if (failed[k] >= kSearches) return false;
+          const bool from_rolling = pass == 0 ? !at.find(now, few, kNear) : !now.balanced;
+          if (from_rolling) now = FrictionBalance{}.motion_of(k, ball);
+          if (at.find(now, rule, kBalanced)) return true;
+          now = FrictionBalance{}.motion_of(k, ball);
+          return !from_rolling && at.find(now, rule, kBalanced);
+        };
+        if (!find()) {
+          now = FrictionBalance{}.motion_of(k, ball);
+          ++failed[k];
+          out.left.push_back(k);
         }
         if (now.balanced) balls.hold(k, ball, now, at.slopes(balls.seat(k), ball, now));
       }
