@@ -437,8 +437,9 @@ FrictionBalance balance_balls(const Bearing& bearing, const StaticsOptions& opti
   const StaticSolution before = solution;
   const ContactLaws laws(bearing);
   // Nodes that tractions do not see pass: of 30, slopes would be 4e-4 apart from differences of
-  // whole equilibria, of 100 2e-6. The way from pure rolling takes few.
-  const tribology::EllipseRule rule = tribology::make_split_ellipse_rule(100, 12),
+  // whole equilibria, of 100 2e-6. The way from pure rolling takes few. Films are smooth across.
+  const int across = bearing.lubrication ? 6 : 12;
+  const tribology::EllipseRule rule = tribology::make_split_ellipse_rule(100, across),
                                few = tribology::make_split_ellipse_rule(20, 4);
   std::optional<tribology::BearingDrag> drag;
   if (bearing.churning) drag.emplace(bearing);
