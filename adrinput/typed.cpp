@@ -67,7 +67,7 @@ bool ends_in_exponent(std::string_view number) {
 
 std::string ending_of(const deck::VariableSpec& variable) {
   const std::string codes = deck::describe_codes(variable);
-  return codes.empty() ? "" : "valid are " + codes;
+  return codes.empty() ? "" : "valid codes are " + codes;
 }
 
 }  // namespace

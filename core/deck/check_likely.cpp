@@ -52,7 +52,7 @@ void check_celsius(Checker& c) {
   const char* scale = english(c) ? "deg F" : "deg C";
   const double absolute = english(c) ? raw + 459.67 : raw + kFreezingPoint;
   c.warning(first,
-            fmt::format("is {:.0f} deg C, a temperature of cryogenic bearings only{}",
+            fmt::format("is {:.0f} deg C, a temperature that only cryogenic bearings have{}",
                         *c.si(first) - kFreezingPoint,
                         others.empty() ? std::string() : " (so are " + others + ")"),
             fmt::format("temperatures are absolute: for {:g} {} write {:.6g} {}", raw, scale,
@@ -106,8 +106,10 @@ void check_radians(Checker& c) {
     const auto angle = c.raw(name);
     const double least = name == "freeConAng" ? 0.05 : 0.09, most = 1.5;
     if (!angle || std::abs(*angle) < least || std::abs(*angle) > most) continue;
-    c.warning(name, fmt::format("is below {:g} deg; angles are in deg, not rad", most),
-              fmt::format("for {:g} rad write {:.6g}", *angle, *angle * 180.0 / 3.14159265358979));
+    c.warning(
+        name,
+        fmt::format("is below {:g} deg and may be in rad; angles of this record are in deg", most),
+        fmt::format("for {:g} rad write {:.6g}", *angle, *angle * 180.0 / 3.14159265358979));
   }
   for (const std::string_view name : {"appMis11", "appMis21", "appMis12", "appMis22"}) {
     const auto angle = c.raw(name);
@@ -184,14 +186,14 @@ void check_speeds(Checker& c) {
   if (*mode < 0 && *inner == 0.0) {              // at rest the equilibrium alone is a fair question
     c.add(c.deck().issue(
         Severity::Note, "rpm2",
-        "no race turns: the result is the equilibrium at rest, without a life in hours",
+        "no race rotates: the result is the equilibrium at rest, without a life in hours",
         "if this is not intended, give a speed on record 9.1.2"));
     return;
   }
   c.warning("rpm2",
             *inner == 0.0
-                ? std::string("no race turns, so that nothing rolls")
-                : fmt::format("both races turn at {:g} rpm, so that nothing rolls", *inner),
+                ? std::string("no race rotates, so that nothing rolls")
+                : fmt::format("both races rotate at {:g} rpm, so that nothing rolls", *inner),
             "give the races different speeds on record 9.1.2");
 }
 

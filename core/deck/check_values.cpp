@@ -52,9 +52,9 @@ class ValueCheck {
     const auto expected = static_cast<std::size_t>(array_length(checker_.deck(), variable_));
     if (elements.size() != expected) {
       report(Severity::Error, 0, {},
-             fmt::format("has {}, but {} due", counted(elements.size(), "element"),
+             fmt::format("has {}, but {} required", counted(elements.size(), "element"),
                          counted(expected, "is", "are")),
-             "give as many values as the count requires");
+             "enter one value for each element");
       return;
     }
     for (std::size_t i = 0; i < elements.size(); ++i)
@@ -100,7 +100,7 @@ class ValueCheck {
 
   [[nodiscard]] std::string suggestion() const {
     const std::string codes = describe_codes(variable_);
-    if (!codes.empty()) return "valid are " + codes;
+    if (!codes.empty()) return "valid codes are " + codes;
     const std::string range =
         describe_range(range_in_deck_units(checker_.deck(), variable_), unit());
     const std::string kind = variable_.type == VarType::Integer ? "an integer"
@@ -140,7 +140,8 @@ class ValueCheck {
     const auto longest = static_cast<std::size_t>(variable_.max_length);
     if (longest == 0 || text.size() <= longest) return;
     report(variable_.name == "recID" ? Severity::Warning : Severity::Error, element,
-           value_text(text), fmt::format("is {} characters long, {} fit", text.size(), longest),
+           value_text(text),
+           fmt::format("is {} characters long, but at most {} are allowed", text.size(), longest),
            "shorten it");
   }
 
@@ -166,9 +167,9 @@ void check_layout(Checker& checker, const Reported& reported) {
       if (deck.has_record(spec.id, instance)) continue;
       missing = true;
       if (reported.missing_records.count({std::string(spec.id), instance}) > 0) continue;
-      checker.add(record_issue(deck, spec.id, 0,
-                               fmt::format("the record ({}) is required but missing", spec.title),
-                               fmt::format("add it, because `{}`", spec.condition)));
+      checker.add(record_issue(
+          deck, spec.id, 0, fmt::format("the record ({}) is required but missing", spec.title),
+          fmt::format("add the record, because the condition `{}` is met", spec.condition)));
     }
     if (missing)
       for (const VariableSpec& variable : spec.variables)
@@ -190,7 +191,7 @@ void check_layout(Checker& checker, const Reported& reported) {
     checker.add(record_issue(
         deck, data.id, data.line,
         find_record(data.id) == nullptr ? "there is no such record" : "the record is out of order",
-        "keep the order of the schema"));
+        "put the records in the order that `adore schema` lists"));
   }
 }
 
@@ -201,9 +202,9 @@ void check_values(Checker& checker) {
     if (data.values.size() != spec->variables.size()) {
       checker.add(
           record_issue(checker.deck(), data.id, data.line,
-                       fmt::format("has {}, but {} are due",
+                       fmt::format("has {}, but {} are required",
                                    counted(data.values.size(), "variable"), spec->variables.size()),
-                       "give them all"));
+                       "give all of them"));
       continue;
     }
     for (std::size_t i = 0; i < spec->variables.size(); ++i)
