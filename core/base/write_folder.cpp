@@ -26,7 +26,7 @@ std::string_view remedy_of(int error) {
       return "make the file and its folder writable, or choose another folder";
     case ENOENT:
     case ENOTDIR:
-      return "create the folder first or choose another one";
+      return "create the folder first, or choose another folder";
     case ENOSPC:
     case EDQUOT:
       return "free some disk space or choose another disk";
@@ -35,7 +35,7 @@ std::string_view remedy_of(int error) {
     case EFBIG:
       return "raise the limit on file sizes (ulimit -f), or choose another disk";
     default:
-      return "choose another place";
+      return "choose another folder";
   }
 }
 
