@@ -147,8 +147,8 @@ std::vector<std::string> catalogue_story(const CatalogueBearing& bearing) {
             ? "assumed, because the designation has no suffix; C means 15, AC 25, B 40 degrees"
             : "an estimate"));
   out.push_back(
-      fmt::format("ESTIMATED internal geometry (manufacturers do not publish it): "
-                  "{} elements of {:.4g} mm on {:.4g} mm; {}.",
+      fmt::format("ESTIMATED internal geometry (manufacturers do not publish it): {} elements of "
+                  "{:.4g} mm on a pitch circle of {:.4g} mm; {}.",
                   number(inner, "nRe"), number(inner, "bReDia") / kMm,
                   0.5 * (e.bore + e.outside) / kMm, inner.reasons));
   if (!bearing.left_out.empty())

@@ -41,7 +41,7 @@ void check_pockets(Checker& c) {
   const char* element = *type == 1 ? "ball" : "roller";
   if (*clearance < 0.0)
     c.warning("bPocCls1", fmt::format("the pocket is smaller than the {0} and clamps it", element),
-              "give a clearance above 0");
+              "enter a clearance above 0");
   else if (*clearance > *diameter)
     c.warning("bPocCls1", fmt::format("the pocket is more than twice as large as the {}", element),
               "enter clearances in m (SI) or inches (English)");
@@ -58,7 +58,7 @@ void check_pockets(Checker& c) {
         "cageWidth",
         fmt::format("the pockets, of size bReDia + bPocCls1 = {}, do not fit into the cage width",
                     c.length(*diameter + *clearance)),
-        "give a larger width");
+        "enter a larger width");
   if (!inner || !outer || !count || c.is("kPocType", 2) || *outer <= *inner) return;
   const double web = std::numbers::pi * 0.5 * (*inner + *outer) / static_cast<double>(*count) -
                      (*diameter + *clearance);
@@ -165,7 +165,7 @@ void check_lands(Checker& c) {
               fmt::format("enter a diameter above brgBore = {}", c.length(*bore)), land);
     if (clearance && *clearance < 0.0)
       c.warning("cageGsCls", "a negative clearance clamps the cage on the guiding race",
-                "give a clearance above 0", land);
+                "enter a clearance above 0", land);
     if (width && land_width && *land_width > *width * (1.0 + kRounding))
       c.error("cageGsWidth",
               fmt::format("the land is wider than the cage, cageWidth = {}", c.length(*width)),
@@ -210,7 +210,7 @@ void check_segments(Checker& c) {
     const long long element = std::abs(*start);
     if (element < 1 || element > *elements) {
       c.error("lSeg", fmt::format("there is no rolling element {}", *start),
-              fmt::format("give numbers from 1 to {}", *elements));
+              fmt::format("enter numbers from 1 to {}", *elements));
       return;
     }
     const auto first = c.integer("lSeg", 1);

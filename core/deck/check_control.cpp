@@ -42,7 +42,7 @@ void check_light_loads(Checker& c) {
     c.warning("qFac",
               "a value of 1 or more keeps nearly all elements in force balance all the time, as "
               "with mode = 1",
-              "give a small fraction such as 0.01, or set mode to 1");
+              "enter a small fraction such as 0.01, or set mode to 1");
 }
 
 void check_steps(Checker& c) {
@@ -58,15 +58,15 @@ void check_steps(Checker& c) {
   if (*first == 0.0 && c.integer("kIcOpt") && !c.is("kIcOpt", 1))
     c.error("stpInit",
             "0 reuses the last step of a continued run, but kIcOpt does not continue a run",
-            "give a first step, for instance 0.05");
+            "enter a first step, for instance 0.05");
   else if (*first != 0.0 && largest && *first > *largest)
     c.warning("stpInit",
               fmt::format("is above stpMax = {:.10g} and will be lowered to it", *largest),
-              "give a smaller first step");
+              "enter a smaller first step");
   else if (*first != 0.0 && smallest && largest && *smallest <= *largest && *first < *smallest)
     c.warning("stpInit",
               fmt::format("is below stpMin = {:.10g} and will be raised to it", *smallest),
-              "give a larger first step");
+              "enter a larger first step");
 }
 
 void check_race_constraints(Checker& c) {
@@ -151,7 +151,7 @@ void check_file_names(Checker& c) {
     const std::string file = without_blanks_behind(c.deck().text(name));
     if (const std::string_view trouble = name_trouble(file); !trouble.empty()) {
       c.error(name, std::string(trouble),
-              "give a name of 1 to 10 letters and digits, for instance SOL1");
+              "enter a name of 1 to 10 letters and digits, for instance SOL1");
       continue;
     }
     const auto [earlier, fresh] = seen.emplace(upper(file), std::string(name));
@@ -190,7 +190,7 @@ void check_monitored_bodies(Checker& c) {
         fmt::format(
             "there is no body {}: with {} and {}, the last number is that of the inner race, {}",
             last, counted(*elements, "element"), counted(*segments, "cage segment"), bodies),
-        fmt::format("give numbers from 1 to {}", bodies));
+        fmt::format("enter numbers from 1 to {}", bodies));
 }
 
 /// The spin of balls is a choice; what rollers spin about is their own axis.

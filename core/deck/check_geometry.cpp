@@ -35,7 +35,7 @@ void check_fit_on_circle(Checker& c, double pitch_diameter, double element_diame
       fmt::format("{} elements do not fit on the pitch circle: their centers are {} apart, but "
                   "their diameter is {}",
                   *count, c.length(pitch), c.length(element_diameter)),
-      "give at most " + counted(static_cast<long long>(fitting * (1.0 + kRounding)), "element"));
+      "enter at most " + counted(static_cast<long long>(fitting * (1.0 + kRounding)), "element"));
 }
 
 void check_pitch_circle(Checker& c, double pitch_diameter, double element_diameter) {
@@ -92,7 +92,7 @@ void check_angle_and_clearance(Checker& c, double diameter) {
           fmt::format(
               "with this clearance a ball cannot touch both races: the grooves allow at most {}",
               c.length(room)),
-          "give a smaller clearance or larger groove factors");
+          "enter a smaller clearance or larger groove factors");
     return;
   }
   const double implied = room * (1.0 - std::cos(*angle));
@@ -211,10 +211,10 @@ void check_flanges(Checker& c) {
     constexpr double kLeast = 1e-6;  // [m]
     if (h && *h < kLeast)
       c.error(height, "the flange has no height and cannot touch a roller",
-              "give a height above 0, " + off);
+              "enter a height above 0, " + off);
     if (angle && (*angle < 0.0 || *angle > 89.0))
       c.error(layback, "the flange face must lean away from the roller end by 0 to 89 deg",
-              "give 0 to 89 deg, " + off);
+              "enter 0 to 89 deg, " + off);
   }
   if (*type == 4 && c.is("kFlngInd11", 0) && c.is("kFlngInd12", 0))
     c.error("kFlngInd12",
@@ -238,12 +238,12 @@ void check_roller_profile(Checker& c, double diameter) {
     c.error("bReCorRad1",
             fmt::format("the two corner radii together are not below the roller length of {}",
                         c.length(*length)),
-            "give smaller corner radii");
+            "enter smaller corner radii");
   for (const std::string_view name : {"bReCorRad1", "bReCorRad2"}) {
     const auto corner = c.si(name);
     if (corner && *corner > 0.5 * diameter)
       c.error(name, "a corner radius cannot exceed the roller radius",
-              "give a smaller corner radius");
+              "enter a smaller corner radius");
   }
 }
 

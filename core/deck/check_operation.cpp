@@ -87,7 +87,7 @@ bool not_negative(Checker& c, std::string_view stem, int count) {
     const std::string name = fmt::format("{}{}", stem, k);
     const auto value = c.raw(name);
     if (!value || !(*value < 0.0)) continue;
-    c.error(name, "a traction coefficient cannot be negative", "give a value of at least 0");
+    c.error(name, "a traction coefficient cannot be negative", "enter a value of at least 0");
     good = false;
   }
   return good;
@@ -109,7 +109,7 @@ void check_peak(Checker& c, std::string_view stem) {
             fmt::format("the largest traction coefficient must be above those at zero slip "
                         "({0}1 = {1:.6g}) and at infinite slip ({0}3 = {2:.6g})",
                         stem, *at_zero, *at_infinity),
-            "give a larger value, or use curve type 2 for a curve without a peak");
+            "enter a larger value, or use curve type 2 for a curve without a peak");
 }
 
 /// The asymptotic curve decays only when its slope points from the start towards the asymptote.
@@ -126,9 +126,9 @@ void check_asymptote(Checker& c, std::string_view stem) {
             fmt::format("a curve with this slope does not approach the asymptote: it must change "
                         "from {0}1 = {1:.6g} to {0}2 = {2:.6g}",
                         stem, *at_zero, *at_infinity),
-            rise > 0.0   ? "give a positive slope"
-            : rise < 0.0 ? "give a negative slope"
-                         : "give slope 0 for a constant coefficient");
+            rise > 0.0   ? "enter a positive slope"
+            : rise < 0.0 ? "enter a negative slope"
+                         : "enter slope 0 for a constant coefficient");
 }
 
 void check_curves(Checker& c) {
@@ -145,7 +145,7 @@ void check_curves(Checker& c) {
     if (c.is(type, -1) && rate && *rate < 0.0)
       c.error(fmt::format("{}3", stem),
               "with a negative C the traction coefficient grows without limit",
-              "give a value of at least 0");
+              "enter a value of at least 0");
   }
 }
 

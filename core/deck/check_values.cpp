@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 /// Checks that need only the schema: which records, and the type of each value.
 namespace adore::deck {
@@ -101,12 +102,11 @@ class ValueCheck {
   [[nodiscard]] std::string suggestion() const {
     const std::string codes = describe_codes(variable_);
     if (!codes.empty()) return "valid codes are " + codes;
-    const std::string range =
-        describe_range(range_in_deck_units(checker_.deck(), variable_), unit());
-    const std::string kind = variable_.type == VarType::Integer ? "an integer"
-                             : variable_.type == VarType::Real  ? "a number"
-                                                                : "a text in quotes";
-    return fmt::format("give {}{}{}", kind, range.empty() ? "" : " ", range);
+    const std::string_view kind = variable_.type == VarType::Integer ? "an integer"
+                                  : variable_.type == VarType::Real  ? "a number"
+                                                                     : "a text in quotes";
+    return "enter " +
+           describe_in_range(kind, range_in_deck_units(checker_.deck(), variable_), unit());
   }
 
   [[nodiscard]] std::string_view unit() const {
@@ -119,15 +119,15 @@ class ValueCheck {
              suggestion());
     else if (!in_range(variable_.range, static_cast<double>(value)))
       report(Severity::Error, element, fmt::format("{}", value), "is out of range",
-             "give a value of " + describe_range(variable_.range, {}));
+             "enter " + describe_in_range("a value", variable_.range, {}));
   }
 
   void check_real(double value, int element) {
     const Range range = range_in_deck_units(checker_.deck(), variable_);
     if (in_range(range, value)) return;
-    const std::string bounds = describe_range(range, unit());
     report(Severity::Error, element, format_real(value), "is out of range",
-           bounds.empty() ? "give a finite number" : "give a value " + bounds);
+           "enter " + describe_in_range(std::isfinite(value) ? "a value" : "a finite number", range,
+                                        unit()));
   }
 
   void check_text(const std::string& text, int element) {

@@ -356,7 +356,7 @@ RecordSpec thermal_options() {
               "Interval between changes of the geometry by thermal growth."),
        choice("kMatPropMod",
               {{"0", "constant properties"},
-               {"1", "properties follow the temperature, before the geometry changes"}},
+               {"1", "properties follow the temperature and are updated before the geometry"}},
               "Temperature dependence of the material properties.")});
 }
 

@@ -153,8 +153,9 @@ std::vector<VariableSpec> cage_start(std::string_view body) {
                                 "angular speed of the {}.",
                                 body, body))),
           real("avRatio", kPure, range::kSpeedRatio,
-               keep(fmt::format(
-                   "Angular speed of the {} at the start, divided by the epicyclic speed.", body)),
+               keep(fmt::format("Angular speed of the {} at the start, divided by the epicyclic "
+                                "speed of the rolling elements.",
+                                body)),
                ""),
           array(real("cageGcPos", kLength, kAny,
                      keep(fmt::format("Coordinates x, y, z of the {} at the start, relative to the "

@@ -74,7 +74,7 @@ TEST_CASE("sentences of the sources write no number before a plural", "[unit]") 
                                       "one of every %1 frames",
                                       "a movie of {} pictures per second is empty",
                                       "{} pockets cannot be shared equally",
-                                      "{} elements of {:.4g} mm",
+                                      "publish it): {} elements of",
                                       "{} elements do not fit",
                                       "the bearing has {} elements",  // more than 40
                                       "the file has {} lines",
