@@ -132,13 +132,13 @@ bool check_unit_system(Checker& c) {
               fmt::format("selects English units, but roomTemp = {:g} is a room temperature in K; "
                           "as a value in R it is {:.0f} deg C",
                           *room, *room / 1.8 - kFreezingPoint),
-              "set kUnit to 1 when the deck is in SI, or enter temperatures in R");
+              "set kUnit to 1 if the deck is in SI units, or enter temperatures in R");
   if (rankine)
     c.warning("kUnit",
               fmt::format("selects SI units, but roomTemp = {:g} is a room temperature in R; as a "
                           "value in K it is {:.0f} deg C",
                           *room, *room - kFreezingPoint),
-              "set kUnit to 2 when the deck is in English units, or enter temperatures in K");
+              "set kUnit to 2 if the deck is in English units, or enter temperatures in K");
   return kelvin || rankine;
 }
 

@@ -239,8 +239,9 @@ void add_operation_records(std::vector<RecordSpec>& out) {
             "Fraction of the inertia load of the outer race that the bearing carries."),
        real("brgLoadFrac2", kPure, kAny,
             "Fraction of the inertia load of the inner race that the bearing carries.")}));
-  out.push_back(record("9.6", "Cage initial state, one-piece", "nCseg == 1", cage_start("cage")));
-  out.push_back(repeated("9.6.k", "Cage initial state, per segment", "nCseg > 1", "nCseg",
+  out.push_back(
+      record("9.6", "Initial state of a one-piece cage", "nCseg == 1", cage_start("cage")));
+  out.push_back(repeated("9.6.k", "Initial state of each cage segment", "nCseg > 1", "nCseg",
                          cage_start("segment")));
   out.push_back(thermal_inputs());
   out.push_back(record(

@@ -27,7 +27,7 @@ constexpr std::array<TemplateInfo, 15> kTemplates = {{
     {"four-point-qj208",
      "QJ 208-size four-point contact bearing: arched grooves, thrust and radial load, 6000 rpm"},
     {"lox-turbopump",
-     "57 mm hybrid bearing of a turbopump in liquid oxygen at 30000 rpm, solid lubrication"},
+     "hybrid bearing (bore 57 mm) of a turbopump in liquid oxygen, 30000 rpm, solid lubrication"},
     {"angular-218",
      "quasi-static: 218 angular contact bearing from textbooks, stiffness against speed"},
     {"deep-groove-6205",
