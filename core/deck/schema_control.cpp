@@ -20,9 +20,7 @@ RecordSpec run_mode() {
               {{"-n", "as -1"},
                {"-1", "quasi-static solution only"},
                {"0", "motion of all bodies in six degrees of freedom"},
-               {"1",
-                "rolling elements in radial force balance, balls and tapered rollers also in axial "
-                "balance"},
+               {"1", "elements in radial force balance (balls, tapered rollers: also axial)"},
                {"2", "same as 1, with the races in force balance"}},
               "Kind of simulation. 0 integrates the motion of every body. 1 and 2 replace fast "
               "contact vibration by force balance, which allows larger steps. A negative value "
@@ -146,7 +144,7 @@ RecordSpec race_constraints() {
       spec.variables.push_back(choice(
           keep(fmt::format("kFD{}{}", axis + 1, race)),
           {{"0", "race accelerates under the prescribed force"},
-           {"1", "race position is fixed, from equilibrium or from a prescribed acceleration"}},
+           {"1", "race position fixed, from equilibrium or from prescribed acceleration"}},
           keep(fmt::format("Translation constraint of the {} race along {}. With 0, the race moves "
                            "freely under its load.",
                            race_name, kAxes[axis])),
