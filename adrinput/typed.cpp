@@ -67,7 +67,7 @@ bool ends_in_exponent(std::string_view number) {
 
 std::string ending_of(const deck::VariableSpec& variable) {
   const std::string codes = deck::describe_codes(variable);
-  return codes.empty() ? "" : "valid are " + codes;
+  return codes.empty() ? "" : "valid codes are " + codes;
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ Typed parse_typed(const deck::VariableSpec& variable, std::string_view text) {
     return {{}, {"is an invalid code", ending_of(variable)}};
   if (!deck::in_range(variable.range, static_cast<double>(value)))
     return {{},
-            {"is out of range", "enter a value of " + deck::describe_range(variable.range, {})}};
+            {"is out of range", "enter " + deck::describe_in_range("a value", variable.range, {})}};
   return {value, {}};
 }
 

@@ -251,7 +251,7 @@ std::vector<Finding> shown_findings(std::span<const Finding> findings) {
       out.push_back(one);
       continue;
     }
-    // "Film thickness: ratio 0.1 at ... (range to 0.003). Consequence." without the consequence
+    // "Film thickness: ratio 0.1 at ... (range up to 0.003). Consequence." without the consequence
     std::string words = one.message.substr(0, one.message.find("). ") + 1);
     if (!words.empty() && words[0] >= 'A' && words[0] <= 'Z')
       words[0] = static_cast<char>(words[0] - 'A' + 'a');
@@ -290,14 +290,13 @@ std::string findings_line(std::span<const Finding> findings) {
 
 std::string finding_codes_page() {
   std::string out =
-      "# Codes of findings\n\n"
-      "Made by `adore check --codes`. Every remark of check, statics, plan, run, end of run and\n"
-      "studies has one of these codes in `findings` of RUN.json, RESULTS.h5, Python and JSON "
-      "output.\n"
-      "A finding has `code`, `severity`, `sentence`, and where they apply `quantity`, `value`,\n"
-      "`least`, `limit`, `unit`, `body`, `time_s`, `step`, `file`, `line`, `record`, `variable`,\n"
-      "`given` (value of the deck) and `remedy`.\n\n"
-      "| code | severity | origin | meaning | quantity | unit |\n|---|---|---|---|---|---|\n";
+      "# Codes of findings\n\nCreated by `adore check --codes`. Every finding of check, statics, "
+      "plan, run, end of run and\nstudies has one of these codes in `findings` of RUN.json, "
+      "RESULTS.h5, Python and JSON output.\nA finding has `code`, `severity` and `sentence`. Where "
+      "they apply, it also has `quantity`, `value`,\n`least`, `limit`, `unit`, `body`, `time_s`, "
+      "`step`, `file`, `line`, `record`, `variable`,\n`given` (value in the deck) and "
+      "`remedy`.\n\n| code | severity | origin | meaning | quantity | unit "
+      "|\n|---|---|---|---|---|---|\n";
   for (const FindingKind& kind : finding_kinds())
     out +=
         fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", kind.code, severity_word(kind.severity),

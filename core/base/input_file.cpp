@@ -57,7 +57,7 @@ std::string read_text_file(const fs::path& path, std::uintmax_t limit) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status))
-      throw InputError(fmt::format("{}: there is no such file; give the name of an existing one",
+      throw InputError(fmt::format("{}: there is no such file; give the name of an existing file",
                                    path.string()));
     if (fs::is_directory(status))
       throw InputError(
@@ -73,7 +73,8 @@ std::string read_text_file(const fs::path& path, std::uintmax_t limit) {
     if (text.size() > limit) {
       std::error_code error;
       throw InputError(fmt::format(
-          "{}: {} bytes are too many for this kind of file (at most {}); give another file",
+          "{}: the file has {} bytes, but at most {} are allowed for this kind of file; give "
+          "another file",
           path.string(), std::max<std::uintmax_t>(fs::file_size(path, error), text.size()), limit));
     }
   }

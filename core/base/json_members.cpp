@@ -35,7 +35,7 @@ const Json& JsonMembers::at(std::string_view name) {
 std::string JsonMembers::text(std::string_view name) {
   const Json& value = at(name);
   if (!value.is_string() || value.get_ref<const std::string&>().empty())
-    reject(fmt::format("member \"{}\" must be a text", name));
+    reject(fmt::format("member \"{}\" must be a text in quotes", name));
   return value.get<std::string>();
 }
 

@@ -49,7 +49,7 @@ std::vector<Range> read() {
 std::string bounds_text(const Range& range, const Bounds& bounds) {
   const std::string unit = range.unit.empty() ? "" : " " + range.unit;
   const auto shown = [&](double si) { return fmt::format("{:.4g}", si / range.per); };
-  if (std::isnan(bounds.least)) return fmt::format("to {}{}", shown(bounds.most), unit);
+  if (std::isnan(bounds.least)) return fmt::format("up to {}{}", shown(bounds.most), unit);
   if (std::isnan(bounds.most)) return fmt::format("from {}{}", shown(bounds.least), unit);
   return fmt::format("{} to {}{}", shown(bounds.least), shown(bounds.most), unit);
 }

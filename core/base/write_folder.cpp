@@ -26,7 +26,7 @@ std::string_view remedy_of(int error) {
       return "make the file and its folder writable, or choose another folder";
     case ENOENT:
     case ENOTDIR:
-      return "create the folder first or choose another one";
+      return "create the folder first, or choose another folder";
     case ENOSPC:
     case EDQUOT:
       return "free some disk space or choose another disk";
@@ -35,7 +35,7 @@ std::string_view remedy_of(int error) {
     case EFBIG:
       return "raise the limit on file sizes (ulimit -f), or choose another disk";
     default:
-      return "choose another place";
+      return "choose another folder";
   }
 }
 
@@ -125,7 +125,7 @@ void WriteFolder::demand_own(const std::string& name, int descriptor) const {
   if (::fstat(descriptor, &status) != 0) fail(path_ / name, errno, "examining it");
   if (status.st_uid == ::geteuid() || status.st_uid == owner_) return;
   fail(path_ / name,
-       fmt::format("it belongs to user {}, neither to you nor to the owner of the folder above",
+       fmt::format("it belongs to user {}, who is neither you nor the owner of the parent folder",
                    status.st_uid),
        "remove it, or choose another folder");
 }
@@ -142,7 +142,8 @@ WriteFolder WriteFolder::folder(const fs::path& below) const {
     if (descriptor < 0 && errno == ENOENT) {
       if (::mkdirat(out.descriptor(), name.c_str(), 0777) != 0 && errno != EEXIST)
         fail(path,
-             fmt::format("the folder cannot be made ({})", std::generic_category().message(errno)),
+             fmt::format("the folder cannot be created ({})",
+                         std::generic_category().message(errno)),
              remedy_of(errno));
       descriptor = ::openat(out.descriptor(), name.c_str(), kFolder | O_NOFOLLOW);
     }
@@ -169,7 +170,7 @@ WriteFolder WriteFolder::new_folder(const std::string& stem) const {
     if (::mkdirat(descriptor(), name.c_str(), 0777) == 0) return folder(name);
     if (errno != EEXIST)
       fail(path_ / name,
-           fmt::format("the folder cannot be made ({})", std::generic_category().message(errno)),
+           fmt::format("the folder cannot be created ({})", std::generic_category().message(errno)),
            remedy_of(errno));
   }
 }
@@ -238,7 +239,7 @@ void WriteFolder::rename(const std::string& name, const WriteFolder& to,
     fail(path_ / name,
          fmt::format("the file cannot be moved to {} ({})", (to.path_ / new_name).string(),
                      std::generic_category().message(errno)),
-         "move it yourself");
+         "move the file by hand");
 }
 
 WritePath::WritePath(const fs::path& file, int)
@@ -375,7 +376,7 @@ int make_folders(const fs::path& named) {
   if (!error && !fs::is_directory(named, error))
     error = std::make_error_code(std::errc::file_exists);
   if (error)
-    fail(named, fmt::format("the folder cannot be made ({})", error.message()),
+    fail(named, fmt::format("the folder cannot be created ({})", error.message()),
          "choose a folder that you can write to");
   return missing;
 }

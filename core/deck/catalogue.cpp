@@ -68,10 +68,10 @@ std::string squeezed(std::string_view text) {
 }
 
 std::string what_there_is() {
-  return "give 60xx, 62xx, 63xx (deep groove), 70xx, 72xx, 73xx (angular contact; C, AC or B), "
-         "NU10xx, NU2xx, NU3xx, 302xx or 222xx with a bore up to 100 mm, such as 6205, 7208 B, "
-         "NU209, 30208 or 22210, or type (deep-groove, angular-contact, cylindrical, tapered, "
-         "spherical) and size in millimeters, such as 'deep-groove 25x52x15'";
+  return "give a designation with a bore up to 100 mm, such as 6205, 7208 B, NU209, 30208 or "
+         "22210: series 60xx, 62xx, 63xx (deep groove), 70xx, 72xx, 73xx (angular contact; C, AC "
+         "or B), NU10xx, NU2xx, NU3xx, 302xx or 222xx. Or give type (deep-groove, angular-contact, "
+         "cylindrical, tapered, spherical) and size in millimeters, such as 'deep-groove 25x52x15'";
 }
 
 [[noreturn]] void fail(std::string_view designation, const std::string& why) {
@@ -153,7 +153,9 @@ std::optional<CatalogueBearing> find_by_size(std::string_view designation) {
   if (type == kTypes.end()) return std::nullopt;
   const auto sizes = sizes_in(designation.substr(digit));
   if (!sizes || sizes->size() != 3)
-    fail(designation, "is not a bearing size; give bore x outside diameter x width in millimeters");
+    fail(designation,
+         "is not a bearing size: it must have the form bore x outside diameter x width, in "
+         "millimeters");
   CatalogueBearing out;
   out.type = type->type;
   out.designation =
@@ -235,7 +237,7 @@ CatalogueBearing find_bearing(std::string_view designation) {
       return out;
     }
     fail(designation,
-         "is not a known size of the series " + std::string(series.prefix) + " known here");
+         "is not in the catalogue: unknown size of series " + std::string(series.prefix));
   }
   fail(designation, "is not in the catalogue");
 }

@@ -98,19 +98,20 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
     else if (id == "3.1")
       remark = "name of the run";
     else if (id == "5A" || id == "5B.1" || id == "5C" || id == "5D.1")
-      remark = "ESTIMATE of the inside: " + inner.reasons;
+      remark = "ESTIMATE of the internal geometry: " + inner.reasons;
     else if (id == "5B.2" || id == "5D.2" || id == "5F")
-      remark = "ESTIMATE of the inside";
+      remark = "ESTIMATE of the internal geometry";
     else if (id == "9.1.1")
       remark =
-          "forces on the inner race, displacements [N, m]: those of the example, scaled to the "
-          "capacity of this size; enter your own" +
+          "forces on the inner race, displacements [N, m]: values of the example, scaled to the "
+          "load capacity of this size; enter your own values" +
           std::string(bearing.type == BearingType::Spherical
-                          ? ", of one row: half of the bearing's radial load"
+                          ? " for one row (half of the radial load of the bearing)"
                           : "");
     else if (id == "9.1.2")
       remark =
-          "moments, misalignments, speeds of outer and inner race [N.m, rad, rpm]: enter your own";
+          "moments, misalignments, speeds of outer and inner race [N.m, rad, rpm]: enter your own "
+          "values";
     if (remark.empty()) {
       out += lines[r] + "\n";
       continue;
@@ -141,25 +142,25 @@ std::vector<std::string> catalogue_story(const CatalogueBearing& bearing) {
         "{} {:.4g} degrees ({}).",
         bearing.type == BearingType::Tapered ? "Cup half angle" : "Contact angle", bearing.angle,
         bearing.type == BearingType::Tapered && bearing.angle_given ? "ISO 355"
-        : bearing.angle_given                                       ? "by the designation"
+        : bearing.angle_given                                       ? "from the designation"
         : bearing.type == BearingType::AngularContact
-            ? "assumed, because the designation has no suffix; C is 15, AC 25, B 40"
+            ? "assumed, because the designation has no suffix; C means 15, AC 25, B 40 degrees"
             : "an estimate"));
   out.push_back(
-      fmt::format("ESTIMATED internal geometry (manufacturers do not publish it): "
-                  "{} elements of {:.4g} mm on {:.4g} mm; {}.",
+      fmt::format("ESTIMATED internal geometry (manufacturers do not publish it): {} elements of "
+                  "{:.4g} mm on a pitch circle of {:.4g} mm; {}.",
                   number(inner, "nRe"), number(inner, "bReDia") / kMm,
                   0.5 * (e.bore + e.outside) / kMm, inner.reasons));
   if (!bearing.left_out.empty())
     out.push_back(fmt::format(
-        "Not in the deck: {}. The deck contains size, contact angle and, for deep groove, "
-        "cylindrical and spherical bearings, the clearance group of a designation.",
+        "Not in the deck: {}. From a designation, the deck takes size and contact angle, and the "
+        "clearance group of deep groove, cylindrical and spherical bearings.",
         bearing.left_out));
   if (bearing.tapered_bore && bearing.type == BearingType::Spherical)
     out.push_back(fmt::format(
         "Bearings with a tapered bore (K) have separate clearance groups. The clearance is that of "
-        "{} for tapered bores before mounting; driving the bearing up its taper reduces it. The "
-        "bore in the deck is cylindrical: enter its fit, or the remaining clearance.",
+        "{} for tapered bores before mounting; mounting on the tapered seat reduces it. The bore "
+        "in the deck is cylindrical: enter its fit, or the remaining clearance.",
         bearing.clearance));
   else if (bearing.tapered_bore)
     out.push_back(
@@ -168,10 +169,10 @@ std::vector<std::string> catalogue_story(const CatalogueBearing& bearing) {
                     bearing.clearance));
   if (bearing.type == BearingType::Spherical)
     out.emplace_back(
-        "The deck is ONE of the two rows: enter half of the bearing's radial load. The life of the "
-        "bearing is shorter than that of one row.");
+        "The deck describes ONE of the two rows: enter half of the radial load of the bearing. The "
+        "life of the bearing is shorter than the life of one row.");
   out.emplace_back(
-      "Load and speed are scaled from the example of this type: enter your own. The deck is "
+      "Load and speed are scaled from the example of this type: enter your own values. The deck is "
       "quasi-static (mode -1); mode 0 simulates the motion of every element.");
   return out;
 }

@@ -20,7 +20,7 @@ double nearest(double value, double step) {
 }
 
 std::string clearance_reason(std::string_view group) {
-  return fmt::format("middle of {} (ISO 5753-1)", group);
+  return fmt::format("middle of group {} (ISO 5753-1)", group);
 }
 
 class Sets {
@@ -66,12 +66,12 @@ InnerGeometry balls(BearingType type, const Envelope& e, double angle, std::stri
   sets.real("raceCurFac2", deep ? 0.515 : 0.5232);
   sets.length("shoulderDia1", pitch + kShoulder * ball);
   sets.length("shoulderDia2", pitch - kShoulder * ball);
-  return {
-      sets.take(),
-      fmt::format(
-          "D = 0.30 (OD - bore) to 1/32 in, {}, f and shoulders as in the {} example{}",
-          deep ? "as many balls as eccentric filling allows" : "balls over 0.9 of the pitch circle",
-          deep ? "6205" : "218", deep ? ", clearance: " + clearance_reason(group) : "")};
+  return {sets.take(), fmt::format("D = 0.30 (OD - bore), rounded to 1/32 in; {}; groove factors "
+                                   "and shoulders as in the {} example{}",
+                                   deep ? "as many balls as eccentric filling allows"
+                                        : "balls on 90 % of the pitch circle",
+                                   deep ? "6205" : "218",
+                                   deep ? "; clearance: " + clearance_reason(group) : "")};
 }
 
 InnerGeometry cylinders(const Envelope& e, std::string_view group) {
@@ -93,8 +93,8 @@ InnerGeometry cylinders(const Envelope& e, std::string_view group) {
   sets.length("flngHt11", 0.2 * roller);
   sets.length("flngHt21", 0.2 * roller);
   return {sets.take(),
-          "D = L = 0.25 (OD - bore), rollers over 0.7 of the pitch circle as in the textbooks' "
-          "209; crown and flanges typical, clearance: " +
+          "D = L = 0.25 (OD - bore); rollers on 70 % of the pitch circle, as in the 209 bearing of "
+          "textbooks; typical crown and flanges; clearance: " +
               clearance_reason(group)};
 }
 
@@ -121,10 +121,9 @@ InnerGeometry cones(const Envelope& e, double cup) {
   sets.length("raceLandLmt1", length);
   sets.length("raceLandLmt2", length);
   sets.length("flngHt12", 0.255 * roller);
-  return {
-      sets.take(),
-      "D = 0.245 (OD - bore), L = 0.75 of the cone width, rollers over 0.9 of the pitch circle; "
-      "the cone angle follows from the cup's, crown and rib typical"};
+  return {sets.take(),
+          "D = 0.245 (OD - bore); L = 0.75 times the cone width; rollers on 90 % of the pitch "
+          "circle; cone angle from the cup angle; typical crown and rib"};
 }
 
 InnerGeometry barrels(const Envelope& e, double angle, std::string_view group, bool tapered_bore) {
@@ -145,9 +144,9 @@ InnerGeometry barrels(const Envelope& e, double angle, std::string_view group, b
   sets.real("raceCurFac2", 0.5133);
   sets.real("freeConAng", std::round(angle * 100.0) / 100.0);
   return {sets.take(),
-          "D = 0.275 (OD - bore), L = 0.413 of the width, rollers over 0.87 of the pitch circle, "
-          "angle from the distance of the rows; clearance: " +
-              clearance_reason(group) + (tapered_bore ? " of tapered bores" : "")};
+          "D = 0.275 (OD - bore); L = 0.413 times the width; rollers on 87 % of the pitch circle; "
+          "contact angle from the distance of the rows; clearance: " +
+              clearance_reason(group) + (tapered_bore ? " for tapered bores" : "")};
 }
 
 /// Record 7.1 in proportion to the cage of the example of the type: diameters about the pitch
@@ -174,10 +173,10 @@ InnerGeometry propose_inner(BearingType type, const Envelope& envelope, double a
                             std::string_view group, bool tapered_bore) {
   const double section = envelope.outside - envelope.bore;
   if (!(envelope.bore > 0.0 && section > 0.0 && envelope.width > 0.0))
-    throw InputError(
-        fmt::format("no elements fit into bore {} m, outside diameter {} m, width {} m; the bore "
-                    "must be above 0 and below the outside diameter, the width above 0",
-                    envelope.bore, envelope.outside, envelope.width));
+    throw InputError(fmt::format(
+        "no elements fit between bore {} m and outside diameter {} m at width {} m; the bore must "
+        "be above 0 and below the outside diameter, and the width above 0",
+        envelope.bore, envelope.outside, envelope.width));
   switch (type) {
     case BearingType::Cylindrical:
       return cylinders(envelope, group);
@@ -218,7 +217,7 @@ InnerGeometry propose_inner(const Deck& deck) {
     propose_cage(kExamples.at(static_cast<std::size_t>(kind - 1)), envelope, number(out, "bReDia"),
                  number(out, "bReLen"), cone, cage);
     for (auto& set : cage.take()) out.sets.push_back(std::move(set));
-    out.reasons += "; cage (record 7.1) in proportion to that of the example of this type";
+    out.reasons += "; cage (record 7.1) scaled from the example of this type";
   }
   std::erase_if(out.sets, [&](const auto& set) { return !deck.has(set.first); });
   if (deck.units() == UnitSystem::SI) return out;

@@ -68,7 +68,7 @@ bool has_group(BearingType type, std::string_view group) {
 double middle_clearance(BearingType type, std::string_view group, double bore, bool tapered_bore) {
   if (!has_group(type, group))
     throw InputError(
-        fmt::format("there is no clearance group {} of a {}", group, info_of(type).name));
+        fmt::format("there is no clearance group {} for a {}", group, info_of(type).name));
   const bool of_taper = tapered_bore && type == BearingType::Spherical;  // of others none is known
   const Json& rows = catalogue_table()["clearance"][std::string(clearance_kind(type)) +
                                                     (of_taper ? ", tapered bore" : "")];

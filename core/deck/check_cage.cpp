@@ -18,13 +18,13 @@ void check_pocket_code(Checker& c) {
   const auto type = c.integer("kBrg");
   if (!type) return;
   if (*type == 1 && c.is("kPocType", -1))
-    c.error("kPocType", "-1 is a roller pocket, but kBrg 1 is a ball bearing",
-            "valid for balls are 0 (cylindrical), 1 (spherical), 2 (elongated), 3 (rectangular), 4 "
-            "(conical)");
+    c.error("kPocType", "-1 is a pocket for rollers, but kBrg = 1 is a ball bearing",
+            "valid codes for balls are 0 (cylindrical), 1 (spherical), 2 (elongated), 3 "
+            "(rectangular), 4 (conical)");
   if (*type != 1 && c.is("kPocType", 4))
-    c.error(
-        "kPocType", "4 is a conical ball pocket, but kBrg is a roller bearing",
-        "valid for rollers are -1 (cylindrical), 0 (rectangular), 1 to 3 (guide surface pairs)");
+    c.error("kPocType", "4 is a conical pocket for balls, but kBrg is a roller bearing",
+            "valid codes for rollers are -1 (cylindrical), 0 (rectangular), 1 to 3 (guide surface "
+            "pairs)");
 }
 
 /// Pockets: the element must fit in, and neighbors must leave a web.
@@ -41,28 +41,29 @@ void check_pockets(Checker& c) {
   const char* element = *type == 1 ? "ball" : "roller";
   if (*clearance < 0.0)
     c.warning("bPocCls1", fmt::format("the pocket is smaller than the {0} and clamps it", element),
-              "give a clearance above 0");
+              "enter a clearance above 0");
   else if (*clearance > *diameter)
     c.warning("bPocCls1", fmt::format("the pocket is more than twice as large as the {}", element),
-              "clearances are in m (SI) or in (English)");
+              "enter clearances in m (SI) or inches (English)");
   const auto length = c.si("bReLen");
   const auto width = c.si("cageWidth");
   if (*type != 1 && length && width && *length >= *width)
     c.warning("cageWidth",
-              fmt::format("pockets for rollers {} long leave no rim at the sides of the cage",
+              fmt::format("pockets for rollers of length {} leave no rim at the sides of the cage",
                           c.length(*length)),
-              "give a width above bReLen");
+              "enter a width above bReLen");
   if (*type == 1 && *pocket == 0 && width && *clearance >= 0.0 && *clearance <= *diameter &&
       *diameter + *clearance >= *width)
-    c.error("cageWidth",
-            fmt::format("the pockets, bReDia + bPocCls1 = {} long, do not fit into the width",
-                        c.length(*diameter + *clearance)),
-            "give a larger width");
+    c.error(
+        "cageWidth",
+        fmt::format("the pockets, of size bReDia + bPocCls1 = {}, do not fit into the cage width",
+                    c.length(*diameter + *clearance)),
+        "enter a larger width");
   if (!inner || !outer || !count || c.is("kPocType", 2) || *outer <= *inner) return;
   const double web = std::numbers::pi * 0.5 * (*inner + *outer) / static_cast<double>(*count) -
                      (*diameter + *clearance);
   if (*count > 1 && web <= 0.0)
-    c.warning("nRe", "adjacent pockets overlap at the middle of the cage, so that no web is left",
+    c.warning("nRe", "adjacent pockets overlap at the mean cage diameter, so that no web is left",
               "use fewer or smaller elements, or a smaller pocket clearance");
 }
 
@@ -77,15 +78,15 @@ void check_cage_between_races(Checker& c) {
   if (outside && *outside > 0.0 && *outer >= *outside)
     return c.error(
         "cageDia1",
-        fmt::format(
-            "the cage is outside the races: the outside diameter brgOD of the bearing is {}",
-            c.length(*outside)),
-        "give less than the shoulder diameter of the outer race");
+        fmt::format("the cage is larger than the bearing, whose outside diameter brgOD is {}",
+                    c.length(*outside)),
+        "enter a diameter below the shoulder diameter of the outer race");
   if (bore && *inner <= *bore)
-    return c.error("cageDia2",
-                   fmt::format("the cage is inside the inner race: the bore of the bearing is {}",
-                               c.length(*bore)),
-                   "give more than the shoulder diameter of the inner race");
+    return c.error(
+        "cageDia2",
+        fmt::format("the inner diameter of the cage is not above the bearing bore, brgBore = {}",
+                    c.length(*bore)),
+        "enter a diameter above the shoulder diameter of the inner race");
   const auto pitch = c.si("pitchDia");
   const auto diameter = c.si("bReDia");
   if (!pitch || !diameter || *outer > kHardlyMetres) return;
@@ -94,15 +95,17 @@ void check_cage_between_races(Checker& c) {
   const double roof = outer_shoulder > 0.0 ? outer_shoulder : *pitch + *diameter;
   const double floor = inner_shoulder > 0.0 ? inner_shoulder : *pitch - *diameter;
   if (*outer > roof * (1.0 + kRounding))
-    c.warning("cageDia1",
-              fmt::format("the cage overlaps the outer race, whose {} has a diameter of {}",
-                          outer_shoulder > 0.0 ? "shoulder" : "raceway", c.length(roof)),
-              "give less, unless the cage is narrower than the race and runs next to it");
+    c.warning(
+        "cageDia1",
+        fmt::format("the cage overlaps the outer race, whose {} has a diameter of {}",
+                    outer_shoulder > 0.0 ? "shoulder" : "raceway", c.length(roof)),
+        "enter a smaller diameter, unless the cage is narrower than the race and runs next to it");
   if (*inner < floor * (1.0 - kRounding))
-    c.warning("cageDia2",
-              fmt::format("the cage overlaps the inner race, whose {} has a diameter of {}",
-                          inner_shoulder > 0.0 ? "shoulder" : "raceway", c.length(floor)),
-              "give more, unless the cage is narrower than the race and runs next to it");
+    c.warning(
+        "cageDia2",
+        fmt::format("the cage overlaps the inner race, whose {} has a diameter of {}",
+                    inner_shoulder > 0.0 ? "shoulder" : "raceway", c.length(floor)),
+        "enter a larger diameter, unless the cage is narrower than the race and runs next to it");
 }
 
 void check_cage_body(Checker& c) {
@@ -112,14 +115,14 @@ void check_cage_body(Checker& c) {
   const auto pitch = c.si("pitchDia");
   if (outer && inner && *inner >= *outer)
     c.error("cageDia2",
-            fmt::format("the inner diameter must be smaller than the outer one, cageDia1 = {}",
+            fmt::format("the inner diameter must be smaller than the outer diameter, cageDia1 = {}",
                         c.length(*outer)),
             "check cageDia1 and cageDia2");
   else if (outer && inner && diameter && pitch &&
            (*inner >= *pitch + *diameter || *outer <= *pitch - *diameter))
     c.error("cageDia1",
             "the cage does not reach the elements, so that its pockets cannot touch them",
-            "choose the diameters around the pitch diameter");
+            "choose both cage diameters near the pitch diameter");
   else
     check_cage_between_races(c);
   const auto cut = c.raw("cageAngCut");
@@ -145,37 +148,39 @@ void check_lands(Checker& c) {
     const auto position = c.si("cageGsPos", land);
     if (guide && *guide == 1 && diameter && outer && *diameter > *outer * (1.0 + kRounding))
       c.warning("cageGsDia",
-                "a land guided by the outer race is above the outer diameter of the cage",
+                "the land is guided by the outer race, but its diameter is above the outer "
+                "diameter of the cage",
                 "check cageGsDia and cageDia1", land);
     if (guide && *guide == 2 && diameter && inner && *diameter < *inner * (1.0 - kRounding))
       c.warning("cageGsDia",
-                "a land guided by the inner race is below the inner diameter of the cage",
+                "the land is guided by the inner race, but its diameter is below the inner "
+                "diameter of the cage",
                 "check cageGsDia and cageDia2", land);
     const bool guides = guide && *guide > 0;
     if (guides && diameter && outside && *outside > 0.0 && *diameter >= *outside)
       c.error("cageGsDia", "the land is outside the bearing",
-              fmt::format("give less than brgOD = {}", c.length(*outside)), land);
+              fmt::format("enter a diameter below brgOD = {}", c.length(*outside)), land);
     else if (guides && diameter && bore && *diameter <= *bore)
       c.error("cageGsDia", "the land is inside the bore of the bearing",
-              fmt::format("give more than brgBore = {}", c.length(*bore)), land);
+              fmt::format("enter a diameter above brgBore = {}", c.length(*bore)), land);
     if (clearance && *clearance < 0.0)
-      c.warning("cageGsCls", "a negative clearance clamps the cage on its race",
-                "give a clearance above 0", land);
+      c.warning("cageGsCls", "a negative clearance clamps the cage on the guiding race",
+                "enter a clearance above 0", land);
     if (width && land_width && *land_width > *width * (1.0 + kRounding))
       c.error("cageGsWidth",
               fmt::format("the land is wider than the cage, cageWidth = {}", c.length(*width)),
-              "give a width at most cageWidth", land);
+              "enter a width of at most cageWidth", land);
     else if (width && position && land_width && std::abs(*position) - *land_width >= 0.5 * *width)
       c.error("cageGsPos", "puts the whole land outside the cage",
-              fmt::format("give an absolute value of at most half of cageWidth, {}",
+              fmt::format("enter an absolute value of at most half of cageWidth, {}",
                           c.length(0.5 * *width)),
               land);
     else if (width && position && std::abs(*position) > 0.5 * *width * (1.0 + kRounding))
       c.warning("cageGsPos", "the outer edge of the land is outside the cage",
-                "give a distance of at most half the cage width", land);
+                "enter a distance of at most half the cage width", land);
   }
   if (!guided && c.is("kGsHydro", 1))
-    c.warning("kGsHydro", "no race guides a land; the switch has no effect", "set it to 0");
+    c.warning("kGsHydro", "no land is guided by a race; the switch has no effect", "set it to 0");
 }
 
 /// Segments are identical: the same number of elements each, all cut the same way.
@@ -185,14 +190,16 @@ void check_segments(Checker& c) {
   if (!segments || *segments < 2) return;
   for (const std::string_view name : {"kPocHydro", "kGsHydro"})
     if (c.is(name, 1))
-      c.warning(name, "a segmented cage has no hydrodynamics; the switch has no effect",
-                "set it to 0");
+      c.warning(
+          name,
+          "hydrodynamic forces are not available for a segmented cage; the switch has no effect",
+          "set it to 0");
   if (!elements) return;
   if (*elements % *segments != 0) {
     c.error("nCseg",
             fmt::format("{} cannot be divided into {} equal segments",
                         counted(*elements, "element"), *segments),
-            "let nCseg divide nRe");
+            "choose nCseg so that nRe is a multiple of nCseg");
     return;
   }
   const long long share = *elements / *segments;
@@ -203,16 +210,17 @@ void check_segments(Checker& c) {
     const long long element = std::abs(*start);
     if (element < 1 || element > *elements) {
       c.error("lSeg", fmt::format("there is no rolling element {}", *start),
-              fmt::format("give numbers from 1 to {}", *elements));
+              fmt::format("enter numbers from 1 to {}", *elements));
       return;
     }
     const auto first = c.integer("lSeg", 1);
     if (i > 1 && (element != last + share || (*start > 0) != (*first > 0))) {
-      c.error("lSeg",
-              fmt::format("the segments must be identical: {} in each, all cut the same way, but "
-                          "segment {} starts at {}",
-                          counted(share, "element"), i, *start),
-              fmt::format("give {} here", *first > 0 ? last + share : -(last + share)));
+      c.error(
+          "lSeg",
+          fmt::format("the segments must be identical: {} in each, all cut the same way, but "
+                      "segment {} starts at {}",
+                      counted(share, "element"), i, *start),
+          fmt::format("enter {} for this segment", *first > 0 ? last + share : -(last + share)));
       return;
     }
     last = element;
@@ -234,7 +242,7 @@ void check_cage_start(Checker& c, long long segments) {
     return c.warning("avRatio",
                      fmt::format("starts the {} {}, which causes hard impacts",
                                  segments > 1 ? "segment" : "cage", how),
-                     "1 starts it with them", k);
+                     "enter 1 to start it at the speed of the elements", k);
   }
 }
 

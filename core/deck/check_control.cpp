@@ -23,17 +23,16 @@ void check_run_mode(Checker& c) {
   if (mode && *mode < 0) {
     if (c.is("kDCR", 1))
       c.warning("kDCR", "has no effect: mode is negative, so that nothing moves",
-                "set kDCR to 0 and drop record 2.2");
+                "set kDCR to 0 and remove record 2.2");
     if (c.is("kFnOpt", 1))
       c.warning("kFnOpt", "has no effect: mode is negative, so that no data files are written",
-                "set kFnOpt to 0 and drop record 2.3");
+                "set kFnOpt to 0 and remove record 2.3");
     if (c.is("kIcOpt", 1) || c.is("kIcOpt", -1))
       c.warning("kIcOpt", "has no effect: mode is negative, so that there is no run to continue",
                 "set kIcOpt to 0");
   }
   if (c.is("kRaceFlex", 1))
-    c.error("kRaceFlex", "the deck format has a flexible outer race, but it cannot be simulated",
-            "set it to 0");
+    c.error("kRaceFlex", "a flexible outer race cannot be simulated", "set it to 0");
 }
 
 /// Elements are held up to qFac of the largest load: with 1 and more, all of them, always.
@@ -41,9 +40,9 @@ void check_light_loads(Checker& c) {
   const auto ratio = c.raw("qFac");
   if (c.is("mode", 0) && ratio && *ratio >= 1.0)
     c.warning("qFac",
-              "keeps every element up to the largest applied load in force balance, so that nearly "
-              "all of them always are, as with mode = 1",
-              "give a small fraction such as 0.01, or set mode to 1");
+              "a value of 1 or more keeps nearly all elements in force balance all the time, as "
+              "with mode = 1",
+              "enter a small fraction such as 0.01, or set mode to 1");
 }
 
 void check_steps(Checker& c) {
@@ -54,20 +53,20 @@ void check_steps(Checker& c) {
     c.error("stpMin",
             fmt::format("the smallest step is larger than the largest step, stpMax = {:.10g}",
                         *largest),
-            "give a value at most stpMax");
+            "enter a value of at most stpMax");
   if (!first) return;
   if (*first == 0.0 && c.integer("kIcOpt") && !c.is("kIcOpt", 1))
     c.error("stpInit",
             "0 reuses the last step of a continued run, but kIcOpt does not continue a run",
-            "give a first step, for instance 0.05");
+            "enter a first step, for instance 0.05");
   else if (*first != 0.0 && largest && *first > *largest)
     c.warning("stpInit",
               fmt::format("is above stpMax = {:.10g} and will be lowered to it", *largest),
-              "give a smaller first step");
+              "enter a smaller first step");
   else if (*first != 0.0 && smallest && largest && *smallest <= *largest && *first < *smallest)
     c.warning("stpInit",
               fmt::format("is below stpMin = {:.10g} and will be raised to it", *smallest),
-              "give a larger first step");
+              "enter a larger first step");
 }
 
 void check_race_constraints(Checker& c) {
@@ -87,10 +86,8 @@ void check_race_constraints(Checker& c) {
     for (const int axis : {1, 2, 3}) {
       const std::string name = fmt::format("kFD{}{}", axis, race);
       if (c.is(name, 0))
-        c.error(
-            name,
-            fmt::format("a race cannot accelerate under forces in the equilibrium mode {}", *mode),
-            "set it to 1, or mode to 0");
+        c.error(name, fmt::format("in mode {}, a race cannot accelerate under forces", *mode),
+                "set it to 1, or mode to 0");
     }
   }
 }
@@ -119,7 +116,7 @@ std::string_view name_trouble(const std::string& file) {
   if (!std::all_of(file.begin(), file.end(), plain))
     return "has characters that are not allowed in names of results files";
   if (std::isalnum(static_cast<unsigned char>(file.front())) == 0)
-    return "begins with a character that hides a file or starts an option";
+    return "begins with a character that hides the file or looks like an option of a command";
   constexpr std::string_view kPrograms[] = {
       "SH",  "BASH", "CSH",     "KSH",   "ZSH", "FISH", "BAT",  "CMD",  "COM", "EXE", "PS1",
       "PY",  "PL",   "RB",      "JS",    "VBS", "WSF",  "LUA",  "TCL",  "AWK", "SED", "PHP",
@@ -130,9 +127,9 @@ std::string_view name_trouble(const std::string& file) {
   const std::size_t dot = name.rfind('.');
   if (dot != std::string::npos && std::find(std::begin(kPrograms), std::end(kPrograms),
                                             name.substr(dot + 1)) != std::end(kPrograms))
-    return "is a name for programs, scripts, settings or other data";
+    return "is a name or ending of programs, scripts, settings or other data";
   if (name == "MAKEFILE" || name == "GNUMAKEFILE" || name == "DOCKERFILE")
-    return "is a name for programs, scripts, settings or other data";
+    return "is a name or ending of programs, scripts, settings or other data";
   return {};
 }
 
@@ -154,13 +151,13 @@ void check_file_names(Checker& c) {
     const std::string file = without_blanks_behind(c.deck().text(name));
     if (const std::string_view trouble = name_trouble(file); !trouble.empty()) {
       c.error(name, std::string(trouble),
-              "give a name of 1 to 10 letters and digits, for instance SOL1");
+              "enter a name of 1 to 10 letters and digits, for instance SOL1");
       continue;
     }
     const auto [earlier, fresh] = seen.emplace(upper(file), std::string(name));
     if (!fresh)
       c.error(name, fmt::format("this name is already used by {}", earlier->second),
-              "give every file its own name");
+              "give each file a different name");
   }
 }
 
@@ -182,17 +179,18 @@ void check_monitored_bodies(Checker& c) {
     if (*body <= last) {
       c.error("kPltElemInd",
               fmt::format("the bodies must be in increasing order, but {} follows {}", *body, last),
-              "sort them and remove doubles");
+              "sort them and remove duplicates");
       return;
     }
     last = *body;
   }
   if (bodies > 0 && last > bodies)
-    c.error("kPltElemInd",
-            fmt::format("there is no body {}: with {} and {} the last body, the inner race, is {}",
-                        last, counted(*elements, "element"), counted(*segments, "cage segment"),
-                        bodies),
-            fmt::format("give numbers from 1 to {}", bodies));
+    c.error(
+        "kPltElemInd",
+        fmt::format(
+            "there is no body {}: with {} and {}, the last number is that of the inner race, {}",
+            last, counted(*elements, "element"), counted(*segments, "cage segment"), bodies),
+        fmt::format("enter numbers from 1 to {}", bodies));
 }
 
 /// The spin of balls is a choice; what rollers spin about is their own axis.
@@ -226,7 +224,8 @@ void check_types(Checker& c) {
   const auto elements = c.integer("nRe");
   if (c.is("kReGeoImp", 2) && elements && *elements > 40)
     c.error("kReGeoImp",
-            fmt::format("the list of diameters has 40 elements, but the bearing has {}", *elements),
+            fmt::format("the list of diameters has 40 values, but the bearing has {} elements",
+                        *elements),
             "use 3 (user routine ADRX8) or 1 (random errors)");
   if (c.is("kReGeoImp", 2) && elements)
     for (long long i = *elements + 1; i <= 40; ++i) {
@@ -237,7 +236,8 @@ void check_types(Checker& c) {
     }
   const auto lubricant = c.integer("kTrac");
   if (lubricant && *lubricant <= 0) {
-    constexpr std::string_view kMessage = "1 is the lubricant of kTrac, but kTrac = {} has none";
+    constexpr std::string_view kMessage =
+        "1 selects the lubricant of kTrac, but kTrac = {} has no lubricant";
     constexpr std::string_view kRemedy = "choose a lubricant with kTrac, or another medium here";
     if (c.is("kChrn", 1)) c.error("kChrn", fmt::format(kMessage, *lubricant), std::string(kRemedy));
     if (c.is("kCoolant", 1))
@@ -250,8 +250,8 @@ void check_types(Checker& c) {
         "set it to 0");
   if (c.is("kCoolant", 0) && (c.is("kBaseTemp", 2) || c.is("kBaseTemp", 3)))
     c.error("kBaseTemp",
-            "the reference temperature cannot be that of the coolant: kCoolant is 0 (no coolant)",
-            "choose another place or a coolant");
+            "the reference temperature is that of the coolant, but kCoolant is 0 (no coolant)",
+            "choose another location, or a coolant with kCoolant");
 }
 
 }  // namespace

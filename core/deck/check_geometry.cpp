@@ -32,10 +32,10 @@ void check_fit_on_circle(Checker& c, double pitch_diameter, double element_diame
       std::numbers::pi / std::asin(std::min(1.0, element_diameter / pitch_diameter));
   c.error(
       "nRe",
-      fmt::format("{} elements do not fit on the pitch circle: their centers are {} apart, less "
-                  "than the diameter of {}",
+      fmt::format("{} elements do not fit on the pitch circle: their centers are {} apart, but "
+                  "their diameter is {}",
                   *count, c.length(pitch), c.length(element_diameter)),
-      "give at most " + counted(static_cast<long long>(fitting * (1.0 + kRounding)), "element"));
+      "enter at most " + counted(static_cast<long long>(fitting * (1.0 + kRounding)), "element"));
 }
 
 void check_pitch_circle(Checker& c, double pitch_diameter, double element_diameter) {
@@ -49,10 +49,10 @@ void check_pitch_circle(Checker& c, double pitch_diameter, double element_diamet
               "check pitchDia, brgBore and brgOD");
     else if (pitch_diameter - element_diameter <= *bore ||
              pitch_diameter + element_diameter >= *outside)
-      c.warning(
-          "bReDia",
-          "the elements reach through a race: no ring material is left at the bore or the outside",
-          "check bReDia, pitchDia, brgBore and brgOD");
+      c.warning("bReDia",
+                "the elements reach through a race: no ring material is left at the bore or at the "
+                "outside diameter",
+                "check bReDia, pitchDia, brgBore and brgOD");
   }
   check_fit_on_circle(c, pitch_diameter, element_diameter);
 }
@@ -62,13 +62,13 @@ void check_plausible_lengths(Checker& c) {
     const auto length = c.si(name);
     if (length && *length > 5.0)
       c.warning(name, fmt::format("{} is very large for a bearing", c.length(*length)),
-                "lengths are in m (SI) or in (English), not mm");
+                "enter lengths in m (SI) or inches (English), not mm");
   }
   for (const std::string_view name : {"rmsAspHt1", "rmsAspHt2"}) {
     const auto height = c.si(name);
     if (height && *height > 1e-4)
       c.warning(name, fmt::format("a roughness of {} is very large", c.length(*height)),
-                "lengths are in m (SI) or in (English), not µm");
+                "enter lengths in m (SI) or inches (English), not µm");
   }
 }
 
@@ -83,20 +83,22 @@ void check_angle_and_clearance(Checker& c, double diameter) {
   if (*angle == 0.0) {
     if (*clearance == 0.0)
       c.warning("freeIntCls",
-                "both contact angle and clearance are zero: a line-to-line radial bearing",
-                "if this is not intended, give freeConAng or freeIntCls");
+                "contact angle and clearance are both zero: the bearing has neither clearance nor "
+                "preload",
+                "if this is not intended, enter freeConAng or freeIntCls");
     if (*clearance > room)
       c.error(
           "freeIntCls",
-          fmt::format("with this clearance a ball cannot touch both races: the grooves allow {}",
-                      c.length(room)),
-          "give a smaller clearance or larger groove factors");
+          fmt::format(
+              "with this clearance a ball cannot touch both races: the grooves allow at most {}",
+              c.length(room)),
+          "enter a smaller clearance or larger groove factors");
     return;
   }
   const double implied = room * (1.0 - std::cos(*angle));
   if (*clearance != 0.0 && std::abs(*clearance - implied) > 0.05 * implied)
     c.warning("freeIntCls",
-              fmt::format("is not used: freeConAng is above 0, and implies a clearance of {}",
+              fmt::format("is not used: freeConAng is above 0 and determines a clearance of {}",
                           c.length(implied)),
               "set it to 0, or freeConAng to 0");
 }
@@ -107,7 +109,9 @@ void check_open_grooves(Checker& c) {
   for (const char* name : {"raceCurFac1", "raceCurFac2"}) {
     const auto factor = c.raw(name);
     if (factor && *factor >= kOpen)
-      c.warning(name, "the groove radius is larger than the ball: the contact is nearly round",
+      c.warning(name,
+                "the groove radius is not below the ball diameter, so that the contact is nearly "
+                "circular",
                 "the usual range is 0.515 to 0.53; keep the value if the race was ground for "
                 "larger balls");
   }
@@ -124,7 +128,7 @@ void check_shims(Checker& c, double diameter) {
       c.error(name,
               fmt::format("a shim this thick leaves no arch: it must be below (2f - 1) D = {}",
                           c.length(widest)),
-              "give a thinner shim, 0 for a race that is not split");
+              "enter a thinner shim, or 0 for a race that is not split");
   }
 }
 
@@ -173,7 +177,7 @@ void check_cone_pitch(Checker& c, double pitch, double diameter, double outer, d
   } else if (pitch - diameter <= *bore || pitch + diameter >= *outside) {
     c.warning("raceTaper2",
               fmt::format("the rollers reach through a race, so that no ring material is left at "
-                          "the bore or the outside: {}",
+                          "the bore or at the outside diameter: {}",
                           formula),
               "check raceTaper1, raceTaper2, bReDia, brgBore and brgOD");
   }
@@ -184,10 +188,10 @@ void check_cones(Checker& c, double diameter) {
   const auto inner = c.si("raceTaper2");
   if (!outer || !inner) return;
   if (*outer <= *inner)
-    return c.error(
-        "raceTaper1",
-        "the outer cone must be wider than the inner one; otherwise the roller has no taper",
-        "give raceTaper1 above raceTaper2");
+    return c.error("raceTaper1",
+                   "the outer cone angle must be larger than the inner cone angle; otherwise the "
+                   "roller has no taper",
+                   "enter a value of raceTaper1 above raceTaper2");
   const double pitch = cone_pitch_diameter(diameter, *outer, *inner);
   check_cone_pitch(c, pitch, diameter, *outer, *inner);
   check_fit_on_circle(c, pitch, diameter);
@@ -207,16 +211,16 @@ void check_flanges(Checker& c) {
     constexpr double kLeast = 1e-6;  // [m]
     if (h && *h < kLeast)
       c.error(height, "the flange has no height and cannot touch a roller",
-              "give a height above 0, " + off);
+              "enter a height above 0, " + off);
     if (angle && (*angle < 0.0 || *angle > 89.0))
-      c.error(layback, "the flange face leans away from the roller end",
-              "give 0 to 89 deg, " + off);
+      c.error(layback, "the flange face must lean away from the roller end by 0 to 89 deg",
+              "enter 0 to 89 deg, " + off);
   }
   if (*type == 4 && c.is("kFlngInd11", 0) && c.is("kFlngInd12", 0))
     c.error("kFlngInd12",
             "tapered rollers need a flange at their large end (negative x side); without it any "
             "load pushes them out",
-            "give the inner race its rib: kFlngInd12 = 1 and record 5F");
+            "set kFlngInd12 to 1 and give record 5F (rib of the inner race)");
 }
 
 void check_roller_profile(Checker& c, double diameter) {
@@ -229,17 +233,17 @@ void check_roller_profile(Checker& c, double diameter) {
     c.error(
         "bReCenLen",
         fmt::format("the central land is longer than the roller, bReLen = {}", c.length(*length)),
-        "give a length at most bReLen");
+        "enter a length of at most bReLen");
   if (corner1 && corner2 && *corner1 + *corner2 >= *length)
-    c.error(
-        "bReCorRad1",
-        fmt::format("the two corner radii use up the whole roller length of {}", c.length(*length)),
-        "give smaller corner radii");
+    c.error("bReCorRad1",
+            fmt::format("the two corner radii together are not below the roller length of {}",
+                        c.length(*length)),
+            "enter smaller corner radii");
   for (const std::string_view name : {"bReCorRad1", "bReCorRad2"}) {
     const auto corner = c.si(name);
     if (corner && *corner > 0.5 * diameter)
       c.error(name, "a corner radius cannot exceed the roller radius",
-              "give a smaller corner radius");
+              "enter a smaller corner radius");
   }
 }
 
@@ -256,12 +260,14 @@ void check_envelope(Checker& c) {
         fmt::format("the bore must be smaller than the outside diameter of {}", c.length(*outside)),
         "check brgBore and brgOD");
   if (bore && shaft_bore && *shaft_bore >= *bore && *bore > 0.0)
-    c.error("shftID",
-            fmt::format("the shaft would have no wall: its bore must be below {}", c.length(*bore)),
-            "give a smaller shaft bore, 0 for a solid shaft");
+    c.error(
+        "shftID",
+        fmt::format("the shaft has no wall: the shaft bore must be below the bearing bore of {}",
+                    c.length(*bore)),
+        "enter a smaller shaft bore, or 0 for a solid shaft");
   if (outside && housing && *housing == 0.0)
-    c.warning("hsngOD", "the housing has no wall to carry an outer race fit",
-              "give the outside diameter of the housing");
+    c.warning("hsngOD", "the housing has no wall that could hold the outer race with a fit",
+              "enter the outside diameter of the housing");
   else if (outside && housing && above(*outside, *housing))
     c.error("hsngOD",
             fmt::format("the housing must be larger than the bearing, whose outside diameter is {}",
@@ -291,14 +297,15 @@ void check_ball_geometry(Checker& c) {
   const auto inner_shoulder = c.si("shoulderDia2");
   if (outer_shoulder && inner_shoulder && *outer_shoulder > 0.0 &&
       *outer_shoulder <= *inner_shoulder)
-    c.warning("shoulderDia1", "the outer shoulder is not larger than the inner one",
+    c.warning("shoulderDia1",
+              "the diameter of the outer shoulder is not larger than that of the inner shoulder",
               "check shoulderDia1 and shoulderDia2");
   else if (pitch && outer_shoulder && *outer_shoulder > 0.0 && *outer_shoulder < *pitch)
-    c.warning("shoulderDia1", "the outer shoulder is higher than the ball centers",
-              "give more than pitchDia");
+    c.warning("shoulderDia1", "the outer shoulder is inside the pitch circle",
+              "enter a diameter above pitchDia");
   else if (pitch && inner_shoulder && *inner_shoulder > *pitch)
-    c.warning("shoulderDia2", "the inner shoulder is higher than the ball centers",
-              "give less than pitchDia");
+    c.warning("shoulderDia2", "the inner shoulder is outside the pitch circle",
+              "enter a diameter below pitchDia");
 }
 
 void check_roller_geometry(Checker& c) {

@@ -52,7 +52,7 @@ void check_celsius(Checker& c) {
   const char* scale = english(c) ? "deg F" : "deg C";
   const double absolute = english(c) ? raw + 459.67 : raw + kFreezingPoint;
   c.warning(first,
-            fmt::format("is {:.0f} deg C, a temperature of cryogenic bearings only{}",
+            fmt::format("is {:.0f} deg C, a temperature that only cryogenic bearings have{}",
                         *c.si(first) - kFreezingPoint,
                         others.empty() ? std::string() : " (so are " + others + ")"),
             fmt::format("temperatures are absolute: for {:g} {} write {:.6g} {}", raw, scale,
@@ -83,20 +83,20 @@ void check_gravity(Checker& c) {
   };
   const std::array<Slip, 5> slips{
       {{1000.0 * kStandardGravity, "mm/s^2"},
-       {1.0, "multiples of gravity"},
+       {1.0, "units of g"},
        {kStandardGravity / 0.3048, "ft/s^2"},
        {inches ? kStandardGravity : kStandardGravity * kInchPerMetre, inches ? "m/s^2" : "in/s^2"},
        {100.0 * kStandardGravity, "cm/s^2"}}};
   for (const Slip& slip : slips)
     if (near(size, slip.value, 0.02)) {
       c.warning(largest, fmt::format("looks like gravity in {}", slip.unit),
-                fmt::format("the deck's unit is {}, in which gravity is {:.5g}",
+                fmt::format("enter gravity in {}, the unit of this deck: {:.5g}",
                             inches ? "in/s^2" : "m/s^2", right));
       return;
     }
   if (size > 100.0 * right)
     c.warning(largest, fmt::format("is {:.0f} times the gravity of Earth", size / right),
-              fmt::format("the deck's unit is {}, in which gravity is {:.5g}",
+              fmt::format("enter gravity in {}, the unit of this deck: {:.5g}",
                           inches ? "in/s^2" : "m/s^2", right));
 }
 
@@ -106,14 +106,16 @@ void check_radians(Checker& c) {
     const auto angle = c.raw(name);
     const double least = name == "freeConAng" ? 0.05 : 0.09, most = 1.5;
     if (!angle || std::abs(*angle) < least || std::abs(*angle) > most) continue;
-    c.warning(name, fmt::format("is below {:g} deg; angles are in deg, not rad", most),
-              fmt::format("for {:g} rad write {:.6g}", *angle, *angle * 180.0 / 3.14159265358979));
+    c.warning(
+        name,
+        fmt::format("is below {:g} deg and may be in rad; angles of this record are in deg", most),
+        fmt::format("for {:g} rad write {:.6g}", *angle, *angle * 180.0 / 3.14159265358979));
   }
   for (const std::string_view name : {"appMis11", "appMis21", "appMis12", "appMis22"}) {
     const auto angle = c.raw(name);
     if (!angle || std::abs(*angle) < 0.1) continue;
     c.warning(name,
-              fmt::format("is a misalignment of {:.3g} deg; the unit here is rad",
+              fmt::format("is a misalignment of {:.3g} deg; misalignments are in rad",
                           *angle * 180.0 / 3.14159265358979),
               fmt::format("for {:g} deg write {:.6g}", *angle, *angle * 3.14159265358979 / 180.0));
   }
@@ -128,15 +130,15 @@ bool check_unit_system(Checker& c) {
   if (kelvin)
     c.warning("kUnit",
               fmt::format("selects English units, but roomTemp = {:g} is a room temperature in K; "
-                          "in R it is {:.0f} deg C",
+                          "as a value in R it is {:.0f} deg C",
                           *room, *room / 1.8 - kFreezingPoint),
-              "set kUnit to 1 when the deck is in SI, or give temperatures in R");
+              "set kUnit to 1 if the deck is in SI units, or enter temperatures in R");
   if (rankine)
     c.warning("kUnit",
-              fmt::format("selects SI units, but roomTemp = {:g} is a room temperature in R; in K "
-                          "it is {:.0f} deg C",
+              fmt::format("selects SI units, but roomTemp = {:g} is a room temperature in R; as a "
+                          "value in K it is {:.0f} deg C",
                           *room, *room - kFreezingPoint),
-              "set kUnit to 2 when the deck is in English units, or give temperatures in K");
+              "set kUnit to 2 if the deck is in English units, or enter temperatures in K");
   return kelvin || rankine;
 }
 
@@ -171,7 +173,7 @@ void check_loads(Checker& c) {
   c.warning("appLoadX",
             "the inner race has no load, moment or displacement that presses the elements against "
             "the races",
-            "give a load on record 9.1.1, or a displacement with kFS1 to kFS5 = 1");
+            "enter a load on record 9.1.1, or a displacement with kFS1 to kFS5 = 1");
 }
 
 /// Races that do not turn against each other roll nothing.
@@ -184,14 +186,14 @@ void check_speeds(Checker& c) {
   if (*mode < 0 && *inner == 0.0) {              // at rest the equilibrium alone is a fair question
     c.add(c.deck().issue(
         Severity::Note, "rpm2",
-        "no race turns: the result is the equilibrium at rest, without a life in hours",
-        "if this is not intended, give a speed on record 9.1.2"));
+        "no race rotates: the result is the equilibrium at rest, without a life in hours",
+        "if this is not intended, enter a speed on record 9.1.2"));
     return;
   }
   c.warning("rpm2",
             *inner == 0.0
-                ? std::string("no race turns, so that nothing rolls")
-                : fmt::format("both races turn at {:g} rpm, so that nothing rolls", *inner),
+                ? std::string("no race rotates, so that nothing rolls")
+                : fmt::format("both races rotate at {:g} rpm, so that nothing rolls", *inner),
             "give the races different speeds on record 9.1.2");
 }
 

@@ -53,21 +53,21 @@ void check_times(Checker& c) {
     const std::string name = fmt::format("endTime{}", race);
     const auto end = c.raw(name);
     if (start && end && *end < *start)
-      c.error(name, fmt::format("the acceleration would end before it starts at {:.10g} s", *start),
-              "give a time after the start");
+      c.error(name, fmt::format("the acceleration ends before its start at {:.10g} s", *start),
+              "enter a time after the start");
   }
 }
 
 void check_temperatures(Checker& c) {
   const auto room = c.si("roomTemp");
   if (room && *room > 400.0)
-    c.warning("roomTemp", fmt::format("a room of {} is unusual", c.temperature(*room)),
+    c.warning("roomTemp", fmt::format("a room temperature of {} is unusual", c.temperature(*room)),
               "temperatures are absolute, in K (SI) or R (English)");
   const auto coolant = c.integer("kCoolant");
   const auto flow = c.raw("cFlowRate");
   if (coolant && *coolant > 0 && flow && *flow == 0.0)
-    c.warning("cFlowRate", "the coolant does not flow and carries no heat away",
-              "give a flow, or set kCoolant to 0");
+    c.warning("cFlowRate", "the coolant does not flow and removes no heat",
+              "enter a flow above 0, or set kCoolant to 0");
 }
 
 /// Rockwell C is a scale for hard steel; elsewhere its conversion is an extrapolation.
@@ -76,7 +76,7 @@ void check_hardness(Checker& c) {
     const auto hardness = c.raw(name);
     if (hardness && (*hardness < 20.0 || *hardness > 70.0))
       c.warning(name, "is outside the range of the Rockwell C scale, 20 to 70",
-                "hardness is in HRC, not HV or Pa");
+                "enter the hardness in HRC, not HV or Pa");
   }
 }
 
@@ -87,7 +87,7 @@ bool not_negative(Checker& c, std::string_view stem, int count) {
     const std::string name = fmt::format("{}{}", stem, k);
     const auto value = c.raw(name);
     if (!value || !(*value < 0.0)) continue;
-    c.error(name, "a traction coefficient cannot be negative", "give a value of at least 0");
+    c.error(name, "a traction coefficient cannot be negative", "enter a value of at least 0");
     good = false;
   }
   return good;
@@ -109,7 +109,7 @@ void check_peak(Checker& c, std::string_view stem) {
             fmt::format("the largest traction coefficient must be above those at zero slip "
                         "({0}1 = {1:.6g}) and at infinite slip ({0}3 = {2:.6g})",
                         stem, *at_zero, *at_infinity),
-            "give a larger value, or use curve type 2 for a curve without a peak");
+            "enter a larger value, or use curve type 2 for a curve without a peak");
 }
 
 /// The asymptotic curve decays only when its slope points from the start towards the asymptote.
@@ -123,12 +123,12 @@ void check_asymptote(Checker& c, std::string_view stem) {
   const bool constant = rise == 0.0 && *slope == 0.0;
   if (!constant && !(*slope * rise > 0.0))
     c.error(slope_name,
-            fmt::format("a curve with this slope never reaches its asymptote: it has to change "
+            fmt::format("a curve with this slope does not approach the asymptote: it must change "
                         "from {0}1 = {1:.6g} to {0}2 = {2:.6g}",
                         stem, *at_zero, *at_infinity),
-            rise > 0.0   ? "give a positive slope"
-            : rise < 0.0 ? "give a negative slope"
-                         : "give slope 0 for a constant coefficient");
+            rise > 0.0   ? "enter a positive slope"
+            : rise < 0.0 ? "enter a negative slope"
+                         : "enter slope 0 for a constant coefficient");
 }
 
 void check_curves(Checker& c) {
@@ -143,8 +143,9 @@ void check_curves(Checker& c) {
     if (c.is(type, 2) && not_negative(c, stem, 2)) check_asymptote(c, stem);
     const auto rate = c.raw(fmt::format("{}3", stem));
     if (c.is(type, -1) && rate && *rate < 0.0)
-      c.error(fmt::format("{}3", stem), "with a negative C the traction grows without limit",
-              "give a value of at least 0");
+      c.error(fmt::format("{}3", stem),
+              "with a negative C the traction coefficient grows without limit",
+              "enter a value of at least 0");
   }
 }
 

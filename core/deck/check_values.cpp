@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 /// Checks that need only the schema: which records, and the type of each value.
 namespace adore::deck {
@@ -52,9 +53,9 @@ class ValueCheck {
     const auto expected = static_cast<std::size_t>(array_length(checker_.deck(), variable_));
     if (elements.size() != expected) {
       report(Severity::Error, 0, {},
-             fmt::format("has {}, but {} due", counted(elements.size(), "element"),
+             fmt::format("has {}, but {} required", counted(elements.size(), "element"),
                          counted(expected, "is", "are")),
-             "give as many values as the count requires");
+             "enter one value for each element");
       return;
     }
     for (std::size_t i = 0; i < elements.size(); ++i)
@@ -100,13 +101,12 @@ class ValueCheck {
 
   [[nodiscard]] std::string suggestion() const {
     const std::string codes = describe_codes(variable_);
-    if (!codes.empty()) return "valid are " + codes;
-    const std::string range =
-        describe_range(range_in_deck_units(checker_.deck(), variable_), unit());
-    const std::string kind = variable_.type == VarType::Integer ? "an integer"
-                             : variable_.type == VarType::Real  ? "a number"
-                                                                : "a text in quotes";
-    return fmt::format("give {}{}{}", kind, range.empty() ? "" : " ", range);
+    if (!codes.empty()) return "valid codes are " + codes;
+    const std::string_view kind = variable_.type == VarType::Integer ? "an integer"
+                                  : variable_.type == VarType::Real  ? "a number"
+                                                                     : "a text in quotes";
+    return "enter " +
+           describe_in_range(kind, range_in_deck_units(checker_.deck(), variable_), unit());
   }
 
   [[nodiscard]] std::string_view unit() const {
@@ -119,15 +119,15 @@ class ValueCheck {
              suggestion());
     else if (!in_range(variable_.range, static_cast<double>(value)))
       report(Severity::Error, element, fmt::format("{}", value), "is out of range",
-             "give a value of " + describe_range(variable_.range, {}));
+             "enter " + describe_in_range("a value", variable_.range, {}));
   }
 
   void check_real(double value, int element) {
     const Range range = range_in_deck_units(checker_.deck(), variable_);
     if (in_range(range, value)) return;
-    const std::string bounds = describe_range(range, unit());
     report(Severity::Error, element, format_real(value), "is out of range",
-           bounds.empty() ? "give a finite number" : "give a value " + bounds);
+           "enter " + describe_in_range(std::isfinite(value) ? "a value" : "a finite number", range,
+                                        unit()));
   }
 
   void check_text(const std::string& text, int element) {
@@ -140,7 +140,8 @@ class ValueCheck {
     const auto longest = static_cast<std::size_t>(variable_.max_length);
     if (longest == 0 || text.size() <= longest) return;
     report(variable_.name == "recID" ? Severity::Warning : Severity::Error, element,
-           value_text(text), fmt::format("is {} characters long, {} fit", text.size(), longest),
+           value_text(text),
+           fmt::format("is {} characters long, but at most {} are allowed", text.size(), longest),
            "shorten it");
   }
 
@@ -166,9 +167,9 @@ void check_layout(Checker& checker, const Reported& reported) {
       if (deck.has_record(spec.id, instance)) continue;
       missing = true;
       if (reported.missing_records.count({std::string(spec.id), instance}) > 0) continue;
-      checker.add(record_issue(deck, spec.id, 0,
-                               fmt::format("the record ({}) is required but missing", spec.title),
-                               fmt::format("add it, because `{}`", spec.condition)));
+      checker.add(record_issue(
+          deck, spec.id, 0, fmt::format("the record ({}) is required but missing", spec.title),
+          fmt::format("add the record, because the condition `{}` is met", spec.condition)));
     }
     if (missing)
       for (const VariableSpec& variable : spec.variables)
@@ -190,7 +191,7 @@ void check_layout(Checker& checker, const Reported& reported) {
     checker.add(record_issue(
         deck, data.id, data.line,
         find_record(data.id) == nullptr ? "there is no such record" : "the record is out of order",
-        "keep the order of the schema"));
+        "put the records in the order that `adore schema` lists"));
   }
 }
 
@@ -201,9 +202,9 @@ void check_values(Checker& checker) {
     if (data.values.size() != spec->variables.size()) {
       checker.add(
           record_issue(checker.deck(), data.id, data.line,
-                       fmt::format("has {}, but {} are due",
+                       fmt::format("has {}, but {} are required",
                                    counted(data.values.size(), "variable"), spec->variables.size()),
-                       "give them all"));
+                       "give all of them"));
       continue;
     }
     for (std::size_t i = 0; i < spec->variables.size(); ++i)

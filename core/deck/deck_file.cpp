@@ -25,7 +25,7 @@ std::optional<Issue> find_no_deck(std::string_view text, const std::string& file
     Issue issue;
     issue.file = file_name;
     issue.message = fmt::format("the file has {} lines and is not a data deck", lines);
-    issue.remedy = fmt::format("give the deck (DATA.txt); it has at most {} lines", kMostLines);
+    issue.remedy = fmt::format("give the deck (DATA.txt); a deck has at most {} lines", kMostLines);
     return issue;
   }
   int line = 1;
@@ -58,7 +58,8 @@ std::string read_text(const fs::path& path) {
   if (!fs::exists(status))
     fail(path, "there is no such file", "check the name, or write a deck with `adore new ball`");
   if (fs::is_directory(status))
-    fail(path, "this is a folder, not a data deck", "give the file in it, such as DATA.txt");
+    fail(path, "this is a folder, not a data deck",
+         "give the file in this folder, such as DATA.txt");
   InputFile in(path);
   if (!in) fail(path, "the file cannot be opened", "check its permissions");
   std::string text;

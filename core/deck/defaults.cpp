@@ -111,10 +111,11 @@ std::vector<Issue> added_defaults(const Deck& before, const Deck& after) {
     issue.record = record_name(*spec, record);
     issue.message = fmt::format(
         "{}: {}",
-        given == nullptr ? "was added with default values, because the changed options need it"
-                         : "got default values for missing variables",
+        given == nullptr
+            ? "was added with default values, because the changed options require this record"
+            : "was completed with default values for missing variables",
         values);
-    issue.remedy = "set them too, or write them into the deck";
+    issue.remedy = "set these variables too, or write them into the deck";
     list.push_back(std::move(issue));
   }
   return list;

@@ -52,7 +52,7 @@ Target parse_target(std::string_view text) {
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), index);
     if (number.empty() || error != std::errc() || end != number.data() + number.size() ||
         index < 1 || target.indices.size() == 2)
-      fail(text, {}, "the index cannot be understood",
+      fail(text, {}, "the index is not valid",
            "write name[1] or name[instance][element], counting from 1");
     target.indices.push_back(index);
     rest.remove_prefix(close + 1);
@@ -67,8 +67,8 @@ Target parse_target(std::string_view text) {
   std::string list;
   for (const std::string_view similar : similar_variables(name))
     list += (list.empty() ? "" : ", ") + std::string(similar);
-  fail(name, value, "there is no variable of that name",
-       list.empty() ? "`adore schema` lists them all" : fmt::format("did you mean {}?", list));
+  fail(name, value, "there is no variable with this name",
+       list.empty() ? "`adore schema` lists all variables" : fmt::format("did you mean {}?", list));
 }
 
 std::string condition_of(std::span<const VariableRef> refs) {
@@ -214,25 +214,26 @@ Place locate(Deck& deck, const Target& target, std::string_view name, std::strin
   if (repeated && !target.indices.empty()) place.instance = target.indices[0];
   place.ref = find_or_add(deck, refs, place.instance);
   if (place.ref == nullptr && place.instance > 1 && find_or_add(deck, refs, 1) != nullptr)
-    fail(name, value, fmt::format("the deck does not have instance {} of it", place.instance),
+    fail(name, value,
+         fmt::format("the deck does not have instance {} of this record", place.instance),
          "give a smaller number, or increase the count");
   if (place.ref == nullptr)
-    fail(name, value, "the deck does not have this record",
-         fmt::format("it requires {}; set that option too", condition_of(refs)));
+    fail(name, value, "the deck does not have the record of this variable",
+         fmt::format("the variable is on {}; set that option too", condition_of(refs)));
 
   const RecordSpec& record = *place.ref->record;
   const int count = record.repeat.empty() ? 1 : repeat_count(deck, record);
   if (count > 1 && target.indices.empty())
-    fail(name, value, fmt::format("there are {} of them", count),
-         fmt::format("give the number of one of them: {}[1]", target.name));
+    fail(name, value, fmt::format("the deck has {} instances of this variable", count),
+         fmt::format("give the number of one instance, such as {}[1]", target.name));
   const std::size_t used = record.repeat.empty() || target.indices.empty() ? 0 : 1;
   const bool is_array = place.ref->spec().length != "1";
   if (target.indices.size() > used) {
     const int length = is_array ? array_length(deck, place.ref->spec()) : 0;
     if (target.indices[used] > length)
       fail(name, value, is_array ? "it has " + counted(length, "element") : "it is a single value",
-           is_array ? "give an index up to that, or increase the count first"
-                    : "leave out the index");
+           is_array ? "give an index up to this number, or increase the count first"
+                    : "omit the index");
     place.element = static_cast<std::size_t>(target.indices[used]) - 1;
   } else if (!is_array) {
     place.element = 0;
@@ -270,7 +271,7 @@ std::vector<Pending> parse_all(std::span<const std::pair<std::string, std::strin
       else if (trimmed(same->text->second) != trimmed(text.second))
         fail(text.first, text.second,
              fmt::format("is set twice, to {} and to {}", same->text->second, text.second),
-             "give it one value");
+             "set it once");
     } catch (const InputError& error) {
       issues.insert(issues.end(), error.issues().begin(), error.issues().end());
     }
@@ -342,11 +343,11 @@ void Deck::set(std::string_view name, std::string_view value) {
   } else {
     const std::vector<std::string_view> parts = split_at_commas(value);
     if (elements.empty())
-      fail(name, value, "this deck has none of them",
-           fmt::format("their number is {}; increase it first", spec.length));
+      fail(name, value, "this deck has no elements of this variable",
+           fmt::format("{} is the number of elements; increase it first", spec.length));
     if (parts.size() != elements.size())
       fail(name, value, "it has " + counted(elements.size(), "element"),
-           fmt::format("give {} with commas, or a single one as {}[1]",
+           fmt::format("give {} separated by commas, or a single value as {}[1]",
                        counted(elements.size(), "value"), target.name));
     for (std::size_t i = 0; i < parts.size(); ++i) elements[i] = parse_value(spec, name, parts[i]);
   }

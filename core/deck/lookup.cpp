@@ -155,6 +155,9 @@ std::string describe_codes(const VariableSpec& variable) {
 
 std::string describe_range(const Range& range, std::string_view unit) {
   const std::string suffix = unit.empty() || unit == "-" ? "" : fmt::format(" {}", unit);
+  if (std::isfinite(range.min) && std::isfinite(range.max) && !range.min_exclusive &&
+      !range.max_exclusive)
+    return fmt::format("{:.10g} to {:.10g}{}", range.min, range.max, suffix);
   std::string out;
   if (std::isfinite(range.min))
     out =
@@ -163,6 +166,14 @@ std::string describe_range(const Range& range, std::string_view unit) {
     out += fmt::format("{}{} {:.10g}{}", out.empty() ? "" : " and ",
                        range.max_exclusive ? "below" : "at most", range.max, suffix);
   return out;
+}
+
+std::string describe_in_range(std::string_view what, const Range& range, std::string_view unit) {
+  const std::string text = describe_range(range, unit);
+  if (text.empty()) return std::string(what);
+  const bool exclusive = text.starts_with("above") || text.starts_with("below");
+  const std::string_view link = exclusive ? "" : text.starts_with("at ") ? "of " : "from ";
+  return fmt::format("{} {}{}", what, link, text);
 }
 
 Value default_value(const VariableSpec& variable) {

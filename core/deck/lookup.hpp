@@ -45,8 +45,11 @@ bool is_reliable_integer(const VariableSpec& variable, const Value& value);
 /// "0 (no cage), 1 (one-piece cage)"; only the codes of a long list.
 std::string describe_codes(const VariableSpec& variable);
 
-/// "above 0.5 m and at most 1.0 m"
+/// "above 0.5 m and at most 1.0 m", "0 to 4"; empty for any number
 std::string describe_range(const Range& range, std::string_view unit);
+
+/// "a value from 0 to 4", "a value of at least 0", "a value above 0 m"
+std::string describe_in_range(std::string_view what, const Range& range, std::string_view unit);
 
 /// Value that complete() writes if the user gave none.
 Value default_value(const VariableSpec& variable);

@@ -118,9 +118,9 @@ std::vector<Issue> follow_bodies(Deck& deck, const Deck& before) {
     if (of == nullptr) {
       after.push_back(value);  // wrong before: reported as an error, unless it is now valid
       if (const std::string name = number == nullptr ? "" : body_name(deck, *number); !name.empty())
-        notes.push_back(
-            note(fmt::format("{} was not the number of a body and is now the {}", *number, name),
-                 "check whether this is the intended body"));
+        notes.push_back(note(
+            fmt::format("{} was not the number of a body before; it is now the {}", *number, name),
+            "check whether this is the intended body"));
       continue;
     }
     const long long place = *number - of->first_before + 1;
@@ -156,11 +156,12 @@ std::vector<Issue> set_all_and_follow(Deck& deck,
   if (now == given) return notes;
   std::vector<std::string> names;
   for (const long long number : now) names.push_back(fmt::format("{}", number));
-  notes.insert(notes.begin(),
-               note(fmt::format("the monitored bodies stay the same with nRe = {} and nCseg = {}: "
-                                "their numbers are now {}",
-                                deck.integer("nRe"), deck.integer("nCseg"), fmt::join(names, ", ")),
-                    "to choose other bodies, set kPltElemInd too"));
+  notes.insert(
+      notes.begin(),
+      note(fmt::format(
+               "with nRe = {} and nCseg = {}, the same bodies are monitored under new numbers: {}",
+               deck.integer("nRe"), deck.integer("nCseg"), fmt::join(names, ", ")),
+           "to choose other bodies, set kPltElemInd too"));
   return notes;
 }
 

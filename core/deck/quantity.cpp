@@ -157,7 +157,7 @@ class Parser {
     Amount out = sum(0);
     blanks();
     if (at_ < text_.size())
-      fail(fmt::format("cannot be understood from '{}' on", text_.substr(at_)), kExample);
+      fail(fmt::format("is not a valid quantity from '{}' on", text_.substr(at_)), kExample);
     return out;
   }
   Unit unit_alone() {
@@ -189,7 +189,7 @@ class Parser {
       if (out.unit && out.unit->dimension != next.unit->dimension)
         fail("adds different kinds of quantities", kExample);
       if (out.point || next.point)
-        fail("adds temperatures of a scale with an offset zero", "give one temperature");
+        fail("adds temperatures in °C or °F, whose zero is not absolute", "give one temperature");
       out.value += sign * next.value;
     }
     return out;
@@ -208,7 +208,8 @@ class Parser {
       const int sign = text_[at_++] == '*' ? 1 : -1;
       const Amount next = factor(depth);
       if (out.point || next.point)
-        fail("multiplies a temperature of a scale with an offset zero", "give one temperature");
+        fail("multiplies a temperature in °C or °F, whose zero is not absolute",
+             "give one temperature");
       if (sign < 0 && next.value == 0.0) fail("divides by zero", "give a divisor");
       out.value = sign > 0 ? out.value * next.value : out.value / next.value;
       if (next.unit) out.unit = product(out.unit.value_or(Unit{}), *next.unit, sign);
@@ -229,7 +230,7 @@ class Parser {
       ++at_;
       Amount out = sum(depth + 1);
       blanks();
-      if (here() != ')') fail("lacks a closing bracket", kExample);
+      if (here() != ')') fail("has no closing bracket", kExample);
       ++at_;
       return out;
     }
@@ -243,8 +244,8 @@ class Parser {
     };
     while (digit() || (end < text_.size() && text_[end] == '.')) ++end;
     if (end == at_) {
-      if (at_ == text_.size()) fail("ends where a number is due", kExample);
-      fail(fmt::format("has no number where '{}' stands", text_.substr(at_)), kExample);
+      if (at_ == text_.size()) fail("ends where a number is expected", kExample);
+      fail(fmt::format("has '{}' where a number is expected", text_.substr(at_)), kExample);
     }
     // An exponent needs digits after its letter: "3 d" is not an exponent, and neither is "2 deg".
     if (end < text_.size() && std::string_view("eEdD").find(text_[end]) != std::string_view::npos) {
@@ -280,7 +281,7 @@ class Parser {
         if (starts_unit()) {
           out = product(out, units(), sign);
           blanks();
-          if (here() != ')') fail("lacks a closing bracket", kExample);
+          if (here() != ')') fail("has no closing bracket", kExample);
           ++at_;
           continue;
         }

@@ -66,7 +66,7 @@ ReadResult Reader::read() {
     more.file = state_.deck().file;
     more.message =
         counted(state_.issues_dropped, "more problem is", "more problems are") + " not listed";
-    more.remedy = "correct those above first";
+    more.remedy = "correct the listed problems first";
     issues.push_back(std::move(more));
   }
   return std::move(state_.result);
@@ -179,10 +179,11 @@ void Reader::skip_record() {
   const int line = static_cast<int>(label.line) + 1;
   bool needless = false;
   if (state_.deck().has_record(extra.id) && extra.repeat.empty())
-    state_.report(Severity::Error, line, "", "", "this record was there before",
+    state_.report(Severity::Error, line, "", "", "the deck already has this record",
                   "remove one of them");
   else if (is_doubtful(extra.condition))
-    state_.report(Severity::Warning, line, "", "", "this record cannot be assigned and is ignored",
+    state_.report(Severity::Warning, line, "", "",
+                  "this record is ignored, because errors above leave it open whether it is needed",
                   "correct the errors above first");
   else if (evaluate(extra.condition, scope_of(state_.deck())))
     state_.report(

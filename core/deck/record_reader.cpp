@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMostIssues = 500;
 
 std::string quote_problem(const Token& token) {
-  return token.unterminated ? "the quote is not closed on its line"
+  return token.unterminated ? "the closing quote is missing on this line"
                             : "text follows directly after the closing quote";
 }
 
@@ -131,10 +131,11 @@ void RecordReader::read_label(RecordData& data) {
                          default_label(*state_.spec, data.instance)));
   if (is_bad_quote(token)) {
     complain(Severity::Error, token, quote_problem(token),
-             "put the label between single quotes, then a comma");
+             "put the label in single quotes and a comma after it");
     broken_ = true;
   } else if (token.repeat != 1) {
-    complain(Severity::Error, token, "a label cannot be repeated", "write it without r*");
+    complain(Severity::Error, token, "a label cannot be repeated",
+             "write the label without the repeat count (r*)");
   }
 }
 
@@ -161,7 +162,7 @@ bool RecordReader::fetch(const VariableSpec& variable, std::size_t position) {
   }
   if (pending_.repeat == 0) {
     state_.report(Severity::Error, pending_.line, variable.name, "0*" + pending_.text,
-                  "a repeat count of 0 has no meaning", "write r*value with r of at least 1");
+                  "a repeat count of 0 is not valid", "write r*value with r of at least 1");
     return false;
   }
   pending_uses_ = pending_.repeat;
@@ -186,7 +187,7 @@ bool RecordReader::read_value(const VariableSpec& variable, std::size_t position
 bool RecordReader::store(const VariableSpec& variable, const Token& token, Value& value) {
   if (is_bad_quote(token)) {
     state_.report(Severity::Error, token.line, variable.name, token.text, quote_problem(token),
-                  "put the text between single quotes; write a quote inside twice");
+                  "put the text in single quotes; write a quote inside the text twice");
     broken_ = true;
     return false;
   }
@@ -203,7 +204,7 @@ bool RecordReader::store_number(const VariableSpec& variable, const Token& token
   if (token.kind == Token::Kind::Quoted) {
     const std::string_view kind = whole ? "an integer" : "a number";
     state_.report(Severity::Error, token.line, variable.name, "'" + token.text + "'",
-                  fmt::format("is text where {} is due", kind),
+                  fmt::format("is text, but {} is required", kind),
                   fmt::format("give {} without quotes", kind));
     return false;
   }
@@ -246,9 +247,10 @@ void RecordReader::end_short(const Token& token, std::size_t position) {
   const bool end = token.kind == Token::Kind::End;
   state_.report(
       Severity::Error, state_.deck().records.back().line, spec.variables[position].name, "",
-      end ? fmt::format("the deck ends inside this record; no value for {}", names)
-          : fmt::format("the record is short: no value for {} before the next record '{}'", names,
-                        token.text),
+      end ? fmt::format("the deck ends in this record, without values for {}", names)
+          : fmt::format(
+                "the record has too few values: no value for {} before the next record '{}'", names,
+                token.text),
       fmt::format("give {} for record {}", counted(state_.expected_values(spec) + 1, "value"),
                   spec.id));
 }
@@ -256,9 +258,10 @@ void RecordReader::end_short(const Token& token, std::size_t position) {
 /// A deck that was cut in its last number reads like a whole one; a missing line end gives it away.
 void RecordReader::note_bare_end() {
   if (!state_.scanner.at_bare_end()) return;
-  state_.report(Severity::Note, state_.deck().records.back().line, "", "",
-                "the file ends right after this value, without a line end; it may be truncated",
-                "check the last value and end the line");
+  state_.report(
+      Severity::Note, state_.deck().records.back().line, "", "",
+      "the file ends right after this value, without an end of line, and may be truncated",
+      "check the last value and add an end of line");
 }
 
 /// Text between the last value and the next one, on the same line.

@@ -25,19 +25,20 @@ RecordSpec cage_options() {
   const auto hydrodynamics = [](std::string_view name, std::string_view where) {
     return choice(
         name, {{"0", "neglect"}, {"1", "include"}},
-        keep(fmt::format("Hydrodynamic film forces {}; not with a segmented cage.", where)));
+        keep(fmt::format(
+            "Hydrodynamic film forces {}. They are not available with a segmented cage.", where)));
   };
   return record(
       "7.0", "Cage options", "nCseg > 0",
       {choice("kPocType",
               {{"-1", "rollers: cylindrical pockets of a roller-guided cage"},
                {"0", "balls: cylindrical, rollers: rectangular"},
-               {"1", "balls: spherical, rollers: one surface pair"},
-               {"2", "balls: elongated cylindrical, rollers: two surface pairs"},
-               {"3", "balls: rectangular, rollers: three surface pairs"},
+               {"1", "balls: spherical, rollers: one guide surface pair"},
+               {"2", "balls: elongated cylindrical, rollers: two guide surface pairs"},
+               {"3", "balls: rectangular, rollers: three guide surface pairs"},
                {"4", "balls: conical"}},
-              "Shape of the pockets; the codes depend on kBrg. For rollers a positive value is the "
-              "number of guide surface pairs on records 7.3.i."),
+              "Shape of the pockets. The codes depend on the bearing type (kBrg). For rollers, a "
+              "positive value is the number of guide surface pairs on records 7.3.i."),
        choice("kCagePocImp",
               {{"0", "ideal"},
                {"1", "pocket 1 only"},
@@ -50,14 +51,14 @@ RecordSpec cage_options() {
        hydrodynamics("kGsHydro", "at the guide lands"),
        with_table(choice("kCageMat",
                          {{"0", "mild steel"}, {"1", "record 8.5"}, {"2", "user routine ADRX0"}},
-                         "Material of the cage: 0 mild steel, 1 properties in the deck, or a code "
-                         "of the material table.",
+                         "Material of the cage. 0 is mild steel, and 1 takes the properties from "
+                         "the deck. Other codes are those of the material table.",
                          "0"),
                   "@materials"),
        choice("kCageIP", {{"0", "from ideal geometry"}, {"1", "record 7.7"}},
               "Source of mass and inertia of the cage.", "0"),
        counted("nGL", between(0, 4),
-               {{"0", "not race guided"}, {"n", "number of guide lands, at most 4"}},
+               {{"0", "not guided by a race"}, {"n", "number of guide lands, at most 4"}},
                "Number of cage lands that are guided by a race, at most 4; 0 for none."),
        array(choice("iCageGuide", {{"0", "no guidance"}, {"1", "outer race"}, {"2", "inner race"}},
                     "Race that guides each land."),
@@ -65,29 +66,29 @@ RecordSpec cage_options() {
 }
 
 RecordSpec cage_geometry() {
-  return record("7.1", "Cage geometry", "nCseg > 0",
-                {real("cageDia1", kLength, kSize, "Outer diameter of the cage."),
-                 real("cageDia2", kLength, kSize, "Inner diameter of the cage."),
-                 real("cageWidth", kLength, kSize, "Width of the cage."),
-                 real("cageCls1", kLength, kAny,
-                      "Diametral clearance between cage and outer race outside the guide lands; "
-                      "lands have separate clearances on records 7.2.i."),
-                 real("cageCls2", kLength, kAny,
-                      "Diametral clearance between cage and inner race outside the guide lands; "
-                      "lands have separate clearances on records 7.2.i."),
-                 real("bPocCls1", kLength, kAny,
-                      "Pocket clearance I: pocket size minus element diameter around the "
-                      "circumference; axial for elongated ball pockets, "
-                      "inner opening minus ball diameter for conical ones. Unused for rollers with "
-                      "guide surface pairs."),
-                 real("bPocCls2", kLength, kAny,
-                      "Pocket clearance II: center offset of elongated, axial clearance of "
-                      "rectangular, outer opening minus ball diameter of conical ball pockets. "
-                      "Zero for other pockets and for rollers."),
-                 real("cageAngCut", kAngle, between(0.0, 360.0),
-                      "Angular width of the cut between two segments; 0 for a one-piece cage."),
-                 real("cageConeAng", kAngle, kTilt,
-                      "Half cone angle of a conical cage; 0 for a cylindrical one.")});
+  return record(
+      "7.1", "Cage geometry", "nCseg > 0",
+      {real("cageDia1", kLength, kSize, "Outer diameter of the cage."),
+       real("cageDia2", kLength, kSize, "Inner diameter of the cage."),
+       real("cageWidth", kLength, kSize, "Width of the cage."),
+       real("cageCls1", kLength, kAny,
+            "Diametral clearance between cage and outer race outside the guide lands. The "
+            "clearances of the lands are on records 7.2.i."),
+       real("cageCls2", kLength, kAny,
+            "Diametral clearance between cage and inner race outside the guide lands. The "
+            "clearances of the lands are on records 7.2.i."),
+       real("bPocCls1", kLength, kAny,
+            "Pocket clearance I: circumferential pocket size minus element diameter. For elongated "
+            "ball pockets it is the axial clearance, and for conical ball pockets the inner "
+            "opening minus ball diameter. It is not used for rollers with guide surface pairs."),
+       real("bPocCls2", kLength, kAny,
+            "Pocket clearance II of ball pockets. Elongated pocket: center offset. Rectangular "
+            "pocket: axial clearance. Conical pocket: outer opening minus ball diameter. Enter 0 "
+            "for other pockets and for rollers."),
+       real("cageAngCut", kAngle, between(0.0, 360.0),
+            "Angular width of the cut between two segments; 0 for a one-piece cage."),
+       real("cageConeAng", kAngle, kTilt,
+            "Half cone angle of a conical cage; 0 for a cylindrical one.")});
 }
 
 RecordSpec guide_lands() {
@@ -110,13 +111,15 @@ RecordSpec pocket_surfaces() {
         keep(fmt::format(
             "Rotation about {} from the pocket frame to the frame of the guide surface.", axis))));
   spec.variables.push_back(
-      real("bPocGsCen1", kLength, kAny, "x of the surface center from the pocket center."));
+      real("bPocGsCen1", kLength, kAny,
+           "x coordinate of the surface center, measured from the pocket center."));
+  spec.variables.push_back(real(
+      "bPocGsCen2", kLength, kAny,
+      "y coordinate of the surface center, measured from the pocket center to the positive side. "
+      "The second surface of the pair is the mirror image in the x-z plane of the pocket."));
   spec.variables.push_back(
-      real("bPocGsCen2", kLength, kAny,
-           "y of the surface center from the pocket center, on the positive side; the second "
-           "surface is its mirror image in the x-z plane of the pocket."));
-  spec.variables.push_back(
-      real("bPocGsCen3", kLength, kAny, "z of the surface center from the pocket center."));
+      real("bPocGsCen3", kLength, kAny,
+           "z coordinate of the surface center, measured from the pocket center."));
   spec.variables.push_back(
       real("bPocGsLen1", kLength, kSize, "Extent of the surface along z (width)."));
   spec.variables.push_back(
@@ -128,19 +131,22 @@ RecordSpec pocket_errors() {
   return record(
       "7.4", "Pocket imperfections", "nCseg > 0 && kCagePocImp in (1,2,3)",
       {real("bPocClsVar1", kLength, kAny,
-            "Deviation of pocket clearance I; its rms value when kCagePocImp is 3."),
+            "Deviation of pocket clearance I; when kCagePocImp is 3, the rms value of the "
+            "deviation."),
        real("bPocClsVar2", kLength, kAny,
-            "Deviation of pocket clearance II; its rms value when kCagePocImp is 3."),
+            "Deviation of pocket clearance II; when kCagePocImp is 3, the rms value of the "
+            "deviation."),
        real("bPocThknsVar", kLength, kAny,
-            "Deviation of the pocket thickness from outer minus inner cage radius."),
+            "Deviation of the pocket thickness from the cage thickness (outer minus inner cage "
+            "radius)."),
        real("bPocCenVar1", kLength, kAny, "Axial shift of the pocket center."),
        real("bPocCenVar2", kAngle, kAny,
             "Angular shift of the pocket center along the pitch circle."),
        real("bPocAngVar1", kAngle, kAny, "Tilt of the pocket frame, first angle (about x)."),
        real("bPocAngVar2", kAngle, kAny,
-            "Tilt of the pocket frame, second angle (about the new y)."),
+            "Tilt of the pocket frame, second angle (about the y axis after the first rotation)."),
        real("bPocAngVar3", kAngle, kAny,
-            "Tilt of the pocket frame, third angle (about the newest z).")});
+            "Tilt of the pocket frame, third angle (about the z axis after both rotations).")});
 }
 
 /// Records 7.5.i (cage) and 7.6.i (race). The second value is a length or a count, depending on the
@@ -149,22 +155,20 @@ RecordSpec land_errors(std::string_view id, std::string_view title, std::string_
                        std::string_view prefix, std::string_view code, std::string_view where) {
   VariableSpec second =
       real(keep(fmt::format("{}GsRadVar2", prefix)), kLength, kAny,
-           keep(fmt::format("{0} land: half z axis minus nominal radius when {1} is 1, number of "
-                            "waves per revolution (no unit) when it is 2.",
+           keep(fmt::format("{0} land: semi-axis along z minus nominal radius ({1} = 1), or number "
+                            "of waves per revolution, without unit ({1} = 2).",
                             where, code)));
   second.unitless_when = keep(fmt::format("{} == 2", code));
-  return repeated(
-      id, title, condition, "nGL",
-      {real(keep(fmt::format("{}GsRadVar1", prefix)), kLength, kAny,
-            keep(fmt::format(
-                "{} land: half y axis minus nominal radius when {} is 1, amplitude of the radius "
-                "wave when it is 2.",
-                where, code))),
-       second,
-       real(keep(fmt::format("{}GsRadVar3", prefix)), kAngle, kAny,
-            keep(fmt::format(
-                "{} land: unused (0) when {} is 1, phase of the radius wave when it is 2.", where,
-                code)))});
+  return repeated(id, title, condition, "nGL",
+                  {real(keep(fmt::format("{}GsRadVar1", prefix)), kLength, kAny,
+                        keep(fmt::format("{0} land: semi-axis along y minus nominal radius ({1} = "
+                                         "1), or amplitude of the radius wave ({1} = 2).",
+                                         where, code))),
+                   second,
+                   real(keep(fmt::format("{}GsRadVar3", prefix)), kAngle, kAny,
+                        keep(fmt::format("{0} land: phase of the radius wave ({1} = 2). With {1} = "
+                                         "1 the value is not used; enter 0.",
+                                         where, code)))});
 }
 
 }  // namespace
@@ -182,12 +186,11 @@ void add_cage_records(std::vector<RecordSpec>& out) {
   out.push_back(cage_options());
   out.push_back(record(
       "7.0.1", "Cage segmentation", "nCseg > 1",
-      {array(
-          integer(
-              "lSeg", between(-10000, 10000),
-              "Rolling element at the start of each segment. A positive number cuts the cage just "
-              "before that element, a negative one through its pocket; absolute values increase."),
-          "nCseg")}));
+      {array(integer("lSeg", between(-10000, 10000),
+                     "Number of the rolling element at the start of each segment, in increasing "
+                     "absolute values. A positive number cuts the cage just before the element, a "
+                     "negative number cuts it through the pocket of the element."),
+             "nCseg")}));
   out.push_back(cage_geometry());
   out.push_back(guide_lands());
   out.push_back(pocket_surfaces());

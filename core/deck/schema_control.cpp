@@ -19,34 +19,36 @@ RecordSpec run_mode() {
       {choice("mode",
               {{"-n", "as -1"},
                {"-1", "quasi-static solution only"},
-               {"0", "full six-degree-of-freedom dynamics"},
-               {"1", "elements in radial balance; balls and tapered rollers also axially"},
-               {"2", "as 1, and the races in force balance too"}},
-              "Kind of simulation. 0 integrates the motion of every body; 1 and 2 replace fast "
-              "contact vibration by equilibrium and so allow larger steps; a negative value stops "
-              "after the static solution."),
-       choice("kDCR",
-              {{"0", "built-in race constraints (prescribed displacement)"},
-               {"1", "flags given on record 2.2"}},
-              "Source of the dynamic constraints of the races. With the built-in ones both races "
-              "keep the position of the static solution and turn at their given speeds.",
-              "0"),
+               {"0", "motion of all bodies in six degrees of freedom"},
+               {"1", "elements in radial force balance (balls, tapered rollers: also axial)"},
+               {"2", "same as 1, with the races in force balance"}},
+              "Kind of simulation. 0 integrates the motion of every body. 1 and 2 replace fast "
+              "contact vibration by force balance, which allows larger steps. A negative value "
+              "stops after the static solution."),
+       choice(
+           "kDCR",
+           {{"0", "built-in race constraints (prescribed displacement)"},
+            {"1", "constraints given on record 2.2"}},
+           "Source of the constraints on the motion of the races. With the built-in constraints, "
+           "both races keep the position of the static solution and rotate at their given speeds.",
+           "0"),
        choice("kDOF",
-              {{"0", "nothing extra suppressed"},
+              {{"0", "no additional suppression"},
                {"1", "no axial translation of rolling elements and cage"},
-               {"2", "as 1 and no rotation about y and z"},
+               {"2", "same as 1, and no rotation about y and z"},
                {"3", "no axial translation of rolling elements"},
-               {"4", "as 3 and no rotation about y and z"},
-               {"5", "all six accelerations of rolling elements zero"},
+               {"4", "same as 3, and no rotation about y and z"},
+               {"5", "all six accelerations of rolling elements are zero"},
                {"6", "chosen in user routine ADRX1"}},
-              "Degrees of freedom suppressed in addition to mode. A suppressed one keeps its "
-              "initial velocity: its acceleration is zero, and no force balance is solved."),
+              "Degrees of freedom that are suppressed in addition to those of mode. A suppressed "
+              "degree of freedom keeps its initial velocity. Its acceleration is zero, and no "
+              "force balance is solved for it."),
        choice("kIcOpt",
-              {{"-1", "start state from file FINAL, new files, time zero"},
+              {{"-1", "new run from the state in file FINAL, with new files and time zero"},
                {"0", "start from the quasi-static solution"},
-               {"1", "continue the run of MASTER and FINAL, else as -1"}},
-              "Initial state of a dynamic run. Use -1 for a new study from an old final state, 1 "
-              "to continue a stopped run.",
+               {"1", "continue the run of MASTER and FINAL; without MASTER same as -1"}},
+              "Initial state of a dynamic run. Use -1 to start a new run from an earlier final "
+              "state, and 1 to continue a stopped run.",
               "0"),
        choice("kFnOpt", {{"0", "default file names"}, {"1", "names given on record 2.3"}},
               "Names of the data files. The defaults are MASTER, FINAL and SOL1 to SOL8.", "0"),
@@ -54,33 +56,33 @@ RecordSpec run_mode() {
               {{"-2", "section 4 only"},
                {"-1", "sections 3 and 4"},
                {"0", "sections 2, 3 and 4"},
-               {"1", "all sections, every element"},
+               {"1", "all sections, every rolling element"},
                {"n", "all sections, every n-th rolling element"}},
-              "Contents of each printed step in PRINT.txt. Its sections are 1 rolling elements, 2 "
+              "Contents of each printed step in PRINT.txt. The sections are: 1 rolling elements, 2 "
               "races and cage, 3 applied parameters, 4 summary of the step."),
        choice("kPrtFreq",
               {{"0", "first and last step only"}, {"1", "every step"}, {"n", "every n-th step"}},
-              "Step interval of printed output; step 0 is time zero."),
+              "Interval between printed steps. Step 0 is time zero."),
        choice("kPltFreq",
               {{"0", "first and last step only"}, {"1", "every step"}, {"n", "every n-th step"}},
-              "Step interval at which records are stored in the plot files SOL1 to SOL7."),
+              "Interval between the steps that are stored in the plot files SOL1 to SOL7."),
        choice("kAGraf", {{"0", "no animation file"}, {"n", "store every n-th step"}},
-              "Step interval at which animation data are stored in SOL8; 0 stores none."),
-       choice("kLifeFreq",
-              {{"0", "first and last step only"}, {"1", "every step"}, {"n", "every n-th step"}},
-              "Step interval at which the fatigue life at the present loads is computed for SOL7. "
-              "The life "
-              "of the run uses the loads of every step."),
+              "Interval between the steps that are stored for animation in SOL8. 0 stores no "
+              "animation."),
+       choice(
+           "kLifeFreq",
+           {{"0", "first and last step only"}, {"1", "every step"}, {"n", "every n-th step"}},
+           "Interval between the steps for which SOL7 contains a fatigue life, computed from the "
+           "loads of that step alone. The life of the whole run uses the loads of every step."),
        choice("kTherm", {{"0", "off"}, {"1", "on"}},
-              "Thermal analysis. When on, records 3.5 and 9.7 describe coolant and heat flow, and "
-              "temperatures follow "
-              "the heat that the run generates."),
+              "Thermal analysis. When it is on, temperatures follow from the heat that the run "
+              "generates. Records 3.5 and 9.7 then specify coolant and heat transfer."),
        integer("maxStps", kCount,
-               "Largest number of counted steps; the run ends at this or at fTime, whichever comes "
-               "first."),
+               "Largest number of counted steps. The run ends at this number or at fTime, "
+               "whichever comes first."),
        integer("nStps", kCount,
-               "Integration steps within one counted step; only the last one is counted and "
-               "stored. With 0 and 1 every step counts."),
+               "Number of integration steps in one counted step. Only the last of them is counted "
+               "and stored. With 0 or 1, every integration step counts."),
        choice("intMet",
               {{"1", "explicit Runge-Kutta-Fehlberg, order 1"},
                {"2", "explicit, order 2"},
@@ -103,9 +105,8 @@ RecordSpec run_mode() {
                {"32", "ARKODE diagonally implicit (extension)"},
                {"33", "ARKODE implicit-explicit (extension)"},
                {"41", "classical Runge-Kutta, order 4 (extension)"}},
-              "Integration method. Order 5 of the explicit family suits most runs; codes above 18 "
-              "are extensions that the "
-              "classic program does not know.",
+              "Integration method. The explicit method of order 5 suits most runs. Codes above 18 "
+              "are extensions, which the classic program does not have.",
               "5")});
 }
 
@@ -114,23 +115,24 @@ RecordSpec step_control() {
       "2.1", "Time step control", "mode >= 0",
       {real("stpInit", unit::kPure, range::kNotNegative,
             "First trial step in dimensionless time (multiples of the time scale that PRINT.txt "
-            "reports). 0 in a "
-            "continuation reuses the last step kept in MASTER.",
+            "reports). In a continuation, 0 reuses the last step size stored in MASTER.",
             "0.050"),
        real("stpMin", unit::kPure, range::kPositive,
-            "Smallest step, dimensionless. A step of this size is accepted and counted even if its "
-            "error is too large; stpMin = stpMax gives a constant step.",
+            "Smallest step in dimensionless time. A step of this size is accepted and counted even "
+            "if its error is too large. stpMin = stpMax gives a constant step.",
             "5.0e-04"),
        real("stpMax", unit::kPure, range::kPositive,
-            "Largest step, dimensionless. It limits the resolution of plots.", "0.50"),
-       real("fTime", unit::kPure, range::kNotNegative, "End time, dimensionless.", "1000"),
+            "Largest step in dimensionless time. It limits the time resolution of plots.", "0.50"),
+       real("fTime", unit::kPure, range::kNotNegative, "End of the run in dimensionless time.",
+            "1000"),
        real("tol", unit::kPure, Range{0.0, 1.0, true},
-            "Error allowed per step, relative to the scales of the problem. A smaller value is "
-            "more accurate and slower.",
+            "Allowed error per step, relative to the scales of the problem. A smaller value makes "
+            "the run more accurate and slower.",
             "1.0e-06"),
        real("qFac", unit::kPure, range::kNotNegative,
-            "Ratio of contact load to largest applied load at or below which an element is kept in "
-            "force balance in mode 0. 0 never does this.")});
+            "Load ratio up to which rolling elements are quasi-static in mode 0. An element is in "
+            "force balance while its contact load is at most qFac times the largest applied load. "
+            "With 0, no element is quasi-static.")});
 }
 
 RecordSpec race_constraints() {
@@ -139,52 +141,54 @@ RecordSpec race_constraints() {
   constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
   for (const auto& [race, race_name] : kRaces)
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
-      spec.variables.push_back(
-          choice(keep(fmt::format("kFD{}{}", axis + 1, race)),
-                 {{"0", "race accelerates under the prescribed force"},
-                  {"1", "race position fixed or from equilibrium or from prescribed acceleration"}},
-                 keep(fmt::format("Translation constraint of the {} race along {}. With 0 the race "
-                                  "moves freely under its load.",
-                                  race_name, kAxes[axis])),
-                 "1"));
+      spec.variables.push_back(choice(
+          keep(fmt::format("kFD{}{}", axis + 1, race)),
+          {{"0", "race accelerates under the prescribed force"},
+           {"1", "race position fixed, from equilibrium or from prescribed acceleration"}},
+          keep(fmt::format("Translation constraint of the {} race along {}. With 0, the race moves "
+                           "freely under its load.",
+                           race_name, kAxes[axis])),
+          "1"));
   for (const auto& [race, race_name] : kRaces)
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
-      spec.variables.push_back(
-          choice(keep(fmt::format("kMD{}{}", axis + 1, race)),
-                 {{"0", "race accelerates under a moment given in ADRX1"},
-                  {"1", "fixed speed or prescribed angular acceleration"}},
-                 keep(fmt::format("Rotation constraint of the {} race about {}. With 0 moments "
-                                  "turn it; without ADRX1 the external moment is zero.",
-                                  race_name, kAxes[axis])),
-                 "1"));
+      spec.variables.push_back(choice(
+          keep(fmt::format("kMD{}{}", axis + 1, race)),
+          {{"0", "race accelerates under a moment given in ADRX1"},
+           {"1", "fixed speed or prescribed angular acceleration"}},
+          keep(fmt::format("Rotation constraint of the {} race about {}. With 0, the moments on "
+                           "the race change its speed; without ADRX1 the external moment is zero.",
+                           race_name, kAxes[axis])),
+          "1"));
   return spec;
 }
 
 RecordSpec file_names() {
   RecordSpec spec = record(
       "2.3", "Names of data files", "kFnOpt == 1",
-      {text("masName", 10, "Master file with the bookkeeping of restarts, at most 10 characters.",
-            "MASTER"),
+      {text("masName", 10,
+            "Name of the file with the data for a continuation, at most 10 characters.", "MASTER"),
        text("finName", 10,
-            "File of the final state, at most 10 characters; also read as start state.", "FINAL")});
+            "Name of the file of the final state, at most 10 characters. A run can start from this "
+            "state (kIcOpt).",
+            "FINAL")});
   for (int i = 1; i <= 6; ++i)
-    spec.variables.push_back(
-        text(keep(fmt::format("pltNames{}", i)), 10,
-             keep(fmt::format("Plot file of the monitored body {}, at most 10 characters.", i)),
-             keep(fmt::format("SOL{}", i))));
+    spec.variables.push_back(text(
+        keep(fmt::format("pltNames{}", i)), 10,
+        keep(fmt::format("Name of the plot file of monitored body {}, at most 10 characters.", i)),
+        keep(fmt::format("SOL{}", i))));
+  spec.variables.push_back(text(
+      "pltNames7", 10, "Name of the file of power loss and life, at most 10 characters.", "SOL7"));
   spec.variables.push_back(
-      text("pltNames7", 10, "File of power loss and life, at most 10 characters.", "SOL7"));
-  spec.variables.push_back(
-      text("pltNames8", 10, "File of animation data, at most 10 characters.", "SOL8"));
+      text("pltNames8", 10, "Name of the file of animation data, at most 10 characters.", "SOL8"));
   return spec;
 }
 
 RecordSpec run_identification() {
-  return record("3.1", "Run identification", "true",
-                {text("runID", 36,
-                      "Bearing code or name of the run, at most 36 characters. It is printed on "
-                      "every page, stored in "
-                      "every data file and must match when a run is continued.")});
+  return record(
+      "3.1", "Run identification", "true",
+      {text("runID", 36,
+            "Bearing code or name of the run, at most 36 characters. It is printed on every page "
+            "and stored in every data file. It must be the same when a run is continued.")});
 }
 
 VariableSpec race_imperfection(int race, std::string_view race_name) {
@@ -208,7 +212,7 @@ RecordSpec bearing_type() {
   return record(
       "3.2", "Program options 1: bearing type and imperfections", "true",
       {choice("kUnit", {{"1", "SI"}, {"2", "English"}},
-              "Unit system of every dimensional value of the deck, also of the output files."),
+              "Unit system of all dimensional values in the deck and in the output files."),
        choice("kBrg",
               {{"1", "ball"},
                {"2", "cylindrical roller"},
@@ -217,21 +221,21 @@ RecordSpec bearing_type() {
                {"5", "spherical tapered roller"}},
               "Bearing type. It determines which geometry record (5A to 5E) follows."),
        integer("nRe", between(1, 10000),
-               "Number of rolling elements. The classic limit of 40 does not apply; some classic "
-               "file formats end at 88."),
+               "Number of rolling elements. The limit of the classic program, 40, does not apply. "
+               "Some classic file formats have room for 88 elements only."),
        counted("nCseg", between(0, 1000),
-               {{"0", "no cage"}, {"1", "one-piece cage"}, {"n", "cage cut in n equal segments"}},
-               "Number of cage segments: 0 no cage, 1 a one-piece cage, n a cage cut into n equal "
-               "segments.",
+               {{"0", "no cage"}, {"1", "one-piece cage"}, {"n", "cage cut into n equal segments"}},
+               "Number of cage segments. 0 is no cage, 1 is a one-piece cage, and n is a cage cut "
+               "into n equal segments.",
                "1"),
-       choice("kRaceFlex", {{"0", "rigid"}, {"1", "flexible (announced, not available)"}},
+       choice("kRaceFlex", {{"0", "rigid"}, {"1", "flexible (not available)"}},
               "Flexibility of the outer race. Only rigid races can be simulated.", "0"),
        choice("kReGeoImp",
               {{"0", "ideal"},
                {"1", "random, normally distributed"},
                {"2", "diameters listed one by one"},
                {"3", "user routine ADRX8"}},
-              "Geometry errors of the rolling elements. A list of diameters has 40 elements."),
+              "Geometry errors of the rolling elements. A list of diameters always has 40 values."),
        race_imperfection(1, "outer"), race_imperfection(2, "inner"),
        flange(1, 1, "outer race, negative"), flange(2, 1, "outer race, positive"),
        flange(1, 2, "inner race, negative"), flange(2, 2, "inner race, positive")});
@@ -241,21 +245,21 @@ VariableSpec static_constraint(std::string_view name, std::string_view direction
   if (rotation)
     return choice(
         name, {{"0", "moment given"}, {"1", "misalignment given"}},
-        keep(fmt::format("Given quantity of the static solution: moment or tilt {}.", direction)));
-  return choice(name, {{"0", "force given"}, {"1", "displacement given"}},
-                keep(fmt::format("Given quantity of the static solution: force or displacement {}.",
-                                 direction)));
+        keep(fmt::format("Moment or misalignment {} as input to the static solution.", direction)));
+  return choice(
+      name, {{"0", "force given"}, {"1", "displacement given"}},
+      keep(fmt::format("Force or displacement {} as input to the static solution.", direction)));
 }
 
 VariableSpec material(std::string_view name, std::string_view default_material,
                       std::string_view given, std::string_view part) {
   return with_table(
-      choice(name, {{"0", default_material}, {"1", given}, {"2", "user routine ADRX0"}},
-             keep(fmt::format(
-                 "Material of the {}: 0 the usual one, 1 properties in the deck, or a code of "
-                 "the material table.",
-                 part)),
-             "0"),
+      choice(
+          name, {{"0", default_material}, {"1", given}, {"2", "user routine ADRX0"}},
+          keep(fmt::format("Material of the {}. 0 is the usual material, and 1 takes the "
+                           "properties from the deck. Other codes are those of the material table.",
+                           part)),
+          "0"),
       "@materials");
 }
 
@@ -266,17 +270,18 @@ RecordSpec statics_and_materials() {
        static_constraint("kFS2", "along y", false),
        static_constraint("kFS3", "along z, the usual radial load axis", false),
        static_constraint("kFS4", "about y", true), static_constraint("kFS5", "about z", true),
-       choice("kAngVel",
-              {{"0", "least frictional heat"},
-               {"1", "race control"},
-               {"2", "spin axis direction from record 9.0"}},
-              "Rule for the direction of ball spin in the static solution. Race control suits fast "
-              "bearings, least heat the "
-              "others."),
+       choice(
+           "kAngVel",
+           {{"0", "least frictional heat"},
+            {"1", "race control"},
+            {"2", "spin axis direction from record 9.0"}},
+           "Rule for the spin axis of balls in the static solution. Race control suits fast "
+           "bearings, and least heat suits the others. Balls in friction equilibrium use neither."),
        counted("kStif", between(0, 10000), {{"0", "none"}, {"n", "number of speed points"}},
                "Number of speeds in the table of stiffness against speed; 0 for no table."),
-       with_table(choice("kChrn", {}, "Medium that churns and causes drag on elements and cage."),
-                  "@churning"),
+       with_table(
+           choice("kChrn", {}, "Medium that causes churning drag on rolling elements and cage."),
+           "@churning"),
        material("kReMat", "AISI 52100 steel", "record 8.1", "rolling elements"),
        material("kRaceMat1", "AISI 52100 steel", "record 8.2.1", "outer race"),
        material("kRaceMat2", "AISI 52100 steel", "record 8.2.2", "inner race"),
@@ -293,7 +298,7 @@ RecordSpec time_variation() {
               {{"0", "steady"},
                {"1", "rotating load by race orbits (record 9.3A)"},
                {"2", "sinusoidal race motion (record 9.3B)"}},
-              "How loads vary in time."),
+              "Variation of loads over time."),
        choice("kVarSpeed",
               {{"0", "steady"},
                {"1", "constant acceleration in a time window (record 9.4A)"},
@@ -305,7 +310,7 @@ RecordSpec time_variation() {
        choice("kReIP",
               {{"0", "from ideal geometry"},
                {"1", "record 6.1 for element 1 only"},
-               {"2", "record 6.1 for all"},
+               {"2", "record 6.1 for all elements"},
                {"3", "user routine ADRX8"}},
               "Source of mass and inertia of the rolling elements.", "0"),
        choice("kRaceIP1", {{"0", "standard"}, {"1", "record 6.2.1"}},
@@ -318,13 +323,12 @@ RecordSpec time_variation() {
               "0"),
        integer("kNumPltElem", between(0, 12000),
                "Number of bodies whose motion is stored for plots. The classic files SOL1 to SOL6 "
-               "hold six."),
-       array(
-           integer(
-               "kPltElemInd", between(1, 12000),
-               "Bodies whose motion is stored, in increasing order: 1 to nRe are rolling elements, "
-               "followed by the nCseg cage segments, the outer race and the inner race."),
-           "kNumPltElem")});
+               "contain six."),
+       array(integer("kPltElemInd", between(1, 12000),
+                     "Numbers of the bodies whose motion is stored, in increasing order. 1 to nRe "
+                     "are rolling elements. The nCseg cage segments, the outer race and the inner "
+                     "race follow."),
+             "kNumPltElem")});
 }
 
 RecordSpec thermal_options() {
@@ -340,17 +344,17 @@ RecordSpec thermal_options() {
                {"3", "coolant inlet"},
                {"4", "inner race at shaft interface"},
                {"5", "shaft bore"}},
-              "Location of the reference temperature of record 9.7."),
+              "Location of the reference temperature baseTemp (record 9.7)."),
        choice("kHTC", {{"0", "computed"}, {"1", "given on record 9.7"}},
               "Source of the convection coefficients of rolling elements and cage."),
        choice("kGeoMod",
               {{"0", "geometry not changed"},
                {"1", "changed at each thermal step"},
                {"n", "changed at every n-th thermal step"}},
-              "Frequency of geometry changes by thermal growth."),
+              "Interval between changes of the geometry by thermal growth."),
        choice("kMatPropMod",
               {{"0", "constant properties"},
-               {"1", "properties follow temperature before the geometry changes"}},
+               {"1", "properties follow the temperature and are updated before the geometry"}},
               "Temperature dependence of the material properties.")});
 }
 

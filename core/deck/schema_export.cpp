@@ -136,9 +136,9 @@ std::string schema_markdown() {
   std::string out =
       "# Records of the data deck\n\nThis page is the output of `adore schema --format md`.\n";
   for (const RecordSpec& record : schema()) {
-    out += fmt::format(
-        "\n## {} {}\n\nRequired when `{}`{}.\n\n", record.id, record.title, record.condition,
-        record.repeat.empty() ? "" : fmt::format(", once for each of `{}`", record.repeat));
+    out += fmt::format("\n## {} {}\n\nRequired when `{}`{}.\n\n", record.id, record.title,
+                       record.condition,
+                       record.repeat.empty() ? "" : fmt::format(", `{}` times", record.repeat));
     out +=
         "| Variable | Type | Unit (SI, English) | Options | Default | Meaning "
         "|\n|---|---|---|---|---|---|\n";

@@ -26,25 +26,26 @@ constexpr std::string_view kAnyFlange =
     "(kFlngInd11 > 0 || kFlngInd21 > 0 || kFlngInd12 > 0 || kFlngInd22 > 0)";
 
 VariableSpec roughness(int race, std::string_view name) {
-  return real(keep(fmt::format("rmsAspHt{}", race)), kLength, kNotNegative,
-              keep(fmt::format("Composite rms roughness of element and {} race: the root of the "
-                               "sum of both squares. It determines when a film is thin.",
-                               name)));
+  return real(
+      keep(fmt::format("rmsAspHt{}", race)), kLength, kNotNegative,
+      keep(fmt::format(
+          "Composite rms roughness of rolling element and {} race: square root of the sum of both "
+          "squared values. The film parameter is film thickness divided by this value.",
+          name)));
 }
 
 RecordSpec envelope() {
-  return record(
-      "4", "Bearing envelope", "true",
-      {real("brgBore", kLength, kSize, "Bore diameter of the bearing."),
-       real("brgOD", kLength, kSize, "Outside diameter of the bearing."),
-       real("shftID", kLength, kNotNegative,
-            "Inside diameter of a hollow shaft, 0 for a solid one. Thermal analysis replaces 0 by "
-            "a small bore and reports it."),
-       real(
-           "hsngOD", kLength, kNotNegative,
-           "Outside diameter of the housing. It determines how much a fit shrinks the outer race."),
-       real("raceWidth1", kLength, kSize, "Width of the outer race."),
-       real("raceWidth2", kLength, kSize, "Width of the inner race.")});
+  return record("4", "Bearing envelope", "true",
+                {real("brgBore", kLength, kSize, "Bore diameter of the bearing."),
+                 real("brgOD", kLength, kSize, "Outside diameter of the bearing."),
+                 real("shftID", kLength, kNotNegative,
+                      "Inside diameter of a hollow shaft; 0 for a solid shaft. Thermal analysis "
+                      "replaces 0 by a small bore and reports it."),
+                 real("hsngOD", kLength, kNotNegative,
+                      "Outside diameter of the housing. It determines how much an interference fit "
+                      "shrinks the outer race."),
+                 real("raceWidth1", kLength, kSize, "Width of the outer race."),
+                 real("raceWidth2", kLength, kSize, "Width of the inner race.")});
 }
 
 RecordSpec ball_geometry() {
@@ -53,36 +54,36 @@ RecordSpec ball_geometry() {
       {real("bReDia", kLength, kSize, "Nominal ball diameter."),
        real("pitchDia", kLength, kSize, "Pitch diameter: diameter of the circle of ball centers."),
        real("freeConAng", kAngle, range::kBallAngle,
-            "Free contact angle. If it is above 0, the clearance follows from it; 0 computes it "
-            "from freeIntCls; 90 is a thrust bearing."),
+            "Free contact angle. A value above 0 determines the clearance. With 0, the angle is "
+            "computed from freeIntCls. 90 is a thrust bearing."),
        real("freeIntCls", kLength, range::kPlay,
             "Free internal diametral clearance, used when freeConAng is 0. Negative means "
             "interference."),
-       real(
-           "raceCurFac1", kPure, kGroove,
-           "Outer groove radius divided by ball diameter; above 0.5 and below 10, usually 0.515 to "
-           "0.53."),
-       real(
-           "raceCurFac2", kPure, kGroove,
-           "Inner groove radius divided by ball diameter; above 0.5 and below 10, usually 0.515 to "
-           "0.53."),
+       real("raceCurFac1", kPure, kGroove,
+            "Groove radius of the outer race divided by ball diameter; above 0.5 and below 10, "
+            "usually 0.515 to 0.53."),
+       real("raceCurFac2", kPure, kGroove,
+            "Groove radius of the inner race divided by ball diameter; above 0.5 and below 10, "
+            "usually 0.515 to 0.53."),
        real("shoulderDia1", kLength, kNotNegative,
-            "Shoulder diameter of the outer race; used only for the distance of the contact from "
-            "the edge."),
+            "Shoulder diameter of the outer race. It is used only for the distance of the contact "
+            "from the edge."),
        real("shoulderDia2", kLength, kNotNegative,
-            "Shoulder diameter of the inner race; used only for the distance of the contact from "
-            "the edge."),
+            "Shoulder diameter of the inner race. It is used only for the distance of the contact "
+            "from the edge."),
        real("shimThickness1", kLength, kNotNegative,
-            "Grinding shim of a split outer race (gothic arch); 0 when not split."),
+            "Thickness of the grinding shim of a split outer race (gothic arch); 0 if the race is "
+            "not split."),
        real("shimThickness2", kLength, kNotNegative,
-            "Grinding shim of a split inner race (gothic arch); 0 when not split."),
+            "Thickness of the grinding shim of a split inner race (gothic arch); 0 if the race is "
+            "not split."),
        roughness(1, "outer"), roughness(2, "inner")});
 }
 
 VariableSpec corner_radius(int end, std::string_view where) {
   return real(
       keep(fmt::format("bReCorRad{}", end)), kLength, kNotNegative,
-      keep(fmt::format("Corner radius at the {}; it shortens the contact length of the roller.",
+      keep(fmt::format("Corner radius of the roller at the {}. It shortens the contact length.",
                        where)));
 }
 
@@ -90,22 +91,21 @@ VariableSpec corner_radius(int end, std::string_view where) {
 std::vector<VariableSpec> straight_raceways() {
   std::vector<VariableSpec> variables;
   for (const auto& [race, name] : {std::pair{1, "outer"}, std::pair{2, "inner"}}) {
-    variables.push_back(real(
-        keep(fmt::format("raceLandLmt{}", race)), kLength, kSize,
-        keep(fmt::format(
-            "Usable surface width of the {} race along the roller, undercuts excluded.", name))));
-    variables.push_back(real(
-        keep(fmt::format("raceCenLen{}", race)), kLength, kNotNegative,
-        keep(fmt::format(
-            "Width of the flat land in the middle of a crowned {} race; used only with a crown.",
-            name)),
-        "0"));
-    variables.push_back(real(
-        keep(fmt::format("raceCrn{}", race)), kLength, kNotNegative,
-        keep(fmt::format("Radius of the crown of the {} race beyond its flat land, receding from "
-                         "the rollers; 0 means no crown.",
-                         name)),
-        "0"));
+    variables.push_back(
+        real(keep(fmt::format("raceLandLmt{}", race)), kLength, kSize,
+             keep(fmt::format("Usable width of the {} raceway along the roller, without undercuts.",
+                              name))));
+    variables.push_back(real(keep(fmt::format("raceCenLen{}", race)), kLength, kNotNegative,
+                             keep(fmt::format("Width of the flat land in the middle of a crowned "
+                                              "{} raceway. It is used only with a crown.",
+                                              name)),
+                             "0"));
+    variables.push_back(
+        real(keep(fmt::format("raceCrn{}", race)), kLength, kNotNegative,
+             keep(fmt::format("Crown radius of the {} raceway on both sides of the flat land; 0 "
+                              "means no crown. The crown curves away from the rollers.",
+                              name)),
+             "0"));
   }
   variables.push_back(roughness(1, "outer"));
   variables.push_back(roughness(2, "inner"));
@@ -114,8 +114,8 @@ std::vector<VariableSpec> straight_raceways() {
 
 VariableSpec crown_radius() {
   return real("bReCrn", kLength, kPositive,
-              "Crown radius of the roller profile. 1.0e+10 together with bReCenLen equal to bReLen "
-              "means no crown.");
+              "Crown radius of the roller profile. For a roller without crown, enter 1.0e+10 here "
+              "and bReCenLen = bReLen.");
 }
 
 VariableSpec spherical_crown_radius() {
@@ -128,8 +128,9 @@ VariableSpec roller_length() {
 }
 
 VariableSpec central_land() {
-  return real("bReCenLen", kLength, kNotNegative,
-              "Length of the uncrowned central land, at most the roller length.");
+  return real(
+      "bReCenLen", kLength, kNotNegative,
+      "Length of the central part of the roller that has no crown; at most the roller length.");
 }
 
 VariableSpec roller_groove(int race, std::string_view name) {
@@ -141,15 +142,15 @@ VariableSpec roller_groove(int race, std::string_view name) {
 
 VariableSpec cone_angle(int race, std::string_view name) {
   return real(keep(fmt::format("raceTaper{}", race)), kAngle, kConeAngle,
-              keep(fmt::format("Half cone angle of the {} race. The pitch diameter follows from "
-                               "both cones, which have a common apex.",
+              keep(fmt::format("Half cone angle of the {} race. Both cones have a common apex, and "
+                               "the pitch diameter follows from the two angles.",
                                name)));
 }
 
 VariableSpec end_radius(int end, std::string_view where) {
   return real(
       keep(fmt::format("bReEndRad{}", end)), kLength, kNotNegative,
-      keep(fmt::format("Sphere radius of the {} of the roller, where it meets a flange.", where)));
+      keep(fmt::format("Sphere radius of the {} of the roller, which can touch a flange.", where)));
 }
 
 RecordSpec cylindrical_roller() {
@@ -174,8 +175,8 @@ RecordSpec spherical_roller() {
                       "Free diametral clearance; negative means preload."),
                  roller_groove(1, "outer"), roller_groove(2, "inner"),
                  real("freeConAng", kAngle, kContactAngle,
-                      "Nominal contact angle of the row, from the radial plane: tilt of the inner "
-                      "race surface from the shaft axis."),
+                      "Nominal contact angle of the row, measured from the radial plane. It is the "
+                      "tilt of the inner raceway from the shaft axis."),
                  roughness(1, "outer"), roughness(2, "inner")});
 }
 

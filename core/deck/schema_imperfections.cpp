@@ -70,7 +70,7 @@ std::vector<VariableSpec> wave(std::string_view stem, int race, const UnitPair& 
   return {real(name(1), unit, amplitude,
                keep(fmt::format("Amplitude a of the {}, a sin(w theta + phi).", what))),
           real(name(2), kWaves, kNotNegative,
-               keep(fmt::format("Waves per revolution w of the {}.", what))),
+               keep(fmt::format("Number w of waves per revolution of the {}.", what))),
           real(name(3), kAngle, kAny, keep(fmt::format("Phase phi of the {}.", what)))};
 }
 
@@ -81,9 +81,9 @@ std::vector<VariableSpec> roundness(bool elliptical, const RaceNames& race) {
   const auto name = [&](int i) { return keep(fmt::format("rndVar{}{}", i, race.number)); };
   return {
       real(name(1), kLength, kAny,
-           keep(fmt::format("Half major axis minus nominal radius of the {} race.", race.name))),
+           keep(fmt::format("Semi-major axis minus nominal radius of the {} race.", race.name))),
       real(name(2), kLength, kAny,
-           keep(fmt::format("Half minor axis minus nominal radius of the {} race.", race.name))),
+           keep(fmt::format("Semi-minor axis minus nominal radius of the {} race.", race.name))),
       real(name(3), kAngle, kAny,
            "Angle of the major axis from the race-fixed z axis, positive about x.")};
 }
@@ -100,13 +100,16 @@ void add_race_errors(std::vector<RecordSpec>& out, const RaceNames& race, std::s
       const char variant = static_cast<char>('A' + (groove ? 0 : 2) + (elliptical ? 0 : 1));
       std::vector<VariableSpec> variables = roundness(elliptical, race);
       if (groove) {
-        append(variables, wave("cFacVar", race.number, kPure,
-                               keep(fmt::format("curvature factor error, {} race", race.name))));
+        append(variables,
+               wave("cFacVar", race.number, kPure,
+                    keep(fmt::format("error of the curvature factor of the {} race", race.name))));
       } else {
-        append(variables, wave("rlOffset", race.number, kLength,
-                               keep(fmt::format("axial offset of the land, {} race", race.name))));
-        append(variables, wave("rlTaper", race.number, kRadian,
-                               keep(fmt::format("taper of the land, {} race", race.name)), kTaper));
+        append(variables,
+               wave("rlOffset", race.number, kLength,
+                    keep(fmt::format("axial offset of the land of the {} race", race.name))));
+        append(variables,
+               wave("rlTaper", race.number, kRadian,
+                    keep(fmt::format("taper of the land of the {} race", race.name)), kTaper));
       }
       out.push_back(
           record(keep(fmt::format("5G.2.{}{}", race.number, variant)),

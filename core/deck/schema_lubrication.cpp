@@ -23,7 +23,7 @@ VariableSpec curve_form(std::string_view name, std::string_view pair, std::strin
   return choice(name,
                 {{"-1", "coefficients A B C D given"},
                  {"0", "two slopes"},
-                 {"1", "four conditions for A B C D"},
+                 {"1", "A B C D from four conditions"},
                  {"2", "asymptote with initial slope"}},
                 keep(fmt::format("Form of the hypothetical traction curve, {}.{}", pair, more)));
 }
@@ -40,13 +40,14 @@ RecordSpec traction_options() {
       {with_table(
            choice("kTrac", {}, "Traction model or lubricant between rolling elements and races."),
            "@lubricants"),
-       curve_form("kTracType", "element to race",
-                  " It is always needed: it applies where the film is thinner than reRaceFilm."),
+       curve_form(
+           "kTracType", "element to race",
+           " The curve is always needed: it applies where the film is thinner than reRaceFilm."),
        curve_source("kCPTrac", "element to cage"), curve_form("kCPTracType", "element to cage"),
        curve_source("kCRTrac", "cage to race"), curve_form("kCRTracType", "cage to race"),
        curve_source("kRFTrac", "roller to flange"), curve_form("kRFTracType", "roller to flange"),
-       curve_source("kRRTrac", "element to element", " Used without a cage."),
-       curve_form("kRRTracType", "element to element", " Used without a cage."),
+       curve_source("kRRTrac", "element to element", " Used only without a cage."),
+       curve_form("kRRTracType", "element to element", " Used only without a cage."),
        choice(
            "iTherm", {{"0", "off"}, {"1", "on"}},
            "Simplified thermal correction of the visco-elastic model; applies only to kTrac 12.")});
@@ -69,11 +70,18 @@ void add_traction_curves(std::vector<RecordSpec>& out, std::string_view id, std:
   const std::string_view at_rest = help("Traction coefficient at zero slip");
 
   add('A', -1, "coefficients",
-      {real(name(1), kPure, kAny, help("Coefficient A of k = (A + B u) exp(-C u) + D")),
-       real(name(2), kPerSpeed, kAny, help("Coefficient B of k = (A + B u) exp(-C u) + D")),
-       real(name(3), kPerSpeed, kAny, help("Coefficient C of k = (A + B u) exp(-C u) + D")),
+      {real(name(1), kPure, kAny,
+            help("Coefficient A of the traction coefficient (A + B u) exp(-C u) + D at slip speed "
+                 "u")),
+       real(name(2), kPerSpeed, kAny,
+            help("Coefficient B of the traction coefficient (A + B u) exp(-C u) + D at slip speed "
+                 "u")),
+       real(name(3), kPerSpeed, kAny,
+            help("Coefficient C of the traction coefficient (A + B u) exp(-C u) + D at slip speed "
+                 "u")),
        real(name(4), kPure, kAny,
-            help("Coefficient D of k = (A + B u) exp(-C u) + D: the value at large slip"))});
+            help("Coefficient D (value at large slip) of the traction coefficient (A + B u) exp(-C "
+                 "u) + D at slip speed u"))});
   add('B', 0, "two slopes",
       {real(name(1), kPure, kAny, at_rest),
        real(name(2), kPerSpeed, kAny,
@@ -85,7 +93,8 @@ void add_traction_curves(std::vector<RecordSpec>& out, std::string_view id, std:
       {real(name(1), kPure, kAny, at_rest),
        real(name(2), kPure, kAny, help("Largest traction coefficient")),
        real(name(3), kPure, kAny, help("Traction coefficient at infinite slip")),
-       real(name(4), kSpeed, kPositive, help("Slip speed at which the traction is largest"))});
+       real(name(4), kSpeed, kPositive,
+            help("Slip speed at which the traction coefficient is largest"))});
   add('D', 2, "asymptote",
       {real(name(1), kPure, kAny, at_rest),
        real(name(2), kPure, kAny,
@@ -107,13 +116,12 @@ void add_user_lubricant(std::vector<RecordSpec>& out) {
                    "Viscosity at the reference temperature and low pressure."),
               real("prVisCoeff", unit::kPerStress, kNotNegative, "Pressure-viscosity coefficient."),
               real("tempVisCoeff", unit::kTemperature, kNotNegative,
-                   "Temperature coefficient of viscosity b in the law exp(b (1/T - 1/T0))."),
+                   "Temperature coefficient b of the viscosity, in the law exp(b (1/T - 1/T0))."),
               real("lubTherCond", unit::kConductivity, kPositive,
-                   "Thermal conductivity (a real, although its name starts with l)."),
-              real("lubDen", unit::kDensity, kPositive,
-                   "Density (a real, although its name starts with l)."),
+                   "Thermal conductivity (a real number, not an integer)."),
+              real("lubDen", unit::kDensity, kPositive, "Density (a real number, not an integer)."),
               real("lubSpHeat", unit::kSpecificHeat, kPositive,
-                   "Specific heat (a real, although its name starts with l).")}));
+                   "Specific heat (a real number, not an integer).")}));
   out.push_back(record("10.4.4", "User lubricant, high-pressure traction viscosity", "kTrac == 9",
                        {real("refTracVis", unit::kViscosity, kPositive,
                              "Reference viscosity for traction in the contact."),
@@ -136,8 +144,8 @@ void add_lubrication_records(std::vector<RecordSpec>& out) {
       {real("reRaceFilm", unit::kLength, kNotNegative,
             "Film thickness below which the hypothetical curve replaces the lubricant model."),
        real("strParam", kPure, kNotNegative,
-            "Distance of the oil meniscus from the contact edge divided by the contact half width: "
-            "10 or more is flooded, 1 or less heavily starved.")}));
+            "Distance of the oil meniscus from the contact edge divided by the contact half width. "
+            "The contact is flooded at 10 or more, and heavily starved at 1 or less.")}));
   add_user_lubricant(out);
   add_traction_curves(out, "10.5.1", "reCageTC", "Element to cage traction", "element to cage",
                       "nCseg > 0", "kCPTracType");
@@ -159,10 +167,10 @@ void add_lubrication_records(std::vector<RecordSpec>& out) {
   out.push_back(record("10.7B", "Churning medium, ratios to built-in data",
                        "kChrn == 1 || kChrn > 2",
                        {real("denRatio", kPure, kNotNegative,
-                             "Effective density of the medium divided by its built-in value; far "
-                             "below 1 for an oil mist."),
+                             "Effective density of the medium divided by the built-in value. It is "
+                             "far below 1 for an oil mist."),
                         real("visRatio", kPure, kNotNegative,
-                             "Effective viscosity of the medium divided by its built-in value.")}));
+                             "Effective viscosity of the medium divided by the built-in value.")}));
 }
 
 }  // namespace adore::deck

@@ -33,17 +33,17 @@ std::vector<VariableSpec> material_variables(std::string_view prefix, std::strin
   variables.push_back(real(name("SH"), unit::kSpecificHeat, kPositive, of("Specific heat")));
   variables.push_back(real(name("ESL"), kPure, kNotNegative,
                            of("Elastic strain limit", " Larger strains are reported as plastic.")));
-  variables.push_back(
-      real(name("H"), unit::kRockwell, range::kRockwell,
-           of("Rockwell C hardness", " It becomes the indentation pressure of the wear law.")));
+  variables.push_back(real(
+      name("H"), unit::kRockwell, range::kRockwell,
+      of("Rockwell C hardness", " It is converted to the indentation pressure of the wear law.")));
   variables.push_back(
       real(name("WC"), kPure, kNotNegative,
            of("Wear coefficient K",
-              " The worn volume is K times load times sliding distance over hardness.")));
+              " The worn volume is K times load times sliding distance, divided by hardness.")));
   if (extent == Extent::Wear) return variables;
-  variables.push_back(real(
-      name("VM"), unit::kStress, kNotNegative,
-      of("Von Mises fatigue limit stress", " Below it the Ioannides-Harris life is infinite.")));
+  variables.push_back(real(name("VM"), unit::kStress, kNotNegative,
+                           of("Von Mises fatigue limit stress",
+                              " Below this stress the Ioannides-Harris life is infinite.")));
   return variables;
 }
 
@@ -53,16 +53,18 @@ std::vector<VariableSpec> life_constants(std::string_view suffix, std::string_vi
   const auto name = [&](std::string_view stem) { return keep(fmt::format("{}{}", stem, suffix)); };
   const auto multiplier = [&](std::string_view stem, std::string_view model) {
     return real(name(stem), kPure, kNotNegative,
-                keep(fmt::format("Multiplier on the {} constant, {}. 1 keeps the built-in value.",
-                                 model, part)),
+                keep(fmt::format(
+                    "Multiplier on the constant of the {} model, {}. 1 keeps the built-in value.",
+                    model, part)),
                 "1.0");
   };
   const auto exponent = [&](std::string_view stem, std::string_view what, std::string_view model) {
     return real(name(stem), kPure, kNotNegative,
                 keep(fmt::format(
                     "{} exponent of the {} model, {}.{}", what, model, part,
-                    what == "Depth" ? " 0 with a shear stress exponent of 0 takes the built-in one."
-                                    : " 0 takes the built-in one.")));
+                    what == "Depth"
+                        ? " 0 selects the built-in value if the shear stress exponent is also 0."
+                        : " 0 selects the built-in value.")));
   };
   constexpr std::string_view kLp = "updated Lundberg-Palmgren";
   constexpr std::string_view kGz = "Gupta-Zaretsky";
@@ -92,14 +94,16 @@ std::vector<VariableSpec> life_factors(const LifeFactorNames& names, std::string
     return real(name, kPure, kNotNegative, keep(fmt::format("{}, {}.{}", what, part, more)), value);
   };
   return {
-      factor(names.material, "Tallian material factor", " 52100 has 1.197, 8620 1.773, M50 2.267."),
-      factor(names.contamination, "Tallian contamination factor",
-             " 1 is the standard; about 0.25, down to 0.10, for aerospace use of VIMVAR steel.",
-             "1.0"),
+      factor(names.material, "Tallian material factor",
+             " 1.197 for 52100, 1.773 for 8620, 2.267 for M50."),
+      factor(
+          names.contamination, "Tallian contamination factor",
+          " The standard value is 1. VIMVAR steel in aerospace use has about 0.25, down to 0.10.",
+          "1.0"),
       factor(names.process, "Tallian process factor",
-             " CVD steel before 1975 has 2.58, from 1975 on 0.077, carburizing CVD 4.85, VIMVAR "
-             "0.0050 down to 0.003. The "
-             "spread of these published values is suspicious: check before relying on it.",
+             " Published values: 2.58 for CVD steel before 1975, 0.077 for CVD steel since 1975, "
+             "4.85 for carburizing CVD steel, 0.0050 down to 0.003 for VIMVAR steel. Their spread "
+             "is suspicious: check a value before you rely on it.",
              "0.077"),
       factor(names.material_stle, "STLE material factor", " 1 does not change the life."),
       factor(names.process_stle, "STLE process factor", " 1 does not change the life."),

@@ -34,21 +34,23 @@ RecordSpec room_and_fits() {
             "Diametral fit of the inner race on the shaft, mounted at room temperature; "
             "positive is interference."),
        real("angVelOrient", kAngle, kAny,
-            "Angle of the ball spin axis from the x axis, relative to the orbit, in the plane "
-            "through ball and bearing axis; used only when kAngVel is 2. For a positive angle the "
-            "end of the axis towards -x rises outwards: at the contact angle the ball rolls "
-            "without spin. If the inner race turns positively, the spin points to -x. The listing "
-            "gives theta of the whole angular velocity, orbit included, which is slightly below "
+            "Angle between the ball spin axis and the x axis, in the plane through ball center and "
+            "bearing axis, relative to the orbiting ball frame. It is used only when kAngVel is 2. "
+            "With a positive angle, the end of the axis towards -x is tilted outwards. If the "
+            "angle equals the contact angle, the ball rolls without spin. If the inner race "
+            "rotates in the positive direction, the spin vector points to -x. The listing gives "
+            "theta of the total angular velocity, which includes the orbit. It is slightly below "
             "180 degrees minus this angle."),
        real("res1", unit::kStress, kResidual,
-            "Residual stress of the outer race in operation, tension positive; enters "
-            "the STLE life factor."),
+            "Residual stress of the outer race in operation, positive in tension. It enters the "
+            "STLE life factor."),
        real("res2", unit::kStress, kResidual,
-            "Residual stress of the inner race in operation, tension positive; enters "
-            "the STLE life factor."),
+            "Residual stress of the inner race in operation, positive in tension. It enters the "
+            "STLE life factor."),
        real("facStrLimit", kPure, kNotNegative,
-            "Multiplier on the fatigue limit stress. 1 corresponds to the octahedral shear stress "
-            "of the von Mises stress of the race material; 1.28 reproduces ISO 281 for AISI 52100.",
+            "Multiplier on the fatigue limit stress. With 1, the limit is the octahedral shear "
+            "stress at the von Mises limit stress of the race material. 1.28 reproduces ISO 281 "
+            "for AISI 52100.",
             "1.0")});
 }
 
@@ -62,16 +64,17 @@ RecordSpec loads() {
                               "kFS{} is 0.",
                               static_cast<char>(axis - 'A' + 'a'), number))));
   for (const auto& [axis, number] : kAxes)
-    spec.variables.push_back(
-        real(keep(fmt::format("appDisp{}", axis)), kLength, range::kShift,
-             keep(fmt::format("Displacement of the inner race relative to the outer along {1} when "
-                              "kFS{0} is 1; first guess when kFS{0} is 0, where 0 selects an "
-                              "estimate. Measured from {2} of the unmounted bearing at room "
-                              "temperature and rest: fits, growth and speed act against it.",
-                              number, static_cast<char>(axis - 'A' + 'a'),
-                              axis == 'X' ? "the position in which all balls (at freeConAng, by "
-                                            "+x) or cones just touch, or the mid planes coincide,"
-                                          : "the coaxial position"))));
+    spec.variables.push_back(real(
+        keep(fmt::format("appDisp{}", axis)), kLength, range::kShift,
+        keep(fmt::format(
+            "Displacement of the inner race relative to the outer race along {1} when kFS{0} is 1. "
+            "When kFS{0} is 0, it is the first guess, and 0 selects an estimate. Zero is the "
+            "position of the unmounted bearing, at rest and at room temperature, in which {2}. "
+            "Fits, thermal growth and speed do not change this datum.",
+            number, static_cast<char>(axis - 'A' + 'a'),
+            axis == 'X' ? "balls at freeConAng (towards +x) or tapered rollers just touch both "
+                          "races, or, in other bearings, the mid planes of the races coincide"
+                        : "the races are coaxial"))));
   return spec;
 }
 
@@ -87,11 +90,11 @@ RecordSpec moments_and_speeds() {
        real("appMis21", unit::kRadian, range::kLean,
             "Misalignment of the reference (outer) race about z."),
        real("appMis12", unit::kRadian, range::kLean,
-            "Misalignment of the moving (inner) race about y when kFS4 is 1; otherwise a first "
-            "guess."),
+            "Misalignment of the moving (inner) race about y when kFS4 is 1; otherwise the first "
+            "guess of the static solution."),
        real("appMis22", unit::kRadian, range::kLean,
-            "Misalignment of the moving (inner) race about z when kFS5 is 1; otherwise a first "
-            "guess."),
+            "Misalignment of the moving (inner) race about z when kFS5 is 1; otherwise the first "
+            "guess of the static solution."),
        real("rpm1", kRotation, range::kSpeed, "Speed of the outer race, positive about x."),
        real("rpm2", kRotation, range::kSpeed, "Speed of the inner race, positive about x.")});
 }
@@ -106,11 +109,11 @@ RecordSpec temperatures() {
        {"reTemp", "rolling elements"},
        {"cageTemp", "cage"}}};
   for (const auto& [name, part] : kParts)
-    spec.variables.push_back(real(
-        name, kTemperature, range::kHeat,
-        keep(fmt::format("Temperature (absolute) of the {}; dimensions grow with its difference "
-                         "from room temperature.",
-                         part))));
+    spec.variables.push_back(
+        real(name, kTemperature, range::kHeat,
+             keep(fmt::format("Temperature (absolute) of the {} at the start. Dimensions grow with "
+                              "the difference from room temperature.",
+                              part))));
   return spec;
 }
 
@@ -132,54 +135,59 @@ RecordSpec race_vibration() {
     for (const char axis : {'x', 'y', 'z'})
       spec.variables.push_back(
           real(keep(fmt::format("raceVibAmp{}{}", axis - 'x' + 1, race)), kLength, kAny,
-               keep(fmt::format("{} race amplitude along {}; the motion is A sin(2 pi f t).", name,
-                                axis))));
+               keep(fmt::format("{} race: amplitude A of the motion A sin(2 pi f t) along {}.",
+                                name, axis))));
   for (const auto& [race, name] : kRaces)
     spec.variables.push_back(real(keep(fmt::format("raceVibFreq{}", race)), unit::kFrequency,
-                                  kNotNegative, keep(fmt::format("{} race frequency.", name))));
+                                  kNotNegative,
+                                  keep(fmt::format("{} race: frequency f of the motion.", name))));
   return spec;
 }
 
 std::vector<VariableSpec> cage_start(std::string_view body) {
-  return {
-      real("pocLubFilm", kLength, kNotNegative,
-           "Largest lubricant film in the pockets; the film acts on elements closer than this to "
-           "the pocket wall."),
-      real("wvRatio", kPure, range::kSpeedRatio,
-           keep(fmt::format("Whirl speed of the {} mass center at the start, divided by the "
-                            "angular speed of the {}.",
-                            body, body))),
-      real("avRatio", kPure, range::kSpeedRatio,
-           keep(fmt::format("Angular speed of the {} at the start, divided by the epicyclic speed.",
-                            body)),
-           ""),
-      array(real("cageGcPos", kLength, kAny,
-                 keep(fmt::format(
-                     "x, y, z of the {} at the start, from the circle of element centers.",
-                     body == "segment" ? "point of the segment on the cage axis"
-                                       : "cage mass center"))),
-            "3"),
-      array(real("cageAngPos", kAngle, kAny,
-                 keep(fmt::format(
-                     "Three transformation angles of the {} from the inertial frame at the start.",
-                     body))),
-            "3")};
+  return {real("pocLubFilm", kLength, kNotNegative,
+               "Largest thickness of the lubricant film in the pockets. The film acts on elements "
+               "that are closer than this to the pocket wall."),
+          real("wvRatio", kPure, range::kSpeedRatio,
+               keep(fmt::format("Whirl speed of the {} mass center at the start, divided by the "
+                                "angular speed of the {}.",
+                                body, body))),
+          real("avRatio", kPure, range::kSpeedRatio,
+               keep(fmt::format("Angular speed of the {} at the start, divided by the epicyclic "
+                                "speed of the rolling elements.",
+                                body)),
+               ""),
+          array(real("cageGcPos", kLength, kAny,
+                     keep(fmt::format("Coordinates x, y, z of the {} at the start, relative to the "
+                                      "center of the pitch circle.",
+                                      body == "segment" ? "point of the segment on the cage axis"
+                                                        : "cage mass center"))),
+                "3"),
+          array(real("cageAngPos", kAngle, kAny,
+                     keep(fmt::format("Three angles of the transformation from the inertial frame "
+                                      "to the frame of the {} at the start.",
+                                      body))),
+                "3")};
 }
 
 RecordSpec thermal_inputs() {
-  return record("9.7", "Thermal inputs", "kTherm > 0",
-                {real("baseTemp", kTemperature, range::kHeat,
-                      "Reference temperature (absolute) at the place chosen by kBaseTemp."),
-                 real("cFlowRate", unit::kVolumeFlow, kNotNegative,
-                      "Volume flow of the coolant; not used when kCoolant is 0."),
-                 real("reHTC", unit::kConvection, kNotNegative,
-                      "Convection coefficient of the rolling elements; 0 when computed (kHTC 0)."),
-                 real("cageHTC", unit::kConvection, kNotNegative,
-                      "Convection coefficient of the cage; 0 when computed (kHTC 0)."),
-                 real("aveTime", unit::kTime, kPositive,
-                      "Real time over which heat is averaged for one thermal step."),
-                 real("skipTime", unit::kTime, kNotNegative,
-                      "Real time at the start without thermal updates of the geometry.")});
+  return record(
+      "9.7", "Thermal inputs", "kTherm > 0",
+      {real("baseTemp", kTemperature, range::kHeat,
+            "Reference temperature (absolute) at the location selected by kBaseTemp."),
+       real("cFlowRate", unit::kVolumeFlow, kNotNegative,
+            "Volume flow of the coolant; not used when kCoolant is 0."),
+       real("reHTC", unit::kConvection, kNotNegative,
+            "Convection coefficient of the rolling elements. Enter 0 when it is computed (kHTC = "
+            "0)."),
+       real("cageHTC", unit::kConvection, kNotNegative,
+            "Convection coefficient of the cage. Enter 0 when it is computed (kHTC = 0)."),
+       real("aveTime", unit::kTime, kPositive,
+            "Time over which heat is averaged for one thermal step (in seconds, not "
+            "dimensionless)."),
+       real("skipTime", unit::kTime, kNotNegative,
+            "Time at the start of the run without thermal updates of the geometry (in seconds, not "
+            "dimensionless).")});
 }
 
 }  // namespace
@@ -190,14 +198,16 @@ void add_operation_records(std::vector<RecordSpec>& out) {
   out.push_back(moments_and_speeds());
   out.push_back(temperatures());
   out.push_back(stiffness_table());
-  out.push_back(record(
-      "9.3A", "Rotating load", "mode >= 0 && kVarLoad == 1",
-      {real("rotLoadFrac1", kPure, kAny,
-            "Orbit radius of the outer race divided by the relative radial deflection."),
-       real("rotLoadFrac2", kPure, kAny,
-            "Orbit radius of the inner race divided by the relative radial deflection."),
-       real("rotLoadRpm1", kRotation, kAny, "Speed of the load that turns with the outer race."),
-       real("rotLoadRpm2", kRotation, kAny, "Speed of the load that turns with the inner race.")}));
+  out.push_back(
+      record("9.3A", "Rotating load", "mode >= 0 && kVarLoad == 1",
+             {real("rotLoadFrac1", kPure, kAny,
+                   "Orbit radius of the outer race divided by the relative radial deflection."),
+              real("rotLoadFrac2", kPure, kAny,
+                   "Orbit radius of the inner race divided by the relative radial deflection."),
+              real("rotLoadRpm1", kRotation, kAny,
+                   "Rotational speed of the load that the orbit of the outer race produces."),
+              real("rotLoadRpm2", kRotation, kAny,
+                   "Rotational speed of the load that the orbit of the inner race produces.")}));
   out.push_back(race_vibration());
   out.push_back(record(
       "9.4A", "Constant race acceleration", "mode >= 0 && kVarSpeed == 1",
@@ -211,26 +221,27 @@ void add_operation_records(std::vector<RecordSpec>& out) {
             "Time at which the inner race starts to accelerate."),
        real("endTime2", unit::kTime, kNotNegative,
             "Time at which the inner race stops accelerating.")}));
-  out.push_back(record(
-      "9.4B", "Sinusoidal race speed", "mode >= 0 && kVarSpeed == 2",
-      {real("raceSpeedAmp1", kRotation, kAny,
-            "Amplitude of the outer race speed about rpm1: A sin(2 pi f t)."),
-       real("raceSpeedAmp2", kRotation, kAny,
-            "Amplitude of the inner race speed about rpm2: A sin(2 pi f t)."),
-       real("raceSpeedFreq1", unit::kFrequency, kNotNegative, "Frequency of the outer race speed."),
-       real("raceSpeedFreq2", unit::kFrequency, kNotNegative,
-            "Frequency of the inner race speed.")}));
+  out.push_back(record("9.4B", "Sinusoidal race speed", "mode >= 0 && kVarSpeed == 2",
+                       {real("raceSpeedAmp1", kRotation, kAny,
+                             "Amplitude A of the outer race speed, rpm1 + A sin(2 pi f t)."),
+                        real("raceSpeedAmp2", kRotation, kAny,
+                             "Amplitude A of the inner race speed, rpm2 + A sin(2 pi f t)."),
+                        real("raceSpeedFreq1", unit::kFrequency, kNotNegative,
+                             "Frequency f of the outer race speed."),
+                        real("raceSpeedFreq2", unit::kFrequency, kNotNegative,
+                             "Frequency f of the inner race speed.")}));
   out.push_back(record(
       "9.5", "Rotating base frame", "mode >= 0 && kRotFrame == 1",
       {real("brgOrbitRad", kLength, kNotNegative, "Orbit radius of the bearing center."),
        real("brgAngPos", kAngle, kAny, "Angle of the bearing center on its orbit at the start."),
        real("brgAngVel", kRotation, kAny, "Orbit speed of the bearing center."),
        real("brgLoadFrac1", kPure, kAny,
-            "Fraction of the outer race's inertia load that the bearing carries."),
+            "Fraction of the inertia load of the outer race that the bearing carries."),
        real("brgLoadFrac2", kPure, kAny,
-            "Fraction of the inner race's inertia load that the bearing carries.")}));
-  out.push_back(record("9.6", "Cage initial state, one-piece", "nCseg == 1", cage_start("cage")));
-  out.push_back(repeated("9.6.k", "Cage initial state, per segment", "nCseg > 1", "nCseg",
+            "Fraction of the inertia load of the inner race that the bearing carries.")}));
+  out.push_back(
+      record("9.6", "Initial state of a one-piece cage", "nCseg == 1", cage_start("cage")));
+  out.push_back(repeated("9.6.k", "Initial state of each cage segment", "nCseg > 1", "nCseg",
                          cage_start("segment")));
   out.push_back(thermal_inputs());
   out.push_back(record(
@@ -239,23 +250,25 @@ void add_operation_records(std::vector<RecordSpec>& out) {
        real("xMu", unit::kViscosity, kPositive, "Viscosity of the coolant at base temperature."),
        real("xCp", unit::kSpecificHeat, kPositive, "Specific heat of the coolant."),
        real("xK", unit::kConductivityAsForce, kPositive,
-            "Thermal conductivity of the coolant (the same as W/m/K).")}));
+            "Thermal conductivity of the coolant (N/s/K is the same unit as W/m/K).")}));
 }
 
 void add_final_records(std::vector<RecordSpec>& out) {
   RecordSpec gravity = record("11", "Gravity", "mode >= 0", {});
   for (const char axis : {'x', 'y', 'z'})
-    gravity.variables.push_back(real(
-        keep(fmt::format("gravityVec{}", static_cast<char>(axis - 'a' + 'A'))), unit::kAcceleration,
-        kAny,
-        keep(fmt::format(
-            "Gravity acceleration along {}.{}", axis,
-            axis == 'z' ? " Negative points away from the usual radial load direction." : ""))));
+    gravity.variables.push_back(
+        real(keep(fmt::format("gravityVec{}", static_cast<char>(axis - 'a' + 'A'))),
+             unit::kAcceleration, kAny,
+             keep(fmt::format(
+                 "Gravity acceleration along {}.{}", axis,
+                 axis == 'z'
+                     ? " A negative value points away from the usual direction of the radial load."
+                     : ""))));
   out.push_back(std::move(gravity));
   RecordSpec user{"12", "User routine inputs", "user() > 0", "user()", {}};
-  user.variables.push_back(
-      text("userLine", 0,
-           "One raw line per record 12.1 to 12.n, as the active user routine requires it."));
+  user.variables.push_back(text("userLine", 0,
+                                "One line of text for each record 12.1 to 12.n, in the form that "
+                                "the active user routine requires."));
   out.push_back(std::move(user));
 }
 

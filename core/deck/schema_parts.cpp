@@ -34,7 +34,7 @@ VariableSpec text(std::string_view name, int max_length, std::string_view help,
 VariableSpec record_label() {
   return text("recID", 12,
               "Label of the record, at most 12 characters in single quotes. It is only printed in "
-              "the listing; the record number, such as 'Rec 5A', helps readers.");
+              "the listing. Use the record number, such as 'Rec 5A'.");
 }
 
 VariableSpec integer(std::string_view name, Range range, std::string_view help,
@@ -120,7 +120,7 @@ std::vector<VariableSpec> inertia_variables(std::string_view prefix, std::string
   for (const char axis : {'X', 'Y', 'Z'})
     variables.push_back(
         real(name(fmt::format("Frame{}", axis)), unit::kAngle, range::kAny,
-             keep(fmt::format("{} angle of the rotation from the principal axes of inertia to the "
+             keep(fmt::format("Rotation angle about {} from the principal axes of inertia to the "
                               "geometric frame of the {}. Zero when both coincide.",
                               axis, body))));
   return variables;

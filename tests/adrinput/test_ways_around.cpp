@@ -134,7 +134,7 @@ TEST_CASE("a designation makes a deck, with what is standard and what is estimat
   CHECK_FALSE(window.document().has_errors());
   const fs::path path = folder.filePath("DATA.txt").toStdString();
   window.document().save(path);
-  CHECK(bytes_of(path).find("ESTIMATE of the inside") != std::string::npos);
+  CHECK(bytes_of(path).find("ESTIMATE of the internal geometry") != std::string::npos);
   // The inside of another size, from bore, outside diameter and widths.
   window.document().change({{"brgBore", "0.05"}, {"brgOD", "0.09"}});
   window.proposeInside();

@@ -74,10 +74,11 @@ TEST_CASE("sentences of the sources write no number before a plural", "[unit]") 
                                       "one of every %1 frames",
                                       "a movie of {} pictures per second is empty",
                                       "{} pockets cannot be shared equally",
-                                      "{} elements of {:.4g} mm",
+                                      "publish it): {} elements of",
                                       "{} elements do not fit",
+                                      "the bearing has {} elements",  // more than 40
                                       "the file has {} lines",
-                                      "it has at most {} lines",
+                                      "a deck has at most {} lines",
                                       "a table has at most {} lines",
                                       "a study has {} runs at most",
                                       "{} elements of {} mm on a pitch diameter",

@@ -249,7 +249,7 @@ TEST_CASE("check and run reject the same values, by record and variable", "[cli]
       {"tapered-30208", "raceTaper2=14.0", "(outer, raceTaper1) and 14 deg (inner) are too close"},
       {"tapered-30208", "raceTaper1=10.2", "too close: the resulting pitch diameter"},
       {"cylindrical-nu209", "bReCrn=0.001", "record 5B.1, bReCrn = 0.001: a roller"},
-      {"angular-218", "raceCurFac1=10.1", "give a value above 0.5 and below 10"},
+      {"angular-218", "raceCurFac1=10.1", "enter a value above 0.5 and below 10"},
       {"ball", "cageWidth=0.007", "record 7.1, cageWidth = 0.007: the pockets"},
       {"cylindrical-nu209", "brgOD=0.07", "brgOD"},
       {"tapered", "kRFTrac=-1", "needs user routine ADRX7"},

@@ -38,7 +38,7 @@ def _split(name: str) -> Tuple[str, List[int]]:
     """"cageGcPos[2][3]" -> ("cageGcPos", [2, 3]); counted from 1 as the manual does."""
     match = _TARGET.match(name)
     if match is None:
-        raise InputError(f"{name}: the index cannot be understood; write name[1] or name[instance][element], counting from 1")
+        raise InputError(f"{name}: the index is not valid; write name[1] or name[instance][element], counting from 1")
     return match.group(1), [int(n) for n in re.findall(r"\d+", match.group(2))]
 
 
@@ -285,7 +285,7 @@ class Deck(DeckVariables):
                     raise InputError(f"{label}[{at}]: there are {len(out)} of them, counted from 1")
                 out, label = out[at - 1], f"{label}[{at}]"
         if left:
-            raise InputError(f"{label}: it is a single value; leave out the index")
+            raise InputError(f"{label}: it is a single value; omit the index")
         if isinstance(out, list):
             return tuple(_array(v) for v in out) if out and isinstance(out[0], list) else _array(out)
         return out

@@ -112,5 +112,5 @@ def variable(name: str) -> VariableSpec:
     found = known(name)
     if found is None:
         near = ", ".join(_core.similar_variables(name))
-        raise InputError(f"{name}: there is no variable of that name" + (f"; did you mean {near}?" if near else ""))
+        raise InputError(f"{name}: there is no variable with this name" + (f"; did you mean {near}?" if near else ""))
     return found

@@ -74,7 +74,8 @@ TEST_CASE("set() and complete(): add the records that a changed option needs", "
   CHECK_FALSE(segmented.has_record("9.6"));
   segmented.set("cageGcPos[2][3]", "1.5e-5");
   CHECK(segmented.real("cageGcPos", 2, 3) == 1.5e-5);
-  CHECK_THAT(failure(segmented, "cageGcPos[4][1]", "0"), Catch::Contains("instance 4 of it"));
+  CHECK_THAT(failure(segmented, "cageGcPos[4][1]", "0"),
+             Catch::Contains("instance 4 of this record"));
   CHECK_THAT(failure(segmented, "wvRatio", "0"), Catch::Contains("wvRatio[1]"));
 
   Deck monitored = new_deck("ball");
@@ -108,9 +109,10 @@ TEST_CASE("set(): impossible change → error with the possible ones", "[unit][d
   CHECK_THAT(failure(deck, "iCageGuide[3]", "1"), Catch::Contains("2 elements"));
   CHECK_THAT(failure(deck, "iCageGuide", "1"), Catch::Contains("give 2 values"));
   CHECK_THAT(failure(new_deck("spherical"), "iCageGuide", "1"),
-             Catch::Contains("this deck has none of them; their number is nGL"));
+             Catch::Contains("this deck has no elements of this variable; nGL is the number"
+                             " of elements"));
   CHECK_THAT(failure(deck, "cageGsCls", "1"), Catch::Contains("cageGsCls[1]"));
-  CHECK_THAT(failure(deck, "cageGsCls[3]", "1"), Catch::Contains("instance 3 of it"));
+  CHECK_THAT(failure(deck, "cageGsCls[3]", "1"), Catch::Contains("instance 3 of this record"));
   CHECK_THAT(failure(deck, "cageGsCls[0]", "1"), Catch::Contains("counting from 1"));
   CHECK_THAT(failure(deck, "cageGsCls[1", "1"), Catch::Contains("counting from 1"));
   CHECK_THAT(failure(deck, "kFD11", "1"),

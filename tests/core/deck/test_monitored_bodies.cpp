@@ -66,7 +66,7 @@ TEST_CASE("set_all_and_follow(): changed counts → same monitored bodies, with 
         CHECK(names[names.size() - 2] == "outer race");
         CHECK(names.back() == "inner race");
         CHECK(static_cast<long long>(names.size()) == deck.integer("kNumPltElem"));
-        CHECK(said(notes, "the monitored bodies stay the same with"));
+        CHECK(said(notes, "the same bodies are monitored under new numbers"));
         CHECK(said(notes, fmt::format("{}", fmt::join(monitored_bodies(deck), ", "))));
         CHECK(said(notes, "the cage no longer exists") ==
               (before.integer("nCseg") > 0 && deck.integer("nCseg") == 0));

@@ -84,7 +84,7 @@ TEST_CASE("catalogue: clearance group in a designation → used, or reported as 
       before = here;
       std::string story;
       for (const std::string& line : deck::catalogue_story(found)) story += line;
-      CHECK(story.find("middle of " + std::string(group)) != std::string::npos);
+      CHECK(story.find("middle of group " + std::string(group)) != std::string::npos);
       CHECK(story.find("Not in the deck") == std::string::npos);
     }
   }
@@ -172,7 +172,7 @@ TEST_CASE("catalogue: spherical bearing → reported as one row of two", "[unit]
   std::string story;
   for (const std::string& line : deck::catalogue_story(deck::find_bearing("22210"))) story += line;
   CHECK(story.find("ONE of the two rows") != std::string::npos);
-  CHECK(deck::catalogue_deck(deck::find_bearing("22210")).find("half of the bearing's") !=
+  CHECK(deck::catalogue_deck(deck::find_bearing("22210")).find("half of the radial load") !=
         std::string::npos);
 }
 
@@ -229,7 +229,7 @@ TEST_CASE("catalogue: every deck → finds its equilibrium", "[physics][catalogu
 TEST_CASE("catalogue: remarks mark standard values and estimates", "[unit][catalogue]") {
   const std::string text = deck::catalogue_deck(deck::find_bearing("6308"));
   CHECK(text.find("boundary dimensions of 6308: ISO 15") != std::string::npos);
-  CHECK(text.find("ESTIMATE of the inside") != std::string::npos);
+  CHECK(text.find("ESTIMATE of the internal geometry") != std::string::npos);
   CHECK(text.find("size 6205") == std::string::npos);
   const auto story = deck::catalogue_story(deck::find_bearing("6308"));
   REQUIRE(story.size() >= 2);

@@ -79,7 +79,7 @@ TEST_CASE("what-if: every variable set on the command line → each effect left 
       for (const WhatIfRow& row : result.rows) {
         CAPTURE(row.effect);
         CHECK(row.failure.find("set twice") == std::string::npos);
-        CHECK(row.failure.find("does not have this record") == std::string::npos);
+        CHECK(row.failure.find("does not have the record") == std::string::npos);
       }
     }
 }

@@ -172,7 +172,7 @@ TEST_CASE("check: waves that cancel and laws that end → remark", "[unit][check
   CHECK(find(facade::check_model(deck), Severity::Warning, none) == nullptr);
   deck.set("rlTaper12", "5.0");
   CHECK(find(deck::check_deck(deck), Severity::Error,
-             "rlTaper12 = 5.0: is out of range; give a value at least -0.1 rad") != nullptr);
+             "rlTaper12 = 5.0: is out of range; enter a value from -0.1 to 0.1 rad") != nullptr);
 
   deck::Deck warm = deck::new_deck("angular-218");
   warm.set("kTherm", "1");

@@ -33,7 +33,7 @@ TEST_CASE("monitored bodies: count changed on the command line → same bodies, 
       CHECK(deck::body_name(before, were[k]) == deck::body_name(more.deck, are[k]));
     const auto notes = [](const facade::LoadedDeck& of) {
       return std::count_if(of.warnings.begin(), of.warnings.end(), [](const Issue& issue) {
-        return issue.message.find("the monitored bodies stay the same") != std::string::npos;
+        return issue.message.find("the same bodies are monitored") != std::string::npos;
       });
     };
     CHECK(notes(more) == (were == are ? 0 : 1));
