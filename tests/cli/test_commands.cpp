@@ -250,7 +250,7 @@ TEST_CASE("adore calc: inputs described with units, others rejected", "[cli]") {
       {"hertz", R"({"load": -10})",
        "load = -10: out of range; give a number above 0, up to 1e10 [N]"},
       {"hertz", R"({"load": "much"})",
-       "load = \"much\": a text; give a number above 0, up to 1e10 [N]"},
+       "load = \"much\": not a number; give a number above 0, up to 1e10 [N]"},
       {"hertz", R"({"body1": 3})", "give an object with E, Rx, Ry, nu"},
       {"material", R"({"code": 101.5})", "code = 101.5: not a whole number"},
       {"material", R"({"code": 100, "temperature": 300})", "there is no such input"},
