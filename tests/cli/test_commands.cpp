@@ -120,7 +120,7 @@ TEST_CASE("examples of user routines run as their last lines say", "[cli]") {
     const std::string told = run_adore("user new " + name + " --out " + out.string()).out;
     INFO(told);
     REQUIRE(std::system(("make -s -C " + out.string() + " >/dev/null").c_str()) == 0);
-    const std::size_t set = told.find("--set "), lines = told.find("first lines, e.g.\n");
+    const std::size_t set = told.find("--set "), lines = told.find("explain them. Example:\n");
     const std::string options =
         set == std::string::npos ? "" : told.substr(set, told.find_first_of(",\n", set) - set);
     const std::string run = "run " + folder.path().string() + " --set maxStps=3 " + options +

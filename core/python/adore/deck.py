@@ -207,7 +207,7 @@ class Deck(DeckVariables):
             target = target / "DATA.txt"
         same = self._path is not None and target.exists() and target.samefile(self._path)
         if target.exists() and not same and not overwrite:
-            raise InputError(f"{target} exists already; name another file, or give overwrite=True")
+            raise InputError(f"{target} exists already; give another file, or set overwrite=True")
         handle, temporary = tempfile.mkstemp(prefix=".adore-", dir=target.parent or ".")
         try:
             with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
