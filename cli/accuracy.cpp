@@ -197,7 +197,7 @@ int run(const Options& options) {
 void add_accuracy(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "accuracy",
-      "compare integrators, tolerances and step sizes for a deck: error against computing time");
+      "compare error and computing time of integrators, tolerances and step sizes for a deck");
   auto options = std::make_shared<Options>();
   options->add_to(*command);
   command
@@ -214,7 +214,7 @@ void add_accuracy(CLI::App& app, int& exit_code) {
           ->capture_default_str();
   command
       ->add_option("--budget", options->budget,
-                   "processor time of the study [s]; limits the revolutions")
+                   "limit of the processor time of the study [s]; it may reduce the revolutions")
       ->capture_default_str();
   command
       ->add_option("--accuracy", options->accuracy, "target error of speeds, loads, heat and life")

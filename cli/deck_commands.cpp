@@ -232,8 +232,8 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     CLI::Option* what_if =
         command->add_flag("--what-if", options->what_if,
-                          "repeat a short run without each effect; show the change of the results "
-                          "and the share of the computing time");
+                          "repeat a short run with each effect switched off in turn; show the "
+                          "changes of the results and the share of the computing time");
     command->add_option("--turns", options->turns, "shaft revolutions of each run of --what-if")
         ->needs(what_if)
         ->capture_default_str();

@@ -32,8 +32,8 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
       ->type_name("PATH");
   CLI::Option* lubricant = command
                                ->add_option("--lubricant", request->lubricant,
-                                            "draw charts of the lubricant with this kTrac code "
-                                            "instead of files (traction, viscosity, film, lambda)")
+                                            "draw charts of a lubricant (traction, viscosity, "
+                                            "film, lambda) instead of files; CODE is its kTrac")
                                ->type_name("CODE");
   CLI::Option* temperature =
       command
@@ -167,7 +167,7 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
   command->add_flag("--contacts", request->contacts,
                     "draw the race loads as arrows on all elements");
   command->add_flag("--trails", request->trails,
-                    "draw the recent path of each element (0.8 of the element spacing)");
+                    "draw the recent path of each element (length: 0.8 of the element spacing)");
   command->add_flag("--dark", request->dark, "dark theme");
   add_progress(*command, request->progress);
   command->footer(

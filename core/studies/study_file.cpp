@@ -134,9 +134,8 @@ void read_law(JsonObject& object, Variable& out) {
     }
   }
   if (laws != 1)
-    throw InputError(fmt::format(
-        "{}: give exactly one of grid, list, uniform and normal; the number given is {}",
-        object.at(out.option ? "option" : "name"), laws));
+    throw InputError(fmt::format("{}: give exactly one of grid, list, uniform and normal (now: {})",
+                                 object.at(out.option ? "option" : "name"), laws));
 }
 
 Variable read_variable(const Json& json, const std::string& where, Kind kind) {

@@ -175,7 +175,7 @@ class H5Table {
     StudyTable out;
     out.run = whole("run");
     out.exit = whole("exit");
-    if (out.exit.size() != out.run.size()) no_table("run and exit differ in length");
+    if (out.exit.size() != out.run.size()) no_table("run and exit have different lengths");
     if (out.rows() > static_cast<std::size_t>(kMaxStudyRuns)) no_table("it has too many runs");
     out.variables = group("variables", out.rows());
     out.quantities = group("quantities", out.rows());
