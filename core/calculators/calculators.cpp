@@ -84,7 +84,7 @@ const std::vector<CalculatorInfo>& calculator_list() {
       {"ball-pocket", "cage_pockets", "ball_pocket",
        "gap, contact point and angles of a ball in its pocket"},
       {"pocket-law", "cage_pockets", "pocket_contact_law",
-       "contact load and stiffness of a ball in its pocket (Hertz law, limited at large "
+       "contact load and stiffness of a ball in its pocket (Hertz law, linear at large "
        "penetration)"},
       {"land-law", "cage_lands", "land_law_circular",
        "load of a cage guide land for given eccentricities"},

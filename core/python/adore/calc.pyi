@@ -593,7 +593,7 @@ class _PocketLaw(Calculator):
         gaps: Sequence[float] = ...,
         wall_curvatures: Sequence[float] = ...,
     ) -> Result:
-        """contact load and stiffness of a ball in its pocket (Hertz law, limited at large penetration)"""
+        """contact load and stiffness of a ball in its pocket (Hertz law, linear at large penetration)"""
 
 class _RaceErrors(Calculator):
     def __call__(  # type: ignore[override]
