@@ -56,7 +56,7 @@ void Reporter::cage_map() {
       text_ += "\n";
     }
   }
-  text_ += fmt::format("class, {} across, {} down\n{:>14}", label(x), label(y), "");
+  text_ += fmt::format("class (columns: {}, rows: {})\n{:>14}", label(x), label(y), "");
   for (const double a : xs) text_ += fmt::format(" {:>12g}", a);
   text_ += "\n";
   for (std::size_t j = ys.size(); j-- > 0;) {
