@@ -47,7 +47,8 @@ std::vector<double> parse_tolerances(const std::string& text) {
     check_range("--tols", value);
     out.push_back(value);
   }
-  if (out.empty()) throw InputError("--tols is empty; give positive numbers, e.g. 1e-4,1e-6,1e-8");
+  if (out.empty())
+    throw InputError("--tols has no value; give positive numbers, e.g. 1e-4,1e-6,1e-8");
   return out;
 }
 
@@ -102,7 +103,7 @@ int run_models(const Options& options, bool out_given) {
   constexpr double kTurns = 2.0;
   if (options.apply || options.go_on || !options.methods.empty() || !options.tolerances.empty())
     throw InputError(
-        "--models changes the model and keeps the deck's settings; leave out --apply, --continue, "
+        "--models varies the model, not the integrator settings; remove --apply, --continue, "
         "--methods and --tols");
   check_range("--turns", options.turns);
   check_range("--budget", options.budget);
@@ -135,8 +136,8 @@ int run(const Options& options) {
         "--apply changes the deck file, but the deck comes from standard input; name a file");
   if (options.apply && !request.sets.empty())
     throw InputError(
-        "--apply writes settings for the unchanged deck, but --set changes it for this study; "
-        "leave one of them out");
+        "--apply writes settings into the deck file, but --set changes the deck only for this "
+        "study; remove one of them");
   if (!options.methods.empty()) request.methods = split_list(options.methods);
   if (!options.tolerances.empty()) request.tolerances = parse_tolerances(options.tolerances);
   check_range("--turns", options.turns);
@@ -151,8 +152,8 @@ int run(const Options& options) {
   facade::AccuracyStudy earlier;
   if (options.go_on) {
     if (!std::filesystem::exists(json, error))
-      throw InputError(
-          fmt::format("--continue: there is no {}; leave it out to begin a study", json.string()));
+      throw InputError(fmt::format(
+          "--continue: {} does not exist; remove --continue to start a new study", json.string()));
     earlier = facade::read_accuracy(contents(json), json.string());
   }
   // Check the output location before computing.
@@ -172,8 +173,9 @@ int run(const Options& options) {
       },
       watch.token(), earlier);
   if (options.go_on && study.digest != earlier.digest)
-    tell(fmt::format("adore: note: {} is from another deck or other options; it was not used\n",
-                     json.string()));
+    tell(fmt::format(
+        "adore: note: {} was not used because it belongs to another deck or other options\n",
+        json.string()));
   write(study);
   if (!study.complete) {
     tell(fmt::format("\ninterrupted; repeat the command with --continue to resume ({})\n",
@@ -195,7 +197,7 @@ int run(const Options& options) {
 void add_accuracy(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "accuracy",
-      "compare integrators, tolerances and step sizes for a deck: error against computing time");
+      "compare error and computing time of integrators, tolerances and step sizes for a deck");
   auto options = std::make_shared<Options>();
   options->add_to(*command);
   command
@@ -212,19 +214,20 @@ void add_accuracy(CLI::App& app, int& exit_code) {
           ->capture_default_str();
   command
       ->add_option("--budget", options->budget,
-                   "processor time of the study [s]; limits the revolutions")
+                   "limit of the processor time of the study [s]; it may reduce the revolutions")
       ->capture_default_str();
   command
       ->add_option("--accuracy", options->accuracy, "target error of speeds, loads, heat and life")
       ->capture_default_str()
       ->type_name("PERCENT");
   command->add_flag("--apply", options->apply, "write the recommended settings into the deck");
-  command->add_flag("--continue", options->go_on, "resume an interrupted study");
+  command->add_flag("--continue", options->go_on,
+                    "continue an interrupted study with the same options");
   command->add_flag(
       "--models", options->models,
-      "estimate model errors instead: damping, traction law, cage friction, nodes or slices, mode "
-      "and thermal model are each varied within their uncertainty (2 revolutions unless --turns is "
-      "given); writes MODELS.json next to the deck for PRINT.txt and AdrInput");
+      "estimate model errors instead: vary damping, traction law, cage friction, nodes or slices, "
+      "mode and thermal model within their uncertainty (default of --turns: 2). MODELS.json is "
+      "written next to the deck; PRINT.txt and AdrInput show its results");
   CLI::Option* out =
       command->add_option("--out", options->out, "folder for ACCURACY.csv, .json and .png")
           ->type_name("DIR")

@@ -31,8 +31,8 @@ std::string read_all(const std::string& name) {
 const calculators::CalculatorInfo& calculator(const std::string& name) {
   for (const calculators::CalculatorInfo& info : calculators::calculator_list())
     if (info.name == name) return info;
-  throw InputError(
-      fmt::format("there is no calculator named \"{}\"; `adore calc --list` shows them", name));
+  throw InputError(fmt::format(
+      "there is no calculator named \"{}\"; `adore calc --list` lists all calculators", name));
 }
 
 /// All calculators, or one, with their inputs and results.
@@ -47,7 +47,7 @@ void list_calculators(const std::string& name, bool json, bool describe) {
   } else {
     for (const calculators::CalculatorInfo& info : calculators::calculator_list())
       print("{:<20} {}\n", info.name, info.help);
-    print("`adore calc NAME --describe` lists inputs and results with units, and an example\n");
+    print("`adore calc NAME --describe` shows the inputs and results with units, and an example\n");
   }
 }
 
@@ -108,7 +108,8 @@ void torque(const std::string& report_file, bool json, bool markdown) {
 
 void add_calc(CLI::App& app, int& exit_code) {
   {
-    CLI::App* command = app.add_subcommand("calc", "component calculators: JSON in, JSON out");
+    CLI::App* command =
+        app.add_subcommand("calc", "run a component calculator (input and results are JSON)");
     auto name = std::make_shared<std::string>();
     auto source = std::make_shared<std::string>("-");
     auto list = std::make_shared<bool>(false);
@@ -119,13 +120,16 @@ void add_calc(CLI::App& app, int& exit_code) {
     for (const calculators::CalculatorInfo& info : calculators::calculator_list())
       names.push_back(info.name);
     command_line::offer(
-        command->add_option("name", *name, "calculator; see --list")->type_name("NAME"), names);
-    command->add_option("input", *source, "file of inputs, or - for standard input")
+        command->add_option("name", *name, "name of the calculator (--list lists all)")
+            ->type_name("NAME"),
+        names);
+    command->add_option("input", *source, "file with the inputs, or - for standard input")
         ->type_name("FILE")
         ->capture_default_str();
     command->add_flag("--list", *list, "list the calculators");
-    command->add_flag("--describe", *describe,
-                      "inputs with ranges, codes and defaults, results with units, and an example");
+    command->add_flag(
+        "--describe", *describe,
+        "show inputs with ranges, codes and defaults, results with units, and an example");
     // Elsewhere --json is a flag; here a file may follow, as it did before there was `input`.
     command
         ->add_option_function<std::vector<std::string>>(
@@ -134,11 +138,11 @@ void add_calc(CLI::App& app, int& exit_code) {
               *as_json = true;
               if (!given.empty() && !given.front().empty()) *source = given.front();
             },
-            "print --list or --describe as JSON; --json FILE: read the input from FILE")
+            "with --list or --describe: print JSON; without them: read the inputs from FILE")
         ->expected(0, 1)
         ->type_name("FILE");
     command->add_flag("--as-json", *as_json, "the older name of --json")->group("");
-    command->add_flag("--markdown", *markdown, "with --list: all inputs, in Markdown");
+    command->add_flag("--markdown", *markdown, "with --list: print all inputs as Markdown");
     command->footer(
         "Examples\n"
         "  adore calc --list\n"
@@ -147,12 +151,14 @@ void add_calc(CLI::App& app, int& exit_code) {
         "  echo '{\"code\": 100}' | adore calc material");
     command->callback([=] {
       if (*markdown) {
-        if (!*list) throw InputError("--markdown needs --list");
+        if (!*list) throw InputError("--markdown works only together with --list; give both");
         print("{}", calculators::calculators_markdown());
         return;
       }
       if (*list || *describe) return list_calculators(*name, *as_json, *describe);
-      if (name->empty()) throw InputError("name a calculator; `adore calc --list` shows them");
+      if (name->empty())
+        throw InputError(
+            "give the name of a calculator; `adore calc --list` lists all calculators");
       calc(calculator(*name).name, *source);
     });
   }
@@ -167,15 +173,16 @@ void add_calc(CLI::App& app, int& exit_code) {
     auto markdown = std::make_shared<bool>(false);
     auto only = std::make_shared<std::string>();
     command->add_option("files", *files, "case files, or - for standard input")->type_name("FILE");
-    CLI::Option* experiments_flag = command->add_flag("--experiments", *published,
-                                                      "compare with published experiments instead");
+    CLI::Option* experiments_flag = command->add_flag(
+        "--experiments", *published, "compare with published experiments (instead of case files)");
     command->add_option("--only", *only, "run only the experiment with this id")
         ->type_name("ID")
         ->needs(experiments_flag);
     auto torques = std::make_shared<bool>(false);
     command
         ->add_flag("--torque", *torques,
-                   "compare the friction torque of three bearings with a catalog formula instead")
+                   "compare the friction torque of three bearings with a catalog formula (instead "
+                   "of case files)")
         ->excludes(experiments_flag);
     command->add_flag("--markdown", *markdown,
                       "print the results of --experiments or --torque as Markdown");
@@ -195,13 +202,15 @@ void add_calc(CLI::App& app, int& exit_code) {
     command->callback([=, &exit_code] {
       if (*published || *torques) {
         if (!files->empty())
-          throw InputError("--experiments and --torque use built-in decks; give no files");
+          throw InputError("--experiments and --torque use built-in decks; remove the files");
         return *torques ? torque(*report, *json, *markdown)
                         : experiments(*only, *report, *json, *markdown);
       }
       if (files->empty())
         throw InputError("give files of reference cases, --experiments or --torque");
-      if (*markdown) throw InputError("--markdown needs --experiments or --torque");
+      if (*markdown)
+        throw InputError(
+            "--markdown works only together with --experiments or --torque; give one of them");
       exit_code = validate(*files, *report,
                            *json      ? Detail::Json
                            : *quiet   ? Detail::Totals

@@ -114,8 +114,8 @@ std::string write_new(const std::string& out, std::string_view text) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) path /= "DATA.txt";
   if (!out.empty() && out != kStream && std::filesystem::exists(path))
-    throw InputError(
-        fmt::format("{} exists already; name another file, or remove it first", path.string()));
+    throw InputError(fmt::format("{} exists already; give another file, or remove this file first",
+                                 path.string()));
   return write_text(out, "DATA.txt", text);
 }
 
@@ -199,8 +199,8 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
     auto json = std::make_shared<bool>(false);
     options->add_to(*command);
     auto codes = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "as JSON");
-    command->add_flag("--codes", *codes, "list all finding codes, as Markdown");
+    command->add_flag("--json", *json, "print as JSON");
+    command->add_flag("--codes", *codes, "list the codes of all findings as Markdown");
     command->footer(
         "Examples\n"
         "  adore check DATA.txt\n"
@@ -214,24 +214,27 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
     });
   }
   {
-    CLI::App* command = app.add_subcommand(
-        "plan", "show which effects a deck simulates, with reasons, computing time and disk space");
+    CLI::App* command = app.add_subcommand("plan",
+                                           "show the effects that a deck simulates, with reasons, "
+                                           "and the computing time and disk space of a run");
     auto options = std::make_shared<PlanOptions>();
     options->add_to(*command);
-    command->add_flag("--json", options->json, "as JSON");
+    command->add_flag("--json", options->json, "print as JSON");
     command
         ->add_option("--until", options->until,
-                     "simulated length: 5rev, 0.02s or a dimensionless time; replaces fTime and "
-                     "maxStps")
+                     "simulated length: revolutions (5rev), time (0.02s) or dimensionless time "
+                     "(1000); replaces fTime and maxStps")
         ->type_name("END");
     command
         ->add_option("--pilot", options->pilot,
-                     "processor time of the trial run that measures the cost [s]; 0: no trial run")
+                     "processor time of the trial run that measures the computing speed [s]; 0: no "
+                     "trial run")
         ->capture_default_str();
-    CLI::Option* what_if = command->add_flag(
-        "--what-if", options->what_if,
-        "switch off each effect in a short run: change of the results, share of the cost");
-    command->add_option("--turns", options->turns, "shaft revolutions of these runs")
+    CLI::Option* what_if =
+        command->add_flag("--what-if", options->what_if,
+                          "repeat a short run with each effect switched off in turn; show the "
+                          "changes of the results and the share of the computing time");
+    command->add_option("--turns", options->turns, "shaft revolutions of each run of --what-if")
         ->needs(what_if)
         ->capture_default_str();
     command->footer(
@@ -243,14 +246,15 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
     command->callback([=] { plan(*options); });
   }
   {
-    CLI::App* command = app.add_subcommand("schema", "print the record schema of the deck");
+    CLI::App* command = app.add_subcommand(
+        "schema", "print the deck format: all records and variables with units and ranges");
     auto format = std::make_shared<std::string>("tsv");
     auto json = std::make_shared<bool>(false);
     command_line::one_of(command->add_option("--format", *format, "table format")
                              ->capture_default_str()
                              ->type_name("FORM"),
                          {"tsv", "json", "md"});
-    command->add_flag("--json", *json, "as JSON; the same as --format json");
+    command->add_flag("--json", *json, "print as JSON; the same as --format json");
     command->footer("Example\n  adore schema --format md > records.md");
     command->callback([=] {
       const std::string form = *json ? "json" : *format;
@@ -266,19 +270,19 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
     auto out = std::make_shared<std::string>();
     auto designation = std::make_shared<std::string>();
     auto sets = std::make_shared<std::vector<std::string>>();
-    CLI::Option* name = command->add_option(
-        "type", *type,
-        "ball, cylindrical, spherical, tapered or spherical-tapered, or another name of `adore "
-        "examples`");
+    CLI::Option* name =
+        command->add_option("type", *type,
+                            "example deck: ball, cylindrical, spherical, tapered, "
+                            "spherical-tapered or another name listed by `adore examples`");
     command_line::offer(name->type_name("NAME"), template_names());
     command
         ->add_option("--catalogue", *designation,
                      "bearing designation (6205, 7208 B, NU209, 30208, 22210) or type and size "
-                     "('deep-groove 25x52x15' in mm): standard boundary dimensions, estimated "
-                     "internal geometry")
+                     "('deep-groove 25x52x15' in mm). The boundary dimensions are standard values; "
+                     "the internal geometry is estimated")
         ->type_name("BEARING")
         ->excludes(name);
-    command->add_option("--out", *out, "file or folder to write (standard output unless given)")
+    command->add_option("--out", *out, "file or folder to write (default: standard output)")
         ->type_name("FILE");
     command->footer(
         "Examples\n"
@@ -289,7 +293,8 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
       if (!designation->empty()) return new_from_catalogue(*designation, *out, *sets);
       if (type->empty())
         throw InputError(
-            "name an example (`adore examples` lists them), or a bearing with --catalogue");
+            "give the name of an example (`adore examples` lists them), or a bearing with "
+            "--catalogue");
       new_deck(*type, *out, *sets);
     });
   }
@@ -300,7 +305,7 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
     command_line::offer(
         command->add_option("name", *name, "example to describe")->type_name("NAME"),
         template_names());
-    command->add_flag("--json", *json, "as JSON");
+    command->add_flag("--json", *json, "print as JSON");
     command->footer("Example\n  adore examples deep-groove-6205");
     command->callback([=] { examples(*name, *json); });
   }

@@ -52,7 +52,8 @@ void add_sets(CLI::App& command, std::vector<std::string>& sets) {
   // One value each: the next argument is the deck.
   command_line::offer(
       command
-          .add_option("--set", sets, "change a deck variable, in the deck's units; may be repeated")
+          .add_option("--set", sets,
+                      "set a deck variable in the units of the deck; may be repeated")
           ->type_name("NAME=VALUE")
           ->allow_extra_args(false),
       variable_words());
@@ -71,7 +72,7 @@ void DeckOptions::add_to(CLI::App& command) {
   command
       .add_option("--user", user,
                   "user routines: a shared library (`adore user new` writes an example) or a .json "
-                  "file of formulas and tables; their code is executed")
+                  "file of formulas and tables. The code in the file is executed")
       ->type_name("PLUG-IN")
       ->allow_extra_args(false);
 }
@@ -85,7 +86,7 @@ facade::DeckRequest deck_request(const std::string& deck) {
   std::error_code error;
   if (deck.find('=') != std::string::npos && !std::filesystem::exists(deck, error))
     throw InputError(fmt::format(
-        "\"{}\" is in the place of the deck; write --set (or --opt) before every name=value",
+        "\"{}\" was read as the name of the deck; write --set (or --opt) before each name=value",
         deck));
   return request;
 }

@@ -60,11 +60,11 @@ void check_place(const fs::path& path, std::string_view start,
   for (const fs::path& input : inputs)
     if (fs::equivalent(input, path, error))
       throw InputError(
-          fmt::format("--out {}: this is the input file; name another one", path.string()));
+          fmt::format("--out {}: this is the input file; give another file", path.string()));
   const fs::file_status status = fs::symlink_status(path, error);
   if (write_protected(path))
     throw InputError(fmt::format(
-        "--out {}: the file is write-protected; name another one, or make it writable (chmod u+w)",
+        "--out {}: the file is write-protected; give another file, or make it writable (chmod u+w)",
         path.string()));
   if (fs::is_regular_file(status) && fs::file_size(path, error) > 0) {
     std::string old(start.size() + 1, '\0');
@@ -73,12 +73,13 @@ void check_place(const fs::path& path, std::string_view start,
     old.resize(static_cast<std::size_t>(stream.gcount()));
     if (start.empty() || beginning(old) != start)
       throw InputError(
-          fmt::format("--out {}: the file exists and is not an export of this type; name another "
-                      "one, or remove it first",
+          fmt::format("--out {}: the file exists and is not an export of this type; give another "
+                      "file, or remove this file first",
                       path.string()));
   } else if (fs::is_symlink(status)) {
-    throw InputError(fmt::format("--out {}: this is a symbolic link to {}; name the file itself",
-                                 path.string(), fs::read_symlink(path, error).string()));
+    throw InputError(
+        fmt::format("--out {}: this is a symbolic link to {}; give the name of the file itself",
+                    path.string(), fs::read_symlink(path, error).string()));
   }
 }
 

@@ -96,7 +96,7 @@ void add_file_commands(CLI::App& app, int& exit_code) {
     command->add_option("folder", *folder, "folder of a run, sweep or study")
         ->required()
         ->type_name("FOLDER");
-    command->add_flag("--json", *json, "as JSON");
+    command->add_flag("--json", *json, "print as JSON");
     command->footer(
         "Exit code 1: a file is damaged or missing. An unfinished run is checked up to its last\n"
         "checkpoint.\n\n"
@@ -111,7 +111,7 @@ void add_file_commands(CLI::App& app, int& exit_code) {
     auto file = std::make_shared<std::string>();
     auto json = std::make_shared<bool>(false);
     command->add_option("file", *file, "result file")->required()->type_name("FILE");
-    command->add_flag("--json", *json, "as JSON");
+    command->add_flag("--json", *json, "print as JSON");
     command->footer(
         "Examples\n"
         "  adore show SOL1\n"
@@ -130,7 +130,7 @@ void add_file_commands(CLI::App& app, int& exit_code) {
     command_line::one_of(
         command->add_option("--to", *format, "table format")->required()->type_name("FORM"),
         {"csv", "json"});
-    command->add_option("--out", *out, "file or folder to write (standard output unless given)")
+    command->add_option("--out", *out, "file or folder to write (default: standard output)")
         ->type_name("FILE");
     command->footer(
         "Examples\n"

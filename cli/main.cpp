@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
         "  adore COMMAND --help             show options and examples of a command\n\n"
         "Exit codes: 0 success; 1 program error, failed reference case or damaged file; 2 wrong "
         "input;\n"
-        "3 the computation failed; 130 interrupted.");
+        "3 failed computation; 130 interrupted.");
     app->require_subcommand(1);
     int exit_code = 0;
     cli::add_run(*app, exit_code);

@@ -16,7 +16,7 @@ NoCommand ask_for_run() {
   tell("This folder has a deck (DATA.txt). To run it:\n  adore run\n");
   const std::optional<bool> answer = ask("Run it now?");
   if (answer) return *answer ? NoCommand::Run : NoCommand::Declined;
-  tell("adore: name a command\n");
+  tell("adore: the command is missing\n");
   return NoCommand::NotAsked;
 }
 

@@ -21,9 +21,9 @@ void add_progress(CLI::App& command, std::string& style) {
 }
 
 void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw) {
-  CLI::App* command = app.add_subcommand(
-      "plot",
-      "draw the pages of SOL1-SOL7, a quasi-static RUN.json, SWEEP.csv or ACCURACY.json as PNG");
+  CLI::App* command = app.add_subcommand("plot",
+                                         "draw the charts of SOL1-SOL7, SWEEP.csv, ACCURACY.json "
+                                         "or the RUN.json of a quasi-static run as PNG files");
   auto request = std::make_shared<PlotRequest>();
   auto time = std::make_shared<bool>(false);
   command
@@ -32,13 +32,13 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
       ->type_name("PATH");
   CLI::Option* lubricant = command
                                ->add_option("--lubricant", request->lubricant,
-                                            "instead of files: charts of the lubricant with this "
-                                            "kTrac (traction, viscosity, film, lambda)")
+                                            "draw charts of a lubricant (traction, viscosity, "
+                                            "film, lambda) instead of files; CODE is its kTrac")
                                ->type_name("CODE");
   CLI::Option* temperature =
       command
           ->add_option("--temperature", request->temperature,
-                       "lubricant and surface temperature [K] (350 unless given)")
+                       "temperature of lubricant and surfaces [K] (default: 350)")
           ->type_name("K")
           ->needs(lubricant);
   command_line::one_of(
@@ -51,7 +51,7 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
       ->type_name("DIR")
       ->default_str("here");
   CLI::Option* page =
-      command->add_option("--page", request->page, "page number (all unless given)");
+      command->add_option("--page", request->page, "page number (default: all pages)");
   command->add_option("--from", request->range.from, "first stored step, counted from 1")
       ->capture_default_str();
   CLI::Option* to =
@@ -80,7 +80,7 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
       "  adore plot --lubricant 4 --temperature 394 --out pictures");
   command->callback([=] {
     if ((lubricant->count() > 0) != request->files.empty())
-      throw InputError("give result files, or --lubricant with a code of kTrac");
+      throw InputError("give either result files or --lubricant with a kTrac code");
     if (lubricant->count() > 0) check_range("--lubricant", request->lubricant);
     if (temperature->count() > 0) check_range("--temperature", request->temperature);
     if (page->count() > 0) check_range("--page", request->page);
@@ -107,25 +107,26 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
       ->add_option("--beside", request->beside,
                    "additional views of the same frame, separated by commas")
       ->type_name("LIST");
-  command->add_option("--yaw", request->yaw, "viewing direction of the 3d view [deg from +X]")
+  command
+      ->add_option("--yaw", request->yaw, "viewing direction of the 3d view: angle from +X [deg]")
       ->capture_default_str()
       ->type_name("NUMBER");
   command
       ->add_option("--elevation", request->elevation,
-                   "viewing direction of the 3d view [deg above the bearing plane]")
+                   "viewing direction of the 3d view: angle above the bearing plane [deg]")
       ->capture_default_str()
       ->type_name("NUMBER");
   command_line::one_of(command
                            ->add_option("--race", request->race,
-                                        "race of the race view (default: inner) and of the flange "
-                                        "view (default: one with a flange)")
+                                        "race of the race view (default: inner) or of the flange "
+                                        "view (default: a race that has a flange)")
                            ->type_name("RACE"),
                        {"outer", "inner"});
   command
       ->add_option("--element", request->element, "element or pocket of the single-element views")
       ->capture_default_str();
   CLI::Option* frame = command->add_option("--frame", request->frame,
-                                           "frame number, counted from 1 (all unless given)");
+                                           "frame number, counted from 1 (default: all frames)");
   CLI::Option* every =
       command->add_option("--every", request->every, "every n-th frame")->capture_default_str();
   CLI::Option* movie = command
@@ -138,7 +139,7 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
   CLI::Option* slow = command
                           ->add_option("--slow", request->slow,
                                        "slow motion: simulated seconds per second of the movie, "
-                                       "e.g. 0.001 (one picture per stored frame unless given)")
+                                       "e.g. 0.001 (default: one picture for each stored frame)")
                           ->type_name("NUMBER")
                           ->needs(movie)
                           ->excludes(every);
@@ -147,7 +148,7 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
                            ->capture_default_str()
                            ->excludes(frame);
   CLI::Option* last =
-      command->add_option("--to", request->last, "last frame (end of the file unless given)")
+      command->add_option("--to", request->last, "last frame (default: last frame of the file)")
           ->excludes(frame);
   command->add_option("--out", request->out, "output folder")
       ->type_name("DIR")
@@ -158,13 +159,15 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
                        {"none", "load", "slip", "heat", "temperature"});
   command
       ->add_option("--scale", request->scale,
-                   "color scale: usual (95 % of the values of the run), run (largest of the run), "
-                   "moment (this frame), or limits such as 0:0.02 in the file's unit")
+                   "color scale: usual (covers 95 % of the values of the run), run (up to the "
+                   "largest value of the run), moment (range of this frame), or limits such as "
+                   "0:0.02 in the unit of the file")
       ->capture_default_str()
       ->type_name("SCALE");
-  command->add_flag("--contacts", request->contacts, "race load arrows on all elements");
+  command->add_flag("--contacts", request->contacts,
+                    "draw the race loads as arrows on all elements");
   command->add_flag("--trails", request->trails,
-                    "recent path of every element (0.8 of the spacing)");
+                    "draw the recent path of each element (length: 0.8 of the element spacing)");
   command->add_flag("--dark", request->dark, "dark theme");
   add_progress(*command, request->progress);
   command->footer(
@@ -191,7 +194,7 @@ void add_gallery(CLI::App& app, const std::function<void(const GalleryRequest&)>
   auto request = std::make_shared<GalleryRequest>();
   command
       ->add_option("runs", request->runs,
-                   "folders of runs (the example decks of all types are run unless given)")
+                   "folders of runs (default: run the example decks of all bearing types)")
       ->type_name("FOLDER");
   command->add_option("--out", request->out, "output folder")
       ->capture_default_str()

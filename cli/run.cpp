@@ -147,8 +147,9 @@ int run_to_accuracy(const RunOptions& options, facade::RunRequest& request,
       stated = state(as_run, outcome, target, watch);
       if (stated->numerical() > target && tighter < kMaxTightenings && !request.go_on) {
         ++tighter;
-        tell(fmt::format("numerical part {:.2g} %: the run is repeated with tighter settings\n",
-                         100.0 * stated->numerical()));
+        tell(fmt::format(
+            "the numerical error is {:.2g} %; the run is repeated with tighter settings\n",
+            100.0 * stated->numerical()));
         facade::tighten(chosen, request, outcome);
         request.overwrite = true;
         continue;
@@ -156,7 +157,7 @@ int run_to_accuracy(const RunOptions& options, facade::RunRequest& request,
       if (const double turns = stated->needed_turns(target);
           options.extend && turns > 0.0 && extended < kMaxExtensions) {
         ++extended;
-        tell(fmt::format("the mean values need about {}: the run continues\n",
+        tell(fmt::format("accurate mean values need a run of about {}; the run continues\n",
                          counted(fmt::format("{:.3g}", turns), "revolution")));
         request.until = given.until = fmt::format("{:.6g}rev", turns);
         request.go_on = true;
@@ -188,17 +189,17 @@ int run(const RunOptions& options, bool tolerance_given) {
   request.overwrite = options.overwrite;
   check_range("--threads", options.threads);
   if (options.extend && options.accuracy.empty())
-    throw InputError("--extend extends a run until --accuracy is reached; add --accuracy");
+    throw InputError("--extend needs a target error; add --accuracy");
   if (!options.accuracy.empty() && (options.go_on || !options.integrator.empty()))
-    throw InputError(fmt::format("--accuracy selects the integrator of a new run; leave out {}",
+    throw InputError(fmt::format("--accuracy selects the integrator of a new run; remove {}",
                                  options.go_on ? "--continue" : "--integrator"));
   const facade::ProgressSink sink = make_progress(options.quiet ? "none" : options.progress);
   InterruptWatch watch;
   if (facade::is_sweep(request)) {
     if (options.verify || !options.accuracy.empty())
       throw InputError(
-          "--verify and --accuracy need a single run, but this is a sweep; leave them out, or give "
-          "one value to --set");
+          "--verify and --accuracy need a single run, but this is a sweep; remove them, or give "
+          "--set a single value");
     const facade::SweepOutcome sweep = run_asking(
         request, [&] { return facade::run_sweep(request, options.threads, sink, watch.token()); });
     print_warnings(sweep.warnings);
@@ -216,8 +217,8 @@ int run(const RunOptions& options, bool tolerance_given) {
   }
   if (options.threads > 0)
     tell(
-        "adore: note: --threads has no effect: a single run uses one core; a sweep (--set "
-        "variable=first:last:count) uses more\n");
+        "adore: note: --threads has no effect: a single run uses one core; only a sweep (--set "
+        "variable=first:last:count) uses several cores\n");
   if (!options.accuracy.empty()) return run_to_accuracy(options, request, sink, watch);
   const facade::RunOutcome outcome =
       run_asking(request, [&] { return facade::run(request, sink, watch.token()); });
@@ -238,14 +239,12 @@ void add_run(CLI::App& app, int& exit_code) {
       "run", "simulate a deck: PRINT.txt, FINAL, MASTER, SOL1-SOL8, RUN.json, RESULTS.h5");
   auto options = std::make_shared<RunOptions>();
   options->add_to(*command);
-  command
-      ->add_option("--out", options->out,
-                   "folder of the output files (that of the deck unless given)")
+  command->add_option("--out", options->out, "output folder (default: the folder of the deck)")
       ->type_name("DIR");
   command
-      ->add_option(
-          "--until", options->until,
-          "simulated length: 5rev, 0.02s or a dimensionless time; replaces fTime and maxStps")
+      ->add_option("--until", options->until,
+                   "simulated length: revolutions (5rev), time (0.02s) or dimensionless time "
+                   "(1000); replaces fTime and maxStps")
       ->type_name("END");
   command_line::offer(
       command
@@ -260,19 +259,19 @@ void add_run(CLI::App& app, int& exit_code) {
       command->add_option("--tol", options->tolerance, "local error tolerance; replaces tol");
   command
       ->add_option("--accuracy", options->accuracy,
-                   "target error, e.g. 1%: a short study selects integrator, tolerance, longest "
-                   "step and the nodes or slices of contacts so that errors in speed, load, heat "
-                   "and life stay below it; the run reports confidence intervals")
+                   "target error of speed, load, heat and life, e.g. 1%. A short study selects "
+                   "integrator, tolerance, longest step and the nodes or slices of contacts. The "
+                   "run reports confidence intervals")
       ->type_name("PERCENT")
       ->excludes(tolerance);
   command->add_flag("--verify", options->verify,
-                    "repeat the run with tighter settings and with loads changed by 1e-6; report "
-                    "differences and confidence intervals (RUN.json, PRINT.txt)");
-  command->add_flag(
-      "--extend", options->extend,
-      "with --accuracy: extend the run beyond --until until the mean values are accurate");
+                    "repeat the run with tighter settings and with a relative load change of 1e-6; "
+                    "write differences and confidence intervals to RUN.json and PRINT.txt");
+  command->add_flag("--extend", options->extend,
+                    "with --accuracy: continue the run beyond the end given by --until if its mean "
+                    "values are not accurate enough");
   command->add_option("--threads", options->threads,
-                      "number of parallel runs in a sweep (all cores unless given)");
+                      "number of parallel runs in a sweep (default: all cores)");
   command_line::one_of(
       command->add_option("--progress", options->progress, "progress display on stderr")
           ->capture_default_str()
@@ -284,11 +283,11 @@ void add_run(CLI::App& app, int& exit_code) {
   command
       ->add_flag("--continue", options->go_on,
                  "continue the run in the output folder (interrupted, killed or complete); in a "
-                 "sweep, run missing and failed values")
+                 "sweep: run the missing and failed values")
       ->excludes(overwrite);
-  command->add_flag(
-      "--reproducible", options->reproducible,
-      "bit-identical results on all x86-64 processors; no AVX, two to three times slower");
+  command->add_flag("--reproducible", options->reproducible,
+                    "give bit-identical results on all x86-64 processors (without AVX: two to "
+                    "three times slower)");
   command->add_flag("--json", options->json, "print the summary as JSON");
   command->add_flag("--quiet", options->quiet, "print neither progress nor summary");
   command->add_flag("--list-options", options->list_options,

@@ -33,7 +33,7 @@ std::string picture_lines(const facade::RunOutcome& outcome) {
   if (plots.empty() && animation.empty()) return {};
   const std::string out = quoted_path(outcome.folder / "pictures");
   if (!has_pictures())
-    return fmt::format("numbers:   adore convert{} --to csv (this build draws no pictures)\n",
+    return fmt::format("numbers:   adore convert{} --to csv (this build cannot draw pictures)\n",
                        plots.empty() ? animation : plots.substr(0, plots.find(' ', 1)));
   std::string text;
   if (!plots.empty()) text += fmt::format("pictures:  adore plot{} --out {}\n", plots, out);
@@ -100,10 +100,11 @@ std::string summary_text(const facade::RunOutcome& outcome, const std::string& c
                         counted(fmt::format("{:.4g}", outcome.revolutions), "revolution"),
                         outcome.time, duration_text(outcome.seconds));
   if (outcome.missed_end > 0.0)
-    text += fmt::format("ended by maxStps, before fTime ({:.6g} s)\n", outcome.missed_end);
+    text += fmt::format("maxStps ended the run before fTime = {:.6g} s\n", outcome.missed_end);
   if (outcome.energy_scale > 0.0)
-    text += fmt::format("energy residual {:.3g} J ({:.2g} of {:.3g} J)\n", outcome.energy_residual,
-                        outcome.energy_residual / outcome.energy_scale, outcome.energy_scale);
+    text += fmt::format("energy residual {:.3g} J (ratio {:.2g} to the {:.3g} J exchanged)\n",
+                        outcome.energy_residual, outcome.energy_residual / outcome.energy_scale,
+                        outcome.energy_scale);
   text += run_life_text(outcome);
   for (const std::filesystem::path& file : outcome.files) text += "  " + file.string() + "\n";
   text += picture_lines(outcome);

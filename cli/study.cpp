@@ -193,7 +193,7 @@ void add_engine(CLI::App& command, StudyOptions& options) {
                            ->type_name("ENGINE"),
                        {"local", "slurm"});
   command.add_option("--workers", options.workers,
-                     "number of parallel runs (limited by cores and memory unless given)");
+                     "number of parallel runs (default: as many as cores and memory allow)");
 }
 
 void add_run_like(CLI::App& study, const char* name, const char* text, bool resume,
@@ -234,13 +234,14 @@ void add_work(CLI::App& study, int& exit_code) {
 }  // namespace
 
 void add_study(CLI::App& app, int& exit_code) {
-  CLI::App* study = app.add_subcommand(
-      "study",
-      "run many cases: sweeps, tolerances, cage maps, sensitivities, worst cases, what-if");
+  CLI::App* study = app.add_subcommand("study",
+                                       "run studies with many cases: sweeps, tolerances, cage "
+                                       "maps, sensitivities, worst cases, what-if");
   study->require_subcommand(1);
   study->footer(
-      "A study file is JSON, or TOML when its name ends in .toml. Results are in the folder\n"
-      "NAME.study next to it: RUNS.csv, STUDY.h5, REPORT.txt and pictures.\n\n"
+      "A study file contains JSON, or TOML if its name ends in .toml. The results are\n"
+      "in the folder NAME.study next to the study file: RUNS.csv, STUDY.h5, REPORT.txt\n"
+      "and pictures.\n\n"
       "Examples\n"
       "  adore new ball --out DATA.txt\n"
       "  adore study new sweep --out sweep.json\n"
@@ -257,12 +258,12 @@ void add_study(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   make->callback([=, &exit_code] { exit_code = new_study(*options); });
 
-  CLI::App* look = study->add_subcommand(
-      "plan",
-      "estimate number of runs, computing time and disk space from a few pilot runs (kept)");
+  CLI::App* look = study->add_subcommand("plan",
+                                         "estimate number of runs, computing time and disk space "
+                                         "from a few pilot runs, whose results are kept");
   add_file(*look, *options);
   add_engine(*look, *options);
-  look->add_flag("--json", options->json, "as JSON");
+  look->add_flag("--json", options->json, "print as JSON");
   look->callback([=, &exit_code] { exit_code = plan(*options); });
 
   add_run_like(*study, "run", "run all cases that have no result yet, then write tables and report",
@@ -271,7 +272,7 @@ void add_study(CLI::App& app, int& exit_code) {
 
   CLI::App* state = study->add_subcommand("status", "show progress and failed runs");
   add_file(*state, *options);
-  state->add_flag("--json", options->json, "as JSON");
+  state->add_flag("--json", options->json, "print as JSON");
   state->callback([=, &exit_code] { exit_code = status(*options); });
 
   CLI::App* report =

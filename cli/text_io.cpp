@@ -18,8 +18,8 @@ std::string read_standard_input(std::size_t most) {
          std::cin.gcount() > 0) {
     text.append(block, 0, static_cast<std::size_t>(std::cin.gcount()));
     if (text.size() > most)
-      throw InputError(
-          fmt::format("standard input holds more than {} MiB; give the file by name", most >> 20));
+      throw InputError(fmt::format(
+          "standard input contains more than {} MiB; give the name of a file instead", most >> 20));
   }
   return text;
 }

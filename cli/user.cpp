@@ -84,7 +84,7 @@ struct NeededByDeck {
 };
 NeededByDeck needed_by(int hook) {
   constexpr std::array<NeededByDeck, 10> kNeeded{
-      {{"--set kReMat=2, or another part's material", ""},
+      {{"--set kReMat=2, or with the material of another part", ""},
        {"", "0.0, 1.0e-3, 10000.0, 12000.0\n1.0e-6, 500.0"},
        {"", "1.0e-6"},
        {"", "1.0e-6"},
@@ -100,11 +100,11 @@ NeededByDeck needed_by(int hook) {
 void print_deck_requirements(int hook, bool python) {
   const NeededByDeck needed = needed_by(hook);
   if (!needed.options.empty())
-    tell(fmt::format("enable it in the deck, e.g. with {}\n", needed.options));
+    tell(fmt::format("enable the routine in the deck, e.g. with {}\n", needed.options));
   if (!needed.lines.empty() && !python)
     tell(
-        fmt::format("it reads values at the end of DATA.txt (record 12), explained in its first "
-                    "lines, e.g.\n{}\n",
+        fmt::format("the routine reads values from the end of DATA.txt (record 12); the first "
+                    "lines of the routine explain them. Example:\n{}\n",
                     needed.lines));
 }
 
@@ -137,10 +137,9 @@ void new_routine(const UserOptions& options) {
   const fs::path folder(options.out);
   for (const auto& [file, text] : files)
     if (std::error_code error; fs::exists(fs::symlink_status(folder / file, error)))
-      throw InputError(
-          fmt::format("{} exists already; give another folder with --out, or remove "
-                      "it first",
-                      (folder / file).string()));
+      throw InputError(fmt::format(
+          "{} exists already; give another folder with --out, or remove this file first",
+          (folder / file).string()));
   (void)make_folders(folder);
   for (const auto& [file, text] : files) {
     const std::string path = (folder / file).string();
@@ -151,8 +150,9 @@ void new_routine(const UserOptions& options) {
     tell(fmt::format("run it with\n  python3 {} DATA.txt OUT\n",
                      (folder / (name + ".py")).string()));
   else
-    tell(fmt::format("build it with make, run it with\n  adore run DATA.txt --user {}\n",
-                     (folder / fmt::format("lib{}.so", name)).string()));
+    tell(fmt::format(
+        "build the routine with make, then run it with\n  adore run DATA.txt --user {}\n",
+        (folder / fmt::format("lib{}.so", name)).string()));
   print_deck_requirements(hook, python);
 }
 
@@ -160,16 +160,18 @@ void new_routine(const UserOptions& options) {
 
 void add_user(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
-      "user", "write an example of a user routine, ADRX0 to ADRX9 (for `adore run --user`)");
+      "user", "write an example of a user routine (ADRX0 to ADRX9) for `adore run --user`");
   command->require_subcommand(1);
   CLI::App* make = command->add_subcommand("new", "write a complete example with its makefile");
   auto options = std::make_shared<UserOptions>();
-  make->add_option("hook", options->hook, "adrx0 to adrx9")->required()->type_name("HOOK");
+  make->add_option("hook", options->hook, "user routine: adrx0 to adrx9")
+      ->required()
+      ->type_name("HOOK");
   command_line::one_of(make->add_option("--lang", options->lang, "language of the example")
                            ->capture_default_str()
                            ->type_name("LANG"),
                        {"c", "cpp", "fortran", "python"});
-  make->add_option("--out", options->out, "output folder (current folder unless given)")
+  make->add_option("--out", options->out, "output folder (default: current folder)")
       ->type_name("DIR");
   make->callback([=, &exit_code] {
     new_routine(*options);

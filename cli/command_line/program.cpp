@@ -54,7 +54,7 @@ std::unique_ptr<CLI::App> make_program(const std::string& text, const std::strin
         print(stdout, manual_page(describe(*app), std::string(kProgramVersion)));
         throw CLI::Success();
       },
-      "print the manual page: `" + name + " --man | man -l -`");
+      "print the manual page; read it with `" + name + " --man | man -l -`");
   one_of(program
              ->add_option_function<std::string>(
                  "--completion",

@@ -61,9 +61,9 @@ std::string unknown_command(const CLI::App& program, const std::vector<std::stri
     if (!word.empty() && word[0] != '-')
       return fmt::format("there is no command \"{}\"{}", word, did_you_mean(word, names));
   if (!arguments.empty())
-    return fmt::format("there is no option {} before a command{}", arguments.front(),
+    return fmt::format("option {} is not valid before a command{}", arguments.front(),
                        did_you_mean(arguments.front(), option_names(describe(program))));
-  return "name a command";
+  return "the command is missing";
 }
 
 std::string surplus(const CLI::App& app, const CommandText& command, const std::string& path) {
@@ -85,7 +85,7 @@ std::string surplus(const CLI::App& app, const CommandText& command, const std::
     for (const std::string& one : words)
       if (one.find('=') != std::string::npos)
         return fmt::format(
-            "\"{}\" has no option before it; write --set (or --opt) before every name=value", one);
+            "\"{}\" has no option before it; write --set (or --opt) before each name=value", one);
   }
   std::string takes;
   for (const OptionText& option : command.options)

@@ -43,8 +43,8 @@ void plot_lubricant(const PlotRequest& request) {
     desktop::save_page(scene, files.back(), {kWidth, kHeight});
   }
   if (files.empty())
-    throw InputError(fmt::format("--page {}: the charts of a lubricant are 1 to {}", request.page,
-                                 pages.size()));
+    throw InputError(
+        fmt::format("--page {}: a lubricant has charts 1 to {}", request.page, pages.size()));
   print_files(files);
 }
 

@@ -176,7 +176,7 @@ void draw_run(Gallery& gallery, const fs::path& run) {
   if (!any)
     throw InputError(
         run.string() +
-        " contains nothing to draw; give folders of runs, or none for the example decks");
+        " contains nothing to draw; give folders of runs, or no folder for the example decks");
 }
 
 }  // namespace
@@ -227,7 +227,7 @@ void draw_gallery(const GalleryRequest& request) {
     if (std::getline(old, first) && first != "# Gallery")
       throw InputError(
           page.path().string() +
-          " exists and is not the index of a gallery; move it, or name another folder");
+          " exists and is not the index of a gallery; move it, or give another folder");
   }
   write_file_atomically(page, index);
 }

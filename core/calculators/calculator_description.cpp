@@ -84,7 +84,7 @@ std::string presence_text(const SchemaKind& kind, const SchemaInput& input) {
   else
     out = "optional";
   if (!input.only_if.empty()) out += " if " + condition_text(input.only_if);
-  if (!input.needs.empty()) out += fmt::format(", with {}", fmt::join(input.needs, ", "));
+  if (!input.needs.empty()) out += fmt::format(", together with {}", fmt::join(input.needs, ", "));
   return out;
 }
 
@@ -121,7 +121,7 @@ std::string kind_markdown(const CalculatorInfo& info, const SchemaFamily& family
                           const SchemaKind& kind, bool titled) {
   std::string out;
   if (titled) out += fmt::format("### {}: {}\n\n", info.name, kind.name);
-  out += "| input | value | given | meaning |\n|---|---|---|---|\n";
+  out += "| input | value | required | meaning |\n|---|---|---|---|\n";
   for (const SchemaInput& input : kind.inputs)
     out += fmt::format("| `{}` | {} | {} | {} |\n", input.name, cell(allowed_text(input)),
                        cell(presence_text(kind, input)), cell(input.meaning));
@@ -197,10 +197,9 @@ std::string calculators_markdown() {
       "# Calculators\n\n"
       "`adore calc NAME FILE` reads one JSON object of inputs and prints the results with their "
       "units. A calculator with several kinds of calculation selects the kind by the inputs, or "
-      "reads `{\"kind\": ..., \"inputs\": {...}}`. Codes are read in any case. An unknown or "
-      "unused "
-      "input, a missing one, and a value outside its range are errors. A label describes the case "
-      "and does not act.\n\n"
+      "reads `{\"kind\": ..., \"inputs\": {...}}`. Codes are not case-sensitive. Unknown, unused "
+      "and missing inputs and values outside their range are errors. A label describes the case "
+      "and has no effect.\n\n"
       "This page is the output of `adore calc --list --markdown`.\n\n";
   for (const CalculatorInfo& info : calculator_list()) {
     out += fmt::format("## {}\n\n{}\n\n", info.name, info.help);

@@ -128,7 +128,7 @@ class InputCheck {
         report(place, item, "there is no such input", suggest(key, names, "inputs"));
       } else if (const SchemaInput* other = find_input(family_.inputs, prefix + key);
                  !(item.is_null() && other != nullptr && other->null_meaning)) {
-        report(place, item, fmt::format("{} does not use it", kind_.name), "leave it out");
+        report(place, item, fmt::format("not used by {}", kind_.name), "remove it");
       }
     }
   }
@@ -159,7 +159,7 @@ class InputCheck {
     }
     if (!value.is_null() && !holds(input->only_if, inputs_, kind_.inputs) && decided(*input))
       return report(shown, value, fmt::format("only used when {}", condition_text(input->only_if)),
-                    "leave it out");
+                    "remove it");
     if (const std::string problem = accept(*input, value); !problem.empty())
       report(shown, value, problem, remedy(*input, value));
   }
@@ -176,7 +176,9 @@ class InputCheck {
           value = code;
           return "";
         }
-      return number_type ? "a text" : input.codes.empty() ? "wrong type" : "not one of the codes";
+      return number_type           ? "not a number"
+             : input.codes.empty() ? "wrong type"
+                                   : "not one of the codes";
     }
     if (value.is_boolean()) return input.type == "true or false" ? "" : "wrong type";
     if (!value.is_number() || (!number_type && input.type != "name")) return "wrong type";
@@ -249,14 +251,16 @@ class InputCheck {
                fmt::format("give one of {}", fmt::join(group, ", ")));
       else
         report(found.back(), *find_value(inputs_, found.back()),
-               fmt::format("given together with {}", found.front()), "give only one of them");
+               fmt::format("cannot be given together with {}", found.front()),
+               "remove one of them");
     }
   }
 
   void check_together(const SchemaInput& input) {
     if (!given_.contains(input.name)) return;
     for (const std::string& other : input.needs)
-      if (!given_.contains(other)) missing(other, fmt::format(" next to {}", input.name));
+      if (!given_.contains(other))
+        missing(other, fmt::format(" (required together with {})", input.name));
     if (input.length.is_null() || !input.name.ends_with("[]")) return;
     const Json* list = find_value(inputs_, input.name);
     if (list == nullptr || !list->is_array()) return;
@@ -400,8 +404,8 @@ std::string take_kind(Json& the_case, const std::vector<const SchemaKind*>& kind
   const auto own = inputs.find("kind");
   if (const auto kind = the_case.find("kind"); kind != the_case.end()) {
     if (!kind->is_string())
-      throw InputError(
-          fmt::format("kind {} is not a string; give the name of a kind", dump_json(*kind)));
+      throw InputError(fmt::format(
+          "kind = {}: not a string; give the name of a kind of calculation", dump_json(*kind)));
     if (own != inputs.end() && *own == *kind && find_input(family.inputs, "kind") == nullptr)
       inputs.erase("kind");
     return kind->get<std::string>();

@@ -15,91 +15,97 @@ namespace adore::calculators {
 const std::vector<CalculatorInfo>& calculator_list() {
   static const std::vector<CalculatorInfo> table = {
       {"hertz", "A_hertz_point", "hertz_point",
-       "elliptical Hertz contact: sizes, pressure, approach, subsurface stresses"},
+       "elliptical Hertz contact: half axes, pressure, approach, subsurface stresses"},
       {"line-contact", "B_line_contact", "line_contact",
-       "line contact: half width, pressure, subsurface stresses, four printed approaches"},
+       "line contact: half width, pressure, subsurface stresses, approach by published formulas"},
       {"sliced-line", "B_line_contact", "sliced_roller",
-       "load and moment of a sliced roller over approach and tilt"},
+       "load and moment of a sliced roller for given approach and tilt"},
       {"slice-penetration", "rollers_slices", "slice_penetration",
-       "roller profile and slices against a race in three dimensions"},
+       "penetration of the slices of a roller into a race in three dimensions"},
       {"slice-load", "rollers_slices", "slice_load",
-       "loads of roller slices, power or half-space law, land limits"},
+       "loads of roller slices by a power law or the half-space law, within the raceway width"},
       {"slice-traction", "rollers_slices", "slice_traction",
        "slip, traction, force, moment and heat of a sliced roller on a race"},
       {"race-errors", "rollers_slices", "race_errors",
-       "out-of-round, land offset, taper and curvature factor of a race over azimuth"},
+       "form errors of a race along the azimuth: radius, land offset, taper, curvature factor"},
       {"roller-flange", "rollers_flange", "sphere_end",
-       "gap, position, mode and load of a roller end at a flange, domed or flat"},
+       "gap, contact position, contact mode and load of a domed or flat roller end at a flange"},
       {"roller-corner", "rollers_flange", "corner_geometry",
-       "corner torus between the side and the end of a roller"},
+       "torus of the rounded corner between the side and the end of a roller"},
       {"flange-placing", "rollers_flange", "end_play",
-       "flange roots of a cylindrical race for a total end play"},
+       "flange root positions of a cylindrical race for a given total end play"},
       {"flange-load", "rollers_flange", "flange_load",
        "load, slip, friction and heat of a roller end on a flange"},
       {"roller-inertia", "rollers_inertia", "",
-       "mass, mass center and moments of a roller with crown, domes and corners"},
+       "mass, mass center and moments of inertia of a roller with crown, domed ends and corners"},
       {"tapered-geometry", "rollers_tapered", "tapered_geometry",
-       "tapered bearing from roller diameter and the two cone angles"},
+       "geometry of a tapered bearing from the roller diameter and the two raceway angles"},
       {"tapered-speeds", "rollers_tapered", "tapered_speeds",
        "pure-rolling speeds and gyroscopic moment of a tapered roller"},
       {"rib-loads", "rollers_tapered", "rib_static",
-       "tapered bearing under thrust: race and rib loads, rib contact"},
+       "race loads, rib load and rib contact of a tapered bearing under thrust"},
       {"grooved-tapered", "rollers_tapered", "grooved_tapered",
        "groove circles of a spherical tapered roller bearing"},
       {"spherical-row", "rollers_tapered", "grooved_spherical",
        "groove circles of a row of spherical rollers"},
       {"ball-statics", "C_ball_bearing", "ball_equilibrium",
-       "ball bearing under load and speed: loads, angles, stiffness"},
-      {"kinematics", "E_kinematics", "kinematics", "cage and ball speeds, defect frequencies"},
+       "ball loads, contact angles and stiffness of a ball bearing under load and speed"},
+      {"kinematics", "E_kinematics", "kinematics", "cage speed, ball speed and defect frequencies"},
       {"traction", "lubricant_traction", "",
-       "traction over slip, film and lambda of a lubricant by its code in a point contact"},
+       "traction, film thickness and lambda of a lubricant (code kTrac) in a point contact"},
       {"traction-curve", "tribology_hypotheticalTraction", "",
-       "traction coefficient over slip, four prescriptions"},
+       "traction coefficient versus slip, four types of curve"},
       {"ellipse-traction", "dynamics_contact_traction", "",
        "traction, moment and heat of one contact ellipse"},
       {"hertz-traction", "tribology_hertzTraction", "",
-       "traction over an ellipse with slip and spin"},
+       "traction force, moment and heat of a contact ellipse with slip and spin"},
       {"viscosity", "tribology_viscosity", "",
-       "viscosity over pressure and temperature, of a lubricant by its code or of a law"},
+       "viscosity at pressure and temperature, for a lubricant code or a viscosity law"},
       {"film", "tribology_film", "", "isothermal film thickness of point and line contacts"},
       {"film-heating", "tribology_thermalFactor", "",
-       "thinning of a film by shear heating in its inlet"},
+       "reduction of the film thickness by shear heating in the inlet"},
       {"film-starvation", "tribology_starvation", "",
-       "thinning of a film by a meniscus near the contact"},
+       "reduction of the film thickness by starvation (meniscus near the contact)"},
       {"heated-film", "tribology_newtonFilm", "",
-       "shear stress and heat of a Newtonian film heated by its own shear"},
+       "shear stress and heat of a Newtonian film with shear heating"},
       {"shear-thinning-film", "tribology_shearThinningFilm", "",
-       "shear stress of a Carreau-Yasuda film, isothermal and heated by its own shear"},
+       "shear stress of a Carreau-Yasuda film, isothermal and with shear heating"},
       {"visco-elastic-film", "tribology_viscoelasticStrip", "",
-       "traction coefficient of a visco-elastic film along one strip of a contact"},
+       "traction coefficient of a viscoelastic film along one strip of a contact"},
       {"flash-temperature", "tribology_flashStrip", "",
-       "temperatures of both surfaces along one strip of a sheared film"},
+       "surface temperatures of both bodies along one strip of a sheared film"},
       {"journal-film", "tribology_journalBearing", "",
-       "force and torque of a cage on its guide land as a short journal bearing"},
-      {"pocket-film", "tribology_pocketFilm", "", "wedge and squeeze film in a cage pocket"},
+       "force and torque of a cage on its guide land (short journal bearing)"},
+      {"pocket-film", "tribology_pocketFilm", "",
+       "forces of the wedge film and the squeeze film in a cage pocket"},
       {"churning", "tribology_churning", "",
-       "drag and torque of elements, rings and discs in a medium"},
+       "churning drag and torque of rolling elements, rings and discs in a medium"},
       {"pocket-frame", "cage_pockets", "pocket_frame", "center and axes of a cage pocket"},
       {"ball-pocket", "cage_pockets", "ball_pocket",
        "gap, contact point and angles of a ball in its pocket"},
       {"pocket-law", "cage_pockets", "pocket_contact_law",
-       "load and energy of the capped Hertz law"},
+       "contact load and stiffness of a ball in its pocket (Hertz law, linear at large "
+       "penetration)"},
       {"land-law", "cage_lands", "land_law_circular",
-       "load of a cage guide land over its eccentricity"},
-      {"land-gap", "cage_lands", "land_gap", "gap of a guide land for a cage pose"},
+       "load of a cage guide land for given eccentricities"},
+      {"land-gap", "cage_lands", "land_gap",
+       "gap of a guide land for a given cage position and orientation"},
       {"cage-inertia", "cage_inertia", "cage_inertia",
        "mass and moments of inertia of a cage with pockets"},
-      {"fits", "thermal_lame", "lame_fit", "pressure, growths and stresses of an interference fit"},
-      {"growth", "thermal_growth", "", "centrifugal or thermal growth of a ring"},
+      {"fits", "thermal_lame", "lame_fit",
+       "pressure, diameter changes and stresses of an interference fit"},
+      {"growth", "thermal_growth", "", "diameter changes of a ring by rotation or temperature"},
       {"clearance", "thermal_clearance", "",
-       "operating fits, clearance and contact angle of a mounted bearing, or of a split race"},
+       "operating fits, clearance and contact angle of a mounted bearing, also with a split race"},
       {"material", "thermal_props", "material_property",
-       "one material of the table: every property with unit and provenance, at T [K] if given"},
-      {"fluid", "thermal_props", "fluid_property", "a coolant or churning medium at T [K]"},
+       "properties of a material with unit and provenance, at the temperature T [K] if given"},
+      {"fluid", "thermal_props", "fluid_property",
+       "properties of a coolant or churning medium at the temperature T [K]"},
       {"thermal-network", "thermal_network", "",
-       "steady temperatures of shaft, races, elements, cage, housing and coolant; convection"},
+       "steady temperatures of shaft, races, elements, cage, housing, coolant; convection "
+       "coefficients"},
       {"thermal-steps", "thermal_steps", "",
-       "heat averaged over thermal steps, and whether their temperatures settle"},
+       "heat averaged over thermal steps; convergence of the step temperatures"},
       {"units", "thermal_units", "", "conversion of values between the SI and English systems"},
       {"load-capacity", "life_lp_capacity", "",
        "Lundberg-Palmgren load capacity of ball and roller races"},
@@ -107,10 +113,11 @@ const std::vector<CalculatorInfo>& calculator_list() {
        "life of races, rolling elements and bearing from contact loads, with the selected life "
        "model"},
       {"life-factors", "life_factors", "", "STLE and Tallian-type life factors"},
-      {"life-statistics", "life_race_bearing", "", "race lives, product law, survival probability"},
+      {"life-statistics", "life_race_bearing", "",
+       "bearing life from race lives (product law), life at a survival probability"},
       {"life-sum", "life_accumulation", "", "Palmgren-Miner life of a load history"},
       {"iso281", "life_iso281", "",
-       "ISO 281 and ISO 76 ratings, equivalent load, a_ISO, contamination, a_1, C_u"},
+       "ISO 281 and ISO 76: ratings, equivalent load, a_1, a_ISO, contamination factor, C_u"},
       {"iso16281", "life_iso16281", "", "ISO 16281 reference life from contact or lamina loads"},
       {"rigid-body", "motion_frames", "rigid_body", "accelerations of a rigid body"},
   };
@@ -120,7 +127,7 @@ const std::vector<CalculatorInfo>& calculator_list() {
 namespace {
 
 std::string see_description(std::string_view name) {
-  return fmt::format("`adore calc {} --describe` lists its inputs, with an example", name);
+  return fmt::format("`adore calc {} --describe` lists the inputs and shows an example", name);
 }
 
 /// The name in single or double quotes within a text; empty when there is none.
@@ -162,11 +169,11 @@ nlohmann::json calculate(std::string_view name, const nlohmann::json& input,
   adapters.insert(adapters.end(), more.begin(), more.end());
   std::erase_if(adapters, [&](const Adapter& a) { return a.family != family; });
   if (adapters.empty())
-    throw InputError(
-        fmt::format("there is no calculator named \"{}\"; `adore calc --list` shows them", name));
+    throw InputError(fmt::format(
+        "there is no calculator named \"{}\"; `adore calc --list` lists all calculators", name));
 
   if (!input.is_object())
-    throw InputError(fmt::format("calculator {} takes one JSON object of inputs", name));
+    throw InputError(fmt::format("calculator {}: the input must be one JSON object", name));
   nlohmann::json the_case = input.contains("inputs") ? input : nlohmann::json{{"inputs", input}};
   if (!the_case.at("inputs").is_object())
     throw InputError(fmt::format("calculator {}: \"inputs\" must be one JSON object", name));
@@ -188,13 +195,14 @@ nlohmann::json calculate(std::string_view name, const nlohmann::json& input,
     for (const CalculatorInfo& info : table)
       if (info.family == family) members += (members.empty() ? "" : ", ") + std::string(info.name);
     throw InputError(
-        fmt::format("{} is a family of reference cases, and without \"kind\" none of its kinds "
-                    "accepts these inputs; its calculators by name: {}",
+        fmt::format("{} is a family of reference cases, and these inputs fit none of its kinds of "
+                    "calculation; add \"kind\", or use one of its calculators: {}",
                     name, members.empty() ? "none" : members));
   }
   if (!result)
     throw InputError(
-        fmt::format("calculator {} cannot use these inputs; {}", name, see_description(name)));
+        fmt::format("calculator {}: these inputs fit none of its kinds of calculation; {}", name,
+                    see_description(name)));
   check_results(family, name, *result);
   nlohmann::json units = result_units(family, *result);
   if (result->is_object() && !result->contains("units")) (*result)["units"] = std::move(units);

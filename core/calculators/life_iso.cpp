@@ -79,10 +79,11 @@ std::optional<Json> equivalent_case(const Json& in) {
   IsoGeometry g = iso_geometry(in);
   constexpr double kTableFrom = 20.0 * kDegree;  // below, e and Y follow from f0 Fa/C0
   require(g.type != IsoType::RadialBall || g.contact_angle >= kTableFrom - 1e-9 || g.count > 0,
-          "Dw, Dpw and Z are missing: below a contact angle of 20 degrees the factors of a ball "
-          "bearing depend on its static rating. Enter all three");
+          "Dw, Dpw and Z are missing. A ball bearing with a contact angle below 20 degrees needs "
+          "them for the factors X and Y. Enter all three");
   const auto load = life::iso_equivalent_load(g, get(in, "Fr"), get(in, "Fa"));
-  require(load.has_value(), "Fr: a thrust bearing carries no radial load. Enter 0");
+  require(load.has_value(),
+          "Fr must be 0: this type of thrust bearing cannot support a radial load. Enter Fr = 0");
   Json out{{"P", load->P}, {"X", load->X}, {"Y", load->Y}, {"e", load->e}};
   add_applied_factors(out, get(in, "Fr"), get(in, "Fa"));
   // The rows of 5 and 10 degrees are not held (iso281.hpp).

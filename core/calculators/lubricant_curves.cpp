@@ -37,14 +37,16 @@ void check(const LubricantContact& c) {
                                                      {"pressure", c.pressure}};
   for (const auto& [name, value] : positive)
     if (!(value > 0.0) || !std::isfinite(value))
-      throw InputError(fmt::format("{} is {:g}; give a number above 0", name, value));
+      throw InputError(
+          fmt::format("{} = {:g}: must be above 0. Enter a larger number", name, value));
   const std::pair<const char*, double> not_negative[] = {{"speed", c.speed},
                                                          {"roughness", c.roughness},
                                                          {"criticalFilm", c.critical_film},
                                                          {"meniscus", c.meniscus}};
   for (const auto& [name, value] : not_negative)
     if (!(value >= 0.0) || !std::isfinite(value))
-      throw InputError(fmt::format("{} is {:g}; give 0 or more", name, value));
+      throw InputError(
+          fmt::format("{} = {:g}: must not be negative. Enter 0 or more", name, value));
   if (c.user) {
     const std::pair<const char*, double> users[] = {{"refTemp", c.user->T0},
                                                     {"refVis", c.user->viscosity},
@@ -52,14 +54,14 @@ void check(const LubricantContact& c) {
                                                     {"refTracVis", c.user->traction_viscosity}};
     for (const auto& [name, value] : users)
       if (!(value > 0.0) || !std::isfinite(value))
-        throw InputError(
-            fmt::format("{} of the lubricant is {:g}; give a number above 0", name, value));
+        throw InputError(fmt::format(
+            "{} of the lubricant = {:g}: must be above 0. Enter a larger number", name, value));
   }
   if (c.radius > c.across)
-    throw InputError(fmt::format(
-        "radius is {:g} m and across {:g} m; rolling goes along the shorter axis of the contact: "
-        "give the smaller radius as radius",
-        c.radius, c.across));
+    throw InputError(
+        fmt::format("radius = {:g} m, across = {:g} m: radius (along rolling) must not exceed "
+                    "across. Exchange the two values",
+                    c.radius, c.across));
   if (c.metal.size() != 4)
     throw InputError("metal must have four values: the traction coefficients of record 10.1C");
 }
@@ -185,7 +187,7 @@ void add_laws(const LubricantContact& contact, const std::vector<double>& slips,
   out.laws = {fmt::format("Traction laws of {}", oil.name),
               "Slip",
               "m/s",
-              fmt::format("Traction coefficient by law, {:g} GPa", 1e-9 * contact.pressure),
+              fmt::format("Traction coefficient of each law, {:g} GPa", 1e-9 * contact.pressure),
               "",
               true,
               false,
@@ -232,12 +234,19 @@ LubricantCurves lubricant_curves(const LubricantContact& contact) {
     out.beyond_range =
         tribology::beyond_range(tribology::pressure_range(contact.code), kLargestPressure);
   out.conditions = fmt::format(
-      "{:.0f} K; R {:.3g} mm along, {:.3g} mm across rolling; {:.2g} GPa and {:g} m/s where not "
-      "varied; roughness {:.2g} µm",
+      "{:.0f} K; radius {:.3g} mm along and {:.3g} mm across rolling; {:.2g} GPa and {:g} m/s "
+      "unless varied; roughness {:.2g} µm",
       contact.temperature, 1e3 * contact.radius, 1e3 * contact.across, 1e-9 * contact.pressure,
       contact.speed, 1e6 * contact.roughness);
 
-  out.traction = {"Traction over slip", "Slip", "m/s", "Traction coefficient", "", true, false, {}};
+  out.traction = {"Traction coefficient versus slip",
+                  "Slip",
+                  "m/s",
+                  "Traction coefficient",
+                  "",
+                  true,
+                  false,
+                  {}};
   const std::vector<double> slips = logarithmic(1e-3, 10.0);
   for (const double pressure : {0.8e9, 1.2e9, 1.6e9, kLargestPressure}) {
     LubricantContact c = contact;
@@ -251,9 +260,10 @@ LubricantCurves lubricant_curves(const LubricantContact& contact) {
   const std::array<double, 3> temperatures{contact.temperature - 30.0, contact.temperature,
                                            contact.temperature + 30.0};
   out.viscosity = {
-      "Viscosity over pressure", "Pressure", "GPa", "Viscosity", "Pa·s", false, true, {}};
-  out.film = {"Film in the middle over speed", "Mean speed", "m/s", "Film", "µm", true, true, {}};
-  out.lambda = {"Film parameter over speed", "Mean speed", "m/s", "Lambda", "", true, true, {}};
+      "Viscosity versus pressure", "Pressure", "GPa", "Viscosity", "Pa·s", false, true, {}};
+  out.film = {
+      "Central film thickness versus speed", "Mean speed", "m/s", "Film", "µm", true, true, {}};
+  out.lambda = {"Film parameter versus speed", "Mean speed", "m/s", "Lambda", "", true, true, {}};
   const std::vector<double> speeds = logarithmic(0.1, 100.0);
   for (const double T : temperatures) {
     const std::string name = fmt::format("{:.0f} K", T);

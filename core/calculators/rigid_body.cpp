@@ -11,8 +11,8 @@ dynamics::RigidBody rigid_body(const Json& in) {
   body.mass = get(in, "mass");
   const Vec3 I = vec3(in.at("principal_moments"));
   require(2.0 * I.maxCoeff() <= I.sum() * (1.0 + 1e-9),
-          "principal_moments: the largest is above the sum of the others, which is not possible "
-          "for a rigid body. Enter other moments.");
+          "principal_moments: the largest moment exceeds the sum of the other two, which is "
+          "impossible for a rigid body. Correct the moments.");
   body.inertia = dynamics::inertia_in_geometric_axes(vec3(in.at("principal_moments")),
                                                      vec3(in.at("frame_angles_deg")) * kDegree);
   body.to_geometric_centre = vec3(in.at("mass_centre_to_geometric_centre"));

@@ -55,10 +55,10 @@ Flange flange_of(const Json& j) {
   f.race_half_angle = get(j, "race_half_angle");
   f.root_x = j.at("root").at(0).get<double>();
   f.root_r = j.at("root").at(1).get<double>();
-  require(f.root_r > 0.0,
-          fmt::format("root = [x, r] with r = {} m: not above 0. Enter the radius of "
-                      "the flange root.",
-                      f.root_r));
+  require(
+      f.root_r > 0.0,
+      fmt::format("root = [x, r]: r = {} m is not above 0. Enter the radius of the flange root.",
+                  f.root_r));
   return f;
 }
 

@@ -254,8 +254,7 @@ Json race_errors_case(const Json& in) {
                                                   : RaceErrors::Roundness::Sinusoidal;
   errors.variation = {get(j, "rnd1"), get(j, "rnd2"), get(j, "rnd3")};
   require(errors.roundness == RaceErrors::Roundness::Elliptical || errors.variation[1] >= 0.0,
-          "error.rnd2 is below 0: a sinusoidal error has 0 or more waves per revolution. Enter "
-          "their number.");
+          "error.rnd2 is below 0, but it is a number of waves per revolution. Enter 0 or more.");
   errors.land_offset = harmonic("offset");
   errors.taper = harmonic("taper");
   errors.curvature_factor = harmonic("cfac");

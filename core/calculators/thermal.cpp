@@ -35,7 +35,8 @@ std::optional<Json> lame_case(const Json& the_case) {
                b = 0.5 * get(in, "outer_od");
   if (!(a >= 0.0 && a < c && c < b))
     throw InputError(
-        "a fit needs inner_id < interface_dia < outer_od, inner_id = 0 for a solid part");
+        "the diameters of a fit must satisfy inner_id < interface_dia < outer_od. Enter inner_id = "
+        "0 for a solid part");
   const Elastic inner = elastic(in.at("inner_part")), outer = elastic(in.at("outer_part"));
   const double p = fit_pressure(a, c, b, inner, outer, get(in, "diametral_interference"));
   return Json{{"pressure", p},
@@ -334,7 +335,7 @@ Json material_case(const Json& in) {
   out["clamped"] = Json::object();
   for (const bearing::ClampedLaw& law : bearing::clamped_laws(material, T))
     out["clamped"][law.property] = fmt::format(
-        "T is outside {} to {} K, the range of the law; this is its value at the nearer end",
+        "T is outside the range of the law, {} to {} K. The value is that at the nearer limit",
         law.T_min, law.T_max);
   out["thermal_strain_from_293K"] = sheet.at("cte", T) * (T - bearing::kStrainReference);
   return out;

@@ -160,7 +160,7 @@ Json sequence_case(const Json& in) {
     std::vector<double>& nodes = temperatures.emplace_back();
     for (const Json& node : step) nodes.push_back(node.get<double>());
     if (nodes.size() != temperatures.front().size())
-      throw InputError("temperatures must be lists of equal length, one list per step");
+      throw InputError("temperatures: give one list for each step, all of equal length");
   }
   const StepSequence result = judge_sequence(temperatures, rules);
   constexpr const char* kNames[] = {"undecided", "stable", "divergent"};

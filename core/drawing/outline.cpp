@@ -27,9 +27,10 @@ std::string sentence(const InputError& error) {
   std::string out;
   for (const Issue& issue : error.issues()) {
     if (!out.empty()) out += " ";
-    if (!issue.variable.empty()) out += issue.variable;
+    out += issue.variable;
     if (!issue.value.empty()) out += " = " + issue.value;
-    out += (out.empty() || out.back() == ' ' ? "" : " ") + issue.message;
+    if (!issue.variable.empty() || !issue.value.empty()) out += ": ";
+    out += issue.message;
     if (!issue.remedy.empty()) out += "; " + issue.remedy;
     out += ".";
   }

@@ -107,7 +107,7 @@ Pane profile_pane(const Deck& deck, const OutlineModel& m) {
   const contact::RollerProfile& p = m.profile;
   const bool english = deck.units() == deck::UnitSystem::English;
   Pane pane;
-  pane.title = "Drop of the profile, exaggerated";
+  pane.title = "Profile drop of the roller, exaggerated";
   pane.share = 0.75;
   const double half = 0.5 * p.length;
   const double left = -half + p.corner_radius[0], right = half - p.corner_radius[1];
@@ -121,7 +121,7 @@ Pane profile_pane(const Deck& deck, const OutlineModel& m) {
     path.push_back({s, -drop});
   }
   const double low = deepest > 0.0 ? -1.15 * deepest : -1e-6;
-  pane.axes = {{"along the roller", english ? "in" : "mm", english ? 0.0254 : 1e-3, -half, half},
+  pane.axes = {{"axial position", english ? "in" : "mm", english ? 0.0254 : 1e-3, -half, half},
                {"drop", english ? "10⁻³ in" : "µm", english ? 25.4e-6 : 1e-6, low, -0.25 * low}};
   pane.shapes.push_back(shape_of(Part::Curve, Shape::Style::Line, "profile", std::move(path),
                                  {"bReCrn", "reCrnVar", "bReLen"}));
@@ -161,7 +161,7 @@ Shape pocket_hole(const OutlineModel& m, double z, Shape::Style style) {
 Pane pocket_from_outside(const Deck& deck, const OutlineModel& m, Point push) {
   const OutlineCage& cage = *m.cage;
   Pane pane;
-  pane.title = "Pocket seen from outside, bearing axis up, to scale";
+  pane.title = "Pocket seen from outside (bearing axis points up), to scale";
   const double top = 0.5 * (cage.outer_diameter - m.pitch),
                low = 0.5 * (cage.inner_diameter - m.pitch);
   const double around = std::max(pocket_half_around(m, 0.0), pocket_half_around(m, top));
@@ -217,7 +217,7 @@ Pane pocket_from_outside(const Deck& deck, const OutlineModel& m, Point push) {
 Pane pocket_across(const Deck& deck, const OutlineModel& m, Point push) {
   const OutlineCage& cage = *m.cage;
   Pane pane;
-  pane.title = "The same across the bearing axis";
+  pane.title = "Pocket in the plane normal to the bearing axis";
   pane.share = 0.7;
   const double top = 0.5 * (cage.outer_diameter - m.pitch),
                low = 0.5 * (cage.inner_diameter - m.pitch);
@@ -233,8 +233,8 @@ Pane pocket_across(const Deck& deck, const OutlineModel& m, Point push) {
     const double back = side * std::max(1.4 * widest, 0.7 * m.diameter);
     wall.push_back({back, top});
     wall.push_back({back, low});
-    pane.shapes.push_back(shape_of(Part::Cage, Shape::Style::Cut, "bar of the cage",
-                                   std::move(wall), {"kPocType", "cageDia1", "cageDia2"}));
+    pane.shapes.push_back(shape_of(Part::Cage, Shape::Style::Cut, "cage bar", std::move(wall),
+                                   {"kPocType", "cageDia1", "cageDia2"}));
   }
   Shape element;
   element.part = Part::Element;
@@ -290,7 +290,8 @@ Drawing draw_element(const Deck& deck) {
     out.panes.push_back(std::move(pane));
     out.panes.push_back(profile_pane(deck, m));
     if (m.profile.kind == contact::RollerProfile::Kind::Crowned && m.profile.crown_radius > 1e9)
-      out.remarks.emplace_back("The roller has no crown: bReCrn is above 1e9 m.");
+      out.remarks.emplace_back(
+          "The roller has no crown, because the crown radius bReCrn is above 1e9 m.");
   }
   return out;
 }
@@ -310,8 +311,11 @@ Drawing draw_pocket(const Deck& deck) {
                                              : 0.0,
                                          0.0)};
   if (wall < 0.0)
-    out.remarks.emplace_back("The pocket is smaller than the element: check bPocCls1.");
-  if (m.rollers) out.remarks.emplace_back("The deck gives no axial clearance of roller pockets.");
+    out.remarks.emplace_back(
+        "The pocket is smaller than the element. Check the pocket clearance bPocCls1.");
+  if (m.rollers)
+    out.remarks.emplace_back(
+        "The deck has no axial clearance for roller pockets; the drawn value is an assumption.");
   out.panes.push_back(pocket_from_outside(deck, m, push));
   out.panes.push_back(pocket_across(deck, m, push));
   return out;

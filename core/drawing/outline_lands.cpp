@@ -100,7 +100,7 @@ void add_round_lands(const Deck& deck, const OutlineCage& cage, Drawing& out) {
   const double size = rings.front().profile.radius;
   const double factor = std::max(round_down(0.14 * size / largest), 1.0);
   Pane pane;
-  pane.title = fmt::format("Lands seen from +X, errors × {:g}", factor);
+  pane.title = fmt::format("Guide lands seen from +X, form errors × {:g}", factor);
   for (const Ring& ring : rings) {
     // Cage inside, race outside, so that their lines stay apart; inner guidance the other way.
     const double base = size * (ring.part == Part::Cage        ? 1.0
@@ -143,9 +143,9 @@ Drawing draw_lands(const Deck& deck) {
   if (deck.integer("nCseg") < 1) throw InputError("This bearing has no cage (nCseg = 0).");
   if (!cage)
     throw InputError(
-        "The cage cannot be drawn: cageDia1 must exceed cageDia2, and cageWidth be "
+        "The cage cannot be drawn. cageDia1 must be larger than cageDia2, and cageWidth must be "
         "above 0.");
-  if (cage->lands.empty()) throw InputError("No land guides the cage (nGL = 0).");
+  if (cage->lands.empty()) throw InputError("The cage has no guide land (nGL = 0).");
   Drawing out;
   Pane pane;
   const double thick = 0.5 * (cage->outer_diameter - cage->inner_diameter),
@@ -161,16 +161,16 @@ Drawing draw_lands(const Deck& deck) {
   for (std::size_t i = 0; i < cage->lands.size(); ++i) {
     if (!(cage->lands[i].width > 0.0) || !(cage->lands[i].diameter > 0.0)) {
       out.remarks.push_back(
-          fmt::format("Land {} is not drawn: it has no width or no diameter.", i + 1));
+          fmt::format("Land {} is not drawn: its width or its diameter is 0.", i + 1));
       continue;
     }
     add_land(deck, *cage, i, factor, pane);
     if (cage->lands[i].guide == GuideLand::Guide::None)
-      out.remarks.push_back(fmt::format("No race guides land {} (iCageGuide = 0).", i + 1));
+      out.remarks.push_back(fmt::format("Land {} has no guiding race (iCageGuide = 0).", i + 1));
     if (cage->lands[i].clearance < 0.0)
       out.remarks.push_back(fmt::format("Land {} overlaps its race.", i + 1));
   }
-  pane.shapes.push_back(shape_of(Part::Construction, Shape::Style::Dashed, "middle of the cage",
+  pane.shapes.push_back(shape_of(Part::Construction, Shape::Style::Dashed, "mid-plane of the cage",
                                  {{0.0, -1.1 * thick}, {0.0, 1.1 * thick}}, {}));
   out.panes.push_back(std::move(pane));
   add_round_lands(deck, *cage, out);

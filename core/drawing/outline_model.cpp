@@ -57,7 +57,8 @@ std::vector<std::string> needed(Type type) {
 
 /// Rejects a value that a roller needs, when a deck is incomplete or half typed.
 void demand_number(const Deck& deck, const std::string& name) {
-  if (!is_number(deck, name)) refuse(deck, name, "has no value yet", "give it to see a drawing");
+  if (!is_number(deck, name))
+    refuse(deck, name, "no value yet", "enter a value to see the drawing");
 }
 
 /// Variables that build_rollers() reads in addition to needed(): crowns of raceways, and the
@@ -85,7 +86,8 @@ void demand_rollers(const Deck& deck, Type type) {
 
 void check_pitch(const Deck& deck, const OutlineModel& m) {
   if (!(m.pitch > m.diameter) || m.pitch > 1000.0 * m.diameter)
-    refuse(deck, "pitchDia", "leaves no circle for the elements", "give a value above bReDia");
+    refuse(deck, "pitchDia", "not a possible pitch diameter",
+           "enter a value between bReDia and 1000 times bReDia");
 }
 
 void read_rollers(const Deck& deck, OutlineModel& m) {
@@ -105,7 +107,7 @@ void read_rollers(const Deck& deck, OutlineModel& m) {
     m.flanges = statics::flange_pairs(m.type, *m.rollers, {kEffectiveModulus, kEffectiveModulus},
                                       m.profile);
   } catch (const std::exception& error) {
-    m.remarks.push_back(fmt::format("Flanges are left out: {}.", error.what()));
+    m.remarks.push_back(fmt::format("Flanges are not drawn: {}.", error.what()));
   }
 }
 
@@ -117,19 +119,20 @@ void read_envelope(const Deck& deck, OutlineModel& m) {
   if (!(outside > m.raceway(0))) {
     m.ring_radius[0] = m.raceway(0) + wall;
     m.remarks.emplace_back(
-        "brgOD leaves no ring behind the outer raceway; a wall is assumed instead.");
+        "brgOD is not larger than the outer raceway. An assumed outer ring is drawn.");
   }
   if (!(bore < m.raceway(1)) || !(bore > 0.0)) {
     m.ring_radius[1] = std::max(m.raceway(1) - wall, 0.2 * m.raceway(1));
     m.remarks.emplace_back(
-        "brgBore leaves no ring inside the inner raceway; a wall is assumed instead.");
+        "brgBore is 0 or not smaller than the inner raceway. An assumed inner ring is drawn.");
   }
   for (std::size_t j = 0; j < 2; ++j) {
     m.ring_width[j] = value_or_zero(deck, j == 0 ? "raceWidth1" : "raceWidth2");
     if (m.ring_width[j] > 0.0 && m.ring_width[j] < 50.0 * m.diameter) continue;
     m.ring_width[j] = 1.2 * m.length;
-    m.remarks.push_back(
-        fmt::format("raceWidth{} cannot be drawn; 1.2 element lengths are drawn instead.", j + 1));
+    m.remarks.push_back(fmt::format(
+        "raceWidth{} has no plausible value. The ring is drawn with 1.2 times the element length.",
+        j + 1));
   }
   const double shaft = 0.5 * value_or_zero(deck, "shftID");
   m.shaft_bore = shaft > 0.0 && shaft < m.ring_radius[1] ? shaft : 0.0;
@@ -139,7 +142,8 @@ void read_envelope(const Deck& deck, OutlineModel& m) {
   const double most = m.ring_radius[0] + 4.0 * m.diameter;
   if (m.housing > most) {
     m.housing = most;
-    m.remarks.emplace_back("The housing is larger than the picture and is cut off.");
+    m.remarks.emplace_back(
+        "The housing is too large for the drawing; only a part of its wall is drawn.");
   }
 }
 
@@ -179,20 +183,20 @@ std::optional<OutlineCage> outline_cage(const Deck& deck) {
 OutlineModel outline_model(const Deck& deck) {
   OutlineModel m;
   const long long code = deck.integer("kBrg");
-  if (code < 1 || code > 5)
-    refuse(deck, "kBrg", "is not a bearing type", "choose 1 to 5 to see a drawing");
+  if (code < 1 || code > 5) refuse(deck, "kBrg", "not a bearing type", "enter 1 to 5");
   m.type = static_cast<Type>(code);
   for (const std::string& name : needed(m.type)) demand_number(deck, name);
   m.count = static_cast<int>(std::clamp(deck.integer("nRe"), 0LL, 100000LL));
   m.diameter = deck.si("bReDia");
   if (!(m.diameter > 0.0) || !std::isfinite(m.diameter))
-    refuse(deck, "bReDia", "is not a valid diameter", "give a value above 0");
+    refuse(deck, "bReDia", "not a valid diameter", "enter a value above 0");
   if (m.type == Type::Ball) {
     m.pitch = deck.si("pitchDia");
     check_pitch(deck, m);
     for (const char* factor : {"raceCurFac1", "raceCurFac2"})
       if (!(deck.si(factor) > 0.5) || deck.si(factor) > 10.0)
-        refuse(deck, factor, "makes a groove that no ball fits into", "give a value above 0.5");
+        refuse(deck, factor, "not a possible groove factor",
+               "enter a value above 0.5 and up to 10");
     m.balls = setup::build_balls(deck);
     m.balls->groove_plane.reset();  // drawn where the balls touch, for any origin of displacements
     m.groove = contact::groove_geometry(*m.balls);
@@ -203,12 +207,13 @@ OutlineModel outline_model(const Deck& deck) {
   }
   check_pitch(deck, m);
   if (std::abs(value_or_zero(deck, "freeIntCls")) > m.diameter)
-    refuse(deck, "freeIntCls", "is larger than an element", "check it and its unit");
+    refuse(deck, "freeIntCls", "larger than the element diameter", "check the value and its unit");
   read_envelope(deck, m);
   m.cage = outline_cage(deck);
   if (deck.integer("nCseg") > 0 && !m.cage)
     m.remarks.emplace_back(
-        "The cage is not drawn: cageDia1 must exceed cageDia2, and cageWidth be above 0.");
+        "The cage is not drawn. cageDia1 must be larger than cageDia2, and cageWidth must be above "
+        "0.");
   return m;
 }
 

@@ -257,7 +257,7 @@ Drawing draw_flanges(const Deck& deck) {
                                                      : "This bearing has no race flanges.");
   Drawing out;
   Pane pane;
-  pane.title = "Flanges and the roller ends, to scale";
+  pane.title = "Flanges and roller ends, to scale";
   add_bodies(m, pane);
   add_contact_line(m, pane);
   const double step = 0.06 * m.diameter;

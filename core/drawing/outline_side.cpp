@@ -64,7 +64,7 @@ void add_cage(const Deck& deck, const OutlineModel& m, Drawing& out, Pane& pane)
   const double at_top = std::asin(std::min(half_top / (0.5 * cage.outer_diameter), 1.0));
   const double at_low = std::asin(std::min(half_low / (0.5 * cage.inner_diameter), 1.0));
   if (2.0 * std::max(at_top, at_low) >= spacing) {
-    out.remarks.emplace_back("The pockets overlap: no cage is left between them.");
+    out.remarks.emplace_back("The cage is not drawn because its pockets overlap.");
     return;
   }
   for (int k = 0; k < m.count; ++k) {
@@ -88,13 +88,13 @@ void add_cage(const Deck& deck, const OutlineModel& m, Drawing& out, Pane& pane)
 
 void add_elements(const Deck& deck, const OutlineModel& m, Drawing& out, Pane& pane) {
   if (m.count < 1) {
-    out.remarks.emplace_back("There are no elements to draw: nRe is below 1.");
+    out.remarks.emplace_back("No elements are drawn because their number nRe is below 1.");
     return;
   }
   const int drawn = std::min(m.count, kMostElements);
   if (drawn < m.count)
     out.remarks.push_back(
-        fmt::format("Of the {} elements only the first {} are drawn.", m.count, drawn));
+        fmt::format("Only the first {1} of {0} elements are drawn.", m.count, drawn));
   std::vector<int> stored;
   for (int i = 1; i <= std::min(static_cast<int>(deck.integer("kNumPltElem")), 1000); ++i)
     stored.push_back(static_cast<int>(deck.integer("kPltElemInd", i)));
@@ -319,7 +319,8 @@ Drawing draw_loads(const Deck& deck) {
   for (int i = 0; i < 3; ++i)
     if (held(deck, i + 1))
       out.remarks.push_back(
-          fmt::format("kFS{} = 1: the displacement along {} is given; its force is a result.",
+          fmt::format("kFS{} = 1: the deck gives the displacement along {}. The force along this "
+                      "axis is a result.",
                       i + 1, static_cast<char>('x' + i)));
   out.panes.push_back(std::move(pane));
   return out;

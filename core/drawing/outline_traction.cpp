@@ -98,8 +98,8 @@ Drawing draw_traction(const Deck& deck) {
       c.law = tribology::traction_curve(c.type, c.tc);
       curves.push_back(c);
     } catch (const InputError& error) {
-      refused += fmt::format("{}No curve for {}: {}.", refused.empty() ? "" : " ", pair.name,
-                             error.what());
+      refused += fmt::format("{}The traction curve for {} cannot be drawn: {}.",
+                             refused.empty() ? "" : " ", pair.name, error.what());
     }
   }
   if (curves.empty())
@@ -111,7 +111,7 @@ Drawing draw_traction(const Deck& deck) {
   range = std::min(range, tribology::kLargestSlip);
   constexpr int kParts = 240;
   Pane pane;
-  pane.title = "Traction coefficient over slip speed";
+  pane.title = "Traction coefficient versus slip speed";
   for (const Curve& c : curves) {
     Shape shape;
     shape.part = Part::Curve;
@@ -133,15 +133,15 @@ Drawing draw_traction(const Deck& deck) {
   }
   if (!(top > low)) {
     top = 0.1;
-    out.remarks.emplace_back("Every traction coefficient of this deck is zero.");
+    out.remarks.emplace_back("All traction coefficients of this deck are zero.");
   }
   const bool english = deck.units() == deck::UnitSystem::English;
   pane.axes = {{"slip speed", english ? "in/s" : "m/s", english ? 0.0254 : 1.0, 0.0, range},
                {"traction coefficient", "", 1.0, low, 1.12 * top}};
   if (deck.integer("kTrac") > 0)
     out.remarks.emplace_back(
-        "A lubricant model applies between elements and races (kTrac); this curve applies where "
-        "the film is thinner than reRaceFilm.");
+        "Element-race contacts use the lubricant model of kTrac. The curve for element and race "
+        "applies only where the film is thinner than reRaceFilm.");
   out.panes.push_back(std::move(pane));
   return out;
 }

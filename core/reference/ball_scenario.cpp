@@ -59,7 +59,7 @@ tribology::ContactSurface contact_surface(const std::string& name) {
   if (name == "flat_half") return ContactSurface::FlatHalf;
   if (name == "flat_edge") return ContactSurface::FlatEdge;
   throw InputError(
-      fmt::format("contact_surface \"{}\" is not one of curved_edge, curved_half, "
+      fmt::format("contact_surface \"{}\" is unknown; give one of curved_edge, curved_half, "
                   "curved_undeformed, flat_undeformed, flat_half, flat_edge",
                   name));
 }

@@ -32,8 +32,8 @@ ConstrainedBall ball_of(const Json& in) {
   std::array<double, 2> K{};
   for (std::size_t j = 0; j < 2; ++j) {
     const double f = in.at("f").at(j);
-    require(f > 0.5, fmt::format("f = {:.6g}: the groove radius over the ball diameter must be "
-                                 "above 0.5. Enter a larger factor.",
+    require(f > 0.5, fmt::format("f = {:.6g}: the groove factor (groove radius divided by ball "
+                                 "diameter) must be above 0.5. Enter a larger factor.",
                                  f));
     groove.groove_radius[j] = f * D;
     groove.offset[j] = (f - 0.5) * D;
@@ -190,7 +190,7 @@ Json roller_case(const Json& in) {
                 .theta = &theta};
   for (int k = 0; k < 20; ++k) {
     const dynamics::HeldPlace at = held.balanced(e, 0, Vec2::Zero());
-    demand(at.solved, "the roller finds no balance");
+    demand(at.solved, "no force balance of the roller was found");
     r = at.r;
   }
   const std::vector<std::size_t> list{0};

@@ -84,8 +84,8 @@ void check_start(Motion& balls, const std::string& input, double diameter) {
   try {
     (void)balls.evaluate(0.0, balls.start.data());
   } catch (const SolverError& error) {
-    throw InputError(fmt::format("{} or derived: not a possible state of this bearing: {}", input,
-                                 error.what()));
+    throw InputError(fmt::format("{} or derived: this state is impossible in this bearing: {}",
+                                 input, error.what()));
   }
   const dynamics::Evaluation& e = balls.evaluate(0.0, balls.start.data());
   for (const std::size_t j : {0UL, 1UL})
@@ -216,7 +216,7 @@ Json vibration(const Json& the_case) {
   const std::array loads{ball_load(ball, e, 0), ball_load(ball, e, 1)};
   require(
       loads[0].Q > 0.0 && loads[1].Q > 0.0,
-      "equilibrium: a ball at its x and r does not touch both races, so it cannot vibrate about "
+      "equilibrium: a ball at these x and r does not touch both races, so it cannot vibrate about "
       "this state. Enter bearing, derived and inner_groove_centre_x of the same bearing.");
   Eigen::Matrix2d K = Eigen::Matrix2d::Zero();
   for (std::size_t j = 0; j < 2; ++j) {

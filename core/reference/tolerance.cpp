@@ -113,7 +113,7 @@ ToleranceRule tribology_rule(const Json& tolerance, std::string_view key) {
   }
   const std::string name(key);
   if (!tolerance.contains(name))
-    throw InputError(fmt::format("the case has no tolerance for its expected quantity {}", name));
+    throw InputError(fmt::format("the case has no tolerance for the expected quantity {}", name));
   const Json& own = tolerance[name];
   if (own.is_number())
     rule.relative = own.get<double>();
@@ -196,7 +196,7 @@ ToleranceRule dynamics_rule(const Json& the_case, std::string_view path, std::st
 ToleranceRule tolerance_rule(std::string_view family, std::string_view path, const Json& the_case) {
   const std::size_t dot = path.rfind('.');
   const std::string_view key = dot == std::string_view::npos ? path : path.substr(dot + 1);
-  if (!the_case.contains("tolerance")) throw InputError("the case states no tolerance");
+  if (!the_case.contains("tolerance")) throw InputError("the case has no tolerance");
   const Json& tolerance = the_case["tolerance"];
   if (starts(family, "dynamics_")) return dynamics_rule(the_case, path, key);
   if (starts(family, "cage_") || starts(family, "motion_")) return cage_motion_rule(tolerance, key);

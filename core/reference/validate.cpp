@@ -190,7 +190,7 @@ CaseResult run_case(const std::string& family, const Json& the_case) {
                                   : Json{{"entry", std::string(library_entry(family))}};
         return compared;
       }
-      result.message = "inputs not understood";
+      result.message = "the inputs fit no kind of calculation of this family";
     }
   } catch (const std::exception& error) {
     result.status = the_case.value("provenance", "") == "recalled" ? "not_covered" : "fail";
@@ -301,12 +301,13 @@ CaseResult compare_case(const std::string& family, const Json& the_case, const J
   }
   if (out.quantities.empty()) {
     out.status = "not_covered";
-    out.message = "the case has no expected value that can be compared";
+    out.message = "the case has no expected value to compare";
   }
   if (out.status == "fail" && the_case.value("provenance", "") == "recalled") {
     out.status = "not_covered";
-    out.message =
-        fmt::format("recalled value, not decisive: {} is off by {:.3g}", out.worst_key, out.error);
+    out.message = fmt::format(
+        "the expected value is from memory, so a deviation is no failure: {} deviates by {:.3g}",
+        out.worst_key, out.error);
   }
   return out;
 }

@@ -30,7 +30,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* kTasks = "tasks.jsonl";
 constexpr const char* kElsewhere =
-    "copy the study file under another name: its results are written next to the copy";
+    "copy the study file to another name; the results of the copy are written next to it";
 constexpr double kRecordMegabytes = 0.0041;  ///< a block of the disk
 constexpr double kEnoughPilot = 20.0;        ///< [s]; after that no further pilot run
 
@@ -101,10 +101,9 @@ Pilot measure(const CampaignRequest& request, const fs::path& folder,
         continue;
       }
       if (!record.message.empty() && record.exit_code == 0)
-        throw InputError(
-            fmt::format("quantities that the runs do not have: {}; remove them, or change the deck "
-                        "so that it provides them",
-                        record.message));
+        throw InputError(fmt::format(
+            "quantities that the runs do not have: {}; remove these quantities, or change the deck",
+            record.message));
       records.push_back(record);
       out.wall += record.wall;
     }
@@ -326,8 +325,8 @@ class Campaign {
       add(points);
     }
     out_.note = search.best().empty()
-                    ? "no run has a value of the objective"
-                    : fmt::format("{}, the last step was {:.3g} % of each range",
+                    ? "no run has a value for the objective"
+                    : fmt::format("{}; final step of the search: {:.3g} % of each range",
                                   counted(search.rounds(), "round"), 100.0 * search.step());
   }
 
@@ -395,10 +394,10 @@ Plan make_plan(const CampaignRequest& request, const std::stop_token& stop) {
 std::string plan_text(const CampaignRequest& request, const Plan& plan) {
   const Study& study = request.study;
   std::string out = fmt::format(
-      "study:     {}, kind {}\nruns:      {}{}, {} of them done already\none run:   {:.3g} s "
-      "({:.3g} s of the processor), {:.3g} MB of memory, {:.3g} MB of files while it runs\nengine: "
-      "   {}, {} at a time\ntime:      {}\ndisk:      {:.3g} MB remain in {}, {:.3g} MB are free "
-      "there\n",
+      "study:     {}, kind {}\nruns:      {}{}, {} of them already done\none run:   {:.3g} s "
+      "({:.3g} s processor time), {:.3g} MB of memory, {:.3g} MB on disk during the run\nengine: "
+      "   {}, parallel runs: {}\ntime:      {}\ndisk:      {:.3g} MB of results in {}, {:.3g} MB "
+      "free\n",
       study.file.string(), kind_name(study.kind), study.kind == Kind::WorstCase ? "at most " : "",
       plan.runs, plan.known, plan.pilot.wall, plan.pilot.processor, plan.pilot.memory_megabytes,
       plan.pilot.passing_megabytes, request.engine, plan.workers,
@@ -419,10 +418,11 @@ std::string progress_text(const StudyProgress& p) {
 }
 
 std::string outcome_text(const CampaignOutcome& outcome) {
-  return fmt::format("{}: {} done, {} of them failed; {} computed now in {}, {} known before{}{}",
-                     counted(outcome.runs, "run"), outcome.done, outcome.failed, outcome.computed,
-                     duration_text(outcome.seconds), outcome.known,
-                     outcome.note.empty() ? "" : "; ", outcome.note);
+  return fmt::format(
+      "{}: {} done, {} of them failed; {} computed in {}, {} available from earlier{}{}",
+      counted(outcome.runs, "run"), outcome.done, outcome.failed, outcome.computed,
+      duration_text(outcome.seconds), outcome.known, outcome.note.empty() ? "" : "; ",
+      outcome.note);
 }
 
 CampaignOutcome run_campaign(const CampaignRequest& request, const StudySink& progress,
@@ -453,8 +453,7 @@ std::vector<results::FileCheck> verify_study(const fs::path& folder) {
       ++intact;
     else
       out.push_back({file, State::Damaged,
-                     "its text does not match the checksum that it contains; `adore study resume` "
-                     "repeats the run"});
+                     "the file does not match its checksum; `adore study resume` repeats the run"});
   }
   out.push_back(
       {folder / kTasks, State::Intact,

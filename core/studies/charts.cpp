@@ -68,7 +68,7 @@ Chart heat_map(const std::string& name, const TableColumn& x, const TableColumn&
                const std::vector<std::vector<std::vector<long>>>& runs) {
   return {{"kind", "heat-map"},
           {"name", name},
-          {"title", fmt::format("{} over {} and {}", words_of(of), words_of(x), words_of(y))},
+          {"title", fmt::format("{} versus {} and {}", words_of(of), words_of(x), words_of(y))},
           {"x_title", heading(x)},
           {"y_title", heading(y)},
           {"legend", words_of(of)},

@@ -95,8 +95,8 @@ std::vector<std::vector<double>> unit_samples(Sampling method, long samples, int
   const auto d = static_cast<std::size_t>(dimensions);
   if (method == Sampling::Sobol && dimensions > kSobolDimensions)
     throw InputError(
-        fmt::format("sampling.method = sobol: the random variables have {} dimensions (a lot "
-                    "counts one for each element), but the sequence has {}; use latin",
+        fmt::format("sampling.method = sobol: the random variables have {} dimensions (a lot has "
+                    "one for each element), but the Sobol sequence has {}; use method latin",
                     dimensions, kSobolDimensions));
   std::vector<std::vector<double>> out(n, std::vector<double>(d));
   for (std::size_t k = 0; k < d; ++k) {

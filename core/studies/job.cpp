@@ -371,14 +371,14 @@ std::vector<Task> read_tasks(const fs::path& file, std::size_t decks) {
     ++source.line;
     if (line.empty()) continue;
     if (line.size() > kMaxHandwrittenBytes)
-      throw InputError(fmt::format("{}, line {}: longer than {} MB", source.file, source.line,
-                                   kMaxHandwrittenBytes >> 20));
+      throw InputError(fmt::format("{}, line {}: the line is longer than {} MB", source.file,
+                                   source.line, kMaxHandwrittenBytes >> 20));
     out.push_back(parse_task(line, source));
     if (out.size() > 1 && out.back().number <= out[out.size() - 2].number)
       FolderFile(source.file, source.line)
-          .refuse(
-              "run", out.back().number,
-              fmt::format("not above that of the previous line, {}", out[out.size() - 2].number));
+          .refuse("run", out.back().number,
+                  fmt::format("not larger than the number in the previous line, {}",
+                              out[out.size() - 2].number));
     bytes += memory_of(out.back().point);
     if (bytes > kMaxStudyBytes)
       throw InputError(fmt::format(

@@ -153,9 +153,9 @@ class LocalEngine {
     }
     if (left_ > 0 && !stop.stop_requested())
       throw InputError(
-          fmt::format("{} no result: the process that computed each of them was killed {} times, "
-                      "by a user or by the system when memory was short; all others are recorded, "
-                      "continue with `adore study resume`, if memory is short with --workers 1",
+          fmt::format("{} no result. The process of each of them was killed {} times, by a user or "
+                      "by the system when memory was short. All other runs are recorded. Continue "
+                      "with `adore study resume`; if memory is short, with --workers 1",
                       counted(left_, "run has", "runs have"), kKills));
   }
 
@@ -264,7 +264,7 @@ class LocalEngine {
     record.values.assign(read_job(work_.folder).quantities.size(),
                          std::numeric_limits<double>::quiet_NaN());
     record.message = fmt::format(
-        "the process that computed it ended by {}, {}, which is a bug of the program; try it again "
+        "the process of this run ended with {}, {}. This is a bug of the program; repeat the run "
         "with --retry-failed",
         signal != 0 ? fmt::format("signal {} ({})", signal, strsignal(signal))
                     : fmt::format("exit code {}", WEXITSTATUS(status)),

@@ -63,10 +63,10 @@ std::vector<std::vector<double>> sampled(const Study& study) {
   }
   const bool correlated = !study.correlations.empty();
   if (correlated && !correlation_factor(correlation, factor))
-    throw InputError(fmt::format(
-        "{}: correlation: these values contradict each other (their matrix has a negative "
-        "eigenvalue); make them smaller",
-        study.file.string()));
+    throw InputError(
+        fmt::format("{}: correlation: the values are inconsistent (their matrix has a negative "
+                    "eigenvalue); use smaller correlations",
+                    study.file.string()));
   std::vector<std::vector<double>> out;
   out.reserve(units.size());
   for (const std::vector<double>& u : units) {

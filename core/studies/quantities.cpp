@@ -74,7 +74,7 @@ class Channels {
     const auto velocity = file_.read("cage.velocity", in.first, in.count);
     const auto omega = file_.read("cage.angular_velocity", in.first, in.count);
     const std::size_t cages = in.count > 0 ? y.size() / in.count : 0;
-    if (cages != 1) throw InputError("whirl figures need a one-piece cage");
+    if (cages != 1) throw InputError("whirl results need a one-piece cage");
     // The clearance, from the two forms of the position.
     double ratio = 0.0, size = 0.0;
     for (std::size_t i = 0; i < in.count; ++i) {
@@ -94,7 +94,7 @@ class Channels {
  private:
   static std::size_t place(const Quantity& quantity, const std::vector<std::size_t>& dimensions) {
     if (quantity.places.size() != dimensions.size())
-      throw InputError(fmt::format("{}: it has {}, but \"at\" gives {}", quantity.channel,
+      throw InputError(fmt::format("{}: the channel has {}, but \"at\" gives {}", quantity.channel,
                                    counted(dimensions.size(), "index", "indices"),
                                    quantity.places.size()));
     std::size_t at = 0;
@@ -240,7 +240,7 @@ Answers answer(const std::vector<Quantity>& quantities, const results::KeyResult
     out.values.push_back(value);
   }
   if (lacks_result && !summary.empty()) {
-    out.missing += "; it has ";
+    out.missing += "; the run has ";
     for (const results::KeyResult& result : summary)
       out.missing += fmt::format("{}{}", &result == &summary.front() ? "" : ", ", result.of.id);
   }

@@ -19,7 +19,7 @@ bool starts_with_one_of(std::string_view name, std::initializer_list<std::string
 }
 
 std::string no_cage(const deck::Deck& deck) {
-  return deck.integer("nCseg") > 0 ? "" : "the scene has no cage (nCseg = 0)";
+  return deck.integer("nCseg") > 0 ? "" : "the bearing has no cage (nCseg = 0)";
 }
 
 std::string no_motion(const deck::Deck& deck, std::string_view lacks) {
@@ -29,7 +29,7 @@ std::string no_motion(const deck::Deck& deck, std::string_view lacks) {
 
 std::string no_steps(const deck::Deck& deck, const std::string& until) {
   const std::string why = until.empty() ? facade::why_no_step(deck) : "";
-  return why.empty() ? "" : fmt::format("no step is made ({})", why);
+  return why.empty() ? "" : fmt::format("the run makes no step ({})", why);
 }
 
 /// The first reason that there is.
@@ -44,7 +44,7 @@ std::string of_channel(std::string_view id, const deck::Deck& deck) {
   std::string not_there;
   if (starts_with_one_of(id, {"cage.", "pocket.", "land."})) not_there = no_cage(deck);
   if (id.starts_with("land.") && not_there.empty() && deck.integer("nGL") == 0)
-    not_there = "no land guides the cage (nGL = 0)";
+    not_there = "the cage has no guide land (nGL = 0)";
   if (id.starts_with("flange.") && deck.integer("kBrg") == 1)
     not_there = "a ball bearing has no roller flanges";
   const auto split = [&deck](const char* shim) { return deck.has(shim) && deck.si(shim) > 0.0; };
@@ -63,7 +63,7 @@ std::string of_result(const std::string& id, const deck::Deck& deck, const std::
       std::find(kWhirlFigures.begin(), kWhirlFigures.end(), id) != kWhirlFigures.end();
   if (figure)
     return first({no_motion(deck, "stores no cage motion"), no_cage(deck),
-                  deck.integer("nCseg") > 1 ? "whirl figures need a one-piece cage" : ""});
+                  deck.integer("nCseg") > 1 ? "whirl results need a one-piece cage" : ""});
   if (starts_with_one_of(id, {"life_", "largest_contact_load_N"})) return {};
   const bool of_start = starts_with_one_of(
       id, {"displacement_", "load_x", "load_y", "load_z", "load_about_", "largest_pressure_",
@@ -72,8 +72,9 @@ std::string of_result(const std::string& id, const deck::Deck& deck, const std::
   if (of_start)
     return deck.integer("mode") < 0
                ? ""
-               : fmt::format("only a quasi-static run (mode below 0) has it, but mode is {}",
-                             deck.integer("mode"));
+               : fmt::format(
+                     "only a quasi-static run (mode below 0) has this result, but mode is {}",
+                     deck.integer("mode"));
   const bool of_cage = starts_with_one_of(id, {"mean_cage_", "mean_whirl_", "mean_swept_whirl_"});
   const bool of_steps = starts_with_one_of(id, {"mean_", "load_departure", "energy_residual"});
   return first({no_motion(deck, "has no motion"), of_cage ? no_cage(deck) : "",
@@ -105,7 +106,7 @@ std::string missing_quantities(const std::vector<Quantity>& quantities, const de
     if (of_result(std::string(spec.id), deck, until).empty())
       has += fmt::format("{}{}", has.empty() ? "" : ", ", spec.id);
   }
-  return out + "; a run may have " + has;
+  return out + "; possible key results are " + has;
 }
 
 }  // namespace adore::studies

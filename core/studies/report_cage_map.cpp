@@ -46,7 +46,8 @@ void Reporter::cage_map() {
     }
     charts_.push_back(
         heat_map("map-" + file_name(quantity.name), x, y, quantity, xs, ys, values, marks, runs));
-    text_ += fmt::format("{}, {} across, {} down\n{:>14}", label(quantity), label(x), label(y), "");
+    text_ +=
+        fmt::format("{} (columns: {}, rows: {})\n{:>14}", label(quantity), label(x), label(y), "");
     for (const double a : xs) text_ += fmt::format(" {:>12g}", a);
     text_ += "\n";
     for (std::size_t j = ys.size(); j-- > 0;) {
@@ -55,7 +56,7 @@ void Reporter::cage_map() {
       text_ += "\n";
     }
   }
-  text_ += fmt::format("class, {} across, {} down\n{:>14}", label(x), label(y), "");
+  text_ += fmt::format("class (columns: {}, rows: {})\n{:>14}", label(x), label(y), "");
   for (const double a : xs) text_ += fmt::format(" {:>12g}", a);
   text_ += "\n";
   for (std::size_t j = ys.size(); j-- > 0;) {
@@ -64,9 +65,10 @@ void Reporter::cage_map() {
     text_ += "\n";
   }
   text_ += fmt::format(
-      "\nresting: the center moves less than {:g} of the clearance about its mean position; "
-      "whirling: more, with a deviation below {:g} of the whirl ratio; irregular: all others. "
-      "Judged over the second half of each run.\n\n",
+      "\nClasses, from the second half of each run:\n"
+      "resting: the cage center moves less than {:g} of the clearance about its mean position.\n"
+      "whirling: the center moves more, with a whirl deviation below {:g} of the whirl ratio.\n"
+      "irregular: all other motions.\n\n",
       kRestingOrbit, kSteadyDeviation);
 }
 

@@ -17,11 +17,11 @@ void Reporter::sensitivity(std::size_t deck) {
   try {
     exact = static_derivatives(study_, deck);
   } catch (const std::exception& error) {
-    text_ += fmt::format("no exact derivatives: {}\n", error.what());
+    text_ += fmt::format("exact derivatives are not available: {}\n", error.what());
   }
   const std::vector<BaseValue> bases = base_values(study_, deck);
   text_ += fmt::format("{:<34} {:<14} {:>13} {:>11} {:>13} {:>10} {:>11}\n", "quantity", "variable",
-                       "by difference", "doubt", "exact", "differ", "% per %");
+                       "by difference", "uncertainty", "exact", "difference", "% per %");
   for (const TableColumn& quantity : table_.quantities) {
     const double base = quantity.values[from];
     std::vector<Bar> bars;
@@ -48,10 +48,11 @@ void Reporter::sensitivity(std::size_t deck) {
       bars.push_back({study_.variables[v].name + (bases[v].value != 0.0 ? "" : " (per step)"),
                       value * scale, std::isnan(known) ? std::abs(by.doubt * scale) : 0.0});
     }
-    charts_.push_back(tornado(
-        fmt::format("tornado-{}{}", file_name(quantity.name),
-                    study_.decks.size() > 1 ? fmt::format("-{}", deck + 1) : ""),
-        "sensitivity: " + words_of(quantity.name), "percent of change for one percent", bars));
+    charts_.push_back(
+        tornado(fmt::format("tornado-{}{}", file_name(quantity.name),
+                            study_.decks.size() > 1 ? fmt::format("-{}", deck + 1) : ""),
+                "sensitivity: " + words_of(quantity.name),
+                "change in percent per 1 % of the variable", bars));
   }
   text_ += "\n";
 }
@@ -68,12 +69,13 @@ void Reporter::worst_case() {
   }
   statistics();
   if (best < 0) {
-    text_ += "no run has a value of the objective\n";
+    text_ += "no run has a value for the objective\n";
     return;
   }
   const auto row = static_cast<std::size_t>(best);
-  text_ += fmt::format("{} {} = {:.6g}, run {}, at\n", study_.seek_largest ? "largest" : "smallest",
-                       label(objective), objective.values[row], table_.run[row]);
+  text_ +=
+      fmt::format("{} {} = {:.6g} in run {} with\n", study_.seek_largest ? "largest" : "smallest",
+                  label(objective), objective.values[row], table_.run[row]);
   std::size_t at = 0;
   for (const Variable& variable : study_.variables)
     for (const std::string& target : variable.targets) {
@@ -125,7 +127,7 @@ void Reporter::what_if() {
         bars.push_back({table_.label[base + k],
                         100.0 * (quantity.values[base + k] / quantity.values[base] - 1.0), 0.0});
       charts_.push_back(tornado(fmt::format("what-if-{}-{}", deck + 1, file_name(quantity.name)),
-                                "changes of " + quantity.name, "change in percent", bars));
+                                "change of " + quantity.name, "change in percent", bars));
     }
     text_ += "\n";
   }

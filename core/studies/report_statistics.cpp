@@ -28,7 +28,7 @@ void Reporter::statistics() {
     if (summary.infinite > 0) text_ += fmt::format("  ({} infinite)", summary.infinite);
     text_ += "\n";
     if (study_.kind != Kind::Tolerance || !grids_.empty()) continue;
-    text_ += fmt::format("{:<34} {:>58}", "", "95 % certain between");
+    text_ += fmt::format("{:<34} {:>58}", "", "95 % confidence limits");
     for (const Percentile& p : summary.percentiles)
       text_ += fmt::format(" {:.5g}..{:.5g}", p.low, p.high);
     text_ += "\n";
@@ -49,7 +49,7 @@ void Reporter::distribution(const TableColumn& column) {
     line.y.push_back((static_cast<double>(i) + 0.5) / static_cast<double>(values.size()));
   }
   charts_.push_back(curves_chart("distribution-" + file_name(column.name), column,
-                                 {"share of the runs below", "", {}}, {line}));
+                                 {"fraction of the runs below this value", "", {}}, {line}));
 }
 
 void Reporter::over_grids() {
@@ -64,8 +64,8 @@ void Reporter::over_grids() {
     std::vector<std::vector<double>> map;
     std::vector<std::vector<std::vector<long>>> runs;
     if (band)
-      text_ += fmt::format("{} over {}: {:g}, 50 and {:g} %\n", label(quantity), label(x),
-                           study_.percentiles.front(), study_.percentiles.back());
+      text_ += fmt::format("{} versus {}: percentiles {:g}, 50 and {:g} %\n", label(quantity),
+                           label(x), study_.percentiles.front(), study_.percentiles.back());
     for (const double other : others) {
       ChartLine line;
       if (second != nullptr) line.name = fmt::format("{} = {:g}", second->name, other);
@@ -115,7 +115,7 @@ std::vector<std::vector<std::size_t>> Reporter::grid_points() const {
 
 void Reporter::influence() {
   const auto groups = grid_points();
-  text_ += "rank correlation (Spearman) of scatter and result:\n";
+  text_ += "rank correlation (Spearman) of each quantity with the random variables:\n";
   for (const TableColumn& quantity : table_.quantities) {
     std::vector<Bar> bars;
     for (const Variable* variable : randoms_) {

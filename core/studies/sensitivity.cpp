@@ -34,8 +34,8 @@ double value_in(const deck::Deck& deck, const std::string& name) {
     return deck.real(bare, instance, element);
   }
   throw InputError(
-      fmt::format("variable {}: the deck does not have this value; choose options in \"set\" that "
-                  "require its record",
+      fmt::format("variable {}: the deck does not have this variable; in \"set\", choose options "
+                  "that need its record",
                   name));
 }
 

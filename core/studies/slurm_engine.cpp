@@ -101,7 +101,8 @@ class SlurmEngine {
       forget_job();
       if (fruitless_ >= kFruitless)
         throw InputError(fmt::format(
-            "--engine slurm: {} submissions in a row gave no result; {}; the output of the jobs is "
+            "--engine slurm: {} consecutive submissions gave no result; {}; the output of the jobs "
+            "is "
             "in {}",
             kFruitless, reason_.empty() ? "Slurm gives no reason" : reason_, folder_.string()));
     }
@@ -109,8 +110,8 @@ class SlurmEngine {
       cancel();
     else if (given_up_ > 0)
       throw InputError(
-          fmt::format("{} no result: the process that computed each of them was killed {} times; "
-                      "all others are recorded, continue with `adore study resume --engine slurm`",
+          fmt::format("{} no result. The process of each of them was killed {} times. All other "
+                      "runs are recorded. Continue with `adore study resume --engine slurm`",
                       counted(given_up_, "run has", "runs have"), kKills));
   }
 
@@ -257,7 +258,7 @@ class SlurmEngine {
           break;
         }
       if (culprit == nullptr || end.state == "COMPLETED") continue;
-      reason_ = fmt::format("the last piece ended {}", end.state);
+      reason_ = fmt::format("the state of the last piece of the job is {}", end.state);
       if (end.exit_code == kTryAgain) {
         const std::string text = said(element);
         const std::size_t at = text.rfind("halt ");
@@ -306,8 +307,9 @@ class SlurmEngine {
     record.values.assign(read_job(work_.folder).quantities.size(),
                          std::numeric_limits<double>::quiet_NaN());
     record.message = fmt::format(
-        "Slurm ended it at its {} limit, {} times, although the limit was doubled each time; it "
-        "needs far more than the pilot runs: examine it separately, then --retry-failed",
+        "Slurm ended the run at its {} limit {} times, although the limit was doubled each time. "
+        "The run needs far more than the pilot runs; examine it separately, then repeat it with "
+        "--retry-failed",
         late ? "time" : "memory", kLimits);
     write_record(work_.folder, record);
     done_(record);
@@ -321,11 +323,11 @@ class SlurmEngine {
                          std::numeric_limits<double>::quiet_NaN());
     constexpr std::size_t kTail = 200;
     record.message = fmt::format(
-        "the process that computed it ended with {} (exit code {}, signal {}), {}; {}; try "
-        "it again "
+        "the process of this run ended with {} (exit code {}, signal {}), {}; {}; repeat the run "
         "with --retry-failed",
         end.state, end.exit_code, end.signal, counted(deaths_[task.key], "time"),
-        text.empty() ? "it said nothing" : text.substr(text.size() - std::min(kTail, text.size())));
+        text.empty() ? "it had no output"
+                     : text.substr(text.size() - std::min(kTail, text.size())));
     write_record(work_.folder, record);
     done_(record);
   }

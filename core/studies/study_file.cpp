@@ -57,12 +57,13 @@ std::string nearest(std::string_view name, const std::vector<std::string>& known
 std::string value_of(const Json& json, JsonObject& object, std::string_view key) {
   if (json.is_string()) return json.get<std::string>();
   if (json.is_number() || json.is_boolean()) return dump_json(json);
-  object.refuse(key, "an object of names with numbers or strings, {\"appLoadX\": 500}");
+  object.refuse(key,
+                "an object of names and values (numbers or strings), e.g. {\"appLoadX\": 500}");
 }
 
 Settings read_settings(JsonObject& object, std::string_view key) {
   const Json& json = object.get(key, "an object of names and values");
-  if (!json.is_object()) object.refuse(key, "an object of names and values, {\"mode\": -1}");
+  if (!json.is_object()) object.refuse(key, "an object of names and values, e.g. {\"mode\": -1}");
   Settings out;
   for (const auto& [name, value] : json.items())
     if (!name.starts_with("//")) out.emplace_back(name, value_of(value, object, key));
@@ -81,7 +82,7 @@ void check_name(JsonObject& object, std::string_view key, std::string name, bool
   if (const auto lot = name.find('#'); lot != std::string::npos) name.replace(lot, 1, "1");
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
   object.refuse(key, fmt::format("a {}; the nearest is \"{}\"",
-                                 option ? "run option (`adore run --list-options`)"
+                                 option ? "run option (`adore run --list-options` lists them)"
                                         : "variable of the deck (`adore schema` lists them)",
                                  nearest(name, known)));
 }
@@ -101,7 +102,7 @@ void read_law(JsonObject& object, Variable& out) {
   }
   if (object.has("list")) {
     ++laws;
-    out.values = object.numbers("list", 1, 100000, "a list of numbers, [0.5, 1, 2]");
+    out.values = object.numbers("list", 1, 100000, "a list of numbers, e.g. [0.5, 1, 2]");
   }
   if (object.has("uniform")) {
     ++laws;
@@ -120,18 +121,20 @@ void read_law(JsonObject& object, Variable& out) {
     out.a = normal[0];
     out.b = normal[1];
     if (object.has("within")) {
-      const auto cut = object.numbers("within", 2, 2, "[low, high], where the normal law is cut");
+      const auto cut = object.numbers(
+          "within", 2, 2, "[low, high], the limits of the truncated normal distribution");
       // A cut far from the mean leaves no digits of the normal distribution.
       constexpr double kFar = 6.0;
       if (!(cut[0] < cut[1]) || cut[0] > out.a + kFar * out.b || cut[1] < out.a - kFar * out.b)
         object.refuse("within",
-                      "[low, high] with low below high, not entirely beyond six deviations");
+                      "[low, high] with low below high, not entirely more than 6 standard "
+                      "deviations from the mean");
       out.low = cut[0];
       out.high = cut[1];
     }
   }
   if (laws != 1)
-    throw InputError(fmt::format("{}: give exactly one of grid, list, uniform and normal, not {}",
+    throw InputError(fmt::format("{}: give exactly one of grid, list, uniform and normal (now: {})",
                                  object.at(out.option ? "option" : "name"), laws));
 }
 
@@ -140,13 +143,14 @@ Variable read_variable(const Json& json, const std::string& where, Kind kind) {
   Variable out;
   out.option = object.has("option");
   if (out.option && object.has("name"))
-    object.refuse("option", "either a name of the deck or an option, not both");
+    object.refuse("option",
+                  "either \"name\" (a deck variable) or \"option\" (a run option), not both");
   out.name = out.option ? object.text("option", "the name of a run option")
                         : object.text("name", "the name of a deck variable, e.g. \"appLoadX\"");
   check_name(object, out.option ? "option" : "name", out.name, out.option);
   if (object.has("also")) {
     if (out.option || out.lot())
-      object.refuse("also", "it only with the name of a single deck variable");
+      object.refuse("also", "\"also\" only with the name of a single deck variable");
     out.also = object.texts("also", "a list of deck variables that take the same value");
     for (const std::string& name : out.also) check_name(object, "also", name, false);
   }
@@ -162,7 +166,8 @@ Variable read_variable(const Json& json, const std::string& where, Kind kind) {
   read_law(object, out);
   if (object.has("common")) {
     if (!out.lot())
-      object.refuse("common", "it only for lots, whose name has a # for the element number");
+      object.refuse("common",
+                    "\"common\" only for a lot (a name with # in place of the element number)");
     out.common = object.number("common", "a correlation from 0 to 1");
     if (out.common < 0.0 || out.common > 1.0)
       object.refuse("common", "a correlation between elements of the same lot (0 to 1)");
@@ -188,9 +193,9 @@ Quantity named_quantity(const std::string& name, const std::string& where) {
   const auto names = quantity_names();
   if (std::find(names.begin(), names.end(), name) == names.end())
     throw InputError(
-        fmt::format("{} = \"{}\": there is no key result of that name; the nearest is \"{}\" "
-                    "(summary of RUN.json lists those of a deck); a statistic of a channel is an "
-                    "object with channel and statistic",
+        fmt::format("{} = \"{}\": this key result is unknown; the nearest is \"{}\" (\"summary\" "
+                    "in RUN.json lists the key results of a run). For a statistic of a channel, "
+                    "give an object with \"channel\" and \"statistic\"",
                     where, name, nearest(name, names)));
   if (const auto spec = results::find_key_result(name); !spec.id.empty()) out.unit = spec.unit->si;
   return out;
@@ -235,7 +240,7 @@ Quantity read_quantity(const Json& json, const std::string& where) {
       object.refuse("percent", "a number from 0 to 100");
   }
   if (object.has("window")) {
-    const char* valid = "[from, to], shares of the run's time from 0 to 1";
+    const char* valid = "[from, to], fractions of the run time from 0 to 1";
     const auto window = object.numbers("window", 2, 2, valid);
     if (window[0] < 0.0 || window[1] > 1.0 || !(window[0] < window[1]))
       object.refuse("window", valid);
@@ -248,7 +253,7 @@ Quantity read_quantity(const Json& json, const std::string& where) {
         object.refuse("at", "[element, race ...], counted from 1");
       out.places.push_back(static_cast<std::size_t>(place));
     }
-  out.name = object.has("name") ? object.text("name", "the heading of the column")
+  out.name = object.has("name") ? object.text("name", "a heading for the column")
                                 : out.channel + "." + object.text("statistic", "");
   if (out.name.find_first_of(",\"\n/") != std::string::npos || out.name.empty())
     object.refuse("name", "a heading without commas, quotes and slashes");
@@ -316,7 +321,7 @@ void read_cases(const Json& json, const std::string& where, Study& out) {
     if (object.has("set")) next.sets = read_settings(object, "set");
     if (object.has("options")) next.options = read_settings(object, "options");
     if (next.sets.empty() && next.options.empty())
-      object.refuse("set", "the variables that the case changes, {\"kGsHydro\": 0}");
+      object.refuse("set", "the variables that the case changes, e.g. {\"kGsHydro\": 0}");
     object.done();
     out.cases.push_back(std::move(next));
   }
@@ -357,7 +362,8 @@ void check_kind(const Study& study, const std::string& name) {
   for (const Variable& variable : study.variables)
     for (const auto& [set, value] : variable.option ? study.options : study.sets)
       if (set == variable.name)
-        refuse(fmt::format("{} is set to {} and varies too; remove one of them", set, value));
+        refuse(fmt::format("{} is set to {} and is also a variable; remove one of the two", set,
+                           value));
   if (study.kind == Kind::WhatIf) {
     if (!study.variables.empty())
       refuse("a what-if study compares cases; remove variables, or use kind sweep");
@@ -367,8 +373,8 @@ void check_kind(const Study& study, const std::string& name) {
     refuse("variables is empty; give at least one {\"name\": ..., \"grid\": [first, last, count]}");
   if (study.kind == Kind::CageMap && (values != 2 || count != 0))
     refuse(
-        fmt::format("a cage-map has two variables with grid or list (speed and clearance), but "
-                    "this study has {} of them and {} random ones",
+        fmt::format("a cage-map needs two variables with grid or list (speed and clearance), but "
+                    "this study has {} such variables and {} random variables",
                     values, count));
   if (study.kind == Kind::Tolerance && count == 0)
     refuse(
@@ -412,7 +418,7 @@ namespace {
 /// Each variable and quantity is a column of the table.
 void require_columns(std::size_t count, const JsonObject& object, std::string_view key) {
   if (count > kMaxTableColumns)
-    throw InputError(fmt::format("{}: {} entries, but at most {} are allowed; use fewer",
+    throw InputError(fmt::format("{}: {} entries, but at most {} are allowed; use fewer entries",
                                  object.at(key), count, kMaxTableColumns));
 }
 
@@ -421,7 +427,7 @@ Study checked_study(const Json& json, const std::filesystem::path& file) {
   Study out;
   out.file = file;
   JsonObject object(json, name + ":");
-  (void)object.whole("adore_study", 1, 1, "1, the format of study files");
+  (void)object.whole("adore_study", 1, 1, "1, the version of the study format");
   const std::string kind = object.text("kind", "one of " + kinds());
   const auto* const found = std::find(kKindNames.begin(), kKindNames.end(), kind);
   if (found == kKindNames.end())
@@ -436,7 +442,7 @@ Study checked_study(const Json& json, const std::filesystem::path& file) {
     for (const std::string& deck : object.texts("decks", "a list of deck files"))
       out.decks.push_back(path_of(deck));
     if (out.decks.empty() || object.has("deck"))
-      object.refuse("decks", "one or more deck files, without \"deck\"");
+      object.refuse("decks", "one or more deck files, and remove \"deck\"");
   } else {
     out.decks = {path_of(
         object.text("deck", "the base deck, a path relative to the folder of the study file"))};
@@ -444,7 +450,8 @@ Study checked_study(const Json& json, const std::filesystem::path& file) {
   if (object.has("set")) out.sets = read_settings(object, "set");
   if (object.has("options")) out.options = read_settings(object, "options");
   if (object.has("until"))
-    out.until = object.text("until", "the end of each run: \"5rev\", \"0.02s\" or \"1000\"");
+    out.until = object.text(
+        "until", "the length of each run: \"5rev\", \"0.02s\" or \"1000\" (dimensionless time)");
   if (object.has("integrator"))
     out.integrator = object.text("integrator", "a name that `adore run --integrator` accepts");
   if (object.has("tolerance")) {
@@ -483,7 +490,8 @@ Study checked_study(const Json& json, const std::filesystem::path& file) {
                                ? object.get("quantities", "a list of key results and statistics")
                                : Json::array();
   if (!quantities.is_array())
-    object.refuse("quantities", "a list: \"largest_contact_load_N\" or {\"channel\": ...}");
+    object.refuse("quantities",
+                  "a list with entries such as \"largest_contact_load_N\" or {\"channel\": ...}");
   require_columns(quantities.size(), object, "quantities");
   for (std::size_t i = 0; i < quantities.size(); ++i)
     out.quantities.push_back(
@@ -501,11 +509,13 @@ Study checked_study(const Json& json, const std::filesystem::path& file) {
       throw InputError(fmt::format("{}: two columns are called \"{}\"; give one a \"name\"",
                                    object.at("quantities"), quantity.name));
   if (object.has("percentiles")) {
-    out.percentiles = object.numbers("percentiles", 1, 99, "numbers between 0 and 100, rising");
+    out.percentiles =
+        object.numbers("percentiles", 1, 99, "numbers between 0 and 100 in ascending order");
     for (std::size_t i = 0; i < out.percentiles.size(); ++i)
       if (out.percentiles[i] <= 0.0 || out.percentiles[i] >= 100.0 ||
           (i > 0 && out.percentiles[i] <= out.percentiles[i - 1]))
-        object.refuse("percentiles", "numbers between 0 and 100, rising, e.g. [5, 50, 95]");
+        object.refuse("percentiles",
+                      "numbers between 0 and 100 in ascending order, e.g. [5, 50, 95]");
   }
   if (out.kind == Kind::WhatIf)
     read_cases(object.get("cases", "a list of {\"name\": ..., \"set\": {...}}"), object.at("cases"),

@@ -35,8 +35,9 @@ void check_own(const WriteFolder& folder, const std::string& name) {
   stream.read(first.data(), static_cast<std::streamsize>(first.size()));
   first.resize(static_cast<std::size_t>(stream.gcount()));
   if (first.empty() || is_study_file(name, first)) return;
-  throw WriteError(fmt::format("{}: this file was not written by a study. Move it away.",
-                               place.path().string()));
+  throw WriteError(
+      fmt::format("{}: this file was not written by a study. Move it to another folder.",
+                  place.path().string()));
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ void JsonObject::done() const {
     std::string list;
     for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
     throw InputError(fmt::format(
-        "{} is not used here{}; valid are {}, and remarks under keys that begin with \"//\"",
+        "{} is not used here{}; valid keys are {}, and keys that begin with \"//\" (comments)",
         at(key),
         nearest != known.end() && edit_distance(*nearest, key) <= 3
             ? fmt::format("; do you mean \"{}\"?", *nearest)

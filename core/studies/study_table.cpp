@@ -52,7 +52,7 @@ void check_tasks(const Study& study, const std::vector<Task>& tasks) {
   }
   const std::vector<Point> points = make_points(study);
   if (tasks.size() != points.size())
-    refuse(fmt::format("it has {}, but the study has {}", counted(tasks.size(), "run"),
+    refuse(fmt::format("the list has {}, but the study has {}", counted(tasks.size(), "run"),
                        points.size()));
   // A program of another version may differ in the last digit.
   constexpr double kSame = 1e-9;

@@ -78,7 +78,7 @@ class Writer {
 
  private:
   [[noreturn]] void fail() const {
-    throw WriteError(fmt::format("{}: the table cannot be made ({})", path_.string(),
+    throw WriteError(fmt::format("{}: the table cannot be created ({})", path_.string(),
                                  results::h5::last_error()));
   }
   void check(herr_t result) const {

@@ -27,8 +27,8 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 std::string no_table_text(const std::string& why) {
   return fmt::format(
-      "this is not a table of `adore study`: {}; give the RUNS.csv or STUDY.h5 that it wrote, or "
-      "its folder",
+      "this is not a table of `adore study`: {}; give the RUNS.csv or STUDY.h5 of a study, or the "
+      "folder of the study",
       why);
 }
 
@@ -175,7 +175,7 @@ class H5Table {
     StudyTable out;
     out.run = whole("run");
     out.exit = whole("exit");
-    if (out.exit.size() != out.run.size()) no_table("run and exit differ in length");
+    if (out.exit.size() != out.run.size()) no_table("run and exit have different lengths");
     if (out.rows() > static_cast<std::size_t>(kMaxStudyRuns)) no_table("it has too many runs");
     out.variables = group("variables", out.rows());
     out.quantities = group("quantities", out.rows());
@@ -233,7 +233,8 @@ class H5Table {
     if (names.size() > kMaxTableColumns) no_table("it has too many columns");
     for (const std::string& column : names) {
       const Handle set(H5Dopen2(in, column.c_str(), H5P_DEFAULT));
-      if (!set.valid() || rows_of(set) != rows) no_table(column + " has another length");
+      if (!set.valid() || rows_of(set) != rows)
+        no_table(column + " has a different number of rows");
       TableColumn next{column, unit_of(set), std::vector<double>(rows)};
       if (rows > 0 &&
           H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, next.values.data()) < 0)
@@ -420,8 +421,8 @@ std::string run_text(const fs::path& folder, long run) {
   if (std::error_code error; fs::exists(folder / "RUNS.csv", error))
     out = run_text(read_study_table(folder / "RUNS.csv"), run);
   if (record)
-    out += fmt::format("\ncost: {:.3g} s processor time, {:.3g} MB, on {}\n", record->processor,
-                       record->memory_megabytes, record->host);
+    out += fmt::format("\ncost: {:.3g} s processor time, {:.3g} MB of memory, on {}\n",
+                       record->processor, record->memory_megabytes, record->host);
   // As run_task() makes it.
   std::string command = fmt::format("adore run {}", job.decks.at(task.point.deck).deck.string());
   const auto add = [&](const char* option, const Settings& base, const Settings& over) {
@@ -440,7 +441,8 @@ std::string run_text(const fs::path& folder, long run) {
   if (!job.until.empty()) command += " --until " + job.until;
   if (!job.integrator.empty()) command += " --integrator " + job.integrator;
   if (job.tolerance) command += fmt::format(" --tol {}", *job.tolerance);
-  out += fmt::format("\nthe same run with all its files:\n{} --out RUN-{}\n", command, run);
+  out += fmt::format("\ncommand that repeats this run and keeps all files:\n{} --out RUN-{}\n",
+                     command, run);
   return out;
 }
 

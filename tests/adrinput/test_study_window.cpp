@@ -143,7 +143,7 @@ TEST_CASE("a study is planned, run, cancelled and resumed from its window, and n
   CHECK(fs::exists(bench.path("sweep.json")));
   CHECK_THAT(
       window.panel().text().toStdString(),
-      Contains("runs:      120, 3 of them done already") && Contains("time:") && Contains("disk:"));
+      Contains("runs:      120, 3 of them already done") && Contains("time:") && Contains("disk:"));
 
   window.findChild<QPushButton*>("study-run")->click();
   QTest::qWait(400);
@@ -163,7 +163,7 @@ TEST_CASE("a study is planned, run, cancelled and resumed from its window, and n
   REQUIRE(ended.wait(120000));
   CHECK_THAT(window.panel().note().toStdString(),
              Contains("120 runs: 120 done, 0 of them failed") &&
-                 Contains(std::to_string(recorded) + " known before"));
+                 Contains(std::to_string(recorded) + " available from earlier"));
   CHECK(studies::study_status(study).done == 120);
   window.findChild<QPushButton*>("study-results")->click();
   CHECK(opened == QStringList({"adrplot", "--project", desktop::folder_of(bench.path("sweep.json")),

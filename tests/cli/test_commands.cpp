@@ -120,7 +120,7 @@ TEST_CASE("examples of user routines run as their last lines say", "[cli]") {
     const std::string told = run_adore("user new " + name + " --out " + out.string()).out;
     INFO(told);
     REQUIRE(std::system(("make -s -C " + out.string() + " >/dev/null").c_str()) == 0);
-    const std::size_t set = told.find("--set "), lines = told.find("first lines, e.g.\n");
+    const std::size_t set = told.find("--set "), lines = told.find("explain them. Example:\n");
     const std::string options =
         set == std::string::npos ? "" : told.substr(set, told.find_first_of(",\n", set) - set);
     const std::string run = "run " + folder.path().string() + " --set maxStps=3 " + options +
@@ -250,7 +250,7 @@ TEST_CASE("adore calc: inputs described with units, others rejected", "[cli]") {
       {"hertz", R"({"load": -10})",
        "load = -10: out of range; give a number above 0, up to 1e10 [N]"},
       {"hertz", R"({"load": "much"})",
-       "load = \"much\": a text; give a number above 0, up to 1e10 [N]"},
+       "load = \"much\": not a number; give a number above 0, up to 1e10 [N]"},
       {"hertz", R"({"body1": 3})", "give an object with E, Rx, Ry, nu"},
       {"material", R"({"code": 101.5})", "code = 101.5: not a whole number"},
       {"material", R"({"code": 100, "temperature": 300})", "there is no such input"},

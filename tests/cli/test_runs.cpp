@@ -421,12 +421,12 @@ TEST_CASE("run ended by maxStps before fTime → reported; plan names the limit"
   const Result cut = run_adore("run " + deck + " --set maxStps=20" + out("cut"));
   INFO(cut.out);
   CHECK(cut.code == 0);
-  CHECK(contains(cut.out, "ended by maxStps, before fTime"));
+  CHECK(contains(cut.out, "maxStps ended the run before fTime"));
   const Result whole = run_adore("run " + deck + " --set fTime=20.0" + out("whole"));
   CHECK(whole.code == 0);
-  CHECK_FALSE(contains(whole.out, "ended by maxStps"));
+  CHECK_FALSE(contains(whole.out, "maxStps ended"));
   const Result asked = run_adore("run " + deck + " --until 0.02rev" + out("asked"));
-  CHECK_FALSE(contains(asked.out, "ended by maxStps"));
+  CHECK_FALSE(contains(asked.out, "maxStps ended"));
   CHECK(contains(run_adore("plan " + deck).out, "revolutions, by fTime"));
   CHECK(contains(run_adore("plan " + deck + " --set maxStps=20").out, "revolutions, by maxStps"));
 }

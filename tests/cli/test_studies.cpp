@@ -106,7 +106,8 @@ quantities = ["life_lp_hours", {channel = "contact.load", statistic = "rms", at 
   write(file, text + "\"stiffness_x_N_per_m\"]");
   const Result lacks = run_adore("study run " + file + " --quiet");
   CHECK(lacks.code == 2);
-  CHECK(contains(lacks.out, "stiffness_x_N_per_m: only a quasi-static run (mode below 0) has it"));
+  CHECK(contains(lacks.out,
+                 "stiffness_x_N_per_m: only a quasi-static run (mode below 0) has this result"));
   CHECK(contains(lacks.out, "mean_largest_load_N"));
   write(file, text + "\"mean_largest_load_N\"]");
   REQUIRE(run_adore("study run " + file + " --quiet").code == 0);
@@ -232,8 +233,9 @@ TEST_CASE("a study that asks for what runs do not have, or for too much, does no
   write(file, std::string(text).replace(text.find("life_lp_hours"), 13, "power_loss_W"));
   const Result missing = run_adore("study run " + file);
   CHECK(missing.code == 2);
-  CHECK(contains(missing.out,
-                 "power_loss_W: a quasi-static run (mode = -1) has no motion; a run may have"));
+  CHECK(contains(
+      missing.out,
+      "power_loss_W: a quasi-static run (mode = -1) has no motion; possible key results are"));
   write(file, std::string(text).insert(text.find("\"deck\""), "\"budget\": {\"runs\": 100}, "));
   const Result large = run_adore("study run " + file);
   CHECK(large.code == 2);

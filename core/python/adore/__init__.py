@@ -20,8 +20,7 @@ from typing import Dict, Tuple
 
 if importlib.util.find_spec(f"{__name__}._core") is None:
     raise ImportError(
-        "the compiled part of the Python module adore is not built; "
-        "build it with: cmake --build build/release --target adore_python"
+        "the compiled part of the Python module adore is missing; build it: cmake --build build/release --target adore_python"
     )
 
 from . import _core, calc, errors, pictures, routines, schema, units
@@ -95,5 +94,5 @@ def run_options() -> Dict[str, Tuple[str, str]]:
 
 
 def require_reproducible() -> None:
-    """Every later run of this process gives the same bytes on any x86-64 processor; call it before the first run."""
+    """All later runs of this process give bit-identical results on all x86-64 processors. Call this before the first run."""
     _core.require_reproducible()

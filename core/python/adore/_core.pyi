@@ -1,4 +1,4 @@
-"""The solver behind the package adore; use the package."""
+"""Solver of the package adore. Use the package instead."""
 
 from typing import Callable, Dict, List, Optional, Sequence, Tuple, Union
 
@@ -7,7 +7,7 @@ import numpy as np
 __version__: str
 
 class Issue:
-    """A remark about the input, and its parts."""
+    """A message about the input, and its parts."""
 
     @property
     def severity(self) -> str: ...
@@ -29,7 +29,7 @@ class Issue:
     def text(self) -> str: ...
 
 class Finding(Issue):
-    """A remark as data; codes: resources/docs/findings.md."""
+    """A finding as data; codes: resources/docs/findings.md."""
 
     @property
     def code(self) -> str: ...
@@ -54,7 +54,7 @@ def run_findings(folder: str) -> List[Finding]: ...
 def findings_of(issues: List[Issue]) -> List[Finding]: ...
 
 class Deck:
-    """A deck as data, with the text that it came from."""
+    """A deck as data, with its original text."""
 
     @staticmethod
     def read(path: str) -> Deck: ...
@@ -157,7 +157,7 @@ class ChannelInfo:
     def dimensions(self) -> List[int]: ...
 
 class H5Reader:
-    """A RESULTS.h5, also while it grows."""
+    """A RESULTS.h5, also while a run writes it."""
 
     def __init__(self, path: str) -> None: ...
     @property
@@ -174,7 +174,7 @@ class H5Reader:
     def read(self, id: str, first: int, count: Optional[int], every: int) -> np.ndarray: ...
 
 class Routines:
-    """Functions of the program as user routines ADRX0 to ADRX9."""
+    """Python functions as user routines ADRX0 to ADRX9."""
 
     def __init__(self, version: str) -> None: ...
     def set(self, hook: int, function: Callable[..., object]) -> None: ...

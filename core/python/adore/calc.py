@@ -20,7 +20,7 @@ __all__ = ["Calculator", "Result", "calculate", "calculators"]
 
 
 class Result(Dict[str, Any]):
-    """The results of a calculator by name; ``units`` has the unit of each that has one."""
+    """The results of a calculator by name. ``units`` contains the unit of each result that has one."""
 
     def __init__(self, values: Mapping[str, Any]) -> None:
         super().__init__({k: v for k, v in values.items() if k != "units"})
@@ -30,19 +30,19 @@ class Result(Dict[str, Any]):
     def __getattr__(self, name: str) -> Any:
         if name in self:
             return self[name]
-        raise AttributeError(f"there is no result {name}; there are {', '.join(self)}")
+        raise AttributeError(f"there is no result {name}; the results are {', '.join(self)}")
 
     def __dir__(self) -> List[str]:
         return [*super().__dir__(), *(k for k in self if k.isidentifier())]
 
 
 def _plain(value: Any) -> Any:
-    """NumPy numbers and arrays as JSON has them."""
+    """Converts NumPy numbers and arrays to types that JSON can store."""
     return value.tolist() if hasattr(value, "tolist") else str(value)
 
 
 class Calculator:
-    """One calculator: call it with its inputs by name, or with a dictionary."""
+    """One calculator. Call it with the inputs as keyword arguments, or with a dictionary."""
 
     def __init__(self, name: str, purpose: str) -> None:
         self.name = name
@@ -57,16 +57,16 @@ class Calculator:
         return _core.describe_calculator(self.name)
 
     def calculations(self) -> List[Dict[str, Any]]:
-        """The same as data: for each kind of calculation its inputs, results and an example."""
+        """The description as data: inputs, results and an example for each kind of calculation."""
         return list(json.loads(_core.describe_calculator_json(self.name))["calculations"])
 
     def example(self, kind: Optional[str] = None) -> Dict[str, Any]:
-        """Inputs that it takes; of the first kind of calculation unless another is named."""
+        """Example inputs of a kind of calculation (default: the first kind)."""
         for calculation in self.calculations():
             if kind is None or calculation.get("kind") == kind:
                 return dict(calculation["example"])
         kinds = ", ".join(str(c.get("kind")) for c in self.calculations())
-        raise InputError(f"{self.name} has no calculation of kind {kind}; it has {kinds}")
+        raise InputError(f"{self.name} has no calculation of kind {kind}; its kinds are {kinds}")
 
     def __call__(self, inputs: Optional[Mapping[str, Any]] = None, **more: Any) -> Result:
         text = json.dumps({**(inputs or {}), **more}, default=_plain)
@@ -78,22 +78,22 @@ class Calculator:
 
 @functools.lru_cache(maxsize=None)
 def calculators() -> Dict[str, Calculator]:
-    """All of them by name."""
+    """All calculators by name."""
     return {name: Calculator(name, purpose) for name, purpose in _core.calculator_list()}
 
 
 def calculate(name: str, inputs: Optional[Mapping[str, Any]] = None, **more: Any) -> Result:
-    """A calculator by its name, with dashes as ``adore calc --list`` has them."""
+    """Runs a calculator by its name, written as in ``adore calc --list`` (with dashes)."""
     found = calculators().get(name)
     if found is None:
-        raise InputError(f'there is no calculator named "{name}"; adore.calc.calculators() has them')
+        raise InputError(f'there is no calculator named "{name}"; adore.calc.calculators() lists all calculators')
     return found(inputs, **more)
 
 
 def __getattr__(name: str) -> Calculator:
     found = calculators().get(name) or calculators().get(name.replace("_", "-"))
     if found is None:
-        raise AttributeError(f"there is no calculator named {name}; dir(adore.calc) lists them")
+        raise AttributeError(f"there is no calculator named {name}; dir(adore.calc) lists all calculators")
     return found
 
 

@@ -44,7 +44,7 @@ class _BallStatics(Calculator):
         applied_load: Mapping[str, Any] = ...,
         prescribed_displacement: Mapping[str, Any] = ...,
     ) -> Result:
-        """ball bearing under load and speed: loads, angles, stiffness"""
+        """ball loads, contact angles and stiffness of a ball bearing under load and speed"""
 
 class _CageInertia(Calculator):
     def __call__(  # type: ignore[override]
@@ -78,7 +78,7 @@ class _Churning(Calculator):
         c: float = ...,
         omega: float = ...,
     ) -> Result:
-        """drag and torque of elements, rings and discs in a medium"""
+        """churning drag and torque of rolling elements, rings and discs in a medium"""
 
 class _Clearance(Calculator):
     def __call__(  # type: ignore[override]
@@ -113,7 +113,7 @@ class _Clearance(Calculator):
         measured_clearance: float = ...,
         center_distance_A: float = ...,
     ) -> Result:
-        """operating fits, clearance and contact angle of a mounted bearing, or of a split race"""
+        """operating fits, clearance and contact angle of a mounted bearing, also with a split race"""
 
 class _EllipseTraction(Calculator):
     def __call__(  # type: ignore[override]
@@ -158,7 +158,7 @@ class _FilmHeating(Calculator):
         pOverE: float = ...,
         floor: float = ...,
     ) -> Result:
-        """thinning of a film by shear heating in its inlet"""
+        """reduction of the film thickness by shear heating in the inlet"""
 
 class _FilmStarvation(Calculator):
     def __call__(  # type: ignore[override]
@@ -168,7 +168,7 @@ class _FilmStarvation(Calculator):
         R: float = ...,
         hFlooded: float = ...,
     ) -> Result:
-        """thinning of a film by a meniscus near the contact"""
+        """reduction of the film thickness by starvation (meniscus near the contact)"""
 
 class _Fits(Calculator):
     def __call__(  # type: ignore[override]
@@ -180,7 +180,7 @@ class _Fits(Calculator):
         inner_part: Mapping[str, Any] = ...,
         outer_part: Mapping[str, Any] = ...,
     ) -> Result:
-        """pressure, growths and stresses of an interference fit"""
+        """pressure, diameter changes and stresses of an interference fit"""
 
 class _FlangeLoad(Calculator):
     def __call__(  # type: ignore[override]
@@ -216,7 +216,7 @@ class _FlangePlacing(Calculator):
         play: float = ...,
         pose: Mapping[str, Any] = ...,
     ) -> Result:
-        """flange roots of a cylindrical race for a total end play"""
+        """flange root positions of a cylindrical race for a given total end play"""
 
 class _FlashTemperature(Calculator):
     def __call__(  # type: ignore[override]
@@ -236,7 +236,7 @@ class _FlashTemperature(Calculator):
         kRhoCa: float = ...,
         kRhoCb: float = ...,
     ) -> Result:
-        """temperatures of both surfaces along one strip of a sheared film"""
+        """surface temperatures of both bodies along one strip of a sheared film"""
 
 class _Fluid(Calculator):
     def __call__(  # type: ignore[override]
@@ -244,7 +244,7 @@ class _Fluid(Calculator):
         code: int = ...,
         T: float = ...,
     ) -> Result:
-        """a coolant or churning medium at T [K]"""
+        """properties of a coolant or churning medium at the temperature T [K]"""
 
 class _GroovedTapered(Calculator):
     def __call__(  # type: ignore[override]
@@ -271,7 +271,7 @@ class _Growth(Calculator):
         material: Mapping[str, Any] = ...,
         rpm: float = ...,
     ) -> Result:
-        """centrifugal or thermal growth of a ring"""
+        """diameter changes of a ring by rotation or temperature"""
 
 class _HeatedFilm(Calculator):
     def __call__(  # type: ignore[override]
@@ -290,7 +290,7 @@ class _HeatedFilm(Calculator):
         p: float = ...,
         T1: float = ...,
     ) -> Result:
-        """shear stress and heat of a Newtonian film heated by its own shear"""
+        """shear stress and heat of a Newtonian film with shear heating"""
 
 class _Hertz(Calculator):
     def __call__(  # type: ignore[override]
@@ -303,7 +303,7 @@ class _Hertz(Calculator):
         pressure: float = ...,
         half_axis: float = ...,
     ) -> Result:
-        """elliptical Hertz contact: sizes, pressure, approach, subsurface stresses"""
+        """elliptical Hertz contact: half axes, pressure, approach, subsurface stresses"""
 
 class _HertzTraction(Calculator):
     def __call__(  # type: ignore[override]
@@ -317,7 +317,7 @@ class _HertzTraction(Calculator):
         slipPoly: Sequence[float] = ...,
         model: Literal['ellipse', 'strips'] = ...,
     ) -> Result:
-        """traction over an ellipse with slip and spin"""
+        """traction force, moment and heat of a contact ellipse with slip and spin"""
 
 class _Iso16281(Calculator):
     def __call__(  # type: ignore[override]
@@ -374,7 +374,7 @@ class _Iso281(Calculator):
         n_rpm: float = ...,
         S: float = ...,
     ) -> Result:
-        """ISO 281 and ISO 76 ratings, equivalent load, a_ISO, contamination, a_1, C_u"""
+        """ISO 281 and ISO 76: ratings, equivalent load, a_1, a_ISO, contamination factor, C_u"""
 
 class _JournalFilm(Calculator):
     def __call__(  # type: ignore[override]
@@ -389,7 +389,7 @@ class _JournalFilm(Calculator):
         attitudeRate: float = ...,
         epsRate: float = ...,
     ) -> Result:
-        """force and torque of a cage on its guide land as a short journal bearing"""
+        """force and torque of a cage on its guide land (short journal bearing)"""
 
 class _Kinematics(Calculator):
     def __call__(  # type: ignore[override]
@@ -401,7 +401,7 @@ class _Kinematics(Calculator):
         inner_speed_rpm: float = ...,
         outer_speed_rpm: float = ...,
     ) -> Result:
-        """cage and ball speeds, defect frequencies"""
+        """cage speed, ball speed and defect frequencies"""
 
 class _LandGap(Calculator):
     def __call__(  # type: ignore[override]
@@ -419,7 +419,7 @@ class _LandGap(Calculator):
         kRaceGsImp: int = ...,
         raceGsRadVar: Sequence[float] = ...,
     ) -> Result:
-        """gap of a guide land for a cage pose"""
+        """gap of a guide land for a given cage position and orientation"""
 
 class _LandLaw(Calculator):
     def __call__(  # type: ignore[override]
@@ -429,7 +429,7 @@ class _LandLaw(Calculator):
         effective_modulus: float = ...,
         eccentricities: Sequence[float] = ...,
     ) -> Result:
-        """load of a cage guide land over its eccentricity"""
+        """load of a cage guide land for given eccentricities"""
 
 class _Life(Calculator):
     def __call__(  # type: ignore[override]
@@ -499,7 +499,7 @@ class _LifeStatistics(Calculator):
         L_contacts: Sequence[Any] = ...,
         slope: float = ...,
     ) -> Result:
-        """race lives, product law, survival probability"""
+        """bearing life from race lives (product law), life at a survival probability"""
 
 class _LifeSum(Calculator):
     def __call__(  # type: ignore[override]
@@ -521,7 +521,7 @@ class _LineContact(Calculator):
         body2: Mapping[str, Any] = ...,
         stress_poisson: float = ...,
     ) -> Result:
-        """line contact: half width, pressure, subsurface stresses, four printed approaches"""
+        """line contact: half width, pressure, subsurface stresses, approach by published formulas"""
 
 class _LoadCapacity(Calculator):
     def __call__(  # type: ignore[override]
@@ -548,7 +548,7 @@ class _Material(Calculator):
         T: float = ...,
         part: Literal['rolling_element', 'outer_race', 'inner_race', 'housing', 'shaft', 'cage'] = ...,
     ) -> Result:
-        """one material of the table: every property with unit and provenance, at T [K] if given"""
+        """properties of a material with unit and provenance, at the temperature T [K] if given"""
 
 class _PocketFilm(Calculator):
     def __call__(  # type: ignore[override]
@@ -561,7 +561,7 @@ class _PocketFilm(Calculator):
         R: float = ...,
         hRate: float = ...,
     ) -> Result:
-        """wedge and squeeze film in a cage pocket"""
+        """forces of the wedge film and the squeeze film in a cage pocket"""
 
 class _PocketFrame(Calculator):
     def __call__(  # type: ignore[override]
@@ -593,7 +593,7 @@ class _PocketLaw(Calculator):
         gaps: Sequence[float] = ...,
         wall_curvatures: Sequence[float] = ...,
     ) -> Result:
-        """load and energy of the capped Hertz law"""
+        """contact load and stiffness of a ball in its pocket (Hertz law, linear at large penetration)"""
 
 class _RaceErrors(Calculator):
     def __call__(  # type: ignore[override]
@@ -609,7 +609,7 @@ class _RaceErrors(Calculator):
         n_slices: int = ...,
         land_width: float = ...,
     ) -> Result:
-        """out-of-round, land offset, taper and curvature factor of a race over azimuth"""
+        """form errors of a race along the azimuth: radius, land offset, taper, curvature factor"""
 
 class _RibLoads(Calculator):
     def __call__(  # type: ignore[override]
@@ -627,7 +627,7 @@ class _RibLoads(Calculator):
         density: float = ...,
         outer_speed: float = ...,
     ) -> Result:
-        """tapered bearing under thrust: race and rib loads, rib contact"""
+        """race loads, rib load and rib contact of a tapered bearing under thrust"""
 
 class _RigidBody(Calculator):
     def __call__(  # type: ignore[override]
@@ -655,7 +655,7 @@ class _RollerCorner(Calculator):
         end_radius: Union[None, float] = ...,
         corner_radius: float = ...,
     ) -> Result:
-        """corner torus between the side and the end of a roller"""
+        """torus of the rounded corner between the side and the end of a roller"""
 
 class _RollerFlange(Calculator):
     def __call__(  # type: ignore[override]
@@ -671,7 +671,7 @@ class _RollerFlange(Calculator):
         flange: Mapping[str, Any] = ...,
         material: Mapping[str, Any] = ...,
     ) -> Result:
-        """gap, position, mode and load of a roller end at a flange, domed or flat"""
+        """gap, contact position, contact mode and load of a domed or flat roller end at a flange"""
 
 class _RollerInertia(Calculator):
     def __call__(  # type: ignore[override]
@@ -682,7 +682,7 @@ class _RollerInertia(Calculator):
         end_radius_2: Union[None, float] = ...,
         corners: bool = ...,
     ) -> Result:
-        """mass, mass center and moments of a roller with crown, domes and corners"""
+        """mass, mass center and moments of inertia of a roller with crown, domed ends and corners"""
 
 class _ShearThinningFilm(Calculator):
     def __call__(  # type: ignore[override]
@@ -696,7 +696,7 @@ class _ShearThinningFilm(Calculator):
         beta: float = ...,
         K: float = ...,
     ) -> Result:
-        """shear stress of a Carreau-Yasuda film, isothermal and heated by its own shear"""
+        """shear stress of a Carreau-Yasuda film, isothermal and with shear heating"""
 
 class _SliceLoad(Calculator):
     def __call__(  # type: ignore[override]
@@ -708,7 +708,7 @@ class _SliceLoad(Calculator):
         law: Mapping[str, Any] = ...,
         land: Mapping[str, Any] = ...,
     ) -> Result:
-        """loads of roller slices, power or half-space law, land limits"""
+        """loads of roller slices by a power law or the half-space law, within the raceway width"""
 
 class _SlicePenetration(Calculator):
     def __call__(  # type: ignore[override]
@@ -718,7 +718,7 @@ class _SlicePenetration(Calculator):
         pose: Mapping[str, Any] = ...,
         race: Mapping[str, Any] = ...,
     ) -> Result:
-        """roller profile and slices against a race in three dimensions"""
+        """penetration of the slices of a roller into a race in three dimensions"""
 
 class _SliceTraction(Calculator):
     def __call__(  # type: ignore[override]
@@ -749,7 +749,7 @@ class _SlicedLine(Calculator):
         approach_list: Sequence[float] = ...,
         load_list: Sequence[float] = ...,
     ) -> Result:
-        """load and moment of a sliced roller over approach and tilt"""
+        """load and moment of a sliced roller for given approach and tilt"""
 
 class _SphericalRow(Calculator):
     def __call__(  # type: ignore[override]
@@ -773,7 +773,7 @@ class _TaperedGeometry(Calculator):
         length: float = ...,
         n_rollers: int = ...,
     ) -> Result:
-        """tapered bearing from roller diameter and the two cone angles"""
+        """geometry of a tapered bearing from the roller diameter and the two raceway angles"""
 
 class _TaperedSpeeds(Calculator):
     def __call__(  # type: ignore[override]
@@ -816,7 +816,7 @@ class _ThermalNetwork(Calculator):
         speed_unit: Any = ...,
         fluid: Mapping[str, Any] = ...,
     ) -> Result:
-        """steady temperatures of shaft, races, elements, cage, housing and coolant; convection"""
+        """steady temperatures of shaft, races, elements, cage, housing, coolant; convection coefficients"""
 
 class _ThermalSteps(Calculator):
     def __call__(  # type: ignore[override]
@@ -834,7 +834,7 @@ class _ThermalSteps(Calculator):
         n_divergent: int = ...,
         limit: Union[None, float] = ...,
     ) -> Result:
-        """heat averaged over thermal steps, and whether their temperatures settle"""
+        """heat averaged over thermal steps; convergence of the step temperatures"""
 
 class _Traction(Calculator):
     def __call__(  # type: ignore[override]
@@ -854,7 +854,7 @@ class _Traction(Calculator):
         stressLimit: bool = ...,
         recommended: bool = ...,
     ) -> Result:
-        """traction over slip, film and lambda of a lubricant by its code in a point contact"""
+        """traction, film thickness and lambda of a lubricant (code kTrac) in a point contact"""
 
 class _TractionCurve(Calculator):
     def __call__(  # type: ignore[override]
@@ -863,7 +863,7 @@ class _TractionCurve(Calculator):
         tc: Sequence[float] = ...,
         slip: Sequence[float] = ...,
     ) -> Result:
-        """traction coefficient over slip, four prescriptions"""
+        """traction coefficient versus slip, four types of curve"""
 
 class _Units(Calculator):
     def __call__(  # type: ignore[override]
@@ -893,7 +893,7 @@ class _ViscoElasticFilm(Calculator):
         tau0: float = ...,
         tau0p: float = ...,
     ) -> Result:
-        """traction coefficient of a visco-elastic film along one strip of a contact"""
+        """traction coefficient of a viscoelastic film along one strip of a contact"""
 
 class _Viscosity(Calculator):
     def __call__(  # type: ignore[override]
@@ -914,7 +914,7 @@ class _Viscosity(Calculator):
         T0: float = ...,
         kTrac: int = ...,
     ) -> Result:
-        """viscosity over pressure and temperature, of a lubricant by its code or of a law"""
+        """viscosity at pressure and temperature, for a lubricant code or a viscosity law"""
 
 ball_pocket: _BallPocket
 ball_statics: _BallStatics

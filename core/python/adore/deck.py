@@ -1,4 +1,4 @@
-"""Decks as objects: the variables of the manual as attributes, with units, help and completion."""
+"""Decks as objects: the deck variables are attributes, with units, help and completion."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ class Findings(List[_core.Finding]):
 
     @property
     def findings(self) -> List[_core.Finding]:
-        """The list itself, under the name that runs and plans use."""
+        """This list, under the same name as in runs and plans."""
         return self
 
 
@@ -90,29 +90,29 @@ class Record:
 
     @property
     def title(self) -> str:
-        """The manual's title."""
+        """Title of the record."""
         return str(self._spec.title)
 
     @property
     def names(self) -> Tuple[str, ...]:
-        """Its variables, without the label."""
+        """Names of the variables, without the label."""
         return tuple(v.name for v in self._spec.variables[1:])
 
     def _values(self) -> List[List[Any]]:
         values = self._deck._core.values(self.id, self.instance)
         if values is None:
-            raise InputError(f"this deck has no record {self.id}, instance {self.instance}, any more")
+            raise InputError(f"this deck no longer has instance {self.instance} of record {self.id}")
         return list(values)
 
     def __getattr__(self, name: str) -> Value:
         for spec, values in zip(self._spec.variables, self._values()):
             if spec.name == name and name != "recID":
                 return _array(values) if spec.length != "1" else values[0]
-        raise AttributeError(f"record {self.id} has no variable {name}; it has {', '.join(self.names)}")
+        raise AttributeError(f"record {self.id} has no variable {name}; its variables are {', '.join(self.names)}")
 
     def __setattr__(self, name: str, value: Value) -> None:
         if name not in self.names:
-            raise AttributeError(f"record {self.id} has no variable {name}; it has {', '.join(self.names)}")
+            raise AttributeError(f"record {self.id} has no variable {name}; its variables are {', '.join(self.names)}")
         self._deck[f"{name}[{self.instance}]" if self._spec.repeat else name] = value
 
     def __dir__(self) -> List[str]:
@@ -158,7 +158,7 @@ def _array(values: Sequence[Any]) -> Any:
 
 
 class Deck(DeckVariables):
-    """A deck. Its variables are attributes with the manual's names and the deck's units.
+    """A deck. Its variables are attributes with their names and units in the deck.
 
     >>> deck = adore.new("ball")
     >>> deck.nRe
@@ -167,9 +167,9 @@ class Deck(DeckVariables):
     >>> deck.get("pitchDia", "in")
     2.3818897637795278
 
-    ``dir(deck)`` (and completion by the Tab key) lists the variables that this deck has. An array comes as a
-    read-only array; an element is set by the manual's name and counted from 1: ``deck["iCageGuide[2]"] = 1``.
-    A variable of a record that occurs several times comes with the instances first.
+    ``dir(deck)`` (and completion with the Tab key) lists the variables of this deck. Arrays are returned as read-only
+    arrays. To set one element, use its name and an index counted from 1: ``deck["iCageGuide[2]"] = 1``. If a record
+    occurs several times, the first index is the instance of the record.
     """
 
     __slots__ = ("_core", "_options", "_path", "__weakref__")
@@ -183,31 +183,31 @@ class Deck(DeckVariables):
 
     @classmethod
     def from_text(cls, text: str, name: str = "deck") -> Deck:
-        """A deck from its text; ``name`` is what messages call it."""
+        """A deck from its text; ``name`` is the name of the deck in messages."""
         return cls(_core.Deck.from_text(text, name))
 
     @property
     def path(self) -> Optional[Path]:
-        """The file that it was read from or saved to; None without one."""
+        """The file from which the deck was read or to which it was saved; None if there is no file."""
         return self._path
 
     def source(self) -> str:
-        """The text of the deck. Where values alone have changed, the remarks, blanks and spelling of the original
-        stay; a change that adds or drops records gives the plain text of all values."""
+        """The text of the deck. If only values have changed, the comments, blanks and number formats of the original
+        are kept. If records were added or removed, the text contains all values without comments."""
         return self._core.text()
 
     def save(self, path: Optional[PathLike] = None, *, overwrite: bool = False) -> Path:
-        """Writes the text of :meth:`source` to a file, by default the one that the deck came from.
+        """Writes the text of :meth:`source` to a file (default: the file from which the deck was read).
 
-        Another file that exists is replaced with ``overwrite=True`` only."""
+        Another existing file is only replaced if ``overwrite=True``."""
         target = Path(path) if path is not None else self._path
         if target is None:
-            raise InputError("this deck came from no file; name one: deck.save('DATA.txt')")
+            raise InputError("this deck was not read from a file; give a file name: deck.save('DATA.txt')")
         if target.is_dir():
             target = target / "DATA.txt"
         same = self._path is not None and target.exists() and target.samefile(self._path)
         if target.exists() and not same and not overwrite:
-            raise InputError(f"{target} exists already; name another file, or give overwrite=True")
+            raise InputError(f"{target} exists already; give another file, or set overwrite=True")
         handle, temporary = tempfile.mkstemp(prefix=".adore-", dir=target.parent or ".")
         try:
             with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
@@ -223,7 +223,7 @@ class Deck(DeckVariables):
         return target
 
     def copy(self, **changes: Value) -> Deck:
-        """A copy with changed values: ``deck.copy(rpm2=12000)``."""
+        """A copy, optionally with changed values: ``deck.copy(rpm2=12000)``."""
         out = Deck(self._core.copy(), self._path, self._options)
         if changes:
             out.update(**changes)
@@ -246,7 +246,7 @@ class Deck(DeckVariables):
             known = schema.records().get(id)
             raise InputError(
                 f"this deck has no record {id}" + (f", instance {instance}" if instance != 1 else "")
-                + (f"; it belongs to decks with {known.condition}" if known else "; len(adore.schema.records()) are known")
+                + (f"; only decks with {known.condition} have this record" if known else "; adore.schema.records() lists all records")
             )
         return Record(self, id, instance)
 
@@ -263,7 +263,7 @@ class Deck(DeckVariables):
             schema.variable(name)  # refuses an unknown one
             where = [r for r in schema.records().values() if any(v.name == name for v in r.variables)]
             raise InputError(
-                f"{name}: this deck has no such record; it belongs to "
+                f"{name}: this deck does not have this variable; the variable is in "
                 + " or ".join(f"record {r.id} (needed when `{r.condition}`)" for r in where)
             )
         return schema.records()[found[0]], found[1]
@@ -282,7 +282,7 @@ class Deck(DeckVariables):
             if left:
                 at = left.pop(0)
                 if not 1 <= at <= len(out):
-                    raise InputError(f"{label}[{at}]: there are {len(out)} of them, counted from 1")
+                    raise InputError(f"{label}[{at}]: the index must be 1 to {len(out)}")
                 out, label = out[at - 1], f"{label}[{at}]"
         if left:
             raise InputError(f"{label}: it is a single value; omit the index")
@@ -291,8 +291,8 @@ class Deck(DeckVariables):
         return out
 
     def get(self, name: str, unit: Optional[str] = None) -> Value:
-        """A value by the manual's name, ``"cageGsCls[2]"`` for an instance or element, in the deck's unit or in
-        another one: ``deck.get("rpm2", "rad/s")``, ``deck.get("pitchDia", "SI")``."""
+        """A value by its name, in the unit of the deck or in another unit: ``deck.get("rpm2", "rad/s")``,
+        ``deck.get("pitchDia", "SI")``. An index selects an instance or element: ``"cageGsCls[2]"``."""
         bare, indices = _split(name)
         value = self._get(bare, indices)
         if unit is None:
@@ -301,12 +301,12 @@ class Deck(DeckVariables):
         if unit == own:
             return value
         if not own:
-            raise UnitError(f"{bare} is a number without a unit here")
+            raise UnitError(f"{bare} has no unit in this deck; give the number without a unit")
         scale = self._core.si_factor(bare) if unit == "SI" else units.factor(own, unit)
         return value * scale if not isinstance(value, tuple) else tuple(np.asarray(v) * scale for v in value)
 
     def unit(self, name: str) -> str:
-        """Unit of a variable in this deck; empty for pure numbers, codes and texts."""
+        """Unit of a variable in this deck; empty for dimensionless numbers, codes and texts."""
         bare = _split(name)[0]
         self._find(bare)
         return self._core.unit(bare)
@@ -316,19 +316,19 @@ class Deck(DeckVariables):
         return schema.variable(_split(name)[0]).text()
 
     def set(self, name: str, value: Value, unit: Optional[str] = None) -> None:
-        """Sets a value by the manual's name: ``deck.set("pitchDia", 60.5, "mm")``."""
+        """Sets a value by its name: ``deck.set("pitchDia", 60.5, "mm")``."""
         self.update({name: value if unit is None else (value, unit)})
 
     def update(self, changes: Optional[Mapping[str, Value]] = None, **more: Value) -> None:
-        """Sets several variables as one change: options act before the records that they decide.
+        """Sets several variables as one change. Options that decide which records a deck has are set first.
 
         >>> deck = adore.new("ball")
         >>> deck.update(rpm2=12000, appLoadX=(0.8, "kN"))
         >>> deck.appLoadX
         800.0
 
-        If a value is wrong, the deck is unchanged and :class:`adore.InputError` lists every error. Records that changed
-        options need get default values, with a :class:`adore.DeckWarning`."""
+        If a value is wrong, the deck is unchanged and :class:`adore.InputError` lists every error. If changed options
+        need further records, these get default values, and a :class:`adore.DeckWarning` is issued."""
         sets: List[Tuple[str, str]] = []
         for name, value in {**(changes or {}), **more}.items():
             sets.append((name, self._value_text(name, value)))
@@ -348,7 +348,7 @@ class Deck(DeckVariables):
             elif unit == own:
                 scale = 1.0
             elif not own:
-                raise UnitError(f"{bare} is a number without a unit here")
+                raise UnitError(f"{bare} has no unit in this deck; give the number without a unit")
             else:
                 scale = units.factor(unit, own)
             value = number if scale == 1.0 else [_rounded(float(v) * scale) for v in _flat(number)]
@@ -364,7 +364,7 @@ class Deck(DeckVariables):
 
     def __setattr__(self, name: str, value: Value) -> None:
         if hasattr(type(self), name) and name not in schema.variable_names():
-            raise AttributeError(f"{name} is not a variable of a deck")
+            raise AttributeError(f"{name} is not a deck variable")
         self.update({name: value})
 
     def __getitem__(self, name: str) -> Value:
@@ -374,7 +374,7 @@ class Deck(DeckVariables):
         self.update({name: value})
 
     def __iter__(self) -> Iterator[str]:
-        """The names of its variables, as a dictionary has it."""
+        """The names of the variables, as for a dictionary."""
         return iter(self.variables())
 
     def __len__(self) -> int:
@@ -401,7 +401,7 @@ class Deck(DeckVariables):
         return self.copy()
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        """As its text, so that other processes can have it (``multiprocessing``, ``concurrent.futures``)."""
+        """Pickles the deck as its text, e.g. for ``multiprocessing`` and ``concurrent.futures``."""
         return _from_parts, (self.source(), self._core.name, self._path, self._options)
 
     def differences(self, other: Deck) -> List[str]:
@@ -412,7 +412,7 @@ class Deck(DeckVariables):
 
     @property
     def options(self) -> dict[str, str]:
-        """Run options, which are not variables of a deck. Those of ADORE.json in the folder of the deck are read with it.
+        """Run options, which are not deck variables. Options from ADORE.json in the folder of the deck are included.
         ``adore.run_options()`` lists them."""
         return self._options
 
@@ -424,18 +424,17 @@ class Deck(DeckVariables):
     # What can be done with it.
 
     def check(self, *, user: User = None) -> Findings:
-        """Every error, warning and note. ``user`` as in :meth:`run`."""
+        """All errors, warnings and notes of the deck. ``user``: as in :meth:`run`."""
         return Findings(_core.check(*self._request(), routines_of(user)))
 
     def plan(self, *, user: User = None, **options: Any) -> Plan:
-        """Bodies, effects, unknowns and cost of a run. ``user`` as in :meth:`run`."""
+        """Bodies, effects, unknowns and cost of a run. ``user``: as in :meth:`run`."""
         from .run import Plan
 
         return Plan(*_core.plan(*self._request(options), routines_of(user)))
 
     def statics(self, *, user: User = None, **options: Any) -> Statics:
-        """The quasi-static equilibrium: loads, displacements, stiffness, life. Nothing is written. ``user`` as in
-        :meth:`run`."""
+        """The quasi-static equilibrium: loads, displacements, stiffness, life. No file is written. ``user``: as in :meth:`run`."""
         from .run import Statics
 
         return Statics(_core.equilibrium(*self._request(options), routines_of(user)))
@@ -455,18 +454,18 @@ class Deck(DeckVariables):
     ) -> Run:
         """Runs the deck: ``deck.run("results", until="2rev")``.
 
-        out: folder of the files; default: a temporary folder that exists as long as the result.
-        until: end, as "5rev", "0.02s" or a dimensionless time; the deck's own unless given.
-        integrator, tol: instead of the deck's; ``options``: run options of this run.
-        user: routines of the user, as :class:`adore.Routines` or as the path of a shared object or a file of formulas, whose
-        code runs. This argument is the only way to load any.
-        progress: True shows a line, a callable gets an :class:`adore.Progress` up to 20 times a second and ends the
-        run by returning False; by default a line is shown when there is a terminal.
-        overwrite: results of an earlier run in the folder may be replaced; ``resume`` continues them.
+        out: output folder (default: a temporary folder that is removed together with the result).
+        until: length of the run, "5rev", "0.02s" or a dimensionless time (default: the length in the deck).
+        integrator, tol: replace those of the deck. options: run options of this run.
+        user: user routines, as :class:`adore.Routines` or as the path of a shared library or a file of formulas. The code in
+        the file is executed. Only this argument can load user routines.
+        progress: True shows a progress line. A callable receives an :class:`adore.Progress` up to 20 times a second and can
+        end the run by returning False. Default: a progress line if there is a terminal.
+        overwrite: replace results of an earlier run in the folder. resume: continue that run.
 
-        The interpreter's lock is free while it runs. Ctrl-C ends it with valid files and raises
-        :class:`adore.Interrupted`; a run whose numerics gave up raises :class:`adore.RunFailed`, one whose results
-        cannot be trusted :class:`adore.UntrustedResult`; all of them carry ``run``."""
+        The interpreter lock is released during the run. Ctrl-C ends the run with valid files and raises
+        :class:`adore.Interrupted`. :class:`adore.RunFailed` is raised if the solver fails, and
+        :class:`adore.UntrustedResult` if the results cannot be trusted. All three exceptions have the attribute ``run``."""
         from .run import start_run
 
         return start_run(self, out, until, integrator, tol, options, user, progress, overwrite, resume)
@@ -489,8 +488,10 @@ class Deck(DeckVariables):
         overwrite: bool = False,
         resume: bool = False,
     ) -> pd.DataFrame:
-        """Runs the deck with ``count`` evenly spaced values of one variable on all cores (or so many threads): the
-        table SWEEP.csv as a data frame with a row for each run. The files of each run are in a folder below ``out``."""
+        """Runs the deck with ``count`` evenly spaced values of one variable, on ``threads`` cores (0: all cores).
+
+        Returns the table SWEEP.csv as a data frame with one row for each run. The files of each run are in a subfolder
+        of ``out``."""
         from .run import start_sweep
 
         return start_sweep(self, variable, first, last, count, out, until, integrator, tol, options, user, threads, progress,
@@ -499,7 +500,7 @@ class Deck(DeckVariables):
     # For people.
 
     def story(self) -> str:
-        """Description of the deck and of its run, in a few lines."""
+        """Description of the deck and of its run in a few lines."""
         return "\n".join(self._core.story())
 
     def __repr__(self) -> str:
@@ -521,7 +522,7 @@ def _umask() -> int:
 
 
 def _rounded(value: float) -> float:
-    """Without the last digits that a change of units brings in: 60.5 mm is 0.0605 m."""
+    """Rounds away the last digits that a change of units adds: 60.5 mm is 0.0605 m."""
     return float(f"{value:.15g}")
 
 
@@ -532,15 +533,16 @@ def new(name: str) -> Deck:
 
 
 def catalogue(designation: str) -> Deck:
-    """A bearing by its designation ("6205", "7208 B", "NU209", "30208", "22210") or outside ("deep-groove 25x52x15" in
-    mm): standard boundary dimensions; the internal geometry is an estimate, as the remarks of the deck state."""
+    """A bearing by its designation ("6205", "7208 B", "NU209", "30208", "22210") or by type and size
+    ("deep-groove 25x52x15" in mm). The boundary dimensions are standard values. The internal geometry is an estimate,
+    as the comments in the deck state."""
     return Deck(_core.Deck.catalogue(designation))
 
 
 def read(path: PathLike = ".") -> Deck:
-    """Reads a deck, or the DATA.txt of a folder; also the run options of ADORE.json in its folder.
+    """Reads a deck file, or DATA.txt in a folder, and the run options from ADORE.json in the same folder.
 
-    Every error of the deck is in the :class:`adore.InputError` that it raises; warnings become
+    If the deck has errors, an :class:`adore.InputError` with all of them is raised. Warnings are issued as
     :class:`adore.DeckWarning`."""
     core = _core.Deck.read(os.fspath(path))
     for issue in core.warnings:
@@ -550,7 +552,7 @@ def read(path: PathLike = ".") -> Deck:
 
 
 def check(path: PathLike = ".") -> Findings:
-    """Every error, warning and note of a deck file, also of one that cannot be read as a deck."""
+    """All errors, warnings and notes of a deck file, even if it cannot be read as a deck."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", DeckWarning)
@@ -567,7 +569,7 @@ def examples() -> dict[str, str]:
 
 
 def show_progress(progress: Union[bool, None, ProgressCallback]) -> Optional[ProgressCallback]:
-    """The callback that ``progress`` means: a line on a terminal, nothing, or the caller's own."""
+    """The callback for ``progress``: a line on a terminal, none, or the given callable."""
     if callable(progress):
         return progress
     if progress is False or (progress is None and not sys.stderr.isatty()):

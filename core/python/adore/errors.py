@@ -46,17 +46,17 @@ class AdoreError(Exception):
 
 
 class InputError(AdoreError, ValueError):
-    """A deck, file or argument is wrong; the message states valid values."""
+    """A deck, file or argument is wrong. The message states valid values."""
 
     exit_code = 2
 
 
 class ResultsExistError(InputError):
-    """The folder has results of an earlier run, and overwrite is not set."""
+    """The folder contains results of an earlier run, and ``overwrite`` is not set."""
 
 
 class UnitError(InputError):
-    """A unit is unknown, or has another dimension than the variable."""
+    """A unit is unknown, or its dimension differs from that of the variable."""
 
 
 class PicturesMissingError(InputError):
@@ -64,7 +64,7 @@ class PicturesMissingError(InputError):
 
 
 class SolverError(AdoreError, ArithmeticError):
-    """No solution was found: diagnosis and remedy."""
+    """No solution was found. The message has diagnosis and remedy."""
 
     exit_code = 3
 
@@ -83,7 +83,7 @@ class UntrustedResult(RunFailed):
 
 
 class InternalError(AdoreError):
-    """A broken invariant: a bug of Adore."""
+    """An internal check failed: a bug of Adore."""
 
 
 class Interrupted(KeyboardInterrupt):

@@ -25,7 +25,7 @@ class Picture:
         self.name = name
 
     def save(self, path: PathLike) -> Path:
-        """Writes the picture to a file or, under its name, into a folder."""
+        """Writes the picture to a file, or into a folder with its own name."""
         target = Path(path)
         if target.is_dir():
             target = target / self.name
@@ -43,7 +43,7 @@ class Pictures(List[Picture]):
     """Several pictures; a notebook shows all of them."""
 
     def save(self, folder: PathLike) -> List[Path]:
-        """Writes them into a folder, which is made when it is missing."""
+        """Writes all pictures into a folder, which is created if necessary."""
         Path(folder).mkdir(parents=True, exist_ok=True)
         return [picture.save(folder) for picture in self]
 
@@ -60,8 +60,8 @@ def embedded(picture: Picture) -> str:
 
 
 def program() -> Optional[str]:
-    """The program that draws: from ADORE_PICTURES, this build, the PATH or the folder of Python; None in a build
-    without Qt."""
+    """Path of the drawing program: from ADORE_PICTURES, this build, the PATH or the folder of Python; None if there is no
+    such program."""
     named = os.environ.get("ADORE_PICTURES")
     if named:
         return named
@@ -77,8 +77,8 @@ def _draw(words: Sequence[str]) -> Pictures:
     tool = program()
     if tool is None:
         raise PicturesMissingError(
-            "pictures are drawn by the program adore-pictures, which is not there; build Adore with Qt (preset release), "
-            "and put the program on the PATH or name it in ADORE_PICTURES"
+            "the drawing program adore-pictures was not found; build Adore with Qt (preset release), and put the program "
+            "on the PATH or set ADORE_PICTURES to its path"
         )
     with tempfile.TemporaryDirectory(prefix="adore-pictures-") as folder:
         try:
@@ -87,9 +87,9 @@ def _draw(words: Sequence[str]) -> Pictures:
                 env={**os.environ, "QT_QPA_PLATFORM": "offscreen"},
             )  # fmt: skip
         except OSError as error:
-            raise PicturesMissingError(f"pictures are drawn by {tool}, which does not start: {error.strerror}") from None
+            raise PicturesMissingError(f"the drawing program {tool} does not start: {error.strerror}") from None
         if done.returncode != 0:
-            raise InputError(done.stderr.strip().removeprefix("adore: ") or f"{tool} ended with {done.returncode}")
+            raise InputError(done.stderr.strip().removeprefix("adore: ") or f"{tool} ended with exit code {done.returncode}")
         files = [Path(line) for line in done.stdout.splitlines() if line.endswith(".png")]
         return Pictures(Picture(file.read_bytes(), file.name) for file in files)
 
@@ -105,7 +105,8 @@ def plot(
 ) -> Pictures:
     """The pages of SOL1-SOL7, a quasi-static RUN.json or a SWEEP.csv, as ``adore plot`` draws them.
 
-    page: one of them, counted from 1; abscissa: "rev" or "time"; first, last, every: stored steps, counted from 1."""
+    page: number of the page, counted from 1 (default: all pages); abscissa: "rev" or "time"; first, last, every: stored
+    steps, counted from 1."""
     words = ["plot", *(os.fspath(f) for f in files), "--abscissa", abscissa, "--from", str(first), "--every", str(every)]
     words += ["--page", str(page)] if page is not None else []
     words += ["--to", str(last)] if last is not None else []
@@ -126,8 +127,8 @@ def animate(
 ) -> Pictures:
     """Frames of SOL8 or RESULTS.h5, as ``adore animate`` draws them.
 
-    view: "bearing", "cage", "pocket", "element", "race", "flange" or "section"; frame: one of them, counted from 1, or
-    None for every ``every``-th; colour: "none", "load", "slip", "heat" or "temperature"."""
+    view: "bearing", "cage", "pocket", "element", "race", "flange" or "section"; frame: number of the frame, counted from 1, or
+    None for every ``every``-th frame; colour: "none", "load", "slip", "heat" or "temperature"."""
     words = ["animate", os.fspath(file), "--view", view, "--race", race, "--element", str(element), "--colour", colour]
     words += ["--frame", str(frame)] if frame is not None else ["--every", str(every)]
     return _draw(words + (["--contacts"] if contacts else []) + (["--dark"] if dark else []))

@@ -1,4 +1,4 @@
-"""Results as NumPy arrays and pandas data frames, through the readers of the solver."""
+"""Results as NumPy arrays and pandas data frames."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ def _pandas() -> Any:
     try:
         import pandas
     except ImportError:
-        raise ImportError("this needs pandas (Debian: python3-pandas); arrays are there without it") from None
+        raise ImportError("data frames need pandas (Debian: python3-pandas); arrays are available without pandas") from None
     return pandas
 
 
 class Channels(Mapping[str, np.ndarray]):
-    """The channels of a RESULTS.h5 by name, SI and radians, an array with one row for each stored step.
+    """The channels of a RESULTS.h5 by name (SI units and radians). Each array has one row for each stored step.
 
     >>> run = adore.new("ball").run(until="0.02rev", progress=False)
     >>> run.channels["contact.load"].shape[1:]      # behind the steps: elements, races
@@ -39,7 +39,7 @@ class Channels(Mapping[str, np.ndarray]):
     >>> run.channels.info("contact.load").unit
     'N'
 
-    The file can be read during the run; :meth:`reload` reads new steps."""
+    The file can be read while the run is in progress; :meth:`reload` reads the new steps."""
 
     def __init__(self, path: PathLike) -> None:
         self._path = os.fspath(path)
@@ -67,23 +67,23 @@ class Channels(Mapping[str, np.ndarray]):
 
     @property
     def geometry(self) -> Dict[str, float]:
-        """Sizes of the bearing [m]."""
+        """Dimensions of the bearing [m]."""
         return self._reader.geometry
 
     def info(self, id: str) -> _core.ChannelInfo:
         """Label, unit, frame and meaning of a channel."""
         if id not in self._info:
-            raise InputError(f"there is no channel {id} in {self._path}; it has {', '.join(self)}")
+            raise InputError(f"{self._path} has no channel {id}; its channels are {', '.join(self)}")
         return self._info[id]
 
     def read(self, id: str, first: int = 0, count: Optional[int] = None, every: int = 1) -> np.ndarray:
-        """Values of the stored steps ``first``, ``first + every``, ... (counted from 0; all unless ``count`` is given)."""
+        """Values of the stored steps ``first``, ``first + every``, ... (counted from 0; default of ``count``: all)."""
         if id not in _SERIES:
             self.info(id)
         return self._reader.read(id, first, count, every)
 
     def frame(self, *ids: str, index: str = "time") -> pd.DataFrame:
-        """Channels as columns, one for each of their values, e.g. "contact.load[3].inner"; elements count from 1.
+        """Channels as a data frame with one column for each value, e.g. "contact.load[3].inner"; elements are counted from 1.
 
         The index is "time" [s], "revolutions" or "steps"."""
         pandas = _pandas()
@@ -135,11 +135,11 @@ def _names(id: str, shape: Tuple[int, ...]) -> List[str]:
 
 
 def read_table(path: PathLike) -> pd.DataFrame:
-    """A SOL1-SOL8 or RESULTS.h5 as a data frame, a row for each stored step.
+    """A SOL1-SOL8 or RESULTS.h5 as a data frame with one row for each stored step.
 
-    Columns are named as ``adore convert`` names them, e.g. "contact.load.outer"; ``frame.attrs`` has the file's
-    header, and "units" and "labels" by column. A damaged or cut-off file gives what is there and a note in
-    ``frame.attrs["note"]``."""
+    The columns have the names of ``adore convert``, e.g. "contact.load.outer". ``frame.attrs`` contains the header of the
+    file, and "units" and "labels" of the columns. If a file is damaged or incomplete, the frame contains
+    the readable rows, and ``frame.attrs["note"]`` has a note."""
     header, columns, values, note = _core.read_table(os.fspath(path))
     frame = _pandas().DataFrame(values, columns=[c[0] for c in columns])
     frame.attrs.update(

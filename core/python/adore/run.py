@@ -29,7 +29,7 @@ PathLike = Union[str, "os.PathLike[str]"]
 
 
 class Plan:
-    """Bodies, effects, unknowns and cost of a run, in time and disk space."""
+    """Bodies, effects and unknowns of a run, and its cost in time and disk space."""
 
     def __init__(self, text: str, data: str, remarks: Sequence[_core.Finding]) -> None:
         #: The plan as ``adore plan`` prints it.
@@ -42,7 +42,7 @@ class Plan:
 
     @property
     def effects(self) -> Dict[str, bool]:
-        """Name of every effect, and whether it is on."""
+        """Name of each effect, and True if it is on."""
         return {e["name"]: bool(e["on"]) for e in self.data["effects"]}
 
     def __repr__(self) -> str:
@@ -60,7 +60,7 @@ class _Summary:
 
     @property
     def summary(self) -> Dict[str, float]:
-        """Key results by name, e.g. "largest_contact_load_N"; SI, lives in hours."""
+        """Key results by name, e.g. "largest_contact_load_N" (SI units, lives in hours)."""
         return {id: value for id, _, _, value in self._results}
 
     def _rows(self) -> str:
@@ -71,7 +71,7 @@ class _Summary:
 
 
 class Statics(_Summary):
-    """The quasi-static equilibrium, SI and radians. The five components are x, y, z, rotation about y, rotation about z."""
+    """The quasi-static equilibrium in SI units and radians. The five components are x, y, z, rotation about y, rotation about z."""
 
     def __init__(self, solution: Mapping[str, Any]) -> None:
         super().__init__(solution["results"])
@@ -98,13 +98,13 @@ class Statics(_Summary):
         return list(self._tables)
 
     def columns(self, name: str = "elements") -> Dict[str, np.ndarray]:
-        """A table as arrays by "name [unit]": "elements" has a row for each rolling element, "slices" along a roller."""
+        """A table as arrays by "name [unit]". "elements" has one row for each rolling element, "slices" one for each roller slice."""
         if name not in self._tables:
-            raise InputError(f"this equilibrium has no table {name}; it has {', '.join(self._tables)}")
+            raise InputError(f"this equilibrium has no table {name}; its tables are {', '.join(self._tables)}")
         return {f"{label} [{unit}]" if unit not in ("", "-") else label: values for label, unit, values in self._tables[name]}
 
     def table(self, name: str = "elements") -> pd.DataFrame:
-        """The same as a data frame; elements count from 1."""
+        """The table as a data frame; elements are counted from 1."""
         frame = _pandas().DataFrame(self.columns(name))
         frame.index += 1
         return frame
@@ -117,7 +117,7 @@ class Statics(_Summary):
 
 
 class Run(_Summary):
-    """A run in its folder: key results, channels, tables, pictures."""
+    """A run and its files: key results, channels, tables, pictures."""
 
     def __init__(self, folder: PathLike, outcome: Optional[_core.RunOutcome] = None, keep: Any = None) -> None:
         #: Folder of the files.
@@ -126,7 +126,7 @@ class Run(_Summary):
         self._outcome = outcome
         self._channels: Optional[Channels] = None
         if outcome is None and not (self.folder / "RUN.json").exists():
-            raise InputError(f"there is no RUN.json in {self.folder}; give the folder of a run's files")
+            raise InputError(f"there is no RUN.json in {self.folder}; give the output folder of a run")
         super().__init__(outcome.results if outcome is not None else _stored_results(self.report))
 
     @property
@@ -153,18 +153,18 @@ class Run(_Summary):
 
     @property
     def outcome(self) -> Optional[_core.RunOutcome]:
-        """Steps, time, revolutions, computing time and energy of a run of this session; None of one that was opened."""
+        """Steps, time, revolutions, computing time and energy, if this session made the run; None for an opened run."""
         return self._outcome
 
     @property
     def remarks(self) -> List[_core.Finding]:
-        """Warnings and notes of a run of this session."""
+        """Warnings and notes, if this session made the run."""
         return list(self._outcome.remarks) if self._outcome is not None else []
 
     @property
     def accuracy(self) -> Dict[str, Any]:
-        """Intervals of the results: "means" (batch means of the run); after ``adore run --verify`` or ``--accuracy``
-        "quantities" with numerical and statistical part. Empty: not computed."""
+        """Confidence intervals of the results: "means" (batch means of the run). After ``adore run --verify`` or ``--accuracy``
+        also "quantities" with numerical and statistical error. Empty: not computed."""
         return dict(self.report.get("accuracy", {}))
 
     @property
@@ -174,12 +174,12 @@ class Run(_Summary):
 
     @property
     def findings(self) -> List[_core.Finding]:
-        """Every finding with code, value and limit; of an opened run, those of RUN.json or RESULTS.h5."""
+        """All findings with code, value and limit; for an opened run those in RUN.json or RESULTS.h5."""
         return list(self._outcome.remarks) if self._outcome is not None else _core.run_findings(str(self.folder))
 
     @property
     def channels(self) -> Channels:
-        """Every channel of RESULTS.h5 as arrays."""
+        """All channels of RESULTS.h5 as arrays."""
         if self._channels is None:
             self._channels = Channels(self.folder / "RESULTS.h5")
         return self._channels
@@ -206,8 +206,8 @@ class Run(_Summary):
         return sorted(sols, key=lambda f: f.name) or [self.folder / "RUN.json"]
 
     def plot(self, name: Optional[str] = None, page: Optional[int] = None, **how: Any) -> pictures.Pictures:
-        """Pages of a plot file, all of them unless one is named: ``run.plot("SOL7", page=1)``. Without a name: the
-        first plot file, or the tables of a quasi-static run. ``how``: see :func:`adore.pictures.plot`."""
+        """Pages of a plot file (default: all pages): ``run.plot("SOL7", page=1)``. Without a file name: the first plot file,
+        or the tables of a quasi-static run. ``how``: see :func:`adore.pictures.plot`."""
         return pictures.plot(self.folder / name if name else self._charts()[0], page=page, **how)
 
     def picture(self, view: str = "bearing", frame: int = 1, **how: Any) -> pictures.Picture:
@@ -216,7 +216,7 @@ class Run(_Summary):
         return pictures.animate(file, view=view, frame=frame, **how)[0]
 
     def _shown(self) -> List[pictures.Picture]:
-        """A chart and, for a motion, the bearing, if available."""
+        """A chart, and for a run over time a picture of the bearing, if available."""
         out: List[pictures.Picture] = []
         if pictures.program() is None:
             return out
@@ -242,7 +242,7 @@ class Run(_Summary):
             o = self._outcome
             lines.append(f"{o.steps} steps, {o.revolutions:.4g} revolutions, t = {o.time:.6g} s, computed in {o.seconds:.2g} s")
             if o.energy_scale > 0.0:
-                lines.append(f"energy residual {o.energy_residual:.3g} J of {o.energy_scale:.3g} J that moved")
+                lines.append(f"energy residual {o.energy_residual:.3g} J of {o.energy_scale:.3g} J exchanged")
         lines += self._outcome.lines if self._outcome is not None else []
         lines += [f"  {label:<36} {value:>12.6g} {unit}".rstrip() for _, label, unit, value in self._results]
         return "\n".join(lines)
@@ -258,7 +258,7 @@ def _stored_results(report: Mapping[str, Any]) -> List[Tuple[str, str, str, floa
 
 
 class _Folder:
-    """Removes the folder with its last reference."""
+    """Removes the folder when the last reference to it is deleted."""
 
     def __init__(self, path: Path) -> None:
         weakref.finalize(self, shutil.rmtree, path, ignore_errors=True)
@@ -289,9 +289,9 @@ def start_run(
     from .deck import show_progress
 
     if resume and overwrite:
-        raise InputError("resume continues the results in the folder, overwrite replaces them; give one of them")
+        raise InputError("resume continues the run in the folder, and overwrite replaces it; give only one of the two")
     if resume and out is None:
-        raise InputError("resume needs the folder of the run; give out")
+        raise InputError("resume needs the output folder of the run; give it as out")
     folder = Path(tempfile.mkdtemp(prefix="adore-run-")) if out is None else Path(out)
     keep = _Folder(folder) if out is None else None
     try:
@@ -300,7 +300,7 @@ def start_run(
     except Interrupted:
         raise
     except KeyboardInterrupt:
-        raise Interrupted("interrupted before anything was written") from None
+        raise Interrupted("interrupted before any file was written") from None
     run = Run(folder, outcome, keep)
     if isinstance(outcome.raised, KeyboardInterrupt):
         raise Interrupted("interrupted; the files are valid up to the last stored step", run) from None

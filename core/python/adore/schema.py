@@ -1,4 +1,4 @@
-"""The record schema of the deck: every record and variable of the manual with units, options and help."""
+"""The deck format: all records and variables with units, options and help."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ __all__ = ["RecordSpec", "VariableSpec", "known", "records", "variable", "variab
 
 @dataclass(frozen=True)
 class VariableSpec:
-    """A variable of a record, as the manual names it."""
+    """A variable of a record."""
 
     name: str
     type: str  #: "int", "real" or "string"
@@ -30,7 +30,7 @@ class VariableSpec:
     help: str
 
     def text(self) -> str:
-        """Description in a few lines."""
+        """Description of the variable in a few lines."""
         unit = f" [{self.unit}]" if self.unit not in ("", "-") else ""
         length = "" if self.length == "1" else f", array of {self.length}"
         lines = [f"{self.name}{unit} ({self.type}{length}): {self.help}"]
@@ -44,7 +44,7 @@ class VariableSpec:
 
 @dataclass(frozen=True)
 class RecordSpec:
-    """A record of the deck; ``condition`` states when a deck has it."""
+    """A record of the deck; ``condition`` states which decks have it."""
 
     id: str
     title: str
@@ -54,7 +54,7 @@ class RecordSpec:
 
 
 def _bound(value: Any, otherwise: float) -> float:
-    """Ranges without a bound, or with that of the number type, are None."""
+    """Limits of ranges; None if there is no limit, or only that of the number type."""
     return otherwise if value is None or abs(value) >= 2**31 - 1 else float(value)
 
 
@@ -98,13 +98,13 @@ def variable_names() -> Tuple[str, ...]:
 
 
 def known(name: str) -> Optional[VariableSpec]:
-    """A variable by the manual's name; None for an unknown one."""
+    """A variable by its name; None if the name is unknown."""
     found = _by_name().get(name)
     return None if found is None else found[0]
 
 
 def variable(name: str) -> VariableSpec:
-    """A variable by the manual's name.
+    """A variable by its name.
 
     >>> adore.schema.variable("pitchDia").unit
     'm'

@@ -56,7 +56,7 @@ def _parse(unit: str) -> tuple[float, tuple[float, ...]]:
         number, dimension = _UNITS[text]
         return number, dimension
     if text.lower() in ("degc", "°c", "c", "degf", "°f", "f"):
-        raise UnitError(f"{unit} has another zero than kelvin, and the variable can be a difference. Give kelvin (K)")
+        raise UnitError(f"{unit}: the zero of this scale is not that of kelvin. Give the value in kelvin (K)")
     number, total, at = 1.0, [0.0] * 6, 0
     while at < len(text):
         part = _PART.match(text, at)
@@ -80,7 +80,7 @@ def factor(unit: str, to: str) -> float:
     a, dimension_a = _parse(unit)
     b, dimension_b = _parse(to)
     if tuple(dimension_a) != tuple(dimension_b):
-        raise UnitError(f'"{unit}" does not measure what "{to}" does')
+        raise UnitError(f'"{unit}" and "{to}" are units of different quantities')
     return a / b
 
 

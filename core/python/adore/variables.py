@@ -1,4 +1,4 @@
-"""The variables of a deck as attributes, for editors: variables.pyi names them all with unit and meaning."""
+"""The deck variables as attributes, for editors: variables.pyi lists all with unit and meaning."""
 
 __all__ = ["DeckVariables"]
 

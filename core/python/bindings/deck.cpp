@@ -108,7 +108,7 @@ void bind_deck(py::module_& module) {
       },
       "Name and description of every example deck.");
 
-  py::class_<DeckObject>(module, "Deck", "A deck as data, with the text that it came from.")
+  py::class_<DeckObject>(module, "Deck", "A deck as data, with its original text.")
       .def_static(
           "read",
           [](const std::string& path) {
@@ -119,7 +119,7 @@ void bind_deck(py::module_& module) {
           },
           py::arg("path"), "Reads a deck file, or DATA.txt of a folder.")
       .def_static("from_text", &from_text, py::arg("text"), py::arg("name"),
-                  "A deck from its text; `name` is what messages call it.")
+                  "A deck from its text; `name` is the name of the deck in messages.")
       .def_static(
           "example",
           [](const std::string& name) {
@@ -157,7 +157,8 @@ void bind_deck(py::module_& module) {
             return record == nullptr ? py::object(py::none()) : py::object(values_of(*record));
           },
           py::arg("record"), py::arg("instance"),
-          "The values of a record, a list for each variable, label first; None without it.")
+          "The values of a record as a list for each variable, the label first; None if the deck "
+          "does not have the record.")
       .def(
           "record_of",
           [](const DeckObject& self, const std::string& name) -> py::object {
@@ -166,7 +167,8 @@ void bind_deck(py::module_& module) {
             return py::make_tuple(std::string(ref.record->id), ref.position);
           },
           py::arg("name"),
-          "Record that holds a variable in this deck and its place there; None when none does.")
+          "Record that contains a variable, and the position of the variable; None if this deck "
+          "does not have the variable.")
       .def(
           "unit",
           [](const DeckObject& self, const std::string& name) {
@@ -174,7 +176,8 @@ void bind_deck(py::module_& module) {
             return ref.record == nullptr ? std::string()
                                          : std::string(deck::unit_name(self.deck, ref.spec()));
           },
-          py::arg("name"), "Unit of a variable in this deck; empty for pure numbers and texts.")
+          py::arg("name"),
+          "Unit of a variable in this deck; empty for dimensionless numbers and texts.")
       .def(
           "si_factor",
           [](const DeckObject& self, const std::string& name) {
@@ -183,7 +186,7 @@ void bind_deck(py::module_& module) {
             const deck::UnitPair& unit = ref.spec().unit;
             return self.deck.units() == deck::UnitSystem::SI ? unit.si_factor : unit.en_factor;
           },
-          py::arg("name"), "The deck's value times this is SI with radians.")
+          py::arg("name"), "Factor from the unit of the deck to SI (with radians).")
       .def(
           "set_all",
           [](DeckObject& self, const Sets& sets) {
@@ -194,16 +197,15 @@ void bind_deck(py::module_& module) {
             return notes;
           },
           py::arg("sets"),
-          "Sets variables as one change, names and values as text; what options brought in with "
-          "default values is returned, and what numbers the monitored bodies have with other "
-          "counts.")
-      .def("text", &text_of, "The deck's text; remarks and blanks of the original stay.")
+          "Sets variables as one change; names and values are texts. Returns notes on records that "
+          "were added with default values, and on monitored bodies that were renumbered.")
+      .def("text", &text_of, "The text of the deck; comments and blanks of the original are kept.")
       .def(
           "in_units",
           [](const DeckObject& self, const std::string& system) {
             if (system != "SI" && system != "English")
               throw InputError("there is no system of units \"" + system +
-                               "\"; decks are in \"SI\" or \"English\" ones");
+                               "\"; give \"SI\" or \"English\"");
             return from_text(
                 deck::write_deck(deck::in_units(
                     self.deck, system == "SI" ? deck::UnitSystem::SI : deck::UnitSystem::English)),

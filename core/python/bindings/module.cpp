@@ -55,7 +55,8 @@ void bind_calculators(py::module_& module) {
   const auto find = [](const std::string& name) -> const calculators::CalculatorInfo& {
     for (const calculators::CalculatorInfo& info : calculators::calculator_list())
       if (info.name == name) return info;
-    throw InputError("there is no calculator named \"" + name + "\"; dir(adore.calc) lists them");
+    throw InputError("there is no calculator named \"" + name +
+                     "\"; dir(adore.calc) lists all calculators");
   };
   module.def(
       "describe_calculator",
@@ -66,7 +67,7 @@ void bind_calculators(py::module_& module) {
       [find](const std::string& name) {
         return dump_json(calculators::describe_calculator(find(name)));
       },
-      py::arg("name"), "The same as JSON text.");
+      py::arg("name"), "Inputs and results of a calculator as JSON text.");
   module.def(
       "calculate",
       [](const std::string& name, const std::string& input) {
@@ -79,10 +80,11 @@ void bind_calculators(py::module_& module) {
 }  // namespace
 
 void bind_errors(py::module_& module) {
-  py::class_<Issue>(module, "Issue", "A remark about the input, and its parts.")
+  py::class_<Issue>(module, "Issue", "A message about the input, and its parts.")
       .def_property_readonly("severity", severity, "\"error\", \"warning\" or \"note\".")
       .def_readonly("file", &Issue::file, "File name of the deck.")
-      .def_readonly("line", &Issue::line, "Line of the file from 1; 0 where none is meant.")
+      .def_readonly("line", &Issue::line,
+                    "Line of the file, counted from 1; 0 if the message is not about a line.")
       .def_readonly("record", &Issue::record, "Record of the deck, e.g. \"5A\".")
       .def_readonly("variable", &Issue::variable, "Variable of the deck, e.g. \"pitchDia\".")
       .def_readonly("value", &Issue::value, "Value in the deck.")
@@ -93,9 +95,10 @@ void bind_errors(py::module_& module) {
       .def("__repr__",
            [](const Issue& issue) { return "<" + severity(issue) + ": " + issue.text() + ">"; });
   py::class_<Finding, Issue>(module, "Finding",
-                             "A remark as data; codes: resources/docs/findings.md.")
-      .def_readonly("code", &Finding::code, "Code of the register, e.g. \"cage.yielding\".")
-      .def_readonly("quantity", &Finding::quantity, "Of `measured`; empty where none applies.")
+                             "A finding as data; codes: resources/docs/findings.md.")
+      .def_readonly("code", &Finding::code, "Code of the finding, e.g. \"cage.yielding\".")
+      .def_readonly("quantity", &Finding::quantity,
+                    "Quantity of `measured`; empty if there is none.")
       .def_readonly("measured", &Finding::measured, "Value of the quantity in `unit`, or None.")
       .def_readonly("least", &Finding::least, "Lower limit in `unit`, or None.")
       .def_readonly("limit", &Finding::limit, "Upper limit in `unit`, or None.")
@@ -108,7 +111,7 @@ void bind_errors(py::module_& module) {
       py::arg("folder"), "Findings of a finished run: RUN.json, or RESULTS.h5.");
   module.def(
       "findings_of", [](std::vector<Issue> issues) { return findings_of(std::move(issues)); },
-      py::arg("issues"), "The same remarks with their codes.");
+      py::arg("issues"), "Converts messages to findings with codes.");
   py::register_exception_translator(translate);
 }
 
@@ -116,7 +119,7 @@ void bind_errors(py::module_& module) {
 
 PYBIND11_MODULE(_core, module) {
   using namespace adore;
-  module.doc() = "The solver behind the package adore; use the package.";
+  module.doc() = "Solver of the package adore. Use the package instead.";
   module.attr("__version__") = std::string(kVersionNumber);
   python::bind_errors(module);
   python::bind_deck(module);
@@ -134,5 +137,5 @@ PYBIND11_MODULE(_core, module) {
       },
       "Name, default and meaning of every run option.");
   module.def("require_reproducible", &facade::require_reproducible,
-             "Every later run of this process gives the same bytes on any x86-64 processor.");
+             "All later runs of this process give bit-identical results on all x86-64 processors.");
 }

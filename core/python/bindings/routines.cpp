@@ -38,7 +38,8 @@ void take(const py::handle& value, double* to, std::size_t count, const char* na
     std::copy_n(values.data(), count, to);
   else
     throw std::runtime_error(std::string(name) + " has " + std::to_string(values.size()) +
-                             " values; give " + std::to_string(count) + ", or one for all");
+                             " values; give " + std::to_string(count) +
+                             " values, or one value for all");
 }
 
 void take(const py::dict& answer, const char* name, double* to, std::size_t count) {
@@ -100,7 +101,7 @@ void motion(const py::object& function, adore_adrx1& a, py::dict& given) {
     if (answer.contains("kinks")) {
       const auto kinks = answer["kinks"].cast<std::vector<double>>();
       if (kinks.size() > std::size(a.kinks))
-        throw std::runtime_error("kinks has more than 8 times");
+        throw std::runtime_error("kinks: give at most 8 times");
       std::copy(kinks.begin(), kinks.end(), a.kinks);
       a.kink_count = static_cast<std::int32_t>(kinks.size());
     }
@@ -301,8 +302,9 @@ std::shared_ptr<const user::PlugIn> Routines::plug_in() const {
     const auto count = static_cast<std::int32_t>(wanted->second.size());
     const std::int32_t found = call.services->read_numbers(call.host, wanted->second.data(), count);
     if (found != count)
-      throw std::runtime_error("wants " + std::to_string(count) + " numbers of records 12.x, and " +
-                               std::to_string(found) + " are there");
+      throw std::runtime_error("needs " + std::to_string(count) +
+                               " numbers from records 12.x, but the deck has " +
+                               std::to_string(found));
     return 0;
   };
   const auto given_of = [](const State& s, const adore_call& call) {
@@ -371,9 +373,9 @@ std::shared_ptr<const user::PlugIn> Routines::plug_in() const {
     auto& a = reinterpret_cast<adore_adrx7&>(call);
     const Traction& law = state->traction[static_cast<std::size_t>(a.kind)];
     if (!law.table && !law.function)
-      throw std::runtime_error(std::string("the deck asks for a law of ") +
+      throw std::runtime_error(std::string("the deck needs a traction law for ") +
                                kKinds[static_cast<std::size_t>(a.kind)] +
-                               ", and the program gave none");
+                               ", but the program did not set one");
     if (call.mode == ADORE_START) {
       a.slip_scale = law.slip_scale;
       a.wants_points = law.points ? 1 : 0;
@@ -401,18 +403,17 @@ Routines::State::~State() {
 }
 
 void bind_routines(py::module_& module) {
-  py::class_<Routines>(module, "Routines",
-                       "Functions of the program as user routines ADRX0 to ADRX9.")
+  py::class_<Routines>(module, "Routines", "Python functions as user routines ADRX0 to ADRX9.")
       .def(py::init<std::string>(), py::arg("version"))
       .def("set", &Routines::set, py::arg("hook"), py::arg("function"),
-           "A function that gets a dictionary of what the routine knows.")
+           "Sets a function that receives a dictionary with the data of the routine.")
       .def("set_numbers", &Routines::set_numbers, py::arg("hook"), py::arg("count"),
-           "How many numbers of records 12.x belong to a routine.")
+           "Sets the number of values of records 12.x that a routine reads.")
       .def("set_traction", &Routines::set_traction, py::arg("kind"), py::arg("function"),
            py::arg("slip"), py::arg("kappa"), py::arg("slip_scale"), py::arg("points"),
-           "A law of traction: a table, or a function when the table is empty.")
+           "Sets a traction law: a table, or a function if the table is empty.")
       .def_property_readonly("direct_cost", &Routines::direct_cost,
-                             "Calls of Python functions so far, and the seconds that they took.");
+                             "Number of calls of Python functions so far, and their time [s].");
   module.def(
       "interpolate",
       [](std::vector<double> x, std::vector<double> y, const std::vector<double>& at) {
@@ -424,7 +425,7 @@ void bind_routines(py::module_& module) {
         return to_array(std::move(out), {count});
       },
       py::arg("x"), py::arg("y"), py::arg("at"),
-      "Values of a monotone table as the solver reads it.");
+      "Values of a monotone table, interpolated as in the solver.");
 }
 
 }  // namespace adore::python

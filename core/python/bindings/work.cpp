@@ -114,18 +114,19 @@ facade::RunRequest run_request(const std::string& text, const std::string& name,
 void bind_run(py::module_& module) {
   using facade::Progress;
   py::class_<Progress>(module, "Progress", "Progress of a run for progress callbacks.")
-      .def_readonly("fraction", &Progress::fraction, "Of the simulated span, 0 to 1.")
+      .def_readonly("fraction", &Progress::fraction,
+                    "Completed fraction of the simulated time, 0 to 1.")
       .def_readonly("revolutions", &Progress::revolutions, "Shaft revolutions.")
       .def_readonly("time", &Progress::time, "Simulated time [s].")
       .def_readonly("end_time", &Progress::end_time, "End of the run [s].")
-      .def_readonly("last_step", &Progress::last_step,
-                    "The step that ends the run when it comes before end_time at the pace of the "
-                    "run so far; 0: the time ends it.")
-      .def_readonly("step", &Progress::step, "Counted steps; of a sweep, the runs that are done.")
+      .def_readonly(
+          "last_step", &Progress::last_step,
+          "Step that ends the run, if it is expected before end_time; 0: the time ends the run.")
+      .def_readonly("step", &Progress::step, "Counted steps; in a sweep: completed runs.")
       .def_readonly("elapsed", &Progress::elapsed, "Computing time so far [s].")
       .def_readonly("remaining", &Progress::remaining, "Estimate [s].")
-      .def_readonly("speed_up", &Progress::speed_up, "Simulated over computing time.")
-      .def_readonly("runs", &Progress::runs, "Number of runs of a sweep; 0: one run.");
+      .def_readonly("speed_up", &Progress::speed_up, "Simulated time divided by computing time.")
+      .def_readonly("runs", &Progress::runs, "Number of runs of a sweep; 0: a single run.");
 
   using Record = RunRecord;
   py::class_<Record>(module, "RunOutcome", "Result of a run.")
@@ -148,15 +149,15 @@ void bind_run(py::module_& module) {
           "Files that were written.")
       .def_property_readonly(
           "remarks", [](const Record& r) { return r.outcome.warnings; },
-          "Of the deck, and of the equilibrium.")
+          "Warnings and notes on the deck and the equilibrium.")
       .def_property_readonly(
           "lines", [](const Record& r) { return r.outcome.results; },
-          "A quasi-static run's results in a few sentences.")
+          "Results of a quasi-static run in a few sentences.")
       .def_property_readonly(
           "steps", [](const Record& r) { return r.outcome.steps; }, "Counted steps.")
       .def_property_readonly(
           "evaluations", [](const Record& r) { return r.outcome.evaluations; },
-          "Of the right-hand side.")
+          "Number of evaluations of the right-hand side.")
       .def_property_readonly(
           "time", [](const Record& r) { return r.outcome.time; }, "Simulated time [s].")
       .def_property_readonly(
@@ -169,7 +170,7 @@ void bind_run(py::module_& module) {
           "Energy balance residual [J].")
       .def_property_readonly(
           "energy_scale", [](const Record& r) { return r.outcome.energy_scale; },
-          "Energy that moved [J].")
+          "Energy exchanged [J].")
       .def_property_readonly(
           "results", [](const Record& r) { return to_list(r.outcome.summary); },
           "Key results: id, label, unit, value in SI.")
@@ -200,7 +201,7 @@ void bind_run(py::module_& module) {
       py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user"), py::arg("out"),
       py::arg("until"), py::arg("integrator"), py::arg("tolerance"), py::arg("go_on"),
       py::arg("overwrite"), py::arg("progress"),
-      "Runs a deck. The interpreter's lock is free meanwhile.");
+      "Runs a deck. The interpreter lock is released during the run.");
 
   module.def(
       "sweep",
@@ -244,7 +245,7 @@ void bind_work(py::module_& module) {
             [&](const std::stop_token& stop) { return facade::check(request, stop).issues; });
       },
       py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user") = py::none(),
-      "All remarks on the text of a deck, also with user routines.");
+      "All findings about the text of a deck, optionally with user routines.");
   module.def(
       "options_beside",
       [](const std::string& deck) { return facade::options_beside(facade::deck_path(deck)); },
@@ -259,7 +260,7 @@ void bind_work(py::module_& module) {
         return py::make_tuple(report.text, dump_json(report.json), report.remarks);
       },
       py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user"),
-      "Plan as text and JSON, and remarks.");
+      "Plan as text and JSON, and findings.");
   module.def(
       "equilibrium",
       [](const std::string& text, const std::string& name, const Options& options,
@@ -296,7 +297,7 @@ void bind_work(py::module_& module) {
         return out;
       },
       py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user"),
-      "The quasi-static equilibrium: plain values, SI.");
+      "The quasi-static equilibrium as plain values in SI units.");
   bind_run(module);
 }
 

@@ -38,7 +38,7 @@ class Values(unittest.TestCase):
         self.assertEqual(self.deck.unit("pitchDia"), "m")
 
     def test_a_unit_of_something_else_is_refused_with_a_sentence(self):
-        with self.assertRaisesRegex(adore.UnitError, "does not measure"):
+        with self.assertRaisesRegex(adore.UnitError, "are units of different quantities"):
             self.deck["pitchDia"] = 60.5, "kg"
         with self.assertRaisesRegex(adore.UnitError, "is unknown"):
             self.deck["pitchDia"] = 60.5, "furlong"

@@ -79,10 +79,10 @@ class Traction(unittest.TestCase):
 
         tabulated = traction(True)
         self.assertLess(seconds(deck(), tabulated), 3.0 * seconds(built_in(), None))
-        self.assertEqual(tabulated.cost(), "no call of Python while computing")
+        self.assertEqual(tabulated.cost(), "no Python calls during the run")
         direct = traction()
         deck().run(until="0.05rev", progress=False, user=direct)
-        self.assertRegex(direct.cost(), r"\d+ calls of Python while computing, [\d.]+ us each")
+        self.assertRegex(direct.cost(), r"\d+ Python calls during the run, [\d.]+ us each")
 
     def test_the_version_of_the_user_is_in_the_report(self):
         run = deck().run(until="0.01rev", progress=False, user=traction())
@@ -173,7 +173,7 @@ class Surfaces(unittest.TestCase):
 
     def test_check_names_what_routines_make_of_a_deck(self):
         issues = adore.new("ball").check(user=self.waves())
-        self.assertIn("wants 3 numbers", " ".join(issue.text for issue in issues))
+        self.assertIn("needs 3 numbers", " ".join(issue.text for issue in issues))
         routines = adore.Routines()
         routines.elements(lambda places: 1e-6 * np.sin(places.azimuth))
         self.assertIn("out-of-round", " ".join(issue.text for issue in adore.new("cylindrical").check(user=routines)))

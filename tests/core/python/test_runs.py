@@ -174,7 +174,7 @@ class Results(Folder):
         self.assertEqual(run.channels.info("contact.load").unit, "N")
         self.assertAlmostEqual(run.channels.revolutions[-1], 0.1, places=6)
         np.testing.assert_array_equal(run.channels.read("contact.load", first=2, every=3), loads[2::3])
-        with self.assertRaisesRegex(adore.InputError, "there is no channel"):
+        with self.assertRaisesRegex(adore.InputError, "has no channel"):
             run["contact.laod"]
 
     def test_data_frames_have_names_units_and_the_same_numbers(self):

@@ -103,8 +103,8 @@ TEST_CASE("study: unknown key result → error with the nearest ones", "[unit][s
   deck.complete();
   const std::string said = missing_quantities(
       {result("mean_cage_ratio"), result("power_loss_W"), channel("land.force")}, deck, "");
-  CHECK(said.find("mean_cage_ratio: the scene has no cage (nCseg = 0); land.force:") == 0);
-  CHECK(said.find("a run may have life_lp_hours, run_life_hours, run_life_samples, ") !=
+  CHECK(said.find("mean_cage_ratio: the bearing has no cage (nCseg = 0); land.force:") == 0);
+  CHECK(said.find("possible key results are life_lp_hours, run_life_hours, run_life_samples, ") !=
         std::string::npos);
   CHECK(said.find("mean_whirl_ratio") == std::string::npos);
   CHECK(missing_quantities({result("power_loss_W")}, deck, "").empty());
