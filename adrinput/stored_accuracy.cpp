@@ -52,7 +52,7 @@ std::string statement(const json& accuracy) {
 
 std::string verification(const json& verify) {
   if (!word(verify, "failure").empty())
-    return fmt::format("The run against {} failed: {}\n", word(verify, "against"),
+    return fmt::format("The verification run against {} failed: {}\n", word(verify, "against"),
                        word(verify, "failure"));
   std::string out;
   if (const auto errors = verify.find("errors"); errors != verify.end() && errors->is_object())

@@ -12,7 +12,7 @@ constexpr std::pair<std::string_view, std::string_view> kWords[]{
     {"choose another folder with --out", "run it in a new folder (Shift+F7)"},
     {"another folder with --out", "run it in a new folder (Shift+F7)"},
     {"continue that run with --continue, replace its results with --overwrite",
-     "continue that run (Continue the run), replace its results"},
+     "continue that run (Run > Continue the run), replace its results"},
     {"--continue: the deck ", "Continue the run: the deck "},
     {"there is nothing to continue; omit the option", "there is nothing to continue; run it (F7)"},
     {"continue the run with --continue", "continue the run (Run > Continue the run)"},
