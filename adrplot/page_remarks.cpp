@@ -133,7 +133,7 @@ void tell_temperatures(ChartPage& chart, const SolFile& file, const PageSpec& pa
     if (std::none_of(chart.panels[p].curves.begin(), chart.panels[p].curves.end(),
                      [](const ChartCurve& curve) { return any_value(curve.y); }))
       continue;
-    names = bulk ? "These temperatures" : "Race contact temperatures without a rise";
+    names = bulk ? "These temperatures" : "Race temperatures (without contact temperature rise)";
   }
   if (names.empty()) return;
   add_note(chart,
@@ -149,8 +149,8 @@ void tell_averages(ChartPage& chart, const SolFile& file, const PageSpec& page) 
         return panel.curves.front().column.find("wear_rate") != std::string::npos;
       });
   if (averages && !(file.steps.front().time > 0.0))
-    add_note(chart,
-             fmt::format("Step {} has no averages: its time is 0.", file.steps.front().step));
+    add_note(chart, fmt::format("Step {} has no average values because its time is 0.",
+                                file.steps.front().step));
 }
 
 /// Angles of lands and round pockets have values without contact, too.
@@ -179,8 +179,8 @@ void tell_holding(ChartPage& chart, const SolFile& file, const PageSpec& page,
     add_note(chart, held_note(KnownColumns(file), moments));
   else if (facts.races_held.value_or(false))
     add_note(chart,
-             "Position and speed of the races are prescribed: these are reactions, not loads of "
-             "the deck.");
+             "Position and speed of the races are prescribed: the values are reactions, not loads "
+             "of the deck.");
 }
 
 /// Speeds of outer and inner race [rpm], from the counted marks; no value for a varying speed.
@@ -220,9 +220,9 @@ std::string aliasing(const SolFile& file, const PageContext& context) {
   if (!(interval > 0.0)) return {};
   const auto every = static_cast<double>(file.every);
   return fmt::format(
-      "Aliased: fastest contact vibration {}, but {} at {}",
+      "Aliased: the fastest contact vibration is {}, but {} at {}",
       desktop::pretty_quantity(context.fastest_frequency, "Hz", 3),
-      file.every > 1 ? fmt::format("one of every {} stored is drawn", counted(file.every, "step"))
+      file.every > 1 ? fmt::format("only one of every {} is drawn,", counted(file.every, "step"))
                      : "steps are stored",
       desktop::pretty_quantity(every / interval, "Hz", 3));
 }
@@ -264,7 +264,7 @@ void lead_with_aliasing(ChartPage& chart, const SolFile& file, const PageContext
   const std::string aliased = aliasing(file, context);
   if (aliased.empty() || chart.panels.empty()) return;
   chart.note =
-      aliased + ": higher frequencies appear as lines below " +
+      aliased + "; higher frequencies appear as false lines below " +
       desktop::pretty_quantity(0.5 / alias_interval(file, context.fastest_frequency), "Hz", 3) +
       "." + (chart.note.empty() ? "" : " ") + chart.note;
 }

@@ -62,16 +62,16 @@ std::string orbit_note(const OrbitScale& scale) {
     case Of::GuideLands:
       return size.empty() ? ""
                           : fmt::format(
-                                "Divided by the radial clearance of the guide lands{}: {} touches "
-                                "at 1.",
+                                "The orbit is divided by the radial clearance of the guide "
+                                "lands{}. At 1, {} touches the land.",
                                 size,
                                 scale.segment ? "the middle of an untilted segment (the path is "
-                                                "that of the uncut cage's center)"
+                                                "that of the center of the uncut cage)"
                                               : "an untilted cage");
     case Of::Pockets:
       return fmt::format(
           "The cage has no guide land: its orbit is divided by the radial pocket clearance{}. "
-          "Values above 1 are possible because the elements move, too.",
+          "Values above 1 are possible because the rolling elements also move.",
           size);
     case Of::UnitOfLength:
       break;
