@@ -93,13 +93,13 @@ Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by,
       animation.motion ? animation.motion->channel(quantity.channel) : nullptr;
   const auto n = static_cast<std::size_t>(animation.file.elements);
   if (channel == nullptr || channel->width != 2 * n) {
-    out.why_none =
-        "no colors: " + (animation.no_contacts.empty() ? std::string("RESULTS.h5 lacks the channel")
-                                                       : animation.no_contacts);
+    out.why_none = "no colors: " + (animation.no_contacts.empty()
+                                        ? std::string("RESULTS.h5 lacks these values")
+                                        : animation.no_contacts);
     return out;
   }
   if (animation.behind(frame)) {
-    out.why_none = "no colors " + animation.behind_words();
+    out.why_none = "no colors: " + animation.behind_words();
     return out;
   }
   if (by == ColourBy::Temperature) {
