@@ -205,8 +205,8 @@ void to_waterfall(desktop::ChartPage& page, const RunMotion& motion, const Spect
   page.marks = marks_of(motion, steady, fall, distance, decibel ? -kDecibels : 0.0);
   // The bar shows the distance of the lines, the names their order.
   std::string drawn = fmt::format(
-      "{} ({}), duration {} each, line spacing {}. Mean and trend are removed, so the lowest line "
-      "may be up to 50 % too low.",
+      "{} ({}) of {} each, line spacing {}. Mean and trend are removed: the lowest line may be 50 "
+      "% too low.",
       capital(counted(fall.time.size(), "spectrum", "spectra")), window_name(options.window),
       desktop::pretty_quantity(1.0 / fall.frequency.front(), "s", 3),
       desktop::pretty_quantity(fall.frequency.front(), "Hz", 3));

@@ -64,9 +64,9 @@ std::vector<ChartPage> lubricant_pages(const calculators::LubricantContact& cont
   // Without limiting shear stress laws reach hundreds: a linear scale would hide the rest.
   pages[0].panels[0].log = largest(all.traction) > 1.0;
   if (largest(all.traction) > kMeasured)
-    add_note(pages[0],
-             "traction coefficients above 0.12 exceed all measurements on disc machines (no "
-             "limiting shear stress in the model)");
+    add_note(
+        pages[0],
+        "coefficients above 0.12 exceed all disc machine measurements (no limiting shear stress)");
   add_note(pages[0], all.recommended);
   for (const std::size_t page : {std::size_t{0}, std::size_t{1}})
     add_note(pages[page], all.beyond_range);
@@ -75,8 +75,8 @@ std::vector<ChartPage> lubricant_pages(const calculators::LubricantContact& cont
     add_note(pages[1], "viscosity limited to 10¹² Pa·s (glass)");
   if (all.beyond_heating)
     add_note(pages.back(),
-             "inlet heating factor limited to 0.1; film thicknesses that increase after a minimum "
-             "are extrapolated");
+             "inlet heating factor limited to 0.1; films that increase after a minimum are "
+             "extrapolated");
   return pages;
 }
 

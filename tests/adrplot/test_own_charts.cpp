@@ -128,7 +128,7 @@ TEST_CASE("own charts: curves of any file have spectra, differences theirs, and 
   REQUIRE(fall.panels.size() == 1);
   CHECK(fall.panels[0].curves.size() > 10);
   CHECK(amplitude(fall, 0, 1200.0) == Approx(5.0).epsilon(5e-3));
-  CHECK(fall.note.find("spectra (flat top window), duration") != std::string::npos);
+  CHECK(fall.note.find("spectra (flat top window) of") != std::string::npos);
 }
 
 TEST_CASE(
