@@ -138,8 +138,8 @@ void Document::find_option_problems() {
   if (!option_file_.problem().empty()) {
     issue.message = "the option file next to the deck " + option_file_.problem();
     issue.remedy =
-        "correct the file in an editor; or change an option here and save, which replaces the file "
-        "and keeps the old file as ADORE.json.bak";
+        "correct the file in an editor, or change an option here and save (the old file is kept as "
+        "ADORE.json.bak)";
     add_problem(issue);
   }
   for (const std::string& name : option_file_.strange()) {
@@ -147,7 +147,7 @@ void Document::find_option_problems() {
         "the option file next to the deck contains \"{}\", which is not a run option or has an "
         "invalid value",
         name);
-    issue.remedy = "correct the file in an editor; runs reject this file";
+    issue.remedy = "correct the file in an editor; until then, runs of this deck are rejected";
     add_problem(issue);
   }
 }

@@ -51,8 +51,8 @@ void RecordPage::addListedDiameters(QVBoxLayout* layout) {
   connect(table, &QTableWidget::currentCellChanged, this, [this, table] { announce(table); });
   layout->addWidget(
       make_text(tr("Diameter of each rolling element minus the nominal diameter (40 values in four "
-                   "records). Rows or columns pasted from a spreadsheet fill the cells from the "
-                   "current cell. Cells beyond the number of elements are gray."),
+                   "records). Rows or columns pasted from a spreadsheet fill the table, starting "
+                   "at the current cell. Cells beyond the number of elements are gray."),
                 theme.muted, this));
   auto* label = new QLabel(tr("Label of this record"), this);
   auto* line = makeLine(cellOf(0));

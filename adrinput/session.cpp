@@ -200,7 +200,7 @@ bool Session::offerNext() {
              {"later", tr("Later"), later},
              {"discard", tr("Discard"), discard}});
   } catch (const std::exception& reason) {
-    bar.ask(tr("The unsaved deck from %1 cannot be restored: %2. The file with the deck is %3.")
+    bar.ask(tr("The unsaved deck from %1 cannot be restored: %2. The deck is in the file %3.")
                 .arg(when, QString::fromUtf8(reason.what()), QString::fromStdString(file.string())),
             {{"later", tr("Keep"), later}, {"discard", tr("Discard"), discard}});
   }

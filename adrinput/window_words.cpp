@@ -29,7 +29,7 @@ constexpr std::pair<std::string_view, std::string_view> kWords[]{
     {"adore run --verify estimates", "Accuracy (F9) estimates"},
     {"give only one --set with a range", "give only one"},
     {"; the equilibrium alone: --set mode=-1",
-     "; the equilibrium alone: Run quasi-static now (F6), or mode = -1"},
+     "; for the equilibrium alone, press Run quasi-static now (F6), or enter mode = -1"},
     {" with --user PLUG-IN", " on the command line (`adore run --user PLUG-IN`)"},
     {" of --user ", " of `adore run --user` "},
     {"give --over-budget", "press Run anyway"},

@@ -186,7 +186,8 @@ std::vector<Taken> take(const std::vector<CurvePick>& picks, const PageOptions& 
       page.x_unit = source.x_unit;
     } else if (source.x_unit != page.x_unit || source.x_title != page.x_title) {
       throw InputError(fmt::format(
-          "{} is drawn over {}, but {} over {}; select curves with the same horizontal axis",
+          "{} is plotted against {}, but {} against {}; select curves with the same horizontal "
+          "axis",
           taken.front().name, page.x_title, source.panels[pick.panel].title, source.x_title));
     }
     const desktop::ChartPanel& panel = source.panels[pick.panel];

@@ -165,7 +165,7 @@ void tell_nearest(ChartPage& chart, const PageSpec& page) {
         for (std::size_t i = 0; i < std::min(angle.y.size(), force.y.size()); ++i)
           if (std::isfinite(angle.y[i]) && force.y[i] == 0.0)
             return add_note(chart,
-                            "Without contact, the contact angle is that of the smallest gap.");
+                            "Without contact, the contact angle is the angle of the smallest gap.");
   }
 }
 
@@ -219,12 +219,14 @@ std::string aliasing(const SolFile& file, const PageContext& context) {
   const double interval = alias_interval(file, context.fastest_frequency);
   if (!(interval > 0.0)) return {};
   const auto every = static_cast<double>(file.every);
+  const std::string fastest = desktop::pretty_quantity(context.fastest_frequency, "Hz", 3),
+                    rate = desktop::pretty_quantity(every / interval, "Hz", 3);
+  if (file.every == 1)
+    return fmt::format("Aliased: the fastest contact vibration is {}, but steps are stored at {}",
+                       fastest, rate);
   return fmt::format(
-      "Aliased: the fastest contact vibration is {}, but {} at {}",
-      desktop::pretty_quantity(context.fastest_frequency, "Hz", 3),
-      file.every > 1 ? fmt::format("only one of every {} is drawn,", counted(file.every, "step"))
-                     : "steps are stored",
-      desktop::pretty_quantity(every / interval, "Hz", 3));
+      "Aliased: the fastest contact vibration is {}, but only one of every {} is drawn (at {})",
+      fastest, counted(file.every, "step"), rate);
 }
 
 void tell_of_ratios(ChartPage& chart, const SolFile& file, const PageSpec& page,
@@ -233,7 +235,7 @@ void tell_of_ratios(ChartPage& chart, const SolFile& file, const PageSpec& page,
     const std::string& column = panel.curves.front().column;
     if (column != "cage.whirl_ratio" && column != "cage.speed_ratio") continue;
     if (turns_back(file)) {
-      add_note(chart, panel.title + ": ratio to a race speed that passes through 0.");
+      add_note(chart, panel.title + ": ratio to the speed of a race, which passes through 0.");
       continue;
     }
     const auto speeds = race_speeds(file, context);

@@ -60,14 +60,15 @@ std::string orbit_note(const OrbitScale& scale) {
       scale.length > 0.0 ? ", " + desktop::pretty_quantity(scale.length, scale.unit, 3) : "";
   switch (scale.of) {
     case Of::GuideLands:
-      return size.empty() ? ""
-                          : fmt::format(
-                                "The orbit is divided by the radial clearance of the guide "
-                                "lands{}. At 1, {} touches the land.",
-                                size,
-                                scale.segment ? "the middle of an untilted segment (the path is "
-                                                "that of the center of the uncut cage)"
-                                              : "an untilted cage");
+      if (size.empty()) return "";
+      return fmt::format(
+          fmt::runtime(scale.segment
+                           ? "The orbit of the center of the uncut cage is divided by the radial "
+                             "clearance of the guide lands{}. At 1, the middle of an untilted "
+                             "segment touches the land."
+                           : "The orbit is divided by the radial clearance of the guide lands{}. "
+                             "At 1, an untilted cage touches the land."),
+          size);
     case Of::Pockets:
       return fmt::format(
           "The cage has no guide land: its orbit is divided by the radial pocket clearance{}. "

@@ -220,7 +220,8 @@ static bool one_value(const std::vector<double>& values) {
 static void tell_drift(ChartPage& chart, const std::vector<std::string>& drifting,
                        std::size_t drawn) {
   if (drifting.empty()) return;
-  std::string of = drifting.size() == drawn ? "" : "Of " + counted(drifting.size(), "curve") + " ";
+  std::string of =
+      drifting.size() == drawn ? "" : "For " + counted(drifting.size(), "curve") + ", ";
   if (drifting.size() < drawn && drifting.size() < 3)
     of = drifting.front() + (drifting.size() > 1 ? "; " + drifting.back() : "") + ": ";
   add_note(chart,

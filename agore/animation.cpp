@@ -309,12 +309,13 @@ void check_version(const std::string& version, const std::string& file) {
   find_version(kLowestVersion, lowest_major, lowest_minor);
   if (!find_version(version, major, minor))
     throw InputError(
-        fmt::format("{} has no valid program version (found '{}'); versions from {} are accepted",
+        fmt::format("{} has no valid program version (found '{}'). Versions from {} are accepted",
                     file, version, kLowestVersion));
   if (major < lowest_major || (major == lowest_major && minor < lowest_minor))
-    throw InputError(fmt::format(
-        "{} was written by version '{}'; versions from {} are accepted, so run the deck again",
-        file, version, kLowestVersion));
+    throw InputError(
+        fmt::format("{} was written by version '{}', but only versions from {} are accepted. Run "
+                    "the deck again",
+                    file, version, kLowestVersion));
 }
 
 Animation prepare(results::Sol8File file, long most_frames) {

@@ -170,9 +170,9 @@ void check_view(const Animation& animation, const ViewOptions& options) {
     throw InputError(fmt::format("The {} race has no flange. Select the other race.",
                                  options.flange_race == 0 ? "outer" : "inner"));
   if (options.element < 1 || options.element > animation.file.elements)
-    throw InputError(fmt::format(
-        "there is no rolling element or pocket {}; the numbers of this bearing are 1 to {}",
-        options.element, animation.file.elements));
+    throw InputError(
+        fmt::format("there is no rolling element or pocket {}; this bearing has numbers 1 to {}",
+                    options.element, animation.file.elements));
 }
 
 namespace {

@@ -88,7 +88,7 @@ QString ChartView::whyNotZoom(ChartDeed deed) const {
   if (deed == ChartDeed::ZoomToCursors) {
     if (scene_->isPlane()) return tr("This page has no horizontal axis. Use + to zoom.");
     if (!std::isfinite(cursors_[0]) || !std::isfinite(cursors_[1]))
-      return tr("Cursors A and B are not both set.");
+      return tr("Set cursors A and B first.");
     if (cursors_[0] == cursors_[1]) return tr("Cursors A and B are at the same point.");
   }
   const QRectF part = partAfter(deed);

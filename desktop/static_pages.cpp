@@ -202,7 +202,7 @@ std::optional<ChartPage> cut_page(const StaticTables& all) {
                            results::unit_name(unit, all.units), digits);
   };
   ChartPage page;
-  page.title = "Contact ellipses against the groove edges";
+  page.title = "Contact ellipses and groove edges";
   page.equal_axes = page.closed_outline = page.fitted = true;
   page.x_title = "Along the bearing axis";
   ChartPanel panel;

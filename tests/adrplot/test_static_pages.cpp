@@ -287,7 +287,7 @@ results::StaticTables with_cut(results::UnitSystem units) {
 TEST_CASE("the cut page labels every edge of the contacts with its distance", "[unit]") {
   const auto pages = desktop::static_pages(with_cut(results::UnitSystem::SI));
   const auto page = std::find_if(pages.begin(), pages.end(), [](const auto& p) {
-    return p.title == "Contact ellipses against the groove edges";
+    return p.title == "Contact ellipses and groove edges";
   });
   REQUIRE(page != pages.end());
   CHECK(page->equal_axes);
