@@ -73,13 +73,13 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
                   &AccuracyPanel::wanted);
   cancel_ = button(tr("Cancel"), "cancel-study", tr("Stop the study and keep its results"),
                    &AccuracyPanel::cancel);
-  target_ = number(tr("target"), "accuracy-target", 1.0, 0.01, 50.0, " %");
-  budget_ = number(tr("limit"), "accuracy-budget", 120.0, 1.0, 100000.0, " s");
-  turns_ = number(tr("length"), "accuracy-turns", facade::AccuracyRequest().turns, 0.1, 10000.0,
+  target_ = number(tr("target error"), "accuracy-target", 1.0, 0.01, 50.0, " %");
+  budget_ = number(tr("time limit"), "accuracy-budget", 120.0, 1.0, 100000.0, " s");
+  turns_ = number(tr("run length"), "accuracy-turns", facade::AccuracyRequest().turns, 0.1, 10000.0,
                   tr(" rev"));
-  turns_->setToolTip(
-      tr("Shaft revolutions over which the best settings are compared; fewer if the time limit is "
-         "reached. A first round runs all settings over a shorter span (see the table)."));
+  turns_->setToolTip(tr(
+      "Simulated shaft revolutions of the runs that compare the best settings (fewer if the time "
+      "limit is reached). The first round compares all settings in shorter runs (see the table)."));
   row->addStretch();
   layout->addLayout(row);
   row = new desktop::FlowLayout;  // two short rows: one long one would widen the whole window
@@ -89,10 +89,10 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   row->addWidget(bar_);
   apply_ = button(tr("Apply to deck"), "apply-accuracy",
                   tr("Set the recommended values in this deck"), &AccuracyPanel::applyWanted);
-  note_ =
-      new QLabel(tr("Runs this deck with all integrators, tolerances and longest steps, like "
-                    "`adore accuracy`, and compares error and computing time. No file is written."),
-                 this);
+  note_ = new QLabel(
+      tr("Runs this deck with different integrators, tolerances and maximum steps, and compares "
+         "error and computing time (as `adore accuracy` does). Writes no files."),
+      this);
   note_->setObjectName("study-note");
   note_->setWordWrap(true);
   view_ = desktop::make_listing_view(tr("Accuracy study"), this);
@@ -191,8 +191,8 @@ void AccuracyPanel::showNote() {
     changes << QString::fromStdString(fmt::format("{} = {}", name, value));
   note_->setText(
       (reread_    ? tr("Out of date: the file was reloaded. Run the study again. ")
-       : dropped_ ? tr("From another deck. ")
-       : stale_   ? tr("Out of date: the deck has changed. ")
+       : dropped_ ? tr("Results of another deck. ")
+       : stale_   ? tr("Out of date: the deck has changed. Run the study again. ")
                   : QString()) +
       headline_ +
       (changes.isEmpty() ? QString() : tr(" \"Apply to deck\" sets %1.").arg(changes.join(", "))));

@@ -18,7 +18,7 @@ void Background::report(std::function<void()> act) {
 }
 
 void Background::start(std::function<void(std::stop_token)> work, std::function<void()> ended) {
-  demand(!busy(), "one piece of work at a time");
+  demand(!busy(), "a background task is already active");
   stop_ = {};
   thread_ = QThread::create([work = std::move(work), token = stop_.get_token()] { work(token); });
   thread_->setParent(this);

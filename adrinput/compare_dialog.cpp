@@ -72,9 +72,9 @@ void CompareDialog::sync() {
           ? tr("No difference from %1").arg(name_)
           : tr("%1 from %2").arg(counted(number, tr("difference"), tr("differences")), name_);
   if (labels > 0)
-    text += tr("; %1 of records also differ (no effect on a run)")
-                .arg(counted(labels, tr("label"), tr("labels")));
-  text += tr(". \"Here\": the deck in the window; \"there\": %1.").arg(name_);
+    text += tr("; %1 (no effect on a run)")
+                .arg(counted(labels, tr("record label differs"), tr("record labels differ")));
+  text += tr(". \"Here\" is the deck in the window, \"there\" is %1.").arg(name_);
   summary_->setText(text);
   labels_->setEnabled(labels > 0);
 

@@ -151,14 +151,16 @@ void DeckWindow::makeCentre() {
           [this](QListWidgetItem* item) { goToProblem(problems_->row(item)); });
   connect(problems_, &QListWidget::itemClicked, this,
           [this](QListWidgetItem* item) { goToProblem(problems_->row(item)); });
-  plan_ = new EvaluationPanel(
-      &plan_of,
-      tr("Effects of this deck with reasons, number of unknowns, expected computing time: F5."),
-      this);
+  plan_ = new EvaluationPanel(&plan_of,
+                              tr("Press F5 to list the effects that this deck simulates, with "
+                                 "reasons, and to estimate the computing time."),
+                              this);
   plan_->setObjectName("plan");
   plan_->setTextName(tr("Plan"));
   statics_ = new EvaluationPanel(
-      &quasi_static_of, tr("Quasi-static equilibrium and fatigue life of this deck: F6."), this);
+      &quasi_static_of,
+      tr("Press F6 to compute the quasi-static equilibrium and the fatigue life of this deck."),
+      this);
   statics_->setObjectName("statics");
   statics_->setTextName(tr("Quasi-static solution"));
   for (const EvaluationPanel* panel : {plan_, statics_})
@@ -248,10 +250,11 @@ void DeckWindow::goTo(const Cell& cell) {
   const std::optional<Cell> count = count_of_none(document_, cell);
   page_->focusCell(count ? *count : cell);
   if (count)
-    search_notice_->ask(tr("%1 has no fields because %2, their number, is 0. Enter %2 above 0.")
-                            .arg(QString::fromStdString(std::string(variable_of(cell)->name)),
-                                 QString::fromStdString(std::string(variable_of(*count)->name))),
-                        {{"leave-option", tr("Ignore"), nullptr}});
+    search_notice_->ask(
+        tr("%1 has no fields because %2 (number of fields) is 0. Enter a larger %2.")
+            .arg(QString::fromStdString(std::string(variable_of(cell)->name)),
+                 QString::fromStdString(std::string(variable_of(*count)->name))),
+        {{"leave-option", tr("Ignore"), nullptr}});
 }
 
 void DeckWindow::makeDrawing() {
@@ -448,7 +451,7 @@ void DeckWindow::nextRecord() {
   const auto here = std::find(pages.begin(), pages.end(), current_);
   if (here == pages.end() || std::next(here) == pages.end())
     return desktop::show_message(
-        this, tr("This is the last page. Save the deck with Save & Exit, or under File."));
+        this, tr("This is the last page. Save the deck with \"Save & Exit\" or in the menu File."));
   showRecord(*std::next(here));
 }
 

@@ -119,14 +119,14 @@ void DeckWindow::askForSweep() {
         told = QString::fromStdString(read_sweep(document_, typed.toStdString()).told);
     } catch (const InputError&) {
       const QString unit = QString::fromStdString(sweep_unit(document_, typed.toStdString()));
-      if (!unit.isEmpty()) told = tr("numbers without a unit are in %1").arg(unit);
+      if (!unit.isEmpty()) told = tr("Numbers without a unit are in %1.").arg(unit);
     }
     const std::string none = facade::why_no_step(document_.deck());
     const QString end = QString::fromStdString(none.substr(0, none.find(' ')));
     if (!none.empty() && !typed.trimmed().startsWith(end))
-      told +=
-          tr("\nStatic runs only (%1): the table has loads at rest, but no means, ratios or heat.")
-              .arg(QString::fromStdString(none));
+      told += tr("\nThe runs have no motion (%1). The table contains static loads, but no mean "
+                 "values, speed ratios or heat.")
+                  .arg(QString::fromStdString(none));
     dialog->setLabelText(tr("Variable, first value, last value, number of runs:\n%1").arg(told));
   };
   tell({});

@@ -100,7 +100,7 @@ void DeckWindow::makeFileMenu() {
   file->addAction(tr("Save &As …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), this,
                   &DeckWindow::saveAs);
   file->addAction(tr("Save as &draft …"), this, &DeckWindow::parkDraft);
-  file->addAction(tr("Recover &unsaved …"), this, &DeckWindow::unsavedWanted);
+  file->addAction(tr("Recover &unsaved decks …"), this, &DeckWindow::unsavedWanted);
   file->addSeparator();
   file->addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), this, &DeckWindow::close);
 }
@@ -112,7 +112,7 @@ void DeckWindow::makeOtherMenus() {
   redo_->setShortcuts(
       {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
   edit->addSeparator();
-  edit->addAction(tr("Estimate &internal geometry from bore, diameter and width"), this,
+  edit->addAction(tr("Estimate &internal geometry from bore, outside diameter and width"), this,
                   &DeckWindow::proposeInside);
   edit->addAction(tr("&Find variable"), QKeySequence::Find, this, [this] { list_->startSearch(); });
 
@@ -169,9 +169,8 @@ void DeckWindow::makeOtherMenus() {
   help->addAction(tr("&About AdrInput"), this, [this] {
     desktop::show_help(
         this, tr("About AdrInput"),
-        tr("<h2>AdrInput</h2><p>Prepares data decks for Adore, version %1.</p><p>Free software "
-           "under the GNU General Public License, version 3 or later, without any "
-           "warranty.</p>")
+        tr("<h2>AdrInput</h2><p>Editor for decks of Adore. Version %1.</p><p>Free software under "
+           "the GNU General Public License, version 3 or later, without any warranty.</p>")
             .arg(QString::fromStdString(std::string(kVersionNumber))));
   });
 }
@@ -237,8 +236,9 @@ void DeckWindow::proposeInside() {
     const deck::InnerGeometry inner = deck::propose_inner(deck);
     document_.change(inner.sets);
     page_->sync(true);
-    desktop::show_message(this, tr("The deck now has estimated values. Undo with Ctrl+Z.\n\n%1.")
-                                    .arg(QString::fromStdString(inner.reasons)));
+    desktop::show_message(this,
+                          tr("The deck now contains estimated values. Undo with Ctrl+Z.\n\n%1.")
+                              .arg(QString::fromStdString(inner.reasons)));
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
   }
@@ -284,7 +284,7 @@ void DeckWindow::makeToolBar() {
   button(tr("Quasi-static"), tr("Equilibrium, contacts and life (F6)"),
          &DeckWindow::runQuasiStatic);
   button(tr("Run"), tr("Save the deck and run it (F7)"), &DeckWindow::runDeck);
-  button(tr("Accuracy"), tr("Error against computing time for this deck (F9)"),
+  button(tr("Accuracy"), tr("Compare integrators, tolerances and step sizes for this deck (F9)"),
          &DeckWindow::studyAccuracy);
   bar->addSeparator();
   button(tr("Dark/Light"), tr("Dark or light theme (Ctrl+D)"), &DeckWindow::switchTheme);
@@ -428,10 +428,10 @@ void DeckWindow::leaveDeck(std::function<void()> then) {
 
 void DeckWindow::leaveRun(std::function<void()> then) {
   if (!run_->busy()) return then();
-  auto* box = new QMessageBox(
-      QMessageBox::Warning, "AdrInput",
-      tr("A run is active. Quitting stops it; its files are valid up to the last stored step."),
-      QMessageBox::Cancel, this);
+  auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput",
+                              tr("A run is active. Quitting stops the run. The files are then "
+                                 "valid up to the last stored step."),
+                              QMessageBox::Cancel, this);
   box->setObjectName("running");
   desktop::delete_when_done(*box);
   box->setDefaultButton(QMessageBox::Cancel);

@@ -62,7 +62,7 @@ void DeckWindow::makeUnitsMenu(QMenu* view) {
   other_units_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_U));
   other_units_->setCheckable(true);
   connect(other_units_, &QAction::toggled, this, [this](bool on) { page_->setOtherUnits(on); });
-  QAction* reopen = view->addAction(tr("R&eopen last deck at startup"));
+  QAction* reopen = view->addAction(tr("R&eopen the last deck at startup"));
   reopen->setObjectName("reopen");
   reopen->setCheckable(true);
   reopen->setChecked(QSettings("Adore", "adrinput").value("session/reopen", true).toBool());
@@ -104,7 +104,7 @@ void DeckWindow::goToOptionOf(const Cell& cell) {
   if (!way) {
     desktop::show_message(
         this,
-        tr("%1 is in record %2, which this deck does not have. It requires %3.")
+        tr("%1 is in record %2, which this deck does not have. The record requires %3.")
             .arg(name, record_number(spec), QString::fromStdString(std::string(spec.condition))));
     return;
   }

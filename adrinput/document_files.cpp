@@ -101,9 +101,9 @@ Issue doubtful_units(const std::string& record, deck::UnitSystem now) {
   Issue issue;
   issue.severity = Severity::Note;
   issue.record = record;
-  issue.message = fmt::format(
-      "the comment after its values mentions {} units and is kept; the deck is now in {} units",
-      si ? "English" : "SI", si ? "SI" : "English");
+  issue.message =
+      fmt::format("the comment after the values mentions {} units, but the deck is now in {} units",
+                  si ? "English" : "SI", si ? "SI" : "English");
   issue.remedy = "correct the comment in a text editor";
   return issue;
 }
@@ -217,8 +217,8 @@ void Document::save(const fs::path& name) {
       issue.record = back.deck.records == state_.deck.records ? "12" : "";
       issue.message = issue.record.empty()
                           ? "a title or label would differ when the saved deck is read again"
-                          : "lines of user routines would be read back differently; the first line "
-                            "looks like a record, or a line is blank";
+                          : "the lines of user routines would differ when the saved deck is read "
+                            "again: the first line looks like a record, or a line is blank";
       issue.remedy = "change that text";
       reasons.push_back(std::move(issue));
     }

@@ -47,7 +47,7 @@ deck::RecordData record_in(const Json& json) {
   deck::RecordData record;
   record.id = json.at("id").get<std::string>();
   if (deck::find_record(record.id) == nullptr)
-    throw InputError("it contains a record that this version does not know: " + record.id);
+    throw InputError("the file contains a record that is unknown in this version: " + record.id);
   record.instance = json.at("instance").get<int>();
   record.line = json.at("line").get<int>();
   for (const Json& list : json.at("values")) {
@@ -55,7 +55,8 @@ deck::RecordData record_in(const Json& json) {
     for (const Json& value : list) record.values.back().push_back(value_in(value));
   }
   if (record.values.size() != deck::find_record(record.id)->variables.size())
-    throw InputError("its record " + record.id + " has another number of variables");
+    throw InputError("record " + record.id +
+                     " has a different number of variables in this version");
   for (const Json& at : json.at("defaulted"))
     record.defaulted.push_back({at.at(0).get<std::size_t>(), at.at(1).get<std::size_t>()});
   return record;
@@ -150,7 +151,7 @@ std::string Document::restore(std::string_view bytes) {
   try {
     const Json json = Json::from_cbor(bytes);
     if (json.at("adrinput").get<int>() != kVersion)
-      throw InputError("it was written by another version");
+      throw InputError("the file was written by a different version of AdrInput");
     State state;
     state.deck = deck_in(json.at("deck"));
     for (const Json& item : json.at("shelf")) {
@@ -201,7 +202,8 @@ std::string Document::restore(std::string_view bytes) {
     notify();
     return page;
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(std::string("this is not a deck stored by AdrInput: ") + error.what());
+    throw InputError(std::string("the file does not contain a deck stored by AdrInput: ") +
+                     error.what());
   }
 }
 

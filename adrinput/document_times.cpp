@@ -119,11 +119,11 @@ Typed Document::parse(const Cell& cell, std::string_view text) const {
   if (!now)
     return {{},
             {"is a time, but the time scale is not known yet",
-             "correct the other errors, so that the equilibrium gives the time scale, or enter a "
-             "multiple of the time scale"}};
+             "correct the other errors first (the time scale is computed from the equilibrium), or "
+             "enter a multiple of the time scale"}};
   if (turns && now->turns_per_second == 0.0)
     return {{},
-            {"is in revolutions, but both races turn at the same speed",
+            {"is in revolutions, but both races rotate at the same speed",
              "enter it in s or as a multiple of the time scale"}};
   if (turns) seconds = angle / (2.0 * deck::unit::kPi) / now->turns_per_second;
   double value = 0.0;

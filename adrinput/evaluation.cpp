@@ -120,7 +120,7 @@ QString EvaluationPanel::headline() const { return headline_; }
 /// The key results; of an older deck with the remark that they are.
 void EvaluationPanel::showNote() {
   QString note = headline_;
-  if (stale_) note = tr("Out of date: the deck has changed. ") + note;
+  if (stale_) note = tr("Out of date: the deck has changed. Compute again. ") + note;
   note_->setText(note);
   note_->setVisible(!note.isEmpty());
 }

@@ -44,8 +44,8 @@ QString variable_help(const deck::Deck& deck, const deck::VariableSpec& variable
 QString options_help(const deck::Deck& deck, const deck::RecordSpec& record) {
   QString out =
       "<h2>Run options</h2><p>Settings that are not part of the deck. Values other than the "
-      "defaults are saved with the deck in the file ADORE.json of the same folder; every run of a "
-      "deck in that folder reads it. An empty field means the default.</p>";
+      "defaults are saved with the deck in the file ADORE.json of the same folder. Every run of a "
+      "deck in that folder reads this file. An empty field means the default.</p>";
   for (const deck::VariableSpec& variable : record.variables) out += variable_help(deck, variable);
   return out;
 }
@@ -102,49 +102,50 @@ QString format_help() {
   return "<h2>Deck format</h2><p>A deck is a plain text file, usually DATA.txt, that consists of "
          "records. Each record starts with its label in single quotes, followed by its values, "
          "separated by commas. Variables with names from i to n are integers; all others are real "
-         "numbers with a decimal point. The help lists the few exceptions.</p><p>The options of a "
-         "deck determine which records it needs. AdrInput shows only these. It keeps the values of "
-         "hidden records until you need them again.</p><p>All values are in SI units or all in "
-         "English units (kUnit in record 3.2). When you change kUnit, AdrInput offers to convert "
-         "the values.</p><p>Only a deck without errors can be saved; it always uses a decimal "
-         "point. You may type a decimal comma, but 10,000 is rejected because it is ambiguous. A "
-         "deck with errors can be saved as a draft (File). Drafts cannot be run.</p><p>You may "
-         "type units and arithmetic: 12.7 mm, 1/2 in, 80 °C, 206 GPa, 3*0.005, 1 in + 2 mm. (In a "
-         "vector 3*0.005 is rejected: in a deck it means three values.) Times and steps of a run "
-         "may be in seconds or revolutions: 0.01 s, 3 rev. The value is converted to the unit of "
-         "the deck when you leave the field. The button after a field selects the unit for values "
-         "of its kind; numbers without a unit are in that unit.</p><p>Comments after the values "
-         "are kept when the deck is saved. If that is not possible, or if the file had errors, the "
-         "old file is kept with the suffix .bak (or .bak2).</p>";
+         "numbers with a decimal point. The help of each record shows the few "
+         "exceptions.</p><p>The options of a deck determine which records it needs. AdrInput shows "
+         "only these records. It keeps the values of hidden records until you need them "
+         "again.</p><p>All values are in SI units or all in English units (kUnit in record 3.2). "
+         "When you change kUnit, AdrInput offers to convert the values.</p><p>Only a deck without "
+         "errors can be saved. Saved numbers always have a decimal point. You may type a decimal "
+         "comma, but 10,000 is rejected because it is ambiguous. A deck with errors can be saved "
+         "as a draft (File > Save as draft). A draft cannot be run.</p><p>You may type units and "
+         "arithmetic: 12.7 mm, 1/2 in, 80 °C, 206 GPa, 3*0.005, 1 in + 2 mm. (In a field of an "
+         "array, 3*0.005 is rejected because it means three values in a deck.) Times and steps of "
+         "a run may be in seconds or revolutions: 0.01 s, 3 rev. The value is converted to the "
+         "unit of the deck when you leave the field. The button after a field selects the unit for "
+         "all values of the same kind. Numbers without a unit are in that unit.</p><p>Comments "
+         "after the values are kept when the deck is saved. If that is not possible, or if the "
+         "file had errors, the old file is kept with the suffix .bak (or .bak2).</p>";
 }
 
 QString keyboard_help() {
   const std::pair<const char*, const char*> keys[] = {
-      {"Tab, Shift+Tab", "next and previous field"},
-      {"Alt+Down", "choices or units of a field"},
+      {"Tab, Shift+Tab", "next field, previous field"},
+      {"Alt+Down", "open the choices or units of a field"},
       {"Page Down or Alt+Right", "Next Rec"},
       {"Page Up or Alt+Left", "Go Back"},
       {"Ctrl+F", "find a variable (Down and Enter to select, Esc to cancel)"},
-      {"F8, Shift+F8", "next and previous problem"},
+      {"F8, Shift+F8", "next problem, previous problem"},
       {"Ctrl+Z, Ctrl+Shift+Z or Ctrl+Y", "undo, redo"},
       {"Ctrl+O, Ctrl+S, Ctrl+Shift+S", "open, save, save under another name"},
       {"F1", "help on this record"},
       {"F5", "plan of this deck"},
       {"F6", "quasi-static solution of this deck"},
-      {"F7, Shift+F7", "save and run this deck; run it in a new folder"},
+      {"F7, Shift+F7", "save and run this deck, save and run it in a new folder"},
       {"F9", "accuracy study of this deck"},
       {"Ctrl+N", "new deck from the bearing catalog"},
       {"Ctrl+U", "show both unit systems"},
       {"Ctrl+K", "compare with another deck"},
-      {"Ctrl+G, Ctrl+T", "show or hide the drawing; the solution charts"},
+      {"Ctrl+G, Ctrl+T", "show or hide the drawing, the charts of the solution"},
       {"Ctrl+D", "dark or light theme"},
       {"Ctrl+Q", "quit"},
-      {"wheel over the form", "scroll (fields do not change)"},
+      {"wheel over the form", "scroll the form (values do not change)"},
       {"wheel over the drawing", "zoom at the pointer"},
-      {"drag in the drawing", "move; double click: show all"},
+      {"drag in the drawing", "move the drawing; double click: show all"},
       {"click a dimension", "go to its field"},
-      {"wheel over a chart", "zoom the horizontal axis; Ctrl: the vertical axis of a panel"},
-      {"drag in a chart", "move; Shift: zoom to a box; double click: show all"},
+      {"wheel over a chart", "zoom the horizontal axis; with Ctrl: the vertical axis of a panel"},
+      {"drag in a chart", "move the curves; with Shift: zoom to a box; double click: show all"},
       {"drop a file", "open the deck"}};
   QString out = "<h2>Keys and mouse</h2><table cellpadding='3'>";
   for (const auto& [key, what] : keys)

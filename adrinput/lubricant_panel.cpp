@@ -115,12 +115,12 @@ void LubricantPanel::showPage() {
   try {
     const auto contact = calculators::lubricant_contact(deck_);
     if (!contact)
-      return chart_->showPage(
-          sentence(deck_.integer("kTrac") == 0
-                       ? "kTrac = 0 in record 10.0: no lubricant. All contacts use the traction "
-                         "curves of records 10.1 to 10.5; see the drawing of those records"
-                       : "kTrac in record 10.0 is not a lubricant of the table: the user routine "
-                         "ADRX7 defines the traction"));
+      return chart_->showPage(sentence(
+          deck_.integer("kTrac") == 0 ? "The deck has no lubricant (kTrac = 0 in record 10.0). All "
+                                        "contacts use the traction curves of records 10.1 to 10.5, "
+                                        "which are drawn on the pages of these records."
+                                      : "kTrac in record 10.0 does not select a built-in "
+                                        "lubricant. The user routine ADRX7 defines the traction."));
     desktop::ChartPage page = desktop::lubricant_pages(*contact, desktop::LubricantTitle::Lubricant)
                                   .at(static_cast<std::size_t>(pages_->currentIndex()));
     // The space is limited: the list above names the charts, the conditions are below.

@@ -50,8 +50,8 @@ int show(int& argc, char** argv, const std::filesystem::path& deck) {
 
 int main(int argc, char** argv) {
   const auto program = command_line::make_program(
-      "AdrInput: editor for decks, with checks as you type. Without a deck it opens the example "
-      "ball bearing.",
+      "AdrInput: editor for decks that checks values as you type. Without DECK, the example of a "
+      "ball bearing opens.",
       "adrinput");
   CLI::App& cli = *program;
   std::filesystem::path deck;

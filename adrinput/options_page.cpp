@@ -136,18 +136,18 @@ void Document::find_option_problems() {
   issue.severity = Severity::Warning;
   issue.record = kOptionsPage;
   if (!option_file_.problem().empty()) {
-    issue.message = "the file next to the deck " + option_file_.problem();
+    issue.message = "the option file next to the deck " + option_file_.problem();
     issue.remedy =
-        "correct it in an editor, or change an option here and save: this replaces the file and "
-        "keeps it as ADORE.json.bak";
+        "correct the file in an editor, or change an option here and save (the old file is kept as "
+        "ADORE.json.bak)";
     add_problem(issue);
   }
   for (const std::string& name : option_file_.strange()) {
     issue.message = fmt::format(
-        "the file next to the deck contains \"{}\", which is not a run option or has an invalid "
-        "value",
+        "the option file next to the deck contains \"{}\", which is not a run option or has an "
+        "invalid value",
         name);
-    issue.remedy = "a run rejects it; correct the file in an editor";
+    issue.remedy = "correct the file in an editor; until then, runs of this deck are rejected";
     add_problem(issue);
   }
 }

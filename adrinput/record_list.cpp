@@ -216,7 +216,7 @@ void RecordList::syncState() {
     case DeckState::Refused:
       sign = RecordState::Doubtful;
       text = tr("Run refused");
-      more = tr("The run cannot start. Click for the reason.");
+      more = tr("A run of this deck cannot start. Click for the reason.");
       break;
     case DeckState::Unchecked:
       sign = RecordState::Untouched;
@@ -227,11 +227,11 @@ void RecordList::syncState() {
       if (const std::string none = facade::why_no_step(document_.deck()); !none.empty()) {
         sign = RecordState::Doubtful;
         text = tr("Ready: no motion");
-        more = tr("A run computes only the quasi-static solution: %1.")
+        more = tr("A run computes only the quasi-static solution because %1.")
                    .arg(QString::fromStdString(none));
       } else if (document_.deck().integer("mode") < 0) {
         text = tr("Ready: quasi-static");
-        more = tr("A run computes only the quasi-static solution: mode = %1.")
+        more = tr("A run computes only the quasi-static solution because mode is %1.")
                    .arg(document_.deck().integer("mode"));
       }
       if (const int warnings = document_.warnings(); warnings > 0) {
@@ -317,7 +317,7 @@ void RecordList::describeFound() {
     const bool here = document_.instances(cell.record) > 0;
     QString text = QString("%1 · record %2\n%3")
                        .arg(text_of(variable.name), record_number(record), text_of(variable.help));
-    if (!here) text += tr("\nNot in this deck: requires %1").arg(text_of(record.condition));
+    if (!here) text += tr("\nNot in this deck (requires %1)").arg(text_of(record.condition));
     text = breakable(text);
     if (item->text() != text) item->setText(text);
     item->setForeground(here ? QBrush() : QBrush(desktop::current_theme().muted));

@@ -141,7 +141,7 @@ QToolButton* RecordPage::makeEffectNames(const Cell& cell) {
   button->setText(tr("Choose"));
   button->setFocusPolicy(Qt::NoFocus);
   button->setPopupMode(QToolButton::InstantPopup);
-  button->setToolTip(tr("Effects that can be switched off (Alt+Down in the field)"));
+  button->setToolTip(tr("Select effects to switch off (Alt+Down in the field)"));
   button->setAccessibleName(tr("Disabled effects"));
   auto* menu = new QMenu(button);
   connect(menu, &QMenu::aboutToShow, this, [this, menu, cell] {
@@ -155,7 +155,7 @@ QToolButton* RecordPage::makeEffectNames(const Cell& cell) {
       if (!names.contains(QString::fromStdString(name))) names << QString::fromStdString(name);
     names.sort();
     if (names.isEmpty())
-      menu->addAction(tr("No effect to switch off: the deck has errors or no motion"))
+      menu->addAction(tr("No effects to switch off: the deck has errors or no motion"))
           ->setEnabled(false);
     for (const QString& name : names) {
       QAction* action = menu->addAction(tr("without %1").arg(name));
@@ -184,7 +184,8 @@ QToolButton* RecordPage::makeUnitChoice(const deck::VariableSpec& variable) {
   button->setFocusPolicy(Qt::NoFocus);
   button->setAutoRaise(true);
   button->setPopupMode(QToolButton::InstantPopup);
-  button->setToolTip(tr("Display unit; the deck keeps its unit (Alt+Down in the field)"));
+  button->setToolTip(tr(
+      "Unit of the displayed value; the unit in the deck does not change (Alt+Down in the field)"));
   button->setAccessibleName(tr("Unit of %1").arg(text_of(variable.name)));
   auto* menu = new QMenu(button);
   connect(menu, &QMenu::aboutToShow, this, [this, menu, &variable] {

@@ -51,8 +51,8 @@ void RecordPage::addListedDiameters(QVBoxLayout* layout) {
   connect(table, &QTableWidget::currentCellChanged, this, [this, table] { announce(table); });
   layout->addWidget(
       make_text(tr("Diameter of each rolling element minus the nominal diameter (40 values in four "
-                   "records). Rows or columns pasted from a spreadsheet fill the elements from the "
-                   "current one on. Elements that the bearing does not have are gray."),
+                   "records). Rows or columns pasted from a spreadsheet fill the table, starting "
+                   "at the current cell. Cells beyond the number of elements are gray."),
                 theme.muted, this));
   auto* label = new QLabel(tr("Label of this record"), this);
   auto* line = makeLine(cellOf(0));
@@ -101,8 +101,8 @@ void RecordPage::addUserLines(QVBoxLayout* layout) {
   });
   finish(lines_);
   layout->addWidget(
-      make_text("Lines at the end of the deck that user routines read. Blank lines are removed. "
-                "Leave empty without user routines.",
+      make_text("User routines read these lines from the end of the deck. Blank lines are removed. "
+                "Leave the field empty if the deck has no user routines.",
                 desktop::current_theme().muted, this));
   layout->addWidget(lines_);
 }

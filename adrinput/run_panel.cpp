@@ -50,7 +50,7 @@ QString report(const facade::RunOutcome& outcome) {
   for (const std::string& line : outcome.results) text += line + "\n";
   for (const Finding& one : shown_findings(outcome.warnings)) text += one.text() + "\n";
   if (outcome.energy_scale > 0.0)
-    text += fmt::format("Energy residual {:.3g} J, {:.2g} of {:.3g} J moved.\n",
+    text += fmt::format("Energy residual: {:.3g} J (ratio {:.2g} to the {:.3g} J exchanged).\n",
                         outcome.energy_residual, outcome.energy_residual / outcome.energy_scale,
                         outcome.energy_scale);
   text += fmt::format("Files in {}:\n ", outcome.folder.string());
@@ -76,13 +76,14 @@ QString headline_of(const facade::RunOutcome& outcome) {
                ? fmt::format(" maxStps ended the run before fTime = {:.6g} s.", outcome.missed_end)
                : ""));
     case facade::RunStatus::Interrupted:
-      return from("Cancelled; the files are valid up to the last stored step. " + done);
+      return from("Cancelled. The files are valid up to the last stored step. " + done);
     case facade::RunStatus::Untrusted:
       return from("Done, but the results are not reliable: " + message + ". " + done);
     case facade::RunStatus::Failed:
       break;
   }
-  return from("The run failed: " + message + " The files are valid up to then. " + done);
+  return from("The run failed: " + message + " The files are valid up to the last stored step. " +
+              done);
 }
 
 QSettings settings() { return QSettings("Adore", "adrinput"); }
@@ -138,8 +139,8 @@ RunPanel::RunPanel(QWidget* parent)
   first->addWidget(bar_);
   plots_ = button(second, tr("P&lots"), "open-plots", tr("Open the plot files in AdrPlot"),
                   &RunPanel::openPlots);
-  animation_ = button(second, tr("&Animation"), "open-animation", tr("Open SOL8 in AGORE"),
-                      &RunPanel::openAnimation);
+  animation_ = button(second, tr("&Animation"), "open-animation",
+                      tr("Open the animation file in AGORE"), &RunPanel::openAnimation);
   listing_ = button(second, "&PRINT.txt", "listing", tr("Show the listing in a window"),
                     &RunPanel::showListing);
   second->addStretch();
@@ -147,7 +148,7 @@ RunPanel::RunPanel(QWidget* parent)
   const auto box = [&](const QString& text, const char* name) {
     auto* check = new QCheckBox(text, this);
     check->setObjectName(name);
-    check->setToolTip(tr("Opens in the background without taking focus"));
+    check->setToolTip(tr("Open in the background without taking focus"));
     check->setChecked(settings().value(QString("open/%1").arg(name), true).toBool());
     connect(check, &QCheckBox::toggled, this,
             [name](bool on) { settings().setValue(QString("open/%1").arg(name), on); });
@@ -156,9 +157,9 @@ RunPanel::RunPanel(QWidget* parent)
   };
   plots_at_end_ = box(tr("plots"), "plots-at-end");
   animation_at_end_ = box(tr("animation"), "animation-at-end");
-  note_ = new QLabel(
-      tr("Saves the deck and runs it like `adore run`. The results are stored in its folder."),
-      this);
+  note_ = new QLabel(tr("Saves the deck and runs it like `adore run`. The results are stored in "
+                        "the folder of the deck."),
+                     this);
   note_->setObjectName("run-note");
   note_->setWordWrap(true);
   findings_ = new desktop::FindingsBar(this);
@@ -271,7 +272,7 @@ void RunPanel::show(const RunEnd& end) {
     headline_ =
         stored_ ? tr("The run stopped at %1 %: %2").arg(100 * bar_->value() / kBarSteps).arg(reason)
                 : tr("The deck was not run: %1").arg(reason);
-    if (stored_ && since.moved) headline_ += tr(" The results stored before can be opened.");
+    if (stored_ && since.moved) headline_ += tr(" The results stored until then can be opened.");
   }
   view_->setVisible(!view_->toPlainText().isEmpty());
   showNote();
@@ -286,19 +287,20 @@ void RunPanel::show(const RunEnd& end) {
     if (plots) showPlots(true);
     if (animation) showAnimation(true);
     if (plots || animation)
-      view_->appendPlainText(
-          tr("Opened in the background: %1. The buttons bring them to the front.")
-              .arg(plots && animation ? tr("plots and animation")
-                   : plots            ? tr("plots")
-                                      : tr("animation")));
+      view_->appendPlainText(tr("Opened in the background: %1. Press the buttons above to bring "
+                                "the windows to the front.")
+                                 .arg(plots && animation ? tr("plots and animation")
+                                      : plots            ? tr("plots")
+                                                         : tr("animation")));
   }
   emit finished();
 }
 
 void RunPanel::showNote() {
-  note_->setText(!stale_    ? headline_
-                 : another_ ? tr("From another deck, %1. ").arg(from(file_.string())) + headline_
-                            : tr("Out of date: the deck has changed. ") + headline_);
+  note_->setText(!stale_ ? headline_
+                 : another_
+                     ? tr("Results of another deck, %1. ").arg(from(file_.string())) + headline_
+                     : tr("Out of date: the deck has changed. ") + headline_);
 }
 
 void RunPanel::setAnother(const std::filesystem::path& now) {

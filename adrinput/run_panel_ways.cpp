@@ -247,8 +247,8 @@ void RunPanel::askToReplace() {
   const bool mine = madeHere();
   const bool cancelled = mine && !made_.at(resultFolder()).whole;
   const QString what = cancelled ? tr("results of a cancelled run")
-                       : mine    ? tr("results of this window, computed before the deck changed")
-                                 : tr("results of an earlier run");
+                       : mine ? tr("results that this window computed before the deck was changed")
+                              : tr("results of an earlier run");
   auto* box = new QMessageBox(QMessageBox::Question, "AdrInput",
                               tr("The folder contains %1. Replace them?").arg(what) + "\n\n" +
                                   QString::fromStdString(short_name(resultFolder())),
@@ -290,15 +290,15 @@ void RunPanel::showSweep(const facade::SweepOutcome& sweep) {
   QString text = tr("Table: %1\n").arg(from(sweep.table));
   if (!cancelled) {
     bar_->setValue(bar_->maximum());
-    headline_ = sweep.failed == 0 ? tr("The sweep is done.")
-                                  : tr("The sweep is complete, but %1 no result (see the table). "
-                                       "Run > Continue the sweep %2 repeats them.")
-                                        .arg(QString::fromStdString(counted(
-                                            sweep.failed, "of its runs has", "of its runs have")))
-                                        .arg(place_of(resultFolder(), file_));
+    headline_ = sweep.failed == 0
+                    ? tr("The sweep is done.")
+                    : tr("The sweep is complete, but %1 without a result (see the table). To "
+                         "repeat these runs, select Run > Continue the sweep %2.")
+                          .arg(QString::fromStdString(counted(sweep.failed, "run is", "runs are")))
+                          .arg(place_of(resultFolder(), file_));
   } else {
-    headline_ = tr("The sweep was cancelled. The table contains the finished runs. Resume with Run "
-                   "> Continue the sweep %1.")
+    headline_ = tr("The sweep was cancelled. The table contains the finished runs. To continue, "
+                   "select Run > Continue the sweep %1.")
                     .arg(place_of(resultFolder(), file_));
   }
   for (const Issue& issue : sweep.warnings)

@@ -194,13 +194,13 @@ bool Session::offerNext() {
     const QString name = left.path().empty() ? tr("an unnamed deck")
                                              : QString::fromStdString(short_name(left.path()));
     bar.setToolTip(QString::fromStdString(left.path().string()));
-    bar.ask(
-        tr("AdrInput ended before %1 was saved. Changes until %2 can be restored.").arg(name, when),
-        {{"restore", tr("Res&tore"), [this] { restore(); }},
-         {"later", tr("Later"), later},
-         {"discard", tr("Discard"), discard}});
+    bar.ask(tr("AdrInput ended before %1 was saved. The changes made until %2 can be restored.")
+                .arg(name, when),
+            {{"restore", tr("Res&tore"), [this] { restore(); }},
+             {"later", tr("Later"), later},
+             {"discard", tr("Discard"), discard}});
   } catch (const std::exception& reason) {
-    bar.ask(tr("An unsaved deck of %1 cannot be restored: %2. It is kept in %3.")
+    bar.ask(tr("The unsaved deck from %1 cannot be restored: %2. The deck is in the file %3.")
                 .arg(when, QString::fromUtf8(reason.what()), QString::fromStdString(file.string())),
             {{"later", tr("Keep"), later}, {"discard", tr("Discard"), discard}});
   }

@@ -42,17 +42,17 @@ std::string statement(const json& accuracy) {
   }
   if (out.empty()) return out;
   std::string head =
-      fmt::format("Accuracy of the last run over {} (RUN.json)",
+      fmt::format("Accuracy of the last run with {} (RUN.json)",
                   counted(fmt::format("{:.4g}", number(accuracy, "revolutions")), "revolution"));
   if (const double needed = number(accuracy, "needs_revolutions"); needed > 0.0)
-    head += fmt::format("; the target needs about {}",
+    head += fmt::format("; the target error needs about {}",
                         counted(fmt::format("{:.3g}", needed), "revolution"));
   return head + "\n" + out;
 }
 
 std::string verification(const json& verify) {
   if (!word(verify, "failure").empty())
-    return fmt::format("The run against {} failed: {}\n", word(verify, "against"),
+    return fmt::format("The verification run against {} failed: {}\n", word(verify, "against"),
                        word(verify, "failure"));
   std::string out;
   if (const auto errors = verify.find("errors"); errors != verify.end() && errors->is_object())

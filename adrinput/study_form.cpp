@@ -96,7 +96,7 @@ void StudyForm::addTable(QBoxLayout* column, const StudyTableSpec& spec) {
   auto* row = new QHBoxLayout;
   auto* remove = new QPushButton(tr("Remove row"), box);
   remove->setObjectName("remove-" + from(spec.key));
-  remove->setToolTip(tr("Remove the current row (Ctrl+Delete)"));
+  remove->setToolTip(tr("Remove the selected row (Ctrl+Delete)"));
   remove->setAutoDefault(true);
   remove->setFocusPolicy(Qt::TabFocus);  // the cell stays the present one
   connect(remove, &QPushButton::clicked, table, &StudyTable::removeCurrentRow);

@@ -54,14 +54,15 @@ StudyPanel::StudyPanel(StudyDocument& document, QWidget* parent)
   };
   auto* grid = new QGridLayout;
   plan_ = button(tr("&Plan"), "study-plan",
-                 tr("Save, make up to three pilot runs, and estimate number of runs, computing "
-                    "time and disk space (F5)"));
-  start_ = button(tr("&Run"), "study-run", tr("Save and run all cases without a result (F7)"));
-  cancel_ =
-      button(tr("&Cancel"), "study-cancel",
-             tr("Stop the active runs. Finished runs are kept; Run continues with the others."));
-  results_ = button(tr("Res&ults"), "study-results", tr("Open the pictures in AdrPlot"));
-  retry_ = button(tr("Retr&y failed"), "study-retry", tr("Repeat failed runs"));
+                 tr("Save the study, make up to three pilot runs, and estimate the number of runs, "
+                    "computing time and disk space (F5)"));
+  start_ = button(tr("&Run"), "study-run",
+                  tr("Save the study and make all runs that have no result yet (F7)"));
+  cancel_ = button(
+      tr("&Cancel"), "study-cancel",
+      tr("Stop the active runs. Finished runs are kept. \"Resume\" makes the remaining runs."));
+  results_ = button(tr("Res&ults"), "study-results", tr("Open the charts of the study in AdrPlot"));
+  retry_ = button(tr("Retr&y failed"), "study-retry", tr("Repeat the failed runs"));
   over_budget_ =
       button(tr("Run &anyway"), "study-over-budget", tr("Run even if the plan exceeds the budget"));
   connect(plan_, &QPushButton::clicked, this, &StudyPanel::planWanted);
@@ -92,7 +93,8 @@ StudyPanel::StudyPanel(StudyDocument& document, QWidget* parent)
   workers_->setAccessibleName(tr("Parallel runs"));
   workers_->setRange(0, 1024);
   workers_->setSpecialValueText(tr("auto"));
-  workers_->setToolTip(tr("Parallel runs; auto: limited by cores and memory"));
+  workers_->setToolTip(
+      tr("Maximum number of parallel runs (auto: limited by processor cores and memory)"));
   workers_label->setBuddy(workers_);
   new WheelGuard(workers_);
   row->addWidget(engine_label);
@@ -225,12 +227,13 @@ void StudyPanel::show(const StudyEnd& end) {
   } else if (end.plan) {
     over_budget = !end.plan->over_budget.empty();
     note_->setText(over_budget ? tr("The plan exceeds the budget of the study.")
-                               : tr("The pilot runs are kept and not repeated."));
+                               : tr("The pilot runs are kept. They will not be repeated."));
   } else if (end.outcome) {
-    note_->setText(from(studies::outcome_text(*end.outcome)) +
-                   (end.outcome->complete
-                        ? QString()
-                        : tr("\nCancelled. Finished runs are kept; Resume runs the others.")));
+    note_->setText(
+        from(studies::outcome_text(*end.outcome)) +
+        (end.outcome->complete
+             ? QString()
+             : tr("\nCancelled. Finished runs are kept. \"Resume\" makes the remaining runs.")));
     if (end.outcome->runs > 0)
       bar_->setValue(static_cast<int>(kBarSteps * end.outcome->done / end.outcome->runs));
   }
@@ -250,7 +253,8 @@ void StudyPanel::showStatus() {
   failed_ = 0;
   bar_->setValue(0);
   view_->clear();
-  note_->setText(tr("Plan estimates the cost; Run starts the study. Results: %1.")
+  note_->setText(tr("\"Plan\" estimates the computing time. \"Run\" starts the study. Folder of "
+                    "the results: %1.")
                      .arg(from(std::filesystem::path(document_.path())
                                    .replace_extension(".study")
                                    .filename()
@@ -262,11 +266,11 @@ void StudyPanel::showStatus() {
     complete_ = status.done == status.runs;
     failed_ = status.failed;
     bar_->setValue(status.runs > 0 ? static_cast<int>(kBarSteps * status.done / status.runs) : 0);
-    note_->setText(from(fmt::format("{} of {} runs done, {} of them failed; {}", status.done,
+    note_->setText(from(fmt::format("{} of {} runs are done ({} failed). {}", status.done,
                                     status.runs, status.failed,
-                                    status.at_work ? "another program is running it"
-                                    : complete_    ? "complete"
-                                                   : "Resume runs the others")));
+                                    status.at_work ? "Another program is running the study."
+                                    : complete_    ? "The study is complete."
+                                                   : "\"Resume\" makes the remaining runs.")));
     std::string failures;
     for (const std::string& text : status.diagnoses) failures += in_window_words(text) + "\n";
     view_->setPlainText(from(failures));

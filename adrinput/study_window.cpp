@@ -112,8 +112,8 @@ StudyWindow::StudyWindow(QWidget* parent) : QMainWindow(parent) {
     sync();
     if (document_.comments_went())
       statusBar()->showMessage(
-          tr("This change removed comments after values and in lists. Undo restores them. Edit on "
-             "the page File to keep comments."));
+          tr("This change removed the comments after values and in lists. Undo restores them. To "
+             "keep comments, edit the text in the tab File."));
     panel_->changed();
     if (!store_->isActive()) store_->start();
   };
@@ -128,11 +128,11 @@ StudyWindow::~StudyWindow() {
 void StudyWindow::addKinds(QMenu& menu, const std::function<void(const QString&)>& chosen) {
   constexpr std::array<const char*, studies::kKinds> kWhat{
       "grids, lists and samples",
-      "Monte Carlo: effect of part tolerances",
+      "effect of part tolerances (Monte Carlo)",
       "regions where the cage rests, whirls or moves irregularly",
-      "derivatives of all quantities by all variables",
+      "derivatives of all quantities with respect to all variables",
       "worst case within given ranges",
-      "named changes of the deck, one at a time"};
+      "named changes of the deck, compared one at a time"};
   for (int k = 0; k < studies::kKinds; ++k) {
     const QString kind = from(studies::kind_name(static_cast<studies::Kind>(k)));
     QAction* action =
@@ -314,10 +314,10 @@ void StudyWindow::withSavedStudy(std::function<void()> then) {
   if (panel_->busy()) return;
   panel_->checkNow();
   if (!panel_->finding().problem.empty())
-    return desktop::show_message(
-        this,
-        tr("The study has an error (F8 goes to it):\n\n%1").arg(from(panel_->finding().problem)),
-        true);
+    return desktop::show_message(this,
+                                 tr("The study has an error. Press F8 to go to the field.\n\n%1")
+                                     .arg(from(panel_->finding().problem)),
+                                 true);
   if (document_.modified()) return saveTo(document_.path(), std::move(then));
   then();
 }
@@ -340,10 +340,11 @@ void StudyWindow::switchTheme() {
 
 void StudyWindow::leave(std::function<void()> then) {
   if (panel_->busy()) {
-    auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput",
-                                tr("The study is running. Closing it stops the active runs. "
-                                   "Finished runs are kept; Run continues with the others."),
-                                QMessageBox::Cancel, this);
+    auto* box =
+        new QMessageBox(QMessageBox::Warning, "AdrInput",
+                        tr("The study is running. Closing the window stops the active runs. "
+                           "Finished runs are kept. \"Resume\" makes the remaining runs."),
+                        QMessageBox::Cancel, this);
     box->setDefaultButton(QMessageBox::Cancel);
     box->setObjectName("running");
     desktop::delete_when_done(*box);

@@ -78,13 +78,14 @@ SweepRange read_sweep(const Document& document, std::string_view text) {
   const std::size_t a = range.find(':'), b = range.rfind(':');
   if (std::count(text.begin(), text.end(), '=') != 1 || a == b ||
       std::count(range.begin(), range.end(), ':') != 2)
-    throw InputError(fmt::format("\"{}\" is not a sweep: {}", whole, form));
+    throw InputError(fmt::format("\"{}\" does not define a sweep; {}", whole, form));
   const std::optional<Cell> cell = cell_named(document, name);
   if (!cell)
-    throw InputError(fmt::format("{}: this deck has no variable \"{}\"; find its name with Ctrl+F",
-                                 whole, name));
+    throw InputError(fmt::format(
+        "{}: this deck has no variable \"{}\"; search for variables with Ctrl+F", whole, name));
   if (variable_of(*cell)->type == deck::VarType::String)
-    throw InputError(fmt::format("{}: {} is a text; a sweep needs numbers", whole, name));
+    throw InputError(fmt::format("{}: {} is a text variable; a sweep needs a variable with numbers",
+                                 whole, name));
 
   std::string first = trimmed(range.substr(0, a)), last = trimmed(range.substr(a + 1, b - a - 1));
   const Parts runs = parts_of(trimmed(range.substr(b + 1)));

@@ -37,7 +37,7 @@ deck::NumberProblem thousands_or_decimals(std::string_view typed) {
   static const std::regex kGroup("(^|[^0-9.,])([1-9][0-9]{0,2}),([0-9]{3})(?![0-9.,eEdD])");
   std::cmatch found;
   if (!std::regex_search(typed.begin(), typed.end(), found, kGroup)) return {};
-  return {"is ambiguous: decimal comma or thousands separator",
+  return {"is ambiguous: the comma could be a decimal comma or a thousands separator",
           fmt::format("write {0}{1} or {0}.{1}", found.str(2), found.str(3))};
 }
 
@@ -106,7 +106,7 @@ Typed parse_typed(const deck::Deck& deck, const deck::VariableSpec& variable,
   if (plain) {
     const std::size_t sign = number.find_first_of("+-", 1);
     return {{},
-            {"is ambiguous: power of ten or sum",
+            {"is ambiguous: it could be a power of ten or a sum",
              fmt::format("write {}e{} or {} {} {}", number.substr(0, sign), number.substr(sign),
                          number.substr(0, sign), number[sign], number.substr(sign + 1))}};
   }
@@ -128,7 +128,7 @@ deck::NumberProblem product_or_values(std::string_view typed, std::size_t values
   if (!std::regex_match(number, found, kRepeat)) return {};
   const auto count = static_cast<std::size_t>(std::stoi(found.str(1)));
   if (count < 2 || count > values) return {};
-  return {fmt::format("is ambiguous: a product or, as in a deck, {} values", count),
+  return {fmt::format("is ambiguous: it could be a product or, as in a deck, {} values", count),
           fmt::format("write {0}*{1} for the product, or {0} in each of the {1} fields",
                       found.str(2), found.str(1))};
 }

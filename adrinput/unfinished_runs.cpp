@@ -51,7 +51,7 @@ std::vector<fs::path> folders_of(const fs::path& deck_file, const char* start) {
   return out;
 }
 
-constexpr const char* kCutOff = "interrupted, or still running elsewhere";
+constexpr const char* kCutOff = "interrupted, or still active in another program";
 
 }  // namespace
 
@@ -70,7 +70,7 @@ std::vector<UnfinishedRun> unfinished_runs(const fs::path& deck_file, const deck
     if (!of.empty() && of != deck_file.filename().string()) continue;
     out.push_back({folder, status == "interrupted" ? "cancelled"
                            : status == "running"   ? kCutOff
-                           : status.empty()        ? "without a final report"
+                           : status.empty()        ? "not finished (no RUN.json)"
                                                    : status});
   }
   return out;

@@ -40,7 +40,7 @@ void set_abscissa(desktop::ChartPage& page, const results::SolFile& file, Abscis
     page.x_unit = "rev";
     if (page.x.size() < 2 || page.x.back() - page.x.front() > kLeastTurn) return;
     page.note += std::string(page.note.empty() ? "" : " ") +
-                 "No relative rotation of the races: drawn over time.";
+                 "The races do not rotate relative to each other, so the abscissa is time.";
     abscissa = Abscissa::Time;
   }
   page.x.clear();

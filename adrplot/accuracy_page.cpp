@@ -104,14 +104,15 @@ void add_floor(desktop::ChartPage& page, const std::vector<Point>& points, const
   curve.dashed = true;
   page.panels.front().curves.push_back(std::move(curve));
   page.note += fmt::format(
-      " Below {} % (shaded) settings cannot be distinguished: errors are within {:g} times the "
+      " Errors below {} % (shaded) cannot be distinguished: they are within {:g} times the "
       "statistical scatter.",
       desktop::pretty_number(floor, 2), chance.times());
   const auto others = std::count_if(points.begin(), points.end(),
                                     [](const Point& point) { return point.stands_out; });
   if (others > 0)
-    page.note += fmt::format(" For {} in it the error of another quantity exceeds the scatter.",
-                             counted(others, "point"));
+    page.note +=
+        fmt::format(" At {} in the shaded area, the error of another quantity exceeds the scatter.",
+                    counted(others, "point"));
 }
 
 /// Which of the points a reader looks for.
@@ -146,7 +147,7 @@ desktop::ChartPage page_of(const nlohmann::json& rows, const std::string& title,
   const std::vector<Point> points = points_of(rows, chance);
   desktop::ChartPage page;
   page.title = title;
-  page.note = "One point per completed run. Best: bottom left.";
+  page.note = "Each point is a completed run. The best runs are at the bottom left.";
   if (const std::string tolerances = tolerances_of(rows); !tolerances.empty())
     page.note += fmt::format(
         " Each point of a method is one tolerance ({}), usually in this order from left to right. "
@@ -189,8 +190,9 @@ bool is_accuracy(const std::filesystem::path& path) {
 std::vector<desktop::ChartPage> accuracy_pages(const std::filesystem::path& path) {
   const auto study = parse_json(read_text_file(path), path.string());
   if (!study.is_object() || !study.contains("screening"))
-    throw InputError(fmt::format("{} is not a table of `adore accuracy`; give its ACCURACY.json",
-                                 path.string()));
+    throw InputError(fmt::format(
+        "{} is not a result of `adore accuracy`; select the ACCURACY.json of an accuracy study",
+        path.string()));
   const auto text = [&](const char* key, const char* otherwise) {
     const std::string found = word(study, key);
     return found.empty() ? std::string(otherwise) : found;

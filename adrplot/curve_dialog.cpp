@@ -50,7 +50,7 @@ CurveDialog::CurveDialog(const std::vector<const PlotDocument*>& files, const Pa
   resize(620, 520);
   auto* column = new QVBoxLayout(this);
   column->addWidget(new QLabel(
-      tr("Select curves, also of different runs. Curves with the same unit share a panel."), this));
+      tr("Select curves of one or more runs. Curves with the same unit share a panel."), this));
   tree_ = new QTreeWidget(this);
   tree_->setAccessibleName(tr("Curves"));
   tree_->setObjectName("curves");

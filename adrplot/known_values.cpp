@@ -134,7 +134,7 @@ KnownValues KnownColumns::values(const std::string& id) const {
   if (is("contact.film.")) {
     if (zero(out.values))
       nothing(file_.part ? "No film was computed at these steps."
-                         : "No film was computed: the traction law has none.");
+                         : "No film was computed: the traction law does not use a film.");
   } else if (is("contact.temperature_rise.")) {
     if (zero(out.values)) nothing("Contact temperature rise was not computed " + here + ".");
   } else if (id == "power.churning_fraction") {

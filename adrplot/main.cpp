@@ -82,7 +82,7 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
   }
   if (options.page > window.pageCount() && window.pageCount() > 0)
     desktop::show_message(&window,
-                          QString("Page %1 does not exist; the file has %2.")
+                          QString("Page %1 does not exist. The last page of the file is %2.")
                               .arg(options.page)
                               .arg(window.pageCount()),
                           true);
@@ -105,8 +105,8 @@ int main(int argc, char** argv) {
   adrplot::RenderOptions options;
   std::string size = "1280x800", abscissa = "rev", domain = "history", curve, project;
   cli.add_option("FILE", files,
-                 "result files: SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json; RUNS.csv or "
-                 "STUDY.h5 of a study; folders of runs and studies")
+                 "result files (SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json), study tables "
+                 "(RUNS.csv, STUDY.h5), or folders of runs and studies")
       ->type_name("PATH");
   CLI::Option* one_window =
       cli.add_option("--project", project, "reuse one window for all files of this folder")
@@ -117,14 +117,14 @@ int main(int argc, char** argv) {
                                 "write the pages as PNG to this folder instead of opening a window")
                      ->type_name("DIR");
   command_line::at_least(
-      cli.add_option("--page", options.page, "page number (in a window: first page shown)"), 1);
+      cli.add_option("--page", options.page, "page to write (in a window: page to show first)"), 1);
   command_line::at_least(
-      cli.add_option("--from", options.range.from, "first stored step, counted from 1"), 1);
-  command_line::at_least(
-      cli.add_option("--to", options.range.to, "last stored step (end of the file unless given)"),
-      1);
-  command_line::at_least(cli.add_option("--every", options.range.every, "every n-th stored step"),
+      cli.add_option("--from", options.range.from, "first stored step to plot, counted from 1"), 1);
+  command_line::at_least(cli.add_option("--to", options.range.to,
+                                        "last stored step to plot (default: end of the file)"),
                          1);
+  command_line::at_least(
+      cli.add_option("--every", options.range.every, "plot every n-th stored step"), 1);
   cli.add_option("--size", size, "picture size in pixels, WIDTHxHEIGHT")
       ->capture_default_str()
       ->type_name("SIZE")
@@ -142,8 +142,8 @@ int main(int argc, char** argv) {
       cli.add_option("--domain", domain, "chart type")->capture_default_str()->type_name("WHAT"),
       {"history", "spectrum", "waterfall"});
   cli.add_option("--curve", curve,
-                 "curve of the waterfall: its name, part of its name, or its number on the page "
-                 "(first unless given)")
+                 "curve of the waterfall: name, part of the name, or number on the page (default: "
+                 "first curve)")
       ->type_name("CURVE");
   // An existing window accepts only files.
   for (const char* of_first : {"--render", "--page", "--from", "--to", "--every", "--abscissa",

@@ -178,14 +178,16 @@ std::vector<Taken> take(const std::vector<CurvePick>& picks, const PageOptions& 
     const desktop::ChartPage source = pick.file->build(pick.page, options);
     if (source.equal_axes || pick.panel >= source.panels.size() ||
         pick.curve >= source.panels[pick.panel].curves.size())
-      throw InputError(fmt::format("{}, page {}: this curve has no horizontal axis",
-                                   pick.file->path.string(), pick.page));
+      throw InputError(
+          fmt::format("{}, page {}: this curve has no horizontal axis and cannot be combined",
+                      pick.file->path.string(), pick.page));
     if (taken.empty()) {
       page.x_title = source.x_title;
       page.x_unit = source.x_unit;
     } else if (source.x_unit != page.x_unit || source.x_title != page.x_title) {
       throw InputError(fmt::format(
-          "{} is drawn over {} and {} over {}; choose curves with the same horizontal axis",
+          "{} is plotted against {}, but {} against {}; select curves with the same horizontal "
+          "axis",
           taken.front().name, page.x_title, source.panels[pick.panel].title, source.x_title));
     }
     const desktop::ChartPanel& panel = source.panels[pick.panel];
@@ -254,11 +256,12 @@ std::vector<double> places_for_spectrum(const Taken& a, const Taken& b, desktop:
   for (std::size_t i = 0; i <= count; ++i)
     out.push_back(std::min(to, from + step * static_cast<double>(i)));
   const auto seconds = [](double value) { return desktop::pretty_quantity(value, "s", 3); };
-  add_note(page, fmt::format("Resampled: the steps are {} to {} and {} to {}; both were "
-                             "interpolated linearly every {}, so the spectrum ends at {}.",
-                             seconds(of_a.first), seconds(of_a.second), seconds(of_b.first),
-                             seconds(of_b.second), seconds(step),
-                             desktop::pretty_quantity(0.5 / step, "Hz", 3)));
+  add_note(page,
+           fmt::format("Resampled: the steps of the curves are {} to {} and {} to {}. Both curves "
+                       "were interpolated linearly every {}, so the spectrum ends at {}.",
+                       seconds(of_a.first), seconds(of_a.second), seconds(of_b.first),
+                       seconds(of_b.second), seconds(step),
+                       desktop::pretty_quantity(0.5 / step, "Hz", 3)));
   return out;
 }
 
@@ -271,7 +274,7 @@ std::vector<Taken> differences(const std::vector<Taken>& taken, bool for_spectra
   for (std::size_t i = 1; i < taken.size(); ++i) {
     Taken one = taken[i];
     if (one.unit != first.unit)
-      throw InputError(fmt::format("{} is in {}, {} in {}: no difference of different units",
+      throw InputError(fmt::format("{} is in {}, but {} is in {}; select curves with the same unit",
                                    one.name, one.unit.empty() ? "no unit" : one.unit, first.name,
                                    first.unit.empty() ? "no unit" : first.unit));
     one.x =
@@ -284,7 +287,7 @@ std::vector<Taken> differences(const std::vector<Taken>& taken, bool for_spectra
     for (std::size_t k = 0; k < one.own.size(); ++k) one.own[k] = one.own[k] && of_first[k];
     one.title = "Difference";
     for (std::size_t k = 0; k < one.names.size(); ++k)
-      if (one.names.at(k) != first.names.at(k)) one.names.at(k) += " less " + first.names.at(k);
+      if (one.names.at(k) != first.names.at(k)) one.names.at(k) += " minus " + first.names.at(k);
     one.name = joined(one.names, {true, true, true});
     one.brief = "Difference: " + joined(one.names, apart);
     if (!one.low.empty() || !first.low.empty())
@@ -389,9 +392,9 @@ std::vector<double> read_off(const std::vector<double>& x, const std::vector<dou
 
 desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine how,
                                   const PageOptions& options) {
-  if (picks.empty()) throw InputError("choose at least one curve");
+  if (picks.empty()) throw InputError("select at least one curve");
   const bool less = how == Combine::Difference;
-  if (less && picks.size() < 2) throw InputError("a difference needs at least two curves");
+  if (less && picks.size() < 2) throw InputError("select at least two curves for a difference");
   PageOptions history = options;
   history.domain = Domain::History;
   if (options.domain != Domain::History) history.abscissa = Abscissa::Time;
@@ -405,8 +408,8 @@ desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine h
   page.x = all_places(curves);
   if (less) {
     // One difference has no legend that would name it.
-    page.note =
-        (curves.size() == 2 ? curves.back().name + ", less " : "Less ") + curves.front().name + ".";
+    page.note = (curves.size() == 2 ? curves.back().name + " minus " : "All curves minus ") +
+                curves.front().name + ".";
     curves = differences(curves, domain != Domain::History, page);
   }
   if (domain != options.domain) add_note(page, "Spectra need curves over time.");

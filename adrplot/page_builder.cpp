@@ -170,7 +170,7 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
     }
   const std::string aliased = aliasing(file, context);
   if (!aliased.empty())
-    add_note(chart, aliased + "; the lines do not show faster motion.");
+    add_note(chart, aliased + "; the lines do not show this vibration.");
   else
     tell_of_peaks(chart, file, page, context);
 }
@@ -226,12 +226,12 @@ void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
   const std::vector<double> turns = accumulated_turns(file);
   if (!chart.marks.empty() && turns_back(file)) {
     chart.marks.clear();
-    add_note(chart, "The shaft oscillates: no frequency marks.");
+    add_note(chart, "The shaft oscillates, so there are no frequency marks.");
   }
   if (!chart.marks.empty() && turns.back() > turns.front() && !keeps_speed(times(file), turns)) {
     const auto [low, high] = speed_range(times(file), turns);
     add_note(chart,
-             fmt::format("The shaft speed varies from {} to {}: marks are for the mean speed.",
+             fmt::format("The shaft speed varies from {} to {}. The marks are for the mean speed.",
                          rpm_text(low), rpm_text(high)));
   }
   tell_lines(chart, {chart.x.front()}, options);

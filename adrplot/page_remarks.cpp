@@ -133,7 +133,7 @@ void tell_temperatures(ChartPage& chart, const SolFile& file, const PageSpec& pa
     if (std::none_of(chart.panels[p].curves.begin(), chart.panels[p].curves.end(),
                      [](const ChartCurve& curve) { return any_value(curve.y); }))
       continue;
-    names = bulk ? "These temperatures" : "Race contact temperatures without a rise";
+    names = bulk ? "These temperatures" : "Race temperatures (without contact temperature rise)";
   }
   if (names.empty()) return;
   add_note(chart,
@@ -149,8 +149,8 @@ void tell_averages(ChartPage& chart, const SolFile& file, const PageSpec& page) 
         return panel.curves.front().column.find("wear_rate") != std::string::npos;
       });
   if (averages && !(file.steps.front().time > 0.0))
-    add_note(chart,
-             fmt::format("Step {} has no averages: its time is 0.", file.steps.front().step));
+    add_note(chart, fmt::format("Step {} has no average values because its time is 0.",
+                                file.steps.front().step));
 }
 
 /// Angles of lands and round pockets have values without contact, too.
@@ -165,7 +165,7 @@ void tell_nearest(ChartPage& chart, const PageSpec& page) {
         for (std::size_t i = 0; i < std::min(angle.y.size(), force.y.size()); ++i)
           if (std::isfinite(angle.y[i]) && force.y[i] == 0.0)
             return add_note(chart,
-                            "Without contact, the contact angle is that of the smallest gap.");
+                            "Without contact, the contact angle is the angle of the smallest gap.");
   }
 }
 
@@ -179,8 +179,8 @@ void tell_holding(ChartPage& chart, const SolFile& file, const PageSpec& page,
     add_note(chart, held_note(KnownColumns(file), moments));
   else if (facts.races_held.value_or(false))
     add_note(chart,
-             "Position and speed of the races are prescribed: these are reactions, not loads of "
-             "the deck.");
+             "Position and speed of the races are prescribed: the values are reactions, not loads "
+             "of the deck.");
 }
 
 /// Speeds of outer and inner race [rpm], from the counted marks; no value for a varying speed.
@@ -219,12 +219,14 @@ std::string aliasing(const SolFile& file, const PageContext& context) {
   const double interval = alias_interval(file, context.fastest_frequency);
   if (!(interval > 0.0)) return {};
   const auto every = static_cast<double>(file.every);
+  const std::string fastest = desktop::pretty_quantity(context.fastest_frequency, "Hz", 3),
+                    rate = desktop::pretty_quantity(every / interval, "Hz", 3);
+  if (file.every == 1)
+    return fmt::format("Aliased: the fastest contact vibration is {}, but steps are stored at {}",
+                       fastest, rate);
   return fmt::format(
-      "Aliased: fastest contact vibration {}, but {} at {}",
-      desktop::pretty_quantity(context.fastest_frequency, "Hz", 3),
-      file.every > 1 ? fmt::format("one of every {} stored is drawn", counted(file.every, "step"))
-                     : "steps are stored",
-      desktop::pretty_quantity(every / interval, "Hz", 3));
+      "Aliased: the fastest contact vibration is {}, but only one of every {} is drawn (at {})",
+      fastest, counted(file.every, "step"), rate);
 }
 
 void tell_of_ratios(ChartPage& chart, const SolFile& file, const PageSpec& page,
@@ -233,7 +235,7 @@ void tell_of_ratios(ChartPage& chart, const SolFile& file, const PageSpec& page,
     const std::string& column = panel.curves.front().column;
     if (column != "cage.whirl_ratio" && column != "cage.speed_ratio") continue;
     if (turns_back(file)) {
-      add_note(chart, panel.title + ": ratio to a race speed that passes through 0.");
+      add_note(chart, panel.title + ": ratio to the speed of a race, which passes through 0.");
       continue;
     }
     const auto speeds = race_speeds(file, context);
@@ -264,7 +266,7 @@ void lead_with_aliasing(ChartPage& chart, const SolFile& file, const PageContext
   const std::string aliased = aliasing(file, context);
   if (aliased.empty() || chart.panels.empty()) return;
   chart.note =
-      aliased + ": higher frequencies appear as lines below " +
+      aliased + "; higher frequencies appear as false lines below " +
       desktop::pretty_quantity(0.5 / alias_interval(file, context.fastest_frequency), "Hz", 3) +
       "." + (chart.note.empty() ? "" : " ") + chart.note;
 }

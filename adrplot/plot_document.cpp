@@ -72,11 +72,11 @@ std::string between_steps(const desktop::ChartPage& page, const results::SolFile
 /// Of a range that passes over stored steps.
 std::string left_out(const desktop::ChartPage& page, std::size_t steps, long every) {
   const Unknown unknown = unknown_between(page);
-  return fmt::format("These are {} of the steps in the file, one of every {}{}.", steps, every,
-                     unknown.all ? ": shorter peaks are missing"
+  return fmt::format("These are {} of the steps in the file (one of every {}){}.", steps, every,
+                     unknown.all ? ": peaks between them are missing"
                      : unknown.titles.empty()
                          ? ""
-                         : ": shorter peaks of " + unknown.titles + " are missing");
+                         : ": peaks of " + unknown.titles + " between them are missing");
 }
 
 /// Steps that are drawn from RESULTS.h5.
@@ -108,9 +108,10 @@ DigitWords digit_words(const results::SolFile& file, const results::FullPrecisio
                             digits.end, name);
   } else {
     out.subtitle = fmt::format("full precision (RESULTS.h5) for {} of {} steps", digits.exact, own);
-    out.note += (out.note.empty() ? "" : " ") +
-                fmt::format("RESULTS.h5 lacks {} of the {} steps: those have eight digits ({}).",
-                            own - digits.exact, own, name);
+    out.note += (out.note.empty() ? "" : " ") + fmt::format(
+                                                    "RESULTS.h5 lacks {} of the {} steps: the "
+                                                    "values of these steps have eight digits ({}).",
+                                                    own - digits.exact, own, name);
   }
   return out;
 }
@@ -178,10 +179,10 @@ class StepPages {
     if (!file_.gaps.empty())
       note((file_.part ? "In these steps " : "In this file ") + file_.gaps + ".");
     if (file_.more)
-      note(fmt::format("These are the stored steps {} to {}; more follow in the file.", range_.from,
-                       range_.to));
+      note(fmt::format("These are the stored steps {} to {}; the file contains more steps.",
+                       range_.from, range_.to));
     else if (range_.from > 1)
-      note(fmt::format("These are the stored steps from number {} on.", range_.from));
+      note(fmt::format("These are the stored steps from number {} to the end.", range_.from));
     std::error_code ignored;
     if (digits_.why_not.empty()) {
       if (const std::string whose = whose_pocket(number); !whose.empty()) note(whose);
@@ -217,7 +218,7 @@ class StepPages {
       const auto row = static_cast<int>(columns[c].at) / std::max(file_.header.pocket_surfaces, 1);
       return row < file_.header.elements
                  ? fmt::format("This is the pocket of rolling element {}.", row + 1)
-                 : "This half pocket is the last one of its segment.";
+                 : "This half pocket is the last pocket of its segment.";
     }
     return {};
   }

@@ -100,7 +100,8 @@ std::vector<PageSpec> power_pages(const SolHeader& header) {
           note));
   };
   if (!thermal) {
-    add_bulk("This file has no coolant, bore and housing temperatures and no heat flows.");
+    add_bulk(
+        "This file does not contain temperatures of coolant, bore and housing, or heat flows.");
     return pages;
   }
   pages.push_back(history(
@@ -145,7 +146,7 @@ std::vector<PageSpec> element_pages(const SolHeader& header) {
   slip.panels.push_back(both_races("Lubricant film", "contact.film"));
   if (!ball) {
     slip.note += slip.note.empty() ? "" : " ";
-    slip.note += "Slip velocity: largest of all slices (steps when the slice changes).";
+    slip.note += "Slip velocity: largest value of all slices (jumps when the slice changes).";
   }
   pages.push_back(std::move(slip));
 
@@ -167,7 +168,7 @@ std::vector<PageSpec> element_pages(const SolHeader& header) {
   if (!ball && header.outer_flange) flanges("Outer race flange interactions", "outer");
   if (!ball && header.inner_flange) flanges("Inner race flange interactions", "inner");
   if (columns.has("element.pocket_heat"))  // behind the manual's pages
-    pages.push_back(history("Heat besides contact friction",
+    pages.push_back(history("Heat other than contact friction",
                             {both_races("Rolling resistance", "contact.rolling_heat"),
                              both_races("Contact damping", "contact.damping_heat"),
                              single("Cage pocket", "element.pocket_heat")}));
@@ -264,7 +265,7 @@ std::vector<PageSpec> race_pages() {
           coordinates("Mass center whirl orbit", PageKind::Orbit, "race."),
           history("Position of the mass center",
                   {single("X", "race.x"), single("Y", "race.y"), single("Z", "race.z")},
-                  "Relative to the unloaded position."),
+                  "Positions are relative to the unloaded position."),
           orientation("race"),
           angular_velocity("Magnitude", "race", "angular_velocity"),
           coordinates("Frequency spectrum of the mass center", PageKind::Spectrum, "race.")};

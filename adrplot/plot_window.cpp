@@ -207,7 +207,7 @@ void PlotWindow::showCurrent() {
     // Races without relative rotation have no revolutions.
     const bool no_turns = kind == PageKind::History && options_.domain == Domain::History &&
                           options_.abscissa == Abscissa::Revolutions && chart.x_title == "Time";
-    abscissa_->setItemText(0, no_turns ? tr("over time (no turns)") : tr("over revolutions"));
+    abscissa_->setItemText(0, no_turns ? tr("over time (no rotation)") : tr("over revolutions"));
     note_->setText(doc->note.empty()
                        ? QString()
                        : tr("Incomplete file: %1.").arg(QString::fromStdString(doc->note)));
@@ -272,7 +272,8 @@ void PlotWindow::markPages() {
           of_run && topics.count(topic_of_page(doc.pages[static_cast<std::size_t>(p)].title,
                                                doc.subject)) > 0;
       root->child(p)->setIcon(0, marked ? desktop::warning_icon() : QIcon());
-      root->child(p)->setToolTip(0, marked ? tr("A warning concerns this page") : QString());
+      root->child(p)->setToolTip(
+          0, marked ? tr("A warning of the run concerns this page") : QString());
     }
   }
 }

@@ -74,16 +74,18 @@ bool PlotWindow::exportTo(const QString& path, bool all_pages, bool seen) {
         scene.setZoom(view_->chartScene().zoom());
         const desktop::ChartPage part = desktop::seen_part(scene);
         desktop::save_bytes(QByteArray::fromStdString(desktop::page_csv(part)), path.toStdString());
-        desktop::tell_in_foot(this, tr("Exported the visible range to %1: visible curves, %2 each.")
-                                        .arg(path, told(valuesOf(part), "value")));
+        desktop::tell_in_foot(
+            this, tr("Exported the visible curves in the visible range to %1 (%2 each).")
+                      .arg(path, told(valuesOf(part), "value")));
       } else {
         desktop::save_page(scene, path.toStdString(), size);
-        desktop::tell_in_foot(
-            this, !numbers ? tr("Saved %1.").arg(path)
-                  : whole  ? tr("Exported %1: all curves, %2.")
-                                .arg(path, told(valuesOf(scene.page()), "value"))
-                          : tr("Exported %1: all curves, %2, also outside the visible range.")
-                                .arg(path, told(valuesOf(scene.page()), "value")));
+        desktop::tell_in_foot(this, !numbers ? tr("Saved %1.").arg(path)
+                                    : whole
+                                        ? tr("Exported all curves to %1 (%2 each).")
+                                              .arg(path, told(valuesOf(scene.page()), "value"))
+                                        : tr("Exported all curves to %1 (%2 each), including "
+                                             "values outside the visible range.")
+                                              .arg(path, told(valuesOf(scene.page()), "value")));
       }
     } else if (QFileInfo(path).suffix().toLower() == "pdf") {
       desktop::save_pdf(scene, path.toStdString(), doc->pages.size(), size,

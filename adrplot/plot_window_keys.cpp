@@ -41,11 +41,13 @@ void PlotWindow::makeKeyMenus(QMenu* view) {
   addDeed(panel, ChartDeed::EnlargeValues, tr("&Enlarge Values"),
           {Qt::CTRL | Qt::Key_Plus, Qt::CTRL | Qt::Key_Equal});
   addDeed(panel, ChartDeed::ReduceValues, tr("&Reduce Values"), {Qt::CTRL | Qt::Key_Minus});
-  QMenu* read = menu(tr("&Read"));
-  addDeed(read, ChartDeed::ReadBack, tr("One Point &Back"), {Qt::CTRL | Qt::Key_Left});
-  addDeed(read, ChartDeed::ReadOn, tr("One Point &On"), {Qt::CTRL | Qt::Key_Right});
-  addDeed(read, ChartDeed::ReadFarBack, tr("&Far Back"), {Qt::CTRL | Qt::SHIFT | Qt::Key_Left});
-  addDeed(read, ChartDeed::ReadFarOn, tr("Far O&n"), {Qt::CTRL | Qt::SHIFT | Qt::Key_Right});
+  QMenu* read = menu(tr("&Read Values"));
+  addDeed(read, ChartDeed::ReadBack, tr("&Previous Point"), {Qt::CTRL | Qt::Key_Left});
+  addDeed(read, ChartDeed::ReadOn, tr("&Next Point"), {Qt::CTRL | Qt::Key_Right});
+  addDeed(read, ChartDeed::ReadFarBack, tr("Se&veral Points Back"),
+          {Qt::CTRL | Qt::SHIFT | Qt::Key_Left});
+  addDeed(read, ChartDeed::ReadFarOn, tr("Several Points &Forward"),
+          {Qt::CTRL | Qt::SHIFT | Qt::Key_Right});
   read->addSeparator();
   addDeed(read, ChartDeed::CursorA, tr("Toggle Cursor &A"), {Qt::Key_A});
   addDeed(read, ChartDeed::CursorB, tr("Toggle &Cursor B"), {Qt::Key_B});

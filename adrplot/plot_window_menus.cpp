@@ -39,7 +39,7 @@ void PlotWindow::makeButtons() {
     connect(action, &QAction::triggered, this, slot);
   };
   button(tr("Open Plot File"), QKeySequence::Open, &PlotWindow::askForFile,
-         tr("Choose a file SOL1 to SOL7"), true);
+         tr("Select a plot file (SOL1 to SOL7)"), true);
   button(tr("Prev Plot"), Qt::Key_PageUp, &PlotWindow::previousPage, tr("Previous page"));
   button(tr("Next Plot"), Qt::Key_PageDown, &PlotWindow::nextPage, tr("Next page"));
   button(tr("Plot Number"), Qt::CTRL | Qt::Key_G, &PlotWindow::askForPage,
@@ -47,8 +47,8 @@ void PlotWindow::makeButtons() {
   button(tr("Print"), QKeySequence::Print, &PlotWindow::print, tr("Print this page"), true);
   button(tr("Save JPG"), QKeySequence::Save, &PlotWindow::savePicture,
          tr("Save this page as JPEG or PNG"));
-  button(tr("Reload"), Qt::Key_F5, &PlotWindow::reload, tr("Reload the file while a run is active"),
-         true);
+  button(tr("Reload"), Qt::Key_F5, &PlotWindow::reload,
+         tr("Reload the file, e.g. while a run is active"), true);
   button(tr("Dark/Light"), Qt::CTRL | Qt::Key_D, &PlotWindow::switchTheme,
          tr("Dark or light theme"), true);
   button(tr("Quit"), Qt::CTRL | Qt::Key_Q, &PlotWindow::close, tr("Quit AdrPlot"), true);
@@ -107,24 +107,25 @@ void PlotWindow::makeMenus() {
       {{tr("Page Up, Page Down"), tr("previous, next page")},
        {tr("Ctrl+G"), tr("go to a page by number")},
        {tr("F5"), tr("reload the file")},
-       {tr("wheel"), tr("zoom the horizontal axis; Ctrl: the vertical axis; orbit: both")},
-       {tr("drag"), tr("move; Shift: zoom to a box")},
+       {tr("wheel"), tr("zoom the horizontal axis (Ctrl: vertical axis; orbits: both axes)")},
+       {tr("drag"), tr("move the curves; with Shift: zoom to a box")},
        {tr("double click, Home"), tr("show all")},
        {tr("Alt+Left, Alt+Right"), tr("previous, next view")},
-       {tr("click a panel"), tr("use its first curve for waterfalls")},
+       {tr("click a panel"), tr("use the first curve of the panel for waterfalls")},
        {tr("click a name in a legend"), tr("show or hide the curve")},
-       {tr("Ctrl+click, Ctrl+Shift+click"), tr("set cursor A, B; Esc removes them")},
-       {tr("Tab"), tr("focus the chart for the keys below (shown by a frame)")},
+       {tr("Ctrl+click, Ctrl+Shift+click"), tr("set cursor A, B (Esc removes both cursors)")},
+       {tr("Tab"), tr("focus the chart for the keys below (a frame shows the focus)")},
        {tr("+ or =, -"), tr("zoom in, out at the current point or the center")},
        {tr("Left, Right"), tr("move by a tenth of the visible range")},
        {tr("Shift+Left, Shift+Right"), tr("move by the whole visible range")},
        {tr("Up, Down"), tr("move an orbit or the enlarged values of a panel")},
        {tr("Ctrl++, Ctrl+-"), tr("enlarge, reduce the values of a panel")},
        {tr("Ctrl+Up, Ctrl+Down"), tr("select the panel for these keys (marked by a bar)")},
-       {tr("Ctrl+Left, Ctrl+Right"), tr("read the next stored point; with Shift farther apart")},
+       {tr("Ctrl+Left, Ctrl+Right"),
+        tr("read the previous, next stored point; with Shift: move several points")},
        {tr("A, B"), tr("place or remove cursor A, B at the current point")},
        {tr("Z"), tr("zoom to the range between the cursors")},
-       {tr("1 to 9"), tr("show or hide a curve of the legends")}});
+       {tr("1 to 9"), tr("show or hide curve 1 to 9 of the legends")}});
 }
 
 void PlotWindow::makeChartMenu(QMenu* menu) {
@@ -173,7 +174,7 @@ void PlotWindow::offerChoices(PageKind kind, const desktop::ChartPage& chart) {
   const bool steps = kind == PageKind::History, over_time = options_.domain == Domain::History;
   const QString not_of_steps = kind == PageKind::Chart
                                    ? tr("This page has its own horizontal axis.")
-                                   : tr("This page has one form only.");
+                                   : tr("This page has only one chart type.");
   offer(abscissa_, steps && over_time, steps ? tr("Spectra use frequency.") : not_of_steps);
   offer(domain_, steps, not_of_steps);
   const QString no_axes = chart.study        ? tr("Charts of a study have fixed axes.")
@@ -183,10 +184,11 @@ void PlotWindow::offerChoices(PageKind kind, const desktop::ChartPage& chart) {
   offer(log_x_action_, axes, no_axes);
   const bool decibels = std::any_of(chart.panels.begin(), chart.panels.end(),
                                     [](const auto& panel) { return panel.unit == "dB"; });
-  offer(log_y_action_, axes && !decibels, axes ? tr("dB is already logarithmic.") : no_axes);
+  offer(log_y_action_, axes && !decibels,
+        axes ? tr("The unit dB is already logarithmic.") : no_axes);
   const bool spectra = kind == PageKind::Spectrum || (steps && !over_time);
   for (QAction* action : spectrum_actions_)
-    offer(action, spectra, tr("This page shows no spectra: select \"spectrum\" above it."));
+    offer(action, spectra, tr("This page shows no spectra. Select \"spectrum\" in the toolbar."));
 }
 
 void PlotWindow::offerCurves(const desktop::ChartPage& chart) {
@@ -204,8 +206,9 @@ void PlotWindow::offerCurves(const desktop::ChartPage& chart) {
   }
   curve_menu_->menuAction()->setEnabled(!chart.choices.empty());
   curve_menu_->menuAction()->setToolTip(
-      chart.choices.empty() ? tr("This page shows no waterfall: select \"waterfall\" above it.")
-                            : tr("Curve of the waterfall"));
+      chart.choices.empty()
+          ? tr("This page shows no waterfall. Select \"waterfall\" in the toolbar.")
+          : tr("Curve of the waterfall"));
 }
 
 void PlotWindow::makeChoices(QToolBar* bar) {

@@ -130,8 +130,8 @@ std::vector<fs::path> render_plots(const std::vector<fs::path>& paths,
       const std::size_t more = options.page == 0 ? document.pages.size() : 1;
       if (written.size() + more > kMaxPictures)
         throw InputError(
-            fmt::format("{}: {} more would exceed the limit of {} for one command; select a page "
-                        "with --page, or give fewer files",
+            fmt::format("{}: {} more would exceed the limit of {} pictures per command; select a "
+                        "page with --page, or give fewer files",
                         path.string(), counted(more, "picture"), kMaxPictures));
       const auto pictures = draw_document(document, stem_of(path, files), options, others);
       written.insert(written.end(), pictures.begin(), pictures.end());

@@ -33,7 +33,7 @@ RunDialog::RunDialog(const std::vector<long>& runs, std::function<std::string(lo
   both->addWidget(list);
   both->addWidget(text, 1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-  auto* open = buttons->addButton(tr("Open its files"), QDialogButtonBox::ActionRole);
+  auto* open = buttons->addButton(tr("Open plots"), QDialogButtonBox::ActionRole);
   open->setObjectName("open-run");
   open->setToolTip(tr("Open the plots of this run (requires \"keep_files\" in the study)"));
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);

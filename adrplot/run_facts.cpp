@@ -60,18 +60,19 @@ std::string orbit_note(const OrbitScale& scale) {
       scale.length > 0.0 ? ", " + desktop::pretty_quantity(scale.length, scale.unit, 3) : "";
   switch (scale.of) {
     case Of::GuideLands:
-      return size.empty() ? ""
-                          : fmt::format(
-                                "Divided by the radial clearance of the guide lands{}: {} touches "
-                                "at 1.",
-                                size,
-                                scale.segment ? "the middle of an untilted segment (the path is "
-                                                "that of the uncut cage's center)"
-                                              : "an untilted cage");
+      if (size.empty()) return "";
+      return fmt::format(
+          fmt::runtime(scale.segment
+                           ? "The orbit of the center of the uncut cage is divided by the radial "
+                             "clearance of the guide lands{}. At 1, the middle of an untilted "
+                             "segment touches the land."
+                           : "The orbit is divided by the radial clearance of the guide lands{}. "
+                             "At 1, an untilted cage touches the land."),
+          size);
     case Of::Pockets:
       return fmt::format(
           "The cage has no guide land: its orbit is divided by the radial pocket clearance{}. "
-          "Values above 1 are possible because the elements move, too.",
+          "Values above 1 are possible because the rolling elements also move.",
           size);
     case Of::UnitOfLength:
       break;

@@ -170,10 +170,10 @@ Bridged bridge_gaps(const std::vector<double>& t, const std::vector<double>& val
   const double highest = last_above(spectrum.frequency, spectrum.amplitude, kStrong * largest);
   if (2.0 * longest * highest > 1.0) {
     std::string why = out.why_none;
-    why.replace(why.size() - kSo.size(), kSo.size(),
-                fmt::format(", for up to {}, and the lines reach {}",
-                            desktop::pretty_quantity(longest, "s", 3),
-                            desktop::pretty_quantity(highest, "Hz", 3)));
+    why.replace(
+        why.size() - kSo.size(), kSo.size(),
+        fmt::format(" (gaps up to {}, lines up to {})", desktop::pretty_quantity(longest, "s", 3),
+                    desktop::pretty_quantity(highest, "Hz", 3)));
     return {{}, {}, why + std::string(kSo)};
   }
   out.why_none.clear();
@@ -220,7 +220,8 @@ static bool one_value(const std::vector<double>& values) {
 static void tell_drift(ChartPage& chart, const std::vector<std::string>& drifting,
                        std::size_t drawn) {
   if (drifting.empty()) return;
-  std::string of = drifting.size() == drawn ? "" : "Of " + counted(drifting.size(), "curve") + " ";
+  std::string of =
+      drifting.size() == drawn ? "" : "For " + counted(drifting.size(), "curve") + ", ";
   if (drifting.size() < drawn && drifting.size() < 3)
     of = drifting.front() + (drifting.size() > 1 ? "; " + drifting.back() : "") + ": ";
   add_note(chart,
@@ -315,7 +316,8 @@ void drop_low_marks(ChartPage& chart) {
     if (mark.x < first) names += (names.empty() ? "" : ", ") + mark.label;
   }
   std::erase_if(chart.marks, [first](const desktop::ChartMark& mark) { return mark.x < first; });
-  if (!names.empty()) add_note(chart, fmt::format("Below the first line (not marked): {}.", names));
+  if (!names.empty())
+    add_note(chart, fmt::format("Frequencies below the first line are not marked: {}.", names));
 }
 
 void tell_lines(ChartPage& chart, const std::vector<double>& distances,
@@ -324,10 +326,11 @@ void tell_lines(ChartPage& chart, const std::vector<double>& distances,
   const auto [low, high] = std::minmax_element(distances.begin(), distances.end());
   std::string apart = desktop::pretty_quantity(*low, "Hz", 3);
   if (*high > 1.001 * *low) apart += " to " + desktop::pretty_quantity(*high, "Hz", 3);
-  const char* over = options.scale == SpectrumScale::Relative  ? "1: maximum of the curve. "
-                     : options.scale == SpectrumScale::Decibel ? "0 dB: maximum of the curve. "
-                                                               : "";
-  add_note(chart, fmt::format("{}{}, mean removed; line spacing {}.", over,
+  const char* over = options.scale == SpectrumScale::Relative ? "1 is the maximum of the curve. "
+                     : options.scale == SpectrumScale::Decibel
+                         ? "0 dB is the maximum of the curve. "
+                         : "";
+  add_note(chart, fmt::format("{}{}, mean removed, line spacing {}.", over,
                               capital(window_name(options.window)), apart));
 }
 
@@ -341,10 +344,11 @@ void choose_frequency_axis(ChartPage& chart, const std::vector<double>& ends, do
   }
   if (!(most > kSqueezed * least)) return;
   chart.log_x = true;
-  add_note(chart, fmt::format("Logarithmic frequency: lines above {} % extend to {} to {}.",
-                              desktop::pretty_number(100.0 * visible, 2),
-                              desktop::pretty_quantity(least, "Hz", 3),
-                              desktop::pretty_quantity(most, "Hz", 3)));
+  add_note(chart,
+           fmt::format(
+               "Logarithmic frequency axis: lines above {} % of the maximum end at {} to {}.",
+               desktop::pretty_number(100.0 * visible, 2), desktop::pretty_quantity(least, "Hz", 3),
+               desktop::pretty_quantity(most, "Hz", 3)));
 }
 
 void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
@@ -375,7 +379,7 @@ void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
   }
   if (beyond > 0.0)
     add_note(chart,
-             fmt::format("Outside the first view, lines are below {} % of the highest one (at {}).",
+             fmt::format("Lines outside the first view reach at most {} % of the maximum (at {}).",
                          desktop::pretty_number(100.0 * beyond, 2),
                          desktop::pretty_quantity(at, "Hz", 3)));
 }

@@ -205,25 +205,25 @@ void to_waterfall(desktop::ChartPage& page, const RunMotion& motion, const Spect
   page.marks = marks_of(motion, steady, fall, distance, decibel ? -kDecibels : 0.0);
   // The bar shows the distance of the lines, the names their order.
   std::string drawn = fmt::format(
-      "{} ({}), duration {} each, line spacing {}; mean and trend removed (lowest line up to 50 % "
-      "too low).",
+      "{} ({}) of {} each, line spacing {}. Mean and trend are removed: the lowest line may be 50 "
+      "% too low.",
       capital(counted(fall.time.size(), "spectrum", "spectra")), window_name(options.window),
       desktop::pretty_quantity(1.0 / fall.frequency.front(), "s", 3),
       desktop::pretty_quantity(fall.frequency.front(), "Hz", 3));
   if (!steady)
     drawn +=
-        fmt::format(" Marks follow the shaft speed, {} to {}.",
+        fmt::format(" The marks follow the shaft speed ({} to {}).",
                     rpm_text(speed_at(fall.time.front())), rpm_text(speed_at(fall.time.back())));
   if (decibel)
-    drawn += " 0 dB: maximum of all spectra; values below " +
+    drawn += " 0 dB is the maximum of all spectra. Values below " +
              desktop::pretty_quantity(-kDecibels, "dB", 3) + " are not drawn.";
   page.note = drawn + (page.note.empty() ? "" : " ") + page.note;
   const std::string note = page.note;
   choose_frequency_axis(page, ends, kVisible);
   // The end of each line is visible.
-  page.note = note + (page.log_x ? " Logarithmic frequency." : "");
+  page.note = note + (page.log_x ? " Logarithmic frequency axis." : "");
   if (page.view_high < page.x.back())
-    page.note += fmt::format(" Outside the first view: below {} % of the maximum.",
+    page.note += fmt::format(" Lines outside the first view are below {} % of the maximum.",
                              desktop::pretty_number(100.0 * kVisible, 2));
   page.panels.push_back(std::move(panel));
 }

@@ -111,13 +111,14 @@ void AgoreWindow::askForLimits() {
   refresh();  // the check mark shows the displayed state
   if (!picture_) return askForFile();
   const Colouring now = colouring(picture_->animation(), frame_, options_.colour);
-  if (!now.any()) return desktop::show_message(this, tr("First select the element colors (C)."));
+  if (!now.any()) return desktop::show_message(this, tr("Select element colors first (key C)."));
   auto* dialog = new QInputDialog(this);
   dialog->setObjectName("limits");
   desktop::delete_when_done(*dialog);
   dialog->setWindowTitle(tr("Color Scale"));
   const QString unit = now.unit.empty() ? QString() : " [" + QString::fromStdString(now.unit) + "]";
-  dialog->setLabelText(tr("Limits of %1%2, low:high").arg(QString::fromStdString(now.title), unit));
+  dialog->setLabelText(
+      tr("Limits of %1%2 as low:high").arg(QString::fromStdString(now.title), unit));
   const auto shown = options_.scale.kind == ColourScale::Typed
                          ? options_.scale
                          : ScaleChoice{ColourScale::Typed, now.low, now.high};
@@ -151,7 +152,7 @@ void AgoreWindow::setBeside(View view, bool shown) {
     if (!reason.empty())
       desktop::show_message(this, QString::fromStdString(reason));
     else if (options_.beside.size() >= kMostBeside)
-      desktop::show_message(this, tr("At most six views are possible. Remove one first."));
+      desktop::show_message(this, tr("At most six views are possible. Remove a view first."));
     else
       options_.beside.push_back({view});
   }
@@ -243,7 +244,7 @@ bool AgoreWindow::showAsAsked(const ViewOptions& asked) {
   next.scale = options_.scale;  // as chosen last
   try {
     if (next.beside.size() > kMostBeside)
-      throw InputError("At most six views are possible; give fewer.");
+      throw InputError("At most six views are possible. Select fewer views.");
     for (std::size_t i = 0; i <= next.beside.size(); ++i)
       check_view(picture_->animation(), next.tile(i));
   } catch (const InputError& error) {

@@ -234,7 +234,7 @@ void check_frames(const results::Sol8File& file, const std::string& name) {
   if (file.frames.empty())
     throw InputError(name + " contains no complete frame" +
                      (file.note.empty() ? "" : " (" + file.note + ")") +
-                     "; store at least one in the run (kAGraf)");
+                     "; set kAGraf, so that the run stores frames, and run the deck again");
   for (const auto& frame : file.frames)
     if (static_cast<int>(frame.elements.size()) != file.elements)
       throw InputError(fmt::format(
@@ -285,8 +285,8 @@ Animation finish(Animation animation) {
       animation.some_free = loses_contact(*load);
     animation.source =
         animation.motion->every() > 1
-            ? fmt::format("every {}. of {} stored steps of RESULTS.h5", animation.motion->every(),
-                          animation.motion->stored_steps())
+            ? fmt::format("one in {} of the {} stored steps (RESULTS.h5)",
+                          animation.motion->every(), animation.motion->stored_steps())
             : "all stored steps, full precision (RESULTS.h5)";
     if (peaks_unknown(*animation.motion))
       animation.source += "; peaks between stored steps are missing";
@@ -309,12 +309,13 @@ void check_version(const std::string& version, const std::string& file) {
   find_version(kLowestVersion, lowest_major, lowest_minor);
   if (!find_version(version, major, minor))
     throw InputError(
-        fmt::format("{} has no valid program version (found '{}'); versions from {} are accepted",
+        fmt::format("{} has no valid program version (found '{}'). Versions from {} are accepted",
                     file, version, kLowestVersion));
   if (major < lowest_major || (major == lowest_major && minor < lowest_minor))
-    throw InputError(fmt::format(
-        "{} was written by version '{}'; versions from {} are accepted, so run the deck again",
-        file, version, kLowestVersion));
+    throw InputError(
+        fmt::format("{} was written by version '{}', but only versions from {} are accepted. Run "
+                    "the deck again",
+                    file, version, kLowestVersion));
 }
 
 Animation prepare(results::Sol8File file, long most_frames) {
@@ -365,7 +366,8 @@ Animation open_motion(const std::filesystem::path& named, long most_frames) {
     results::SolRange range;
     range.every = every;
     Animation out = prepare(results::read_sol8(path, range), most_frames);
-    if (every > 1 && !out.motion) out.source += fmt::format("; every {}. of {}", every, stored);
+    if (every > 1 && !out.motion)
+      out.source += fmt::format("; one in {} of the {} stored frames", every, stored);
     return out;
   }
   return prepare(results::MotionFile::open(
@@ -434,7 +436,7 @@ LandTouch Animation::land_touch(std::size_t i, int segment, std::size_t which) c
 }
 
 std::string Animation::behind_words() const {
-  return behind(frames() - 1) ? fmt::format("from SOL8 only from frame {} on", exact + 1)
+  return behind(frames() - 1) ? fmt::format("frames from {} on are only in SOL8", exact + 1)
                               : std::string();
 }
 

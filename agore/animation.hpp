@@ -98,7 +98,7 @@ struct Animation {
   [[nodiscard]] const results::Sol8Frame& frame(std::size_t i) const { return file.frames.at(i); }
   /// Is it a frame of SOL8 behind the end of RESULTS.h5?
   [[nodiscard]] bool behind(std::size_t frame) const { return motion && frame >= exact; }
-  /// "from SOL8 only from frame 120 on"; empty if RESULTS.h5 has all frames.
+  /// "frames from 120 on are only in SOL8"; empty if RESULTS.h5 has all frames.
   [[nodiscard]] std::string behind_words() const;
   /// Contacts of the elements at a frame; null without contacts, see `no_loads`.
   [[nodiscard]] const std::vector<ContactFrame>* contacts_at(std::size_t frame) const;

@@ -313,7 +313,7 @@ void cage_view(const Scene& s) {
   if (enlargement > 0.0) {
     key.push_back(way_entry(
         t.curves[0], s.animation.known_centres, cleared ? way : QString("orbit about its center"),
-        s.animation.segments > 1 ? "segment at the frames" : "center at the frames"));
+        s.animation.segments > 1 ? "segment at each frame" : "center at each frame"));
     key.push_back({t.curves[0], s.animation.segments > 1 ? "segment origin now" : "mass center now",
                    KeyMark::Spot});
     key.push_back(later_entry(s));

@@ -37,7 +37,7 @@ Quantity quantity_of(ColourBy by) {
 /// `from_lowest`: for temperatures, where zero has no meaning.
 void set_scale(Colouring& out, const RunRange& run, bool from_lowest, const ScaleChoice& choice) {
   if (!(run.largest > 0.0)) {
-    out.why_none = "no colors: zero in the whole run";
+    out.why_none = "no colors: all values of the run are 0";
     return;
   }
   const auto words = [&](double value) { return desktop::pretty_quantity(value, out.unit, 3); };
@@ -64,7 +64,7 @@ void set_scale(Colouring& out, const RunRange& run, bool from_lowest, const Scal
       out.scale = "range of frame";
       if (!(out.high > out.low)) {
         out.why_none = from_lowest ? "no colors: all values are equal in this frame"
-                                   : "no colors: zero in this frame";
+                                   : "no colors: all values of this frame are 0";
         return;
       }
       break;
@@ -93,13 +93,13 @@ Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by,
       animation.motion ? animation.motion->channel(quantity.channel) : nullptr;
   const auto n = static_cast<std::size_t>(animation.file.elements);
   if (channel == nullptr || channel->width != 2 * n) {
-    out.why_none =
-        "no colors: " + (animation.no_contacts.empty() ? std::string("RESULTS.h5 lacks the channel")
-                                                       : animation.no_contacts);
+    out.why_none = "no colors: " + (animation.no_contacts.empty()
+                                        ? std::string("RESULTS.h5 lacks these values")
+                                        : animation.no_contacts);
     return out;
   }
   if (animation.behind(frame)) {
-    out.why_none = "no colors " + animation.behind_words();
+    out.why_none = "no colors: " + animation.behind_words();
     return out;
   }
   if (by == ColourBy::Temperature) {

@@ -67,7 +67,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       break;
     }
     case View::Cage:
-      page.title = "Cage over " + divisor_text(animation, over_of_cage(animation)) +
+      page.title = "Cage speed / " + divisor_text(animation, over_of_cage(animation)) +
                    animation.segment_remark(segment);
       add(page, "Whirl", "", cage_whirl(animation, segment), exact, true);
       add(page, "Rotation", "", cage_speed(animation, segment), exact, true);
@@ -77,7 +77,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       add(page, "Force", "", pocket_force(animation, k), exact);
       break;
     case View::Element:
-      page.title = fmt::format("Element {} over {}", options.element,
+      page.title = fmt::format("Element {} speed / {}", options.element,
                                divisor_text(animation, over_of_element(animation, k)));
       add(page, "Orbit", "", element_orbit(animation, k), exact, true);
       add(page, "Rotation", "", element_spin(animation, k), exact, true);

@@ -43,7 +43,7 @@ void tell_of_peaks(desktop::ChartPage& page, const Animation& animation) {
       const double frequency = fastest_frequency(animation);
       const double values = desktop::values_per_period(page.x, frequency);
       if (values > 0.0 && values < desktop::kTrueShape)
-        page.note = fmt::format("{} per period of {}: peaks are missing.",
+        page.note = fmt::format("{} per period at {}: peaks are missing.",
                                 counted(fmt::format("{:.2g}", values), "stored step"),
                                 desktop::pretty_quantity(frequency, "Hz", 3));
       return;

@@ -90,7 +90,7 @@ std::size_t FilmDialog::last() const { return static_cast<std::size_t>(to_.frame
 void FilmDialog::changed() {
   if (to_.frame == nullptr || to_.time == nullptr) return;  // not made yet
   const auto [words, valid] =
-      first() > last() ? std::pair{tr("The first frame, %1, is after the last frame, %2.")
+      first() > last() ? std::pair{tr("The first frame (%1) is after the last frame (%2).")
                                        .arg(first() + 1)
                                        .arg(last() + 1),
                                    false}

@@ -212,13 +212,13 @@ History by_differences(const Animation& animation, const std::vector<double>& an
   constexpr double kMostTurn = 0.45;  // of half a revolution, minus rounding
   History out{animation.time, std::vector<double>(animation.frames(), kNone), "", ""};
   if (outer_turns(animation)) {
-    out.unknown = "Unknown without RESULTS.h5, because the outer race turns.";
+    out.unknown = "Unknown without RESULTS.h5 because the outer race rotates.";
     return out;
   }
   const double turn = ratio * turns_per_frame(animation);
   if (turn > kMostTurn) {
-    out.unknown = fmt::format("Unknown from SOL8 only: about {} between frames.",
-                              counted(fmt::format("{:.2g}", turn), "turn"));
+    out.unknown = fmt::format("Unknown from SOL8: about {} between frames.",
+                              counted(fmt::format("{:.2g}", turn), "revolution"));
     return out;
   }
   const double shaft = shaft_speed(animation);

@@ -148,22 +148,22 @@ int main(int argc, char** argv) {
       ->type_name("LIST");
   command_line::one_of(cli.add_option("--race", request.race,
                                       "race of the race view (default: inner) and of the flange "
-                                      "view (default: one with a flange)")
+                                      "view (default: race with a flange)")
                            ->type_name("RACE"),
                        {"outer", "inner"});
   command_line::at_least(
       cli.add_option("--element", request.options.view.element, "number of the element or pocket"),
       1);
   command_line::at_least(cli.add_option("--exaggerate", request.options.view.exaggeration,
-                                        "magnification of clearances; 1: to scale"),
+                                        "magnification of clearances (1: to scale)"),
                          0.001);
   auto* frame =
       command_line::at_least(cli.add_option("--frame", request.frame,
-                                            "frame number, counted from 1 (last unless given)"),
+                                            "frame to draw, counted from 1 (default: last frame)"),
                              1)
           ->needs(folder);
   auto* every =
-      command_line::at_least(cli.add_option("--every", request.every, "every n-th frame"), 1)
+      command_line::at_least(cli.add_option("--every", request.every, "draw every n-th frame"), 1)
           ->needs(folder)
           ->excludes(frame);
   auto* movie =
@@ -177,7 +177,7 @@ int main(int argc, char** argv) {
       ->needs(folder);
   command_line::at_least(cli.add_option("--slow", request.options.slow,
                                         "slow motion: simulated seconds per second of the movie, "
-                                        "e.g. 0.001 (one picture per stored frame unless given)"),
+                                        "e.g. 0.001 (default: one picture per stored frame)"),
                          1e-12)
       ->needs(movie)
       ->excludes(every);
@@ -185,7 +185,7 @@ int main(int argc, char** argv) {
        {std::tuple{"--from", &request.options.first,
                    "first frame of a movie or of --every, counted from 1"},
         std::tuple{"--to", &request.options.last,
-                   "last frame of a movie or of --every (end of the file unless given)"}})
+                   "last frame of a movie or of --every (default: last frame of the file)"}})
     command_line::at_least(cli.add_option(name, *number, what), 1)->needs(folder)->excludes(frame);
   cli.add_option("--size", request.size, "picture size in pixels, WIDTHxHEIGHT")
       ->capture_default_str()
@@ -196,13 +196,14 @@ int main(int argc, char** argv) {
                            ->type_name("WHAT"),
                        {"none", "load", "slip", "heat", "temperature"});
   cli.add_option("--scale", request.scale,
-                 "color scale: usual (95 % of the values of the run), run (largest of the run), "
-                 "moment (this frame), or limits such as 0:0.02 in the file's unit")
+                 "color scale: usual (95 % of the values of the run), run (range of the run), "
+                 "moment (range of this frame), or limits such as 0:0.02 in the unit of the file")
       ->capture_default_str()
       ->type_name("SCALE");
-  cli.add_flag("--contacts", request.options.view.contacts, "race load arrows on all elements");
+  cli.add_flag("--contacts", request.options.view.contacts,
+               "draw arrows of the race loads on all elements");
   cli.add_flag("--trails", request.options.view.trails,
-               "recent path of every element (0.8 of the spacing)");
+               "draw the recent path of each element (0.8 of the element spacing)");
   cli.add_flag("--follow", request.follow, "reload the files while a run is active")
       ->excludes(folder);
   cli.add_flag("--behind", request.behind, "open in the background without taking focus")

@@ -57,7 +57,7 @@ void race_view(const Scene& s) {
   if (enlargement > 0.0)
     for (const KeyEntry& entry :
          {way_entry(t.curves[0], s.animation.known_centres, "path of the race center",
-                    "race center at the frames"),
+                    "race center at each frame"),
           KeyEntry{t.curves[0], "race center now", KeyMark::Spot}, later_entry(s)})
       key.push_back(entry);
   name_arms(s, named, key);

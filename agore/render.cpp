@@ -66,7 +66,7 @@ std::vector<std::size_t> film_frames(const MotionPicture& picture, int every, in
                                    picture.animation().file.path.string(), frame, all));
   if (options.first > end)
     throw InputError(
-        fmt::format("the first frame, {}, is after the last frame, {}", options.first, end));
+        fmt::format("the first frame ({}) is after the last frame ({})", options.first, end));
   const auto first = static_cast<std::size_t>(options.first - 1),
              last = static_cast<std::size_t>(end - 1);
   std::vector<std::size_t> out;
@@ -80,8 +80,8 @@ std::vector<std::size_t> film_frames(const MotionPicture& picture, int every, in
   const double step = options.slow / frames_per_second, span = time[last] - time[first];
   if (!(span / step < kMost))
     throw InputError(
-        fmt::format("{:g} s need more than {:g} pictures with a slow motion of {:g}; give a larger "
-                    "--slow, or select a faster slow motion",
+        fmt::format("{:g} s need more than {:g} pictures with a slow motion of {:g}; select a "
+                    "faster slow motion (a larger --slow)",
                     span, kMost, options.slow));
   const auto pictures = static_cast<std::size_t>(std::ceil(span / step * (1.0 - 1e-12)));
   for (std::size_t i = 0; i < pictures; ++i) {

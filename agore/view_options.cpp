@@ -167,11 +167,11 @@ void check_view(const Animation& animation, const ViewOptions& options) {
   if (!reason.empty()) throw InputError(reason);
   if (options.view == View::Flange && !has_flange(animation, options.flange_race, 0) &&
       !has_flange(animation, options.flange_race, 1))
-    throw InputError(fmt::format("The {} race has no flange; select the other one.",
+    throw InputError(fmt::format("The {} race has no flange. Select the other race.",
                                  options.flange_race == 0 ? "outer" : "inner"));
   if (options.element < 1 || options.element > animation.file.elements)
     throw InputError(
-        fmt::format("there is no rolling element or pocket {}; this bearing has 1 to {}",
+        fmt::format("there is no rolling element or pocket {}; this bearing has numbers 1 to {}",
                     options.element, animation.file.elements));
 }
 

@@ -54,7 +54,7 @@ bool AgoreWindow::openFile(const std::filesystem::path& named, long most_frames)
                     &gaps = picture_->animation().file.gaps;
   QStringList told;
   if (!note.empty())
-    told << tr("Incomplete file: %1. Shown: %2.")
+    told << tr("Incomplete file: %1. The animation has %2.")
                 .arg(QString::fromStdString(note))
                 .arg(QString::fromStdString(counted(frameCount(), "complete frame")));
   else if (!gaps.empty())
@@ -151,8 +151,8 @@ void AgoreWindow::lookForGrowth() {
 void AgoreWindow::askForFile() {
   desktop::ask_number(
       this, tr("Open animation"),
-      tr("Largest number of time steps. Of longer runs every 2nd, 3rd ... is shown.\nSelect the "
-         "file next."),
+      tr("Maximum number of frames. Longer runs show every 2nd, 3rd ... stored step.\nYou select "
+         "the file in the next dialog."),
       static_cast<int>(results::MotionFile::kMostFrames), 1, 100'000'000, [this](int steps) {
         desktop::ask_file(
             this, kApp, tr("Open animation file"), "SOL8* RESULTS.h5",

@@ -100,13 +100,14 @@ void AgoreWindow::saveFilm() {
         return QString::fromStdString(desktop::pretty_quantity(value, "s", 2));
       };
       return std::pair{
-          tr("%1, %2 per second, length %3. Writing takes about %4.")
+          tr("%1 at %2 per second: length %3. Writing takes about %4.")
                   .arg(QString::fromStdString(counted(pictures, "picture")))
                   .arg(filmRate())
                   .arg(seconds(pictures / filmRate()), seconds(each * pictures)) +
-              (filmEvery() > 1 ? tr(" It has one of every %1 frames; numbered pictures have all.")
-                                     .arg(filmEvery())
-                               : QString()),
+              (filmEvery() > 1
+                   ? tr(" The movie has one of every %1 frames. Numbered pictures have all frames.")
+                         .arg(filmEvery())
+                   : QString()),
           true};
     } catch (const std::exception& error) {
       return std::pair{QString::fromUtf8(error.what()), false};
@@ -173,7 +174,7 @@ bool AgoreWindow::writeFilm(const QString& path, int first, int last) {
     if (stopped)
       desktop::tell_in_foot(
           this,
-          folder ? tr("Stopped: %1 in %2.")
+          folder ? tr("Stopped. %1 in %2.")
                        .arg(QString::fromStdString(counted(pictures, "picture is", "pictures are")))
                        .arg(path)
                  : tr("Stopped: no movie was saved."));

@@ -110,7 +110,7 @@ void AgoreWindow::makeMenus() {
   makeMotionMenu(menuBar()->addMenu(tr("&Motion")));
   desktop::add_help_menu(
       *this, "AGORE",
-      tr("AGORE shows the motion of a bearing from SOL8 or RESULTS.h5\n(written by program version "
+      tr("AGORE shows the motion of a bearing from SOL8 or RESULTS.h5\n(files of program version "
          "%1 or later).")
           .arg(kLowestVersion),
       {{tr("Space, Shift+Space"), tr("play or pause, play backward")},
@@ -119,15 +119,15 @@ void AgoreWindow::makeMenus() {
        {tr("Home, End"), tr("first, last frame")},
        {tr("Up, Down"), tr("next, previous element or pocket (with its cage segment)")},
        {tr("[, ]"), tr("slower, faster")},
-       {tr("S"), tr("next slow motion")},
+       {tr("S"), tr("next slow-motion factor")},
        {tr("R"), tr("repeat")},
-       {tr("A, B, X"), tr("set start, end of the repeated range; remove both")},
+       {tr("A, B, X"), tr("set the start, set the end, remove the repeated range")},
        {tr("Shift+drag in the time bar or a curve"), tr("set the repeated range")},
-       {tr("1 to 9, Ctrl+7"), tr("views of the menu")},
+       {tr("1 to 9, Ctrl+7"), tr("select a view of the menu View")},
        {tr("V"), tr("four views or one view")},
-       {tr("L, T"), tr("race loads, paths of all elements")},
+       {tr("L, T"), tr("show race loads, paths of all elements")},
        {tr("C, Shift+C"), tr("next element coloring, next color scale")},
-       {tr("+ or =, -, 0"), tr("zoom the first picture, show all")},
+       {tr("+ or =, -, 0"), tr("zoom in, zoom out the first picture, show all")},
        {tr("Ctrl+arrow key"), tr("move the first picture or rotate the 3D view")},
        {tr("click or drag in the time bar or a curve"), tr("go to this time")},
        {tr("wheel, drag, double click on a picture"), tr("zoom, move, show all")},
@@ -135,7 +135,7 @@ void AgoreWindow::makeMenus() {
        {tr("hollow end of the rotation mark of a ball"), tr("the end is on the far side")},
        {tr("band around a curve"), tr("minimum to maximum between stored steps")},
        {tr("Ctrl+E"), tr("save a movie")},
-       {tr("F5, F"), tr("reload the file; reload while a run is active")}});
+       {tr("F5, F"), tr("reload the file, follow an active run")}});
 }
 
 void AgoreWindow::makeMotionMenu(QMenu* menu) {
@@ -146,8 +146,8 @@ void AgoreWindow::makeMotionMenu(QMenu* menu) {
     playBackward();
   })->setAutoRepeat(false);
   add(menu, tr("P&ause"), "pause", Qt::Key_P, [this] { pause(); });
-  add(menu, tr("One Frame &On"), "frame", Qt::Key_Right, [this] { frameForward(); });
-  add(menu, tr("One Frame Bac&k"), "frameBack", Qt::Key_Left, [this] { frameBackward(); });
+  add(menu, tr("Ne&xt Frame"), "frame", Qt::Key_Right, [this] { frameForward(); });
+  add(menu, tr("Prev&ious Frame"), "frameBack", Qt::Key_Left, [this] { frameBackward(); });
   menu->addAction(tr("&First Frame"), Qt::Key_Home, this, [this] { setFrame(0); });
   menu->addAction(tr("&Last Frame"), Qt::Key_End, this, [this] {
     if (frameCount() > 0) setFrame(frameCount() - 1);
@@ -177,7 +177,7 @@ void AgoreWindow::makeMotionMenu(QMenu* menu) {
   connect(repeat_, &QAction::toggled, this, &AgoreWindow::setLoop);
   menu->addAction(tr("Repeat From &Here"), Qt::Key_A, this, [this] { markEnd(true); });
   menu->addAction(tr("Repeat to H&ere"), Qt::Key_B, this, [this] { markEnd(false); });
-  menu->addAction(tr("&Delete Marks"), Qt::Key_X, this, [this] { setSpan({}, {}); });
+  menu->addAction(tr("&Delete Repeat Range"), Qt::Key_X, this, [this] { setSpan({}, {}); });
 }
 
 /// Key commands for mouse wheel and pointer, for the first picture.
@@ -192,14 +192,14 @@ void AgoreWindow::addZoomKeys(QMenu* menu) {
   auto* in = menu->addAction(tr("Zoom I&n"), this, [zoom] { zoom(kZoom); });
   in->setShortcuts({Qt::Key_Plus, Qt::Key_Equal});
   menu->addAction(tr("&Zoom Out"), Qt::Key_Minus, this, [zoom] { zoom(1.0 / kZoom); });
-  menu->addAction(tr("Show All of I&t"), Qt::Key_0, this, [this] {
+  menu->addAction(tr("Show En&tire Picture"), Qt::Key_0, this, [this] {
     options_.zoom = 1.0;
     options_.pan = {0.0, 0.0};
     options_.yaw = ViewOptions{}.yaw;
     options_.elevation = ViewOptions{}.elevation;
     showFrame();
   });
-  auto* moves = menu->addMenu(tr("&Move or Turn"));
+  auto* moves = menu->addMenu(tr("&Move or Rotate"));
   for (const auto& [key, name, x, y] : {std::tuple{Qt::Key_Left, "&Left", -1, 0},
                                         {Qt::Key_Right, "&Right", 1, 0},
                                         {Qt::Key_Up, "&Up", 0, -1},
@@ -240,7 +240,7 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
   menu->addAction(tr("Axial &Section..."), Qt::Key_8, this,
                   [this] { askForElement(View::Section); });
   menu->addAction(tr("&3D View..."), Qt::Key_9, this, [this] { askForElement(View::Solid); });
-  makeBesideMenu(menu->addMenu(tr("Bes&ide")));
+  makeBesideMenu(menu->addMenu(tr("Add&itional Views")));
   menu->addSeparator();
   addZoomKeys(menu);
   menu->addSeparator();
@@ -289,7 +289,7 @@ void AgoreWindow::makeColourMenus(QMenu* menu) {
     colour_group->addAction(action);
   }
   colours->addSeparator();
-  colours->addAction(tr("Ne&xt Color"), Qt::Key_C, this, [colour_group] {
+  colours->addAction(tr("Ne&xt Coloring"), Qt::Key_C, this, [colour_group] {
     const auto all = colour_group->actions();
     all[(all.indexOf(colour_group->checkedAction()) + 1) % all.size()]->trigger();
   });
@@ -330,7 +330,7 @@ void AgoreWindow::makeBesideMenu(QMenu* menu) {
             [this, view](bool shown) { setBeside(view, shown); });
   }
   menu->addSeparator();
-  menu->addAction(tr("&Four Views or One"), Qt::Key_V, this, [this] {
+  menu->addAction(tr("&Four Views or One View"), Qt::Key_V, this, [this] {
     if (!picture_) return askForFile();
     const bool one = options_.beside.empty();
     options_.beside.clear();

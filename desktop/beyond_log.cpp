@@ -61,7 +61,7 @@ std::string beyond_log_axes(const ChartPage& page) {
     for (std::size_t i = 0; shares.size() <= kNamed && i < shares.size(); ++i)
       out += fmt::format("{}{} of {}", i > 0 ? ", " : "", percent(shares[i].part), shares[i].name);
     if (shares.size() > kNamed)
-      out += fmt::format("some of {} curves, most of {}, {}", shares.size(), most->name,
+      out += fmt::format("parts of {} curves; largest part: {} ({})", shares.size(), most->name,
                          percent(most->part));
     out += ".";
   }

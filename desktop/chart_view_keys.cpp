@@ -72,7 +72,7 @@ QString ChartView::whyNot(ChartDeed deed) const {
     case ChartDeed::PanelAbove:
     case ChartDeed::PanelBelow: {
       const std::size_t count = scene_->page().panels.size();
-      if (count < 2) return tr("This page has one panel.");
+      if (count < 2) return tr("This page has only one panel.");
       if (deed == ChartDeed::PanelAbove && panel_ == 0) return tr("This is the first panel.");
       if (deed == ChartDeed::PanelBelow && panel_ + 1 >= count)
         return tr("This is the last panel.");
@@ -88,7 +88,7 @@ QString ChartView::whyNotZoom(ChartDeed deed) const {
   if (deed == ChartDeed::ZoomToCursors) {
     if (scene_->isPlane()) return tr("This page has no horizontal axis. Use + to zoom.");
     if (!std::isfinite(cursors_[0]) || !std::isfinite(cursors_[1]))
-      return tr("Cursors A and B are not both set.");
+      return tr("Set cursors A and B first.");
     if (cursors_[0] == cursors_[1]) return tr("Cursors A and B are at the same point.");
   }
   const QRectF part = partAfter(deed);
@@ -107,7 +107,7 @@ QString ChartView::whyNotZoom(ChartDeed deed) const {
 
 QString ChartView::whyNotMove(ChartDeed deed) const {
   const bool upright = way_of(deed).y() != 0.0;
-  const QString nothing = tr("There is nothing in this direction.");
+  const QString nothing = tr("There is nothing more in this direction.");
   if (!upright && scene_->everything().width() < scene_->plotAreas().front().width() + kEdge)
     return nothing;
   if (!upright || scene_->isPlane()) {
@@ -145,12 +145,12 @@ QString ChartView::whyNotRead(ChartDeed deed) const {
   const bool cursor = deed == ChartDeed::CursorA || deed == ChartDeed::CursorB;
   if (page.equal_axes && page.closed_outline) return tr("Outlines have no stored points.");
   if (cursor && page.equal_axes && page.along.empty())
-    return tr("The points of this page have no time order.");
+    return tr("The points of this page are not ordered by time.");
   if (reading_) {
     if (cursor)
       return std::isfinite(abscissaOf(*reading_)) ? QString()
                                                   : tr("The time of this point is unknown.");
-    return placeAfter(deed) ? QString() : tr("There is nothing in this direction.");
+    return placeAfter(deed) ? QString() : tr("There is nothing more in this direction.");
   }
   for (StoredPlace at; at.curve < (page.equal_axes ? page.panels.front().curves.size() : 1);
        ++at.curve, at.index = 0)

@@ -129,7 +129,7 @@ ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
   const QStringList sentences = sentences_of(note);
   for (qsizetype told = sentences.size() - 1; told >= 0; --told) {
     const qsizetype left = sentences.size() - told;
-    const QString where = pointed_ ? tr(": point here.") : tr(" not shown.");
+    const QString where = pointed_ ? tr(": move the pointer here.") : tr(" not shown.");
     const QString more = (left == 1 ? tr("(1 more sentence%1)").arg(where)
                                     : tr("(%1 more sentences%2)").arg(left).arg(where));
     out.lines =

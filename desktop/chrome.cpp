@@ -73,7 +73,7 @@ QMenu* add_recent_menu(QMenu& file, const QString& app, std::function<void(QStri
     for (qsizetype i = 0; i < names.size(); ++i)
       menu->addAction(QString("&%1  %2").arg((i + 1) % 10).arg(names[i]), menu,
                       [open, name = names[i]] { open(name); });
-    if (names.isEmpty()) menu->addAction(QObject::tr("None yet"))->setEnabled(false);
+    if (names.isEmpty()) menu->addAction(QObject::tr("No recent files"))->setEnabled(false);
   });
   return menu;
 }
@@ -86,7 +86,7 @@ QMenu* add_help_menu(QMainWindow& window, const QString& name, const QString& ab
     for (const HelpLine& line : lines)
       text += "<tr><td><b>" + line.hand.toHtmlEscaped() + "</b></td><td>" +
               line.effect.toHtmlEscaped() + "</td></tr>";
-    text += "<tr><td><b>F1</b></td><td>" + QObject::tr("shows this") + "</td></tr>";
+    text += "<tr><td><b>F1</b></td><td>" + QObject::tr("show this help") + "</td></tr>";
     show_help(&window, name + ": " + QObject::tr("keys and mouse"), text + "</table>");
   });
   menu->addAction(QObject::tr("&About %1").arg(name), &window, [&window, about] {

@@ -22,7 +22,7 @@ PictureSize parse_size(const std::string& text) {
       !fits(size.height))
     throw InputError(
         fmt::format("--size {} is not a picture size; write WIDTHxHEIGHT in pixels, each from {} "
-                    "to {}, like 1280x800",
+                    "to {}, e.g. 1280x800",
                     text, kSmallest, kLargest));
   return size;
 }
@@ -37,7 +37,7 @@ int guarded(const std::string& program, const std::function<int()>& body) {
     print(stderr, "{}: {}\n", program, error.what());
     return 3;
   } catch (const std::exception& error) {
-    print(stderr, "{}: a bug, please report it: {}\n", program, error.what());
+    print(stderr, "{}: internal error, please report it: {}\n", program, error.what());
     return 1;
   }
 }

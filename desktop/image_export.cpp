@@ -32,8 +32,8 @@ void check_replaceable(const std::filesystem::path& path) {
     if (bytes.empty() || (picture && bytes.find("Adore ") != std::string::npos)) return;
   }
   throw InputError(path.string() +
-                   " exists and was not drawn by this program; name another folder or file, or "
-                   "remove it first");
+                   " exists and was not written by this program; select another file or folder, or "
+                   "remove the file first");
 }
 
 void save_image(const QImage& image, const WritePath& place, Replace replace) {

@@ -113,8 +113,8 @@ ChartPage load_rose(const StaticTables& all, const StaticTable& elements) {
   ChartPage page;
   page.title = "Load around the bearing";
   page.note =
-      "One mark per element: the distance from the center is the contact load. Unloaded elements "
-      "are at the center. Up: azimuth 0; right: y.";
+      "Each mark is an element. Its distance from the center is the contact load (0 at the "
+      "center). Azimuth 0 is up, y is to the right.";
   page.equal_axes = true;
   page.closed_outline = true;
   page.points = true;
@@ -155,7 +155,8 @@ std::optional<ChartPage> ellipse_page(const StaticTables& all, const StaticTable
   ChartPage page;
   page.points = true;
   page.title = "Contact ellipses around the bearing";
-  page.note = "Angles from the groove bottom. The ellipse should stay within the groove.";
+  page.note =
+      "Angles are measured from the groove bottom. The ellipse should be within the groove.";
   set_abscissa(page, all, elements, "azimuth", "Azimuth");
   for (const std::string race : {"outer ", "inner "})
     add(page, panel(all, elements, race == "outer " ? "Outer groove" : "Inner groove",
@@ -201,7 +202,7 @@ std::optional<ChartPage> cut_page(const StaticTables& all) {
                            results::unit_name(unit, all.units), digits);
   };
   ChartPage page;
-  page.title = "Contact ellipses against the groove edges";
+  page.title = "Contact ellipses and groove edges";
   page.equal_axes = page.closed_outline = page.fitted = true;
   page.x_title = "Along the bearing axis";
   ChartPanel panel;
@@ -232,7 +233,7 @@ std::optional<ChartPage> cut_page(const StaticTables& all) {
                    : margin > 0.0
                        ? fmt::format("{} to the edge", quantity(margin, results::unit::kLength, 3))
                    : margin == 0.0 ? "reaches the edge"
-                                   : fmt::format("{} over the edge",
+                                   : fmt::format("{} beyond the edge",
                                                  quantity(-margin, results::unit::kLength, 3));
       page.labels.push_back(std::move(label));
     }
@@ -240,13 +241,13 @@ std::optional<ChartPage> cut_page(const StaticTables& all) {
   }
   page.panels.push_back(std::move(panel));
   page.note = fmt::format(
-      "To scale. Most loaded {}, number {:.0f} at {}: {} on the outer, {} on the inner race. "
-      "Distances along the raceway{}.",
+      "To scale. Most loaded {}: number {:.0f} at azimuth {}, {} on the outer race and {} on the "
+      "inner race. Distances are along the raceway{}.",
       ball ? "ball" : "roller", only(*cut, "element"),
       quantity(only(*cut, "azimuth"), results::unit::kAngle, 4),
       quantity(only(*cut, "outer load"), results::unit::kForce, 4),
       quantity(only(*cut, "inner load"), results::unit::kForce, 4),
-      ball ? "" : ", to its end or the roller's corner");
+      ball ? "" : ", to the end of the raceway or the corner of the roller");
   return page;
 }
 
@@ -326,7 +327,8 @@ std::string without_steps(const results::SweepTable& sweep) {
     const auto still = std::count(column.values.begin(), column.values.end(), 0.0);
     if (still == 0) return {};
     return fmt::format(
-        "{} of {} made no step (maxStps = 0): loads at rest; means, ratios and heat not computed.",
+        "{} of {} had no motion (maxStps = 0): their loads are static. Mean values, speed ratios "
+        "and heat were not computed.",
         still, counted(column.values.size(), "run"));
   }
   return {};
@@ -388,9 +390,10 @@ std::vector<ChartPage> sweep_pages(const results::SweepTable& sweep) {
       page.note = still;
     }
     if (panels[i].title.starts_with("Life"))
-      pages.back().note = (still.empty() ? "" : still + " ") +
-                          "Lives: original model with a published constant (seen), others "
-                          "calibrated to it; factors recalled (STLE) or derived (Tallian-type).";
+      pages.back().note =
+          (still.empty() ? "" : still + " ") +
+          "Life constants: published (original model) or calibrated to the original model. Life "
+          "factors: quoted from memory (STLE) or derived (Tallian-type).";
     pages.back().panels.push_back(std::move(panels[i]));
   }
   return pages;

@@ -55,7 +55,7 @@ StudyChart chart_of(const Json& json) {
       const auto fits = [&](std::size_t n) { return n == 0 || n == last.x.size(); };
       if (last.y.size() != last.x.size() || !fits(last.low.size()) || !fits(last.high.size()) ||
           !fits(last.runs.size()))
-        throw InputError("curves of unequal lengths");
+        throw InputError("the columns of a curve have different lengths");
     }
     out.of = std::move(curves);
   } else if (kind == "heat-map") {
@@ -77,7 +77,7 @@ StudyChart chart_of(const Json& json) {
     };
     if (!fits(map.values) || (!map.marks.empty() && !fits(map.marks)) ||
         (!map.runs.empty() && !fits(map.runs)))
-      throw InputError("a map of unequal rows");
+      throw InputError("the rows of a map have different lengths");
     out.of = std::move(map);
   } else if (kind == "parallel") {
     ParallelLines lines;
@@ -91,9 +91,9 @@ StudyChart chart_of(const Json& json) {
     }
     lines.runs = runs_of<Runs>(json);
     for (const auto& row : lines.rows)
-      if (row.size() != lines.axes.size()) throw InputError("columns of unequal lengths");
+      if (row.size() != lines.axes.size()) throw InputError("the columns have different lengths");
     if (!lines.runs.empty() && lines.runs.size() != lines.rows.size())
-      throw InputError("runs of unequal number");
+      throw InputError("the number of runs differs from the number of rows");
     if (lines.heavy >= static_cast<int>(lines.rows.size())) lines.heavy = -1;
     out.of = std::move(lines);
   } else {

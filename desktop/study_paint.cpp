@@ -262,7 +262,7 @@ void paint(const ParallelLines& lines, QPainter& painter, const QSizeF& size, co
                 pretty_number(place.extents[k].high, 3));
   }
   sheet.label({20 * u, size.height() - 44.0 * u, size.width() - 40.0 * u, 30 * u}, Qt::AlignCenter,
-              "one line per run; dark to bright: low to high in the last column");
+              "Each line is a run. Dark to bright: low to high value in the last column.");
 }
 
 double distance(const QPointF& a, const QPointF& b, const QPointF& from) {

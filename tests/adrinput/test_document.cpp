@@ -45,7 +45,8 @@ TEST_CASE("typed numbers: comma, minus sign and blanks are understood, nonsense 
   for (const char* either : {"10,000", "1,500", " -12,700", "12,700 mm", "2*1,250"}) {
     INFO(either);
     for (const Typed& typed : {parse_typed(real, either), parse_typed(deck, real, either)}) {
-      CHECK(typed.problem.message == "is ambiguous: decimal comma or thousands separator");
+      CHECK(typed.problem.message ==
+            "is ambiguous: the comma could be a decimal comma or a thousands separator");
       CHECK(typed.problem.remedy.find(" or ") != std::string::npos);
     }
   }
@@ -72,7 +73,7 @@ TEST_CASE("three times a number in a vector of three is asked back: decks mean t
     return document.parse(at, typed).problem;
   };
   const auto asked = problem_of("cageGcPos", 0, "3*4e-4");
-  CHECK(asked.message == "is ambiguous: a product or, as in a deck, 3 values");
+  CHECK(asked.message == "is ambiguous: it could be a product or, as in a deck, 3 values");
   CHECK(asked.remedy == "write 4e-4*3 for the product, or 4e-4 in each of the 3 fields");
   CHECK(problem_of("cageGcPos", 0, " 2*0,0004 "));
   // A list that is invalid here is a product, also one in a form that decks do not use.

@@ -97,7 +97,7 @@ TEST_CASE("after a change of units the remarks name the new ones, or a note says
   const auto notes = [&] {
     std::vector<std::string> records;
     for (const Problem& problem : window.document().problems())
-      if (problem.issue.message.find("comment after its values") != std::string::npos)
+      if (problem.issue.message.find("comment after the values") != std::string::npos)
         records.push_back(problem.page);
     return records;
   };

@@ -74,20 +74,20 @@ TEST_CASE("Run saves the deck, shows progress, and opens plots and animation of 
   CHECK_FALSE(launches[0].second.contains("--behind"));  // asked for: to the front
 
   window.newDeck("cylindrical");
-  CHECK(note(window).contains("From another deck"));
+  CHECK(note(window).contains("Results of another deck"));
   CHECK(note(window).contains("DATA.txt"));
   window.document().edit(cell("rpm2"), "1234");
-  CHECK(note(window).contains("From another deck"));
+  CHECK(note(window).contains("Results of another deck"));
   REQUIRE(window.openFile(folder.filePath("DATA.txt").toStdString()));
   CHECK(note(window).startsWith("Done: 60 steps"));
 
   // A copy has the same values, but none of the results.
   fs::copy(folder.filePath("DATA.txt").toStdString(), folder.filePath("COPY.txt").toStdString());
   REQUIRE(window.openFile(folder.filePath("COPY.txt").toStdString()));
-  CHECK(note(window).startsWith("From another deck"));
+  CHECK(note(window).startsWith("Results of another deck"));
   window.document().edit(cell("rpm2"), "1234");
   (void)window.document().undo();
-  CHECK(note(window).startsWith("From another deck"));
+  CHECK(note(window).startsWith("Results of another deck"));
 }
 
 TEST_CASE("viewers get whole names of files, wherever the deck was opened from",

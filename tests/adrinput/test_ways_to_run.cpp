@@ -268,7 +268,7 @@ TEST_CASE("run panel: sweep of an earlier session → missing runs computed, fin
     Document& document = bench.window.document();
     panel.sweep(document.path(), document.deck(), document.options(), "raceCurFac1=0.4:0.52:2");
     bench.wait();
-    CHECK(bench.note().contains("1 of its runs has no result"));
+    CHECK(bench.note().contains("1 run is without a result"));
     CHECK(bench.entry().text() == "&Continue the sweep in sweep-002");
     fs::remove_all(deck.parent_path() / "sweep-002");
   }
@@ -316,7 +316,7 @@ TEST_CASE("results of another deck are replaced after a question, which can be s
   bench.change("appLoadX", "1501");
   run();
   REQUIRE(bench.question() != nullptr);
-  CHECK(bench.question()->text().contains("before the deck changed"));
+  CHECK(bench.question()->text().contains("before the deck was changed"));
   QTest::keyClick(bench.question(), Qt::Key_Return);
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   CHECK_FALSE(window.runPanel().busy());

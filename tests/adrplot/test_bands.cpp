@@ -142,7 +142,8 @@ TEST_CASE("bands of a range that passes over stored steps hold those, too",
   }
   CHECK(force.high[2] == Approx(high).epsilon(1e-9));
   CHECK(force.low[2] == Approx(low).epsilon(1e-9));
-  CHECK_THAT(page.note, Contains("shorter peaks of \"Gap\" and \"Contact angle\" are missing"));
+  CHECK_THAT(page.note,
+             Contains("peaks of \"Gap\" and \"Contact angle\" between them are missing"));
 }
 
 TEST_CASE("spectra are of stored values and a file of another run gives no bands",
@@ -197,7 +198,7 @@ TEST_CASE("own charts keep the extremes and the remarks of the pages that they a
   }
   CHECK_THAT(page.band_note, Contains("Min–max bands:"));
   // What one of them says is said of that one; what a curve does not have is not spoken of.
-  CHECK(said(page, "of the steps in the file, one of every 5"));
+  CHECK(said(page, "of the steps in the file (one of every 5)"));
   CHECK(combine_curves({gap}, Combine::Overlay, {}).band_note.empty());
   const auto two = combine_curves({gap, moving}, Combine::Overlay, {});
   REQUIRE(two.panels.size() == 2);
@@ -210,7 +211,7 @@ TEST_CASE("own charts keep the extremes and the remarks of the pages that they a
   spectra.domain = Domain::Spectrum;
   const auto lines = combine_curves({force, force_of_few}, Combine::Overlay, spectra);
   CHECK_FALSE(said(lines, "Min–max"));
-  CHECK(said(lines, "of the steps in the file, one of every 5"));
+  CHECK(said(lines, "of the steps in the file (one of every 5)"));
 }
 
 TEST_CASE("readout and cursors tell the extremes between the values", "[gui][step-band]") {

@@ -125,7 +125,7 @@ TEST_CASE("plot_document: interval or part of a file → not treated as its end"
                    : note.find("RESULTS.h5 ends at step 33:")));
         if (h5 == 41) CHECK_THAT(page.subtitle, Contains("full precision (RESULTS.h5)"));
         if (every > 1) CHECK_THAT(note, Contains(fmt::format("one of every {}", every)));
-        if (from > 1) CHECK_THAT(note, Contains(fmt::format("from number {} on", from)));
+        if (from > 1) CHECK_THAT(note, Contains(fmt::format("from number {} to the end", from)));
       }
   }
 }

@@ -51,9 +51,9 @@ TEST_CASE("the picture of the network has each node with its temperature, each f
   CHECK(says(*page, "rolling elements 330 K"));
   CHECK(says(*page, "coolant exit 324 K"));
   CHECK(says(*page, "70 W"));
-  CHECK(says(*page, "made at the outer race: 60 W"));
-  CHECK(says(*page, "mean of the outer race: 329 K"));
-  CHECK_FALSE(says(*page, "made in the pockets: 0 W"));
+  CHECK(says(*page, "heat generated at the outer race: 60 W"));
+  CHECK(says(*page, "mean temperature of the outer race: 329 K"));
+  CHECK_FALSE(says(*page, "heat generated in the pockets: 0 W"));
   REQUIRE(page->panels.size() == 1);
   for (const desktop::ChartCurve& curve : page->panels[0].curves)
     CHECK(curve.x.size() == curve.y.size());

@@ -265,9 +265,9 @@ TEST_CASE("pages: gaps at lost contact and steps of slip → notes", "[unit][adr
     if (columns[c].id.starts_with("contact.angle."))
       damaged.steps[0].values[c] = std::numeric_limits<double>::quiet_NaN();
   CHECK(page_with(damaged, "load and angle").note.find("missing where") == std::string::npos);
-  CHECK(note("slip").find("largest of all slices") == std::string::npos);  // balls have none
+  CHECK(note("slip").find("largest value of all slices") == std::string::npos);  // balls have none
   file.header.bearing_type = 2;
-  CHECK(note("slip").find("largest of all slices") != std::string::npos);
+  CHECK(note("slip").find("largest value of all slices") != std::string::npos);
 }
 
 TEST_CASE("pages: rounding of a force → not enlarged next to large components", "[unit][adrplot]") {
@@ -330,7 +330,8 @@ TEST_CASE("pages: cage orbit → divisor given in the note", "[unit][adrplot]") 
   const std::vector<PageSpec> pages = plot_pages(file.kind, file.header);
   PageContext context;
   context.facts.cage_scale = {60e-6, CageScale::Of::Pockets};
-  CHECK_THAT(build_page(file, pages, 5, {}, context).note, Catch::Contains("pocket clearance, 60 µm"));
+  CHECK_THAT(build_page(file, pages, 5, {}, context).note,
+             Catch::Contains("pocket clearance, 60 µm"));
   context.facts.cage_scale = {149e-6, CageScale::Of::GuideLands};
   CHECK_THAT(build_page(file, pages, 5, {}, context).note, Catch::Contains("lands, 149 µm"));
 }

@@ -72,7 +72,7 @@ TEST_CASE("pages: notes → never cut, for any page, content and size", "[gui][a
               if (shown == whole) continue;
               ++counted;
               // A picture has no tooltips, so it shows all notes.
-              CHECK(shown.contains("point here") == pointed);
+              CHECK(shown.contains("move the pointer here") == pointed);
               if (!pointed) CHECK(more > 0);
               if (!pointed) CHECK(shown.endsWith("not shown.)"));
               CHECK(tip.contains(whole.right(20).toHtmlEscaped()));

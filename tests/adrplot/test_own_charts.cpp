@@ -69,13 +69,13 @@ TEST_CASE("own charts: curves of two runs over one abscissa, and their differenc
   for (std::size_t i = 0; i < less.x.size(); ++i)
     CHECK(less.panels[0].curves[0].y[i] == Approx(100.0 + less.x[i]).epsilon(1e-9));
   // Without a legend the page names both curves of the difference.
-  CHECK(less.note.find("second/SOL7") < less.note.find(", less "));
-  CHECK(less.note.find("first/SOL7") > less.note.find(", less "));
+  CHECK(less.note.find("second/SOL7") < less.note.find(" minus "));
+  CHECK(less.note.find("first/SOL7") > less.note.find(" minus "));
   // Different units have separate panels and no difference.
   const std::vector<CurvePick> mixed{{&first, 1, 0, 0}, {&first, 2, 0, 0}};
   CHECK(combine_curves(mixed, Combine::Overlay, {}).panels.size() == 2);
   CHECK_THROWS_WITH(combine_curves(mixed, Combine::Difference, {}),
-                    Catch::Contains("no difference"));
+                    Catch::Contains("select curves with the same unit"));
   CHECK_THROWS_AS(combine_curves({}, Combine::Overlay, {}), InputError);
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("own charts: curves of any file have spectra, differences theirs, and 
   REQUIRE(fall.panels.size() == 1);
   CHECK(fall.panels[0].curves.size() > 10);
   CHECK(amplitude(fall, 0, 1200.0) == Approx(5.0).epsilon(5e-3));
-  CHECK(fall.note.find("spectra (flat top window), duration") != std::string::npos);
+  CHECK(fall.note.find("spectra (flat top window) of") != std::string::npos);
 }
 
 TEST_CASE(
@@ -177,7 +177,7 @@ TEST_CASE(
   const PlotDocument history = run(1.0, 301, "first");
   options.domain = Domain::History;
   CHECK_THROWS_WITH(combine_curves({picks[0], {&history, 1, 0, 0}}, Combine::Overlay, options),
-                    Catch::Contains("choose curves with the same horizontal axis"));
+                    Catch::Contains("select curves with the same horizontal axis"));
 }
 
 TEST_CASE("waterfall: lines of a shaft that runs up say its speed, and marks move with it",
@@ -291,7 +291,7 @@ TEST_CASE("own charts: values below the pointer and between cursors say of what 
   const std::string title = slow.build(1, {}).panels.at(0).title;
   for (const char* domain : {"history", "spectrum"}) {
     both_say(told(runs, Combine::Difference, domain),
-             "Difference: " + title + " · fast/SOL7 less slow/SOL7");
+             "Difference: " + title + " · fast/SOL7 minus slow/SOL7");
     both_say(told(runs, Combine::Overlay, domain), title + " · slow/SOL7");
     both_say(told(runs, Combine::Overlay, domain), title + " · fast/SOL7");
   }
@@ -302,13 +302,13 @@ TEST_CASE("own charts: values below the pointer and between cursors say of what 
   both_say(told(one, Combine::Overlay, "history"), panels[1].title);
   const std::vector<CurvePick> twins{{&fast, 1, 0, 0}, {&other, 1, 0, 0}};
   both_say(told(twins, Combine::Difference, "history"),
-           "Difference: " + title + " · elsewhere/fast/SOL7 less bearings/fast/SOL7");
+           "Difference: " + title + " · elsewhere/fast/SOL7 minus bearings/fast/SOL7");
   // The waterfall of a difference is not that of a run.
   PageOptions fall;
   fall.domain = Domain::Waterfall;
   const desktop::ChartPage page = combine_curves(runs, Combine::Difference, fall);
   CHECK(page.choices ==
-        std::vector<std::string>{title + " · " + slow.subject + " · fast/SOL7 less slow/SOL7"});
+        std::vector<std::string>{title + " · " + slow.subject + " · fast/SOL7 minus slow/SOL7"});
 }
 
 TEST_CASE("plot_window: chosen curves of two files become a chart that outlives its files",

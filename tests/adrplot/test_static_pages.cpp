@@ -248,8 +248,8 @@ TEST_CASE("sweep pages: runs without steps → note", "[unit]") {
                                     ",200,,200,\"\"\n");
     return desktop::sweep_pages(results::read_sweep(path)).front().note;
   };
-  CHECK_THAT(note("0", "0"), Catch::Contains("2 of 2 runs made no step"));
-  CHECK_THAT(note("0", "0.1"), Catch::Contains("1 of 2 runs made no step"));
+  CHECK_THAT(note("0", "0"), Catch::Contains("2 of 2 runs had no motion"));
+  CHECK_THAT(note("0", "0.1"), Catch::Contains("1 of 2 runs had no motion"));
   CHECK(note("0.2", "0.1").empty());
 }
 
@@ -287,7 +287,7 @@ results::StaticTables with_cut(results::UnitSystem units) {
 TEST_CASE("the cut page labels every edge of the contacts with its distance", "[unit]") {
   const auto pages = desktop::static_pages(with_cut(results::UnitSystem::SI));
   const auto page = std::find_if(pages.begin(), pages.end(), [](const auto& p) {
-    return p.title == "Contact ellipses against the groove edges";
+    return p.title == "Contact ellipses and groove edges";
   });
   REQUIRE(page != pages.end());
   CHECK(page->equal_axes);
@@ -297,7 +297,7 @@ TEST_CASE("the cut page labels every edge of the contacts with its distance", "[
   REQUIRE(page->labels.size() == 4);
   CHECK(page->labels[0].text == "1.5 mm to the edge");
   CHECK(page->labels[0].x == -0.001);
-  CHECK(page->labels[1].text == "200 µm over the edge");
+  CHECK(page->labels[1].text == "200 µm beyond the edge");
   CHECK(page->labels[2].text == "groove edge not given");
   CHECK(page->labels[3].text == "reaches the edge");
   CHECK_THAT(page->note, Catch::Contains("number 3") && Catch::Contains("1.234 kN"));

@@ -146,7 +146,7 @@ TEST_CASE("waterfall: marks of a shaft that runs up move with what they count", 
       if (lines[i].value(k) > lines[i].value(most)) most = k;
     CHECK(page.x[most] == Approx(run.frequency(t, kOrder)).margin(2.5 * first));
   }
-  CHECK_THAT(page.note, Contains("Marks follow the shaft"));
+  CHECK_THAT(page.note, Contains("The marks follow the shaft"));
   CHECK(page.panels[0].title == "Load, outer race");
 
   // Drawn from the foot of the panel to its top, through each line at its own frequency.

@@ -44,7 +44,7 @@ TEST_CASE("plot_window: export of all or visible values → reported in the stat
   const QString whole = folder.filePath("whole.csv"), part = folder.filePath("part.csv");
   REQUIRE(window.exportTo(whole, false));
   CHECK(window.statusBar()->currentMessage().contains(
-      QString("all curves, %1 values, also outside the visible range").arg(all)));
+      QString("(%1 values each), including values outside the visible range").arg(all)));
   REQUIRE(window.exportTo(part, false, true));
   const auto rows = lines_of(whole), seen = lines_of(part);
   CHECK(rows.size() == static_cast<qsizetype>(all) + 1);
@@ -107,7 +107,7 @@ TEST_CASE("plot_window: run without rotation → drawn over time, with a note", 
   for (auto& step : file.steps) step.revolutions = 0.0;
   window.addFile(file);
   CHECK(window.view().chartScene().page().x_title == "Time");
-  CHECK(abscissa->currentText() == "over time (no turns)");
+  CHECK(abscissa->currentText() == "over time (no rotation)");
 }
 
 TEST_CASE("plot_window: what a page does not have is gray and says why", "[gui][adrplot]") {

@@ -122,7 +122,7 @@ TEST_CASE("agore_window: movie from a frame or time to another → length displa
   auto* range = window.findChild<FilmDialog*>("filmRange");
   REQUIRE(range != nullptr);
   auto* words = range->findChild<QLabel*>("filmLength");
-  CHECK(words->text().startsWith("20 pictures, 25 per second, length 800 ms."));
+  CHECK(words->text().startsWith("20 pictures at 25 per second: length 800 ms."));
   CHECK(words->text().contains("about"));
   auto* from = range->findChild<QSpinBox*>("filmFrom");
   auto* until = range->findChild<QDoubleSpinBox*>("filmToTime");
@@ -138,7 +138,7 @@ TEST_CASE("agore_window: movie from a frame or time to another → length displa
   auto* next = range->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
   CHECK(next->isEnabled());
   from->setValue(15);
-  CHECK(words->text().contains("frame, 15, is after the last frame, 12"));
+  CHECK(words->text().contains("frame (15) is after the last frame (12)"));
   CHECK_FALSE(next->isEnabled());
   range->reject();
   // Saved files are reported, and no others.
@@ -372,7 +372,7 @@ TEST_CASE("agore_window: files → opened, thinned to the selected steps, reject
   CHECK(window.frameCount() == 14);
   const Animation thinned = open_motion(base / "SOL8", 15);
   CHECK(thinned.frame(13).step == open_motion(base / "SOL8").frame(39).step);
-  CHECK(thinned.source.find("every 3. of 40") != std::string::npos);
+  CHECK(thinned.source.find("one in 3 of the 40") != std::string::npos);
   CHECK(window.openFile(base / "SOL8"));
   CHECK(window.frameCount() == 40);
   CHECK_FALSE(window.openFile(base / "other"));

@@ -40,7 +40,7 @@ TEST_CASE("behind the end of RESULTS.h5 the frames of SOL8 are shown, and said t
     REQUIRE(a.motion);
     REQUIRE(a.frames() == kFrames);
     const auto exact = static_cast<std::size_t>(last) + 1;
-    const std::string words = "from SOL8 only from frame " + std::to_string(exact + 1) + " on";
+    const std::string words = "frames from " + std::to_string(exact + 1) + " on are only in SOL8";
     CHECK((a.source.find(words) != std::string::npos) == (exact < kFrames));
     const results::Sol8File sol8 = results::read_sol8(folder / "SOL8");
     MotionPicture picture(a);
@@ -50,7 +50,7 @@ TEST_CASE("behind the end of RESULTS.h5 the frames of SOL8 are shown, and said t
       CHECK((a.contacts_at(i) == nullptr) == behind);
       CHECK(std::isnan(a.value("contact.load", i, 0)) == behind);
       if (behind) CHECK(a.frame(i).elements[2].theta == sol8.frames[i].elements[2].theta);
-      CHECK((colouring(a, i, ColourBy::Load).why_none == "no colors " + words) == behind);
+      CHECK((colouring(a, i, ColourBy::Load).why_none == "no colors: " + words) == behind);
       ViewOptions options;
       options.contacts = true;
       for (const View view : {View::Bearing, View::Element, View::Section, View::Solid}) {

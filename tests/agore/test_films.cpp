@@ -90,7 +90,7 @@ TEST_CASE("render: movies and numbered pictures → first and last frame as spec
   CHECK_THROWS_WITH(frames(3, 9, 1, 0.0),
                     Catch::Contains("no frame 9") && Catch::Contains("1 to 8"));
   CHECK_THROWS_WITH(frames(-1, 4, 1, 0.0), Catch::Contains("no frame -1"));
-  CHECK_THROWS_WITH(frames(5, 4, 1, 0.0), Catch::Contains("frame, 5, is after the last frame, 4"));
+  CHECK_THROWS_WITH(frames(5, 4, 1, 0.0), Catch::Contains("frame (5) is after the last frame (4)"));
 }
 
 TEST_CASE("render: numbered pictures end when somebody stops them", "[gui]") {

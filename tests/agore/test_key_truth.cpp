@@ -144,7 +144,7 @@ std::optional<std::string> quantity_of(const QString& text, View view) {
   if (has("cage frame") || has("frame of segment") || has("cage rotation")) return "cage";
   if (has("pocket contact")) return "pocket contact";
   if (has("land contact")) return "land contact";
-  if (has("path of the race") || has("orbit ") || has(" at the frames")) return "orbit";
+  if (has("path of the race") || has("orbit ") || has(" at each frame")) return "orbit";
   if (has("path") || has("earlier frames")) return "way of an element";
   for (const char* const same : {"later frames", "rotation mark", "no contact", "pitch circle",
                                  "long arm", "dashed: behind a body"})

@@ -108,7 +108,7 @@ TEST_CASE("without RESULTS.h5 no ratio is over a speed that its title does not n
   CHECK(speed_text(a) == "races at 8000 rpm relative to each other");
   // How far a race turns between two frames no SOL8 tells.
   for (const View view : {View::Cage, View::Element})
-    CHECK_THAT(page_of(a, view).panels.at(1).message, Contains("outer race turns"));
+    CHECK_THAT(page_of(a, view).panels.at(1).message, Contains("outer race rotates"));
   fs::copy_file(whole / "SOL3", alone / "SOL3");
   CHECK_THAT(page_of(open_motion(alone / "SOL8"), View::Cage).title, Contains("faster race"));
 }

@@ -38,7 +38,7 @@ TEST_CASE("agore: a title that is cut keeps what tells it apart", "[gui]") {
     desktop::ChartScene scene(desktop::ChartStyle::Compact);
     scene.setPageSize({width, 200.0});
     desktop::ChartPage page;
-    page.title = "Cage over inner race, 10000 rpm, segment 5 of 12";
+    page.title = "Cage speed / inner race, 10000 rpm, segment 5 of 12";
     page.x = {0.0, 1.0};
     page.panels = {{"Whirl", "", {{"", {0.0, 1.0}, {}}}}};
     scene.setPage(page);

@@ -69,7 +69,7 @@ TEST_CASE("agore_window: what is marked is repeated, offered as a film, and take
   auto* canvas = window.findChild<PictureWidget*>();
   const auto shown = [&] { return canvas->grab().toImage(); };
   const QImage with = shown();
-  action_of(window, "Delete Marks")->trigger();
+  action_of(window, "Delete Repeat Range")->trigger();
   CHECK_FALSE(window.options().span_from.has_value());
   CHECK(shown() != with);
   // An end that would be passed is given up.

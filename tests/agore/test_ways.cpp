@@ -128,7 +128,7 @@ TEST_CASE("ways: sparse orbits of centers are their frames, and the key says so"
     CHECK(marks > looks * 3 / 4);  // other pixels are below the axes of the cage
     CHECK((known ? chords > looks * 3 / 4 : chords < looks / 3));
     const QString key = QString::fromUtf8(picture.svg(kSize, last, options));
-    CHECK(key.contains("center at the frames, path unknown") == !known);
+    CHECK(key.contains("center at each frame, path unknown") == !known);
     options.view = View::InnerRace;
     CHECK(QString::fromUtf8(picture.svg(kSize, last, options)).contains("path unknown") == !known);
     options.view = View::Cage;

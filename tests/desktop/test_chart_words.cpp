@@ -499,8 +499,8 @@ TEST_CASE("a note takes smaller letters and room before sentences are counted, n
         for (int i = 0; i < count; ++i)
           told += all.contains(QString("Sentence %1 tells").arg(i)) ? 1 : 0;
         if (all.contains("(1 more sentence")) more = 1;
-        if (const auto at =
-                all.indexOf(pointed ? " more sentences: point here" : " more sentences not shown");
+        if (const auto at = all.indexOf(pointed ? " more sentences: move the pointer here"
+                                                : " more sentences not shown");
             at > 0)
           more = all.left(at).section('(', -1).toInt();
         CHECK(told + more == count);

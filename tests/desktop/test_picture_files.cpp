@@ -131,7 +131,8 @@ TEST_CASE("image_export: only own pictures and films are replaced without a ques
     save_image(image, path(name));
     CHECK_NOTHROW(save_image(image, path(name)));
     REQUIRE(image.save(folder.filePath(name)));  // as another program would
-    CHECK_THROWS_WITH(save_image(image, path(name)), Catch::Contains("not drawn by this program"));
+    CHECK_THROWS_WITH(save_image(image, path(name)),
+                      Catch::Contains("not written by this program"));
     CHECK_NOTHROW(save_image(image, path(name), Replace::Anything));  // somebody was asked
     CHECK_NOTHROW(save_image(image, path(name)));
   }
@@ -148,7 +149,7 @@ TEST_CASE("image_export: only own pictures and films are replaced without a ques
   file.write("RIFF\1\2\3\4AVI of somebody else");
   file.close();
   CHECK_THROWS_WITH(AviWriter(path("film.avi"), {64, 48}, 25),
-                    Catch::Contains("not drawn by this program"));
+                    Catch::Contains("not written by this program"));
 }
 
 TEST_CASE("avi_writer: the film is a valid RIFF file whose index finds every picture", "[gui]") {
