@@ -32,8 +32,8 @@ void PrintFile::check(const std::filesystem::path& path, const std::string& run_
   InputFile stream(path);
   if (!stream)
     throw InputError(
-        fmt::format("{}: the file to be continued cannot be opened; restore it, or start new files "
-                    "with kIcOpt = -1",
+        fmt::format("{}: cannot open the file that this run continues. Restore the file, or start "
+                    "new files with kIcOpt = -1",
                     path.string()));
   std::string_view line;
   LineReader lines(stream);

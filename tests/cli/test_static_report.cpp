@@ -63,8 +63,8 @@ TEST_CASE("the quasi-static summary fits one page in SI and in English units", "
     std::vector<std::string> parts;
   };
   const std::vector<std::string> always{"displacement",
-                                        "load that the shaft applies",
-                                        "stiffness, its own direction",
+                                        "load from the shaft",
+                                        "stiffness in this direction",
                                         "largest contact load",
                                         "largest pressure",
                                         "loaded ",
@@ -75,7 +75,7 @@ TEST_CASE("the quasi-static summary fits one page in SI and in English units", "
                                         "ISO 16281",
                                         "calibrated",
                                         "Warnings: ",
-                                        "Zero of displacements"};
+                                        "Datum of displacements"};
   for (const Case& c : {Case{"angular-218", "", {"free contact angle", "ball 1", "N/m"}},
                         Case{"ball-english", "--set mode=-1", {"lbf/in", "cage: ", "ball "}},
                         Case{"ball", "--set mode=-1", {"cage: ", "pocket clearance"}},

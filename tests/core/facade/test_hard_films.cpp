@@ -188,7 +188,7 @@ TEST_CASE("thermal analysis: no coolant → air around housing and shaft takes t
     const double made = steady_number_of(ran.print, "Power loss");
     CHECK(made > 10.0);
     // The rest, below 1 mW, is what the trickle of coolant takes.
-    CHECK(steady_number_of(ran.print, "Leaves to ambient") == Approx(made).epsilon(1e-4));
+    CHECK(steady_number_of(ran.print, "Removed to ambient") == Approx(made).epsilon(1e-4));
     const double hot = steady_number_of(ran.print, "inner raceway");
     CHECK(hot > steady_number_of(ran.print, "ambient"));
     CHECK(hot < 450.0);

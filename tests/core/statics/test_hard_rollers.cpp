@@ -296,8 +296,9 @@ TEST_CASE("unloaded rollers at speed stand where the rule says, and PRINT says i
             Approx(std::abs(s.gyroscopic_moment)).epsilon(1e-2));
     }
     CHECK(unloaded_ones >= 5);
-    CHECK_THAT(printed(barrels, s), Catch::Contains("in the middle of the groove") &&
-                                        Catch::Contains("Held along each roller by guide ring"));
+    CHECK_THAT(printed(barrels, s),
+               Catch::Contains("in the middle of the groove") &&
+                   Catch::Contains("Force along the axis of each roller from guide ring"));
   }
   Bearing cylinders = unloaded(roller_bearings::cylindrical(3000.0));
   const auto c = solved(load(cylinders, 0, 0, 3000));
