@@ -102,8 +102,8 @@ void print_race(Report& report, const bearing::Bearing& b, std::size_t race) {
     };
     if (const bearing::SurfaceTable* const table = bearing::table_of(&given)) {
       report.text(
-          fmt::format("User routine ADRX6 gives the surface of the {} race at {} points along the "
-                      "circumference and {} points across.",
+          fmt::format("User routine ADRX6 gives the surface of the {} race on a grid of {} x {} "
+                      "points (around x across).",
                       kRaceName[race], table->around, table->across));
       if (given.curvature_factor.least != 0.0 || given.curvature_factor.largest != 0.0) {
         report.item(fmt::format("Curvature factor of the {} race: smallest", kRaceName[race]),

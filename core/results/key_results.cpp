@@ -72,14 +72,14 @@ constexpr KeyResultSpec kSpecs[] = {
     {"mean_heat_elsewhere_W", "Mean heat", "elsewhere", &unit::kPower},
     {"mean_orbital_ratio", "Mean orbital ratio", "", &unit::kNone},
     {"mean_cage_ratio", "Mean cage ratio", "", &unit::kNone},
-    {"mean_whirl_ratio", "Mean whirl ratio", "by turns", &unit::kNone},
-    {"mean_swept_whirl_ratio", "Mean whirl ratio", "by the area swept", &unit::kNone},
+    {"mean_whirl_ratio", "Mean whirl ratio", "by revolutions", &unit::kNone},
+    {"mean_swept_whirl_ratio", "Mean whirl ratio", "by swept area", &unit::kNone},
     {"mean_load_x_N", "Mean load", "x", &unit::kForce},
     {"mean_load_y_N", "Mean load", "y", &unit::kForce},
     {"mean_load_z_N", "Mean load", "z", &unit::kForce},
     {"mean_largest_load_N", "Mean of the largest contact load", "", &unit::kForce},
     {"peak_load_N", "Peak contact load", "", &unit::kForce},
-    {"load_departure", "Load departure", "", &unit::kNone},
+    {"load_departure", "Deviation of the mean load", "", &unit::kNone},
     {"energy_residual_J", "Energy residual", "", &unit::kEnergy},
 };
 

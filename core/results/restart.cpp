@@ -137,7 +137,7 @@ class Reader {
     const std::string sum = fmt::format("{:016x}", sum_);
     const std::string stored = text("end");
     if (format_ >= 3 && stored != sum)
-      fail(fmt::format("its lines have the checksum {}, but it was written with {}", sum,
+      fail(fmt::format("the lines have the checksum {}, but the file was written with {}", sum,
                        stored.empty() ? "none" : stored));
   }
   [[noreturn]] void fail(std::string_view why) const {
@@ -155,7 +155,7 @@ class Reader {
   }
   std::string_view line() {
     std::string_view text;
-    if (!lines_.next(text)) fail("it ends too early");
+    if (!lines_.next(text)) fail("the file ends too early");
     sum_ = checksum("\n", checksum(text, sum_));
     return text;
   }
@@ -278,10 +278,10 @@ void check_layout(const FinalState& state, const std::vector<std::string>& compo
     return at == end ? std::string("nothing more") : "'" + *at + "'";
   };
   throw InputError(
-      fmt::format("{}: the stored state does not match this deck: it has {} components, the deck "
-                  "needs {}; the first difference is {}, where the deck needs {}. Keep number of "
-                  "elements, cage, degrees of freedom, oriented elements and qFac (on or off) of "
-                  "the stored run, or start from statics (kIcOpt = 0)",
+      fmt::format("{}: the stored state does not match this deck. The file has {} components, but "
+                  "the deck needs {}. The first difference is {}, where the deck needs {}. Use the "
+                  "number of elements, cage, degrees of freedom, oriented elements and qFac (on or "
+                  "off) of the stored run, or start from the quasi-static solution (kIcOpt = 0)",
                   path.string(), state.components.size(), components.size(),
                   name(stored, state.components.end()), name(wanted, components.end())));
 }
@@ -291,8 +291,8 @@ void check_bodies(const FinalState& state, const std::vector<std::string>& compo
   const std::string stored = bodies_text(state.components), wanted = bodies_text(components);
   if (stored == wanted) return;
   throw InputError(
-      fmt::format("{}: the stored state is of {}, but this deck has {}; give the FINAL of such a "
-                  "bearing, or start from statics (kIcOpt = 0)",
+      fmt::format("{}: the stored state has {}, but this deck has {}. Use the FINAL file of such a "
+                  "bearing, or start from the quasi-static solution (kIcOpt = 0)",
                   path.string(), stored, wanted));
 }
 

@@ -60,7 +60,7 @@ TEST_CASE("reproducible run → same bytes on all processors", "[cli]") {
   }
   const json arithmetic = json::parse(read(folder / "here" / "RUN.json")).at("arithmetic");
   CHECK(arithmetic.at("instruction set of the contacts") == "baseline");
-  CHECK(contains(arithmetic.at("math functions"), "same on every processor"));
+  CHECK(contains(arithmetic.at("math functions"), "identical on every processor"));
 }
 
 TEST_CASE("the equilibrium is the same to the last bit with and without FMA in glibc", "[cli]") {

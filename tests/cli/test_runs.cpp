@@ -410,7 +410,7 @@ TEST_CASE("actual mean load → reported next to the specified load", "[cli]") {
                                  " --until 0.1rev --quiet --out " +
                                  (folder / "light").string());
   INFO(light.out);
-  CHECK(contains(light.out, "% off"));
+  CHECK(contains(light.out, "% difference"));
 }
 
 TEST_CASE("run ended by maxStps before fTime → reported; plan names the limit", "[cli]") {

@@ -149,7 +149,7 @@ TEST_CASE(
           CHECK(std::string(mode) == "0");  // every equilibrium is found
           // With the remedy: a tighter tolerance, or an equilibrium where next to nothing moves.
           CHECK_THAT(end, Catch::Contains("energy residual of") &&
-                              (Catch::Contains("Lower the tol") || Catch::Contains("mode = -1")));
+                              (Catch::Contains("Reduce the tol") || Catch::Contains("mode = -1")));
         }
   }
   CAPTURE(solved);
@@ -211,7 +211,7 @@ TEST_CASE(
       testing::run_deck(oiled("cylindrical", "11", coarse), folder / "loose");
   CHECK(loose.outcome.status == facade::RunStatus::Untrusted);
   CHECK_THAT(loose.outcome.message,
-             Catch::Contains("energy residual of") && Catch::Contains("Lower the tolerance"));
+             Catch::Contains("energy residual of") && Catch::Contains("Reduce the tolerance"));
   sets.emplace_back("tol", "1.0e-7");
   const testing::Ran tight = testing::run_deck(oiled("cylindrical", "11", sets), folder / "tight");
   CHECK(tight.outcome.status == facade::RunStatus::Done);

@@ -333,7 +333,7 @@ TEST_CASE("writers: full disk → message, and stored steps are kept", "[unit][h
           sol.write(record);
         } catch (const InputError& error) {
           sol_open = false;
-          if (std::string(error.what()).find("SOL1: the file cannot be written further") !=
+          if (std::string(error.what()).find("SOL1: writing to the file failed") !=
               std::string::npos)
             ++failures;
         }
