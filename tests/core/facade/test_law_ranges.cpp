@@ -95,8 +95,8 @@ std::vector<Left> left_ranges() {
   const Sets warm{{"kTherm", "1"},       {"kMatPropMod", "1"}, {"kBaseTemp", "1"},
                   {"baseTemp", "620.0"}, {"aveTime", "0.001"}, {"skipTime", "0.0005"}};
   return {
-      {"film.thickness", {"ball", thick, {}}, true, "of the radius of the bodies"},
-      {"film.viscosity", {"ball", thick, {}}, true, "Pa s by its law"},
+      {"film.thickness", {"ball", thick, {}}, true, "times the radius of the contacting bodies"},
+      {"film.viscosity", {"ball", thick, {}}, true, "has a calculated viscosity of"},
       {"film.speed", {"ball", oil("4"), {}}},
       {"film.load", {"ball", oil("4"), {}}},
       {"film.ellipticity", {"ball", oil("4") + Sets{{"raceCurFac1", "0.51"}}, {}}},
