@@ -267,7 +267,7 @@ TEST_CASE(
       judged.insert(one["range"].get<std::string>());
     CHECK(judged.count("traction.coefficient") == 1);
     CHECK(judged.count("traction.impossible") == 0);
-    CHECK(says(between.outcome, "No oil film is known to reach it"));
+    CHECK(says(between.outcome, "No measured oil film has such a friction coefficient"));
     // A curve of the deck: 0.5 everywhere.
     const Ran dry = run_scene(
         {"ball",
