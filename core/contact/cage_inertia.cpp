@@ -458,9 +458,8 @@ bearing::Inertia cage_inertia(const bearing::Cage& cage, int pockets, double bal
                               double pitch_diameter, double density) {
   if (cage.cone_angle != 0.0)
     throw InputError(
-        "cage inertia: the mass center of a conical cage is not its geometric center; give the "
-        "mass, "
-        "inertia and offset of the cage");
+        "cage inertia: the mass center of a conical cage is not its geometric center. Enter the "
+        "mass, inertia and offset of the cage");
   CageSolid solid;
   solid.pocket = cage.pocket;
   solid.outer_diameter = cage.outer_diameter;

@@ -74,7 +74,7 @@ void mass(Report& report, const Bearing& bearing, bool given) {
   }
   try {
     const contact::SolidInertia solid = contact::cage_solid_inertia(contact::cage_solid(bearing));
-    report.item("Mass, from the ideal shape", solid.mass, unit::kMass);
+    report.item("Mass (from the ideal shape)", solid.mass, unit::kMass);
     if (cage.segments.several())
       report.item("Distance of the mass center of a segment from the axis", solid.mass_centre.z(),
                   unit::kLength);
@@ -132,7 +132,7 @@ void print_cage_geometry(Report& report, const Bearing& bearing, const deck::Dec
                                          cage.segments.first + 1)
                            : fmt::format("between the pockets (first: before element {})",
                                          cage.segments.first + 1));
-    report.item("Angle of a cut", cage.segments.cut_angle, unit::kAngle);
+    report.item("Angular width of a cut", cage.segments.cut_angle, unit::kAngle);
   }
   mass(report, bearing, deck.has("cageMass"));
   lands(report, cage);

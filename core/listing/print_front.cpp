@@ -59,8 +59,8 @@ void defaults(Report& report, const deck::Deck& deck) {
 void echo(Report& report, const deck::Deck& deck) {
   report.new_page("INPUT");
   report.text(
-      "All records as read, in the units of the deck. The descriptions are from this program. "
-      "After the description of a code follows the selected option.");
+      "All records as read, in the units of the deck. The descriptions are from this program. The "
+      "selected option follows the description of a code.");
   const deck::Deck shown = deck::with_orbit_records(deck);
   for (const deck::RecordData& record : shown.records) {
     const deck::RecordSpec* spec = deck::find_record(record.id);
@@ -84,7 +84,7 @@ void echo(Report& report, const deck::Deck& deck) {
   }
   defaults(report, deck);
   if (deck.user_lines.empty()) return;
-  report.heading("Lines for user routines");
+  report.heading("Input lines for user routines");
   for (const std::string& line : deck.user_lines) report.text(line, 4);
 }
 
@@ -281,7 +281,7 @@ void operation(Report& report, const PrintFront& front) {
     if (name == "ballFriction")
       statics.friction_balance =
           value == "balance" && !(front.deck.has("kTrac") && front.deck.integer("kTrac") == -1);
-  report.item("Assumption for the internal speeds",
+  report.item("Assumption for the speeds of the rolling elements",
               bearing.rollers() ? "pure rolling at nominal geometry"
               : statics::has_friction_balance(bearing, statics)
                   ? fmt::format("friction equilibrium (fallback: {})", spin)
@@ -297,9 +297,9 @@ void operation(Report& report, const PrintFront& front) {
   report.item("Housing temperature", bearing.mounting.housing_temperature, unit::kTemperature);
   report.item("Shaft temperature", bearing.mounting.shaft_temperature, unit::kTemperature);
   report.item("Room temperature", bearing.room_temperature, unit::kTemperature);
-  report.item("Fit of the outer race at room temperature, diametral (above 0: interference)",
+  report.item("Diametral fit of the outer race, cold (positive: interference)",
               bearing.mounting.fit[0], unit::kLength);
-  report.item("Fit of the inner race at room temperature, diametral (above 0: interference)",
+  report.item("Diametral fit of the inner race, cold (positive: interference)",
               bearing.mounting.fit[1], unit::kLength);
   report.item("Material properties", bearing.mounting.material_laws
                                          ? "at the temperature of each part"

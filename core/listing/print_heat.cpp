@@ -93,7 +93,7 @@ void network(Report& report, const thermal::BearingHeat& heat) {
     const thermal::Coolant& c = *heat.coolant;
     report.heading("Coolant");
     report.item("Coolant", c.name);
-    report.item("Its properties", certainty(c.provenance));
+    report.item("Source of the coolant properties", certainty(c.provenance));
     report.item("Density", c.density, unit::kDensity);
     report.item("Viscosity", c.viscosity, unit::kViscosity);
     report.item("Specific heat", c.specific_heat, unit::kSpecificHeat);
@@ -124,7 +124,7 @@ void print_friction(Report& report, const statics::FrictionEstimate& f,
   report.item("Traction", f.law);
   if (!f.medium.empty()) {
     report.item("Churning medium", f.medium);
-    report.item("Its properties", certainty(f.medium_provenance));
+    report.item("Source of the medium properties", certainty(f.medium_provenance));
   }
   if (const std::string why = f.why_none(); !why.empty()) {
     report.item("Power loss", "not computed");
@@ -169,7 +169,7 @@ void print_steady_state(Report& report, const thermal::SteadyState& steady) {
   report.item("Iterations", static_cast<long>(steady.passes));
   report.item("Largest temperature change in the last iteration", steady.change,
               unit::kTemperature);
-  report.item("Increase of heat / increase of removal (unstable above 1)", steady.gain,
+  report.item("Increase of heat / increase of heat removal (unstable above 1)", steady.gain,
               unit::kPure);
   if (steady.friction.why_none().empty()) {
     report.item("Power loss", steady.friction.power(), unit::kPower);

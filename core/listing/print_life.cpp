@@ -99,7 +99,7 @@ void races(Report& report, const BearingLife& life) {
                   life.race[1].rotating ? "yes" : "no", ""});
   const bool rollers = life.effective_length > 0.0;
   if (rollers) {
-    rows.push_back({"contact type (rule of Harris, memory)",
+    rows.push_back({"contact type (rule of Harris, recalled)",
                     shape_text(life.state.shape[0], life.race[0].line),
                     shape_text(life.state.shape[1], life.race[1].line), ""});
     row("ellipse of the most loaded roller, 2a", unit::kLength,
@@ -352,7 +352,7 @@ void print_run_life(Report& report, const RunLife& run) {
   }
   report.item("Load samples (integration steps)", fmt::format("{}", run.steps));
   report.item("Evaluations of the full life model", fmt::format("{}", run.evaluations));
-  report.item("Mean change of damage at equal loads between evaluations", run.change, unit::kPure);
+  report.item("Mean change of damage between evaluations (equal loads)", run.change, unit::kPure);
   report.item("Life at 90 % survival if the window repeats",
               life_text(run.damage.life_mega_revolutions(run.slopes)) + " Mrev");
   report.item("Life at 90 % survival if the window repeats",

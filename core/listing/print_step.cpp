@@ -261,10 +261,10 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
     report.table("elements", {{"force", &unit::kForce}, {"gap", &unit::kLength}}, rows);
   }
   if (record.shape.cages == 0) return;
-  report.heading(rollers ? "Cage pockets (gap: negative in contact; position: place of the contact "
-                           "along the surface)"
-                         : "Cage pockets (gap: negative in contact; theta = 0: the cage drives, "
-                           "theta = 180 deg: the element drives)");
+  report.heading(
+      rollers ? "Cage pockets (gap: negative in contact; position: contact point along the surface)"
+              : "Cage pockets (gap: negative in contact; theta = 0: the cage drives, "
+                "theta = 180 deg: the element drives)");
   std::vector<Report::Column> columns;
   const char* last = rollers ? "pocket.position" : "pocket.phi";
   for (const char* id : {"pocket.force", "pocket.gap", "pocket.theta", last})
@@ -377,10 +377,10 @@ void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& r
     const bool films = std::any_of(shown.begin(), shown.end(), [](const scene::LandSnapshot& land) {
       return land.film_force > 0.0;
     });
-    report.heading(films ? "Contact and film between cage and race (angle: of the contact in the "
-                           "cage frame; attitude: from the smallest gap to the film force)"
-                         : "Contact between cage and race (angle: of the contact in the cage "
-                           "frame; no attitude angle without a film)");
+    report.heading(films ? "Contact and film between cage and race (angle: azimuth of the contact "
+                           "in the cage frame; attitude: from the smallest gap to the film force)"
+                         : "Contact between cage and race (angle: azimuth of the contact in the "
+                           "cage frame; no attitude angle without a film)");
     std::vector<Report::Row> lands;
     for (std::size_t k = 0; k < snapshot.cages.size(); ++k) {
       int number = 0;
@@ -457,9 +457,9 @@ void applied(Report& report, const scene::Snapshot& snapshot, const bearing::Bea
       bearing.rollers() != nullptr ? bearing.rollers()->clearance : bearing.balls().clearance,
       unit::kLength);
   if (bearing.operating) {
-    report.item("Operating fit of the outer race, diametral (above 0: interference)",
+    report.item("Diametral operating fit, outer race (positive: interference)",
                 bearing.operating->fit[0].interference, unit::kLength);
-    report.item("Operating fit of the inner race, diametral (above 0: interference)",
+    report.item("Diametral operating fit, inner race (positive: interference)",
                 bearing.operating->fit[1].interference, unit::kLength);
   }
   if (!bearing.cage) return;
@@ -621,7 +621,8 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
                   run.energy->residual() / *run.elastic, unit::kPure);
   }
   if (!run.momentum.empty()) {
-    report.heading("Conservation of momentum of elements and cage since the start, base frame, SI");
+    report.heading(
+        "Conservation of momentum of elements and cage since the start (base frame, SI units)");
     for (const auto& [name, value] : run.momentum) report.item(name, value, unit::kPure);
   }
   if (run.max_quaternion_error)

@@ -309,7 +309,7 @@ std::string datum_text(const Bearing& bearing, UnitSystem units) {
   }
   const char* const kept = !bearing.rollers() ? "the plane of the groove centers"
                            : bearing.type == bearing::Type::Spherical
-                               ? "the plane of the outer groove's centers"
+                               ? "the plane of the outer groove centers"
                                : "the middle plane of the row";
   return fmt::format(
       "Datum of displacements: unmounted bearing at room temperature, not rotating, races coaxial. "

@@ -214,7 +214,7 @@ void File::read_geometry() {
         return geometry.size() > kMostAttributes ? -1 : 0;
       },
       &content_.geometry);
-  if (done < 0) damaged("the sizes of the bearing cannot be read");
+  if (done < 0) damaged("the bearing geometry cannot be read");
 }
 
 std::vector<double> File::read(const std::string& id, std::uint64_t first, std::uint64_t count,

@@ -102,7 +102,7 @@ class Reader {
   }
   std::size_t count(std::string_view keyword) {
     const long value = integer(keyword);
-    if (value < 0 || value > 100'000'000) fail(fmt::format("{} is not a possible count", value));
+    if (value < 0 || value > 100'000'000) fail(fmt::format("{} is not a valid count", value));
     return static_cast<std::size_t>(value);
   }
   /// A finite number between the limits, which belong to it.
@@ -115,7 +115,8 @@ class Reader {
   /// A step number.
   long step() {
     const long value = integer("step");
-    if (value < 0 || value > kMostSteps) fail(fmt::format("step is {}; steps count from 0", value));
+    if (value < 0 || value > kMostSteps)
+      fail(fmt::format("step is {}; it must be 0 or more", value));
     return value;
   }
   /// "number name" lines.

@@ -283,7 +283,7 @@ def _(b):
         close("misalignment of the inner race about y, 0.2 mrad [deg]", value_of(text, "Misalignment of the inner race about y"), math.degrees(2e-4), 1e-4),
         close("operating clearance [m]", value_of(text, "Internal clearance, diametral"), r.fits["operating"]["diametral clearance [m]"], 1e-5),
         close("temperature of the cage [K]", value_of(text, "Cage temperature"), 303.15, 1e-6),
-        close("fit of the inner race [m]", value_of(text, "Operating fit of the inner race, diametral (above 0: interference)"), r.fits["inner race"]["operating interference [m]"], 1e-5),
+        close("fit of the inner race [m]", value_of(text, "Diametral operating fit, inner race (positive: interference)"), r.fits["inner race"]["operating interference [m]"], 1e-5),
         close("play at guide land 1 [m]", value_of(text, "Cage clearance at guide land 1, diametral"), r.fits["cage play, diametral"]["guide land 1 on the outer race"]["operating [m]"], 0.02)]
 
 

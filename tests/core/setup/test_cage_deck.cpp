@@ -62,7 +62,7 @@ TEST_CASE("cage page: every roller type → mass, clearance and speed in a quasi
           Approx(0.5 * bearing.speed[1] * (1.0 - gamma)).epsilon(1e-4));
     const std::string text = page(bearing, deck);
     for (const char* words : {"Cage mass", "Effective cage clearance", "pocket clearance I",
-                              "Cage speed (epicyclic)", "Mass, from the ideal shape"})
+                              "Cage speed (epicyclic)", "Mass (from the ideal shape)"})
       CHECK_THAT(text, Catch::Contains(words));
     const auto json = listing::cage_json(bearing);
     CHECK(json["mass [kg]"] == cage.inertia.mass);
