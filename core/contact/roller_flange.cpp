@@ -463,8 +463,8 @@ Flange placed_flange(Flange flange, const RollerEnd& end, const Vec3& centre, co
     }
   }
   throw InputError(
-      fmt::format("flange: no place on the raceway through ({}, {}) m makes the flange of height "
-                  "{} m touch the roller end",
+      fmt::format("flange: no position on the raceway through ({}, {}) m brings the flange of "
+                  "height {} m into contact with the roller end",
                   on_raceway[0], on_raceway[1], flange.height));
 }
 

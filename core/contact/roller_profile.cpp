@@ -103,7 +103,7 @@ RollerEnd roller_end(const RollerProfile& p, int end) {
   const auto [vc, rho] = tube_centre(p, e.sign, r, high);
   if (!(rho > 0.0))
     throw InputError(
-        fmt::format("roller: the corner radius {} m of end {} is larger than the roller there; it "
+        fmt::format("roller: the corner radius {} m of end {} is too large for this roller; it "
                     "must be below {} m",
                     r, end + 1, rho + r));
   e.ring = vc;

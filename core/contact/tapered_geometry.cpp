@@ -14,8 +14,8 @@ constexpr double kPi = 3.14159265358979323846;
 double groove_radius(double factor, double crown_radius, int race) {
   if (!(factor > 0.5))
     throw InputError(
-        fmt::format("the curvature factor of the {} race is {}; it must be above 0.5, where the "
-                    "groove fits the crown",
+        fmt::format("the curvature factor of the {} race is {}; it must be above 0.5 (at 0.5 the "
+                    "groove radius is equal to the crown radius)",
                     race == bearing::kOuter ? "outer" : "inner", factor));
   if (!(std::isfinite(crown_radius) && crown_radius > 0.0))
     throw InputError(
@@ -169,8 +169,7 @@ RibLoads rib_loads(double thrust_per_roller, const std::array<double, 2>& race_a
   if (!(across > 1e-6 && std::abs(inner) < 0.5 * kPi))
     throw InputError(
         fmt::format("tapered bearing: a rib whose normal makes {} rad with the bearing axis cannot "
-                    "hold a roller on an inner race "
-                    "of half angle {} rad",
+                    "guide a roller on an inner race of half angle {} rad",
                     rib_angle, inner));
   RibLoads q;
   q.outer = thrust_per_roller / std::sin(outer);

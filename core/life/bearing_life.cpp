@@ -62,8 +62,8 @@ void note_shapes(BearingLife& out, std::size_t slices) {
       continue;
     }
     const std::string ellipse = fmt::format(
-        "{}: the ellipse of the most loaded roller would be {:.3g} times as long as its effective "
-        "length",
+        "{}: the calculated contact ellipse of the most loaded roller is {:.3g} times as long as "
+        "the effective roller length",
         name, share);
     switch (state.shape[i]) {
       case ContactShape::Point:

@@ -26,9 +26,9 @@ constexpr KeyResultSpec kSpecs[] = {
     {"life_ih_stle_hours", "Life, Ioannides-Harris type with STLE factors", "", &unit::kLife},
     {"life_ih_tallian_hours", "Life, Ioannides-Harris type with Tallian-type factors", "",
      &unit::kLife},
-    {"run_life_hours", "Life by the loads of the run", "", &unit::kLife},
-    {"run_life_samples", "Life by the loads of the run", "samples", &unit::kNone},
-    {"run_life_spread", "Life by the loads of the run", "relative spread", &unit::kNone},
+    {"run_life_hours", "Life from the loads of the run", "", &unit::kLife},
+    {"run_life_samples", "Life from the loads of the run", "samples", &unit::kNone},
+    {"run_life_spread", "Life from the loads of the run", "relative spread", &unit::kNone},
     {"life_stored_hours", "Life, model of the plot files", "", &unit::kLife},  // of older tables
 
     // Of the equilibrium.

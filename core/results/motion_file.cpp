@@ -112,8 +112,9 @@ std::optional<MotionFile> MotionFile::beside(const Sol8File& file, std::string& 
                                                file.frames.begin());
     // For a run that has just begun it may contain only a few frames of SOL8.
     if (2 * held < file.frames.size()) {
-      why_not = fmt::format("RESULTS.h5 in the folder of the file has {} of its {} frames", held,
-                            file.frames.size());
+      why_not = fmt::format(
+          "RESULTS.h5 in the folder of the file has only {} of the {} frames in the file", held,
+          file.frames.size());
       return std::nullopt;
     }
     const std::size_t every = std::max<std::size_t>(1, held / kLooks);

@@ -144,7 +144,7 @@ class Reader {
   [[noreturn]] void fail(std::string_view why) const {
     throw InputError(
         fmt::format("{}:{}: the file is damaged: {}; use the file of an earlier run, or start from "
-                    "statics (kIcOpt = 0)",
+                    "the quasi-static solution (kIcOpt = 0)",
                     path_.string(), lines_.number(), why));
   }
 

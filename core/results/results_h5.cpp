@@ -340,7 +340,7 @@ struct H5Writer::Impl {
   }
 
   void start_single_writer() {
-    if (H5Fstart_swmr_write(file) < 0) fail(path, "the file cannot be prepared for growing");
+    if (H5Fstart_swmr_write(file) < 0) fail(path, "the file cannot be prepared for further steps");
   }
 
   void write_waiting() {
@@ -499,8 +499,8 @@ void check_file(const H5Reader& file, const std::filesystem::path& path,
           "kIcOpt = -1, or run the deck in another folder",
           path.string(), channel.id));
     throw InputError(
-        fmt::format("{}: {} does not match the sizes of this bearing; restore the file of this "
-                    "run, or start new files with kIcOpt = -1",
+        fmt::format("{}: the size of {} does not match this bearing. Restore the file of this run, "
+                    "or start new files with kIcOpt = -1",
                     path.string(), channel.id));
   }
 }

@@ -121,7 +121,7 @@ RollerBody body_of(const RollerModel& m, bearing::Type type, const bearing::Impe
       continue;
     }
     if (table->across != m.slicing.count) {
-      refuse("the surface of a race was given for another number of slices");
+      refuse("a race surface was given for a different number of slices");
     }
     std::vector<double> radius;
     for (const contact::RollerSlice& slice : body.slices) {

@@ -287,9 +287,9 @@ TEST_CASE("RESULTS.h5: foreign, damaged or unsuitable file → message", "[unit]
              Contains("another run") && Contains("synthetic run 7"));
   CHECK_THAT(
       message_of([&] { H5Writer::continue_after(path, make_bearing(4), channel_table(), 2); }),
-      Contains("sizes of this bearing"));
+      Contains("does not match this bearing"));
   CHECK_THAT(message_of([&] { H5Writer::check(path, make_bearing(4), channel_table()); }),
-             Contains("sizes of this bearing"));
+             Contains("does not match this bearing"));
   CHECK(message_of([&] { H5Writer::check(path, bearing, channel_table()); }) == "no error");
   CHECK_THAT(message_of([&] { H5Reader reader(folder / "missing.h5"); }), Contains("no such file"));
   CHECK_THAT(message_of([&] {
