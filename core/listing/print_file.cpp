@@ -84,7 +84,9 @@ std::pair<long, double> PrintFile::stored_end(const std::filesystem::path& path,
     };
     if (line.starts_with("  Step  ")) step = static_cast<long>(value());
     if (line.starts_with("  Time  ")) out = {step, std::max(out.second, value())};
-    if (line.starts_with("  Its end  ")) out.second = std::max(out.second, value());
+    // Files of 0.9.0 have "Its end".
+    if (line.starts_with("  Step end  ") || line.starts_with("  Its end  "))
+      out.second = std::max(out.second, value());
   }
   return out;
 }

@@ -188,7 +188,7 @@ void print_thermal_step(Report& report, const thermal::BearingHeat& heat, long s
                         bool geometry) {
   report.new_page("THERMAL STEP");
   report.item("Thermal step", step);
-  report.item("Its end", time, unit::kTime);
+  report.item("Step end", time, unit::kTime);
   report.text(geometry ? "Geometry and material change with this step."
                        : "Geometry and material do not change. Properties of oil and medium follow "
                          "the temperature.");
