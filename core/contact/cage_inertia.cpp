@@ -342,13 +342,13 @@ void check(const CageSolid& s, const PocketSection& section) {
   }
   if (widest >= kPi / s.pockets)
     throw InputError(
-        fmt::format("cage inertia: the {} pockets overlap, each spans {:.3f} degrees of {:.3f} "
-                    "available; give less pocket "
-                    "clearance, fewer elements, or the cage's mass and inertia",
+        fmt::format("cage inertia: the {} pockets overlap: each spans {:.3f} degrees, but only "
+                    "{:.3f} degrees are available. Enter less pocket clearance, fewer elements, or "
+                    "the mass and inertia of the cage",
                     s.pockets, widest * 360 / kPi, 360.0 / s.pockets));
   if (2 * chord >= s.width)
     throw InputError(fmt::format(
-        "cage inertia: the pocket is {} m long but the cage only {} m wide; give a wider cage",
+        "cage inertia: the pocket is {} m long, but the cage is only {} m wide. Enter a wider cage",
         2 * chord, s.width));
   if (s.segments > 1 && s.pockets % s.segments != 0)
     throw InputError(fmt::format("cage inertia: {} pockets cannot be shared equally by {} segments",
@@ -458,9 +458,8 @@ bearing::Inertia cage_inertia(const bearing::Cage& cage, int pockets, double bal
                               double pitch_diameter, double density) {
   if (cage.cone_angle != 0.0)
     throw InputError(
-        "cage inertia: the mass center of a conical cage is not its geometric center; give the "
-        "mass, "
-        "inertia and offset of the cage");
+        "cage inertia: the mass center of a conical cage is not its geometric center. Enter the "
+        "mass, inertia and offset of the cage");
   CageSolid solid;
   solid.pocket = cage.pocket;
   solid.outer_diameter = cage.outer_diameter;

@@ -25,12 +25,11 @@ double largest_groove_factor(const bearing::BallGeometry& balls, int race, doubl
 
 void check_groove_factor(double factor, int race, double largest) {
   if (!(factor > 0.5 && factor < largest)) {
-    throw InputError(
-        fmt::format("ball bearing: the {} groove factor is {}; the groove radius over the ball "
-                    "diameter must lie above 0.5 "
-                    "(else the groove grips the ball) and below {:.4g} (else the contact ellipse "
-                    "lies along the groove)",
-                    kRaceName[static_cast<std::size_t>(race)], factor, largest));
+    throw InputError(fmt::format(
+        "ball bearing: the {} groove factor is {}; the groove radius divided by the ball diameter "
+        "must be above 0.5 (otherwise the ball does not fit into the groove) and below {:.4g} "
+        "(otherwise the major axis of the contact ellipse is along the groove)",
+        kRaceName[static_cast<std::size_t>(race)], factor, largest));
   }
 }
 
@@ -46,7 +45,7 @@ void check(const bearing::BallGeometry& balls) {
   }
   if (!(balls.contact_angle >= 0.0 && balls.contact_angle <= kRightAngle)) {
     throw InputError(fmt::format(
-        "ball bearing: the free contact angle is {} rad; it must lie between 0 and 90 degrees",
+        "ball bearing: the free contact angle is {} rad; it must be between 0 and 90 degrees",
         balls.contact_angle));
   }
   for (int race = 0; race < 2; ++race) {
@@ -138,20 +137,20 @@ FreeState free_state(double diameter, const std::array<double, 2>& groove_factor
     const double chord = (2.0 * groove_factor[j] - 1.0) * diameter;
     const double sine = shim[j] / chord;
     if (!(sine >= 0.0 && sine < 1.0)) {
-      throw InputError(fmt::format(
-          "ball bearing: the shim of the {} race is {} m; it must not be negative and must stay "
-          "below {} m, twice the "
-          "distance between ball and groove centre, or the ball could not touch the split groove",
-          kRaceName[j], shim[j], chord));
+      throw InputError(
+          fmt::format("ball bearing: the shim of the {} race is {} m; it must not be negative and "
+                      "must be below {} m (twice the distance between ball center and groove "
+                      "center); otherwise the ball cannot touch the split groove",
+                      kRaceName[j], shim[j], chord));
     }
     clearance += chord * (1.0 - std::sqrt((1.0 - sine) * (1.0 + sine)));
   }
   if (!(clearance < play_of_90_degrees)) {
-    throw InputError(fmt::format(
-        "ball bearing: the diametral clearance of the circular grooves is {} m; it must stay below "
-        "{} m, where the free "
-        "contact angle reaches 90 degrees; give a smaller clearance or larger groove factors",
-        clearance, play_of_90_degrees));
+    throw InputError(
+        fmt::format("ball bearing: the diametral clearance of the circular grooves is {} m; it "
+                    "must be below {} m, where the free contact angle reaches 90 degrees. Enter a "
+                    "smaller clearance or larger groove factors",
+                    clearance, play_of_90_degrees));
   }
   // 1 - cos α0 = clearance/play, written with the half angle so that small clearances keep their
   // digits.

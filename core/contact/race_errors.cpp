@@ -54,8 +54,8 @@ void check_whole_waves(const RaceErrors& errors) {
        {radius, errors.land_offset.waves, errors.taper.waves, errors.curvature_factor.waves})
     if (waves != std::round(waves))
       throw InputError(
-          fmt::format("{} waves per revolution of a race make a step where the wave closes; a race "
-                      "in motion needs a whole number",
+          fmt::format("{} waves per revolution of a race cause a step where the wave closes; a "
+                      "moving race needs a whole number of waves",
                       waves));
 }
 

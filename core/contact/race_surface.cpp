@@ -20,9 +20,8 @@ RaceSurface cylinder_race(int side, double radius) { return cone_race(side, radi
 RaceSurface cone_race(int side, double radius_at_x0, double half_angle) {
   require_radius(radius_at_x0, "radius");
   if (!(std::abs(half_angle) < 1.57))
-    throw InputError(
-        fmt::format("race: the half angle of the cone is {} rad; it must lie between -π/2 and π/2",
-                    half_angle));
+    throw InputError(fmt::format(
+        "race: the half angle of the cone is {} rad; it must be between -π/2 and π/2", half_angle));
   RaceSurface race;
   race.side = side;
   race.radius = radius_at_x0;
@@ -38,7 +37,7 @@ RaceSurface groove_race(int side, double groove_radius, double groove_x,
                         double groove_centre_radius) {
   require_radius(groove_radius, "groove radius");
   if (!std::isfinite(groove_x) || !std::isfinite(groove_centre_radius))
-    throw InputError(fmt::format("race: the groove centre ({}, {}) m must be finite", groove_x,
+    throw InputError(fmt::format("race: the groove center ({}, {}) m must be finite", groove_x,
                                  groove_centre_radius));
   RaceSurface race;
   race.shape = RaceSurface::Shape::Groove;
@@ -52,8 +51,8 @@ RaceSurface groove_race(int side, double groove_radius, double groove_x,
 RaceSurface crowned_race(const RaceSurface& cone, double crown_radius, double land) {
   if (!(crown_radius > 0.0) || !(land >= 0.0))
     throw InputError(
-        fmt::format("race: a crown radius of {} m and a straight part of {} m; give a positive one "
-                    "and one that is not negative",
+        fmt::format("race: a crown radius of {} m and a straight part of {} m; the radius must be "
+                    "positive and the straight part must not be negative",
                     crown_radius, land));
   RaceSurface race = cone;
   race.shape = RaceSurface::Shape::CrownedCone;

@@ -407,7 +407,7 @@ FlangeFace flange_face(const Flange& f) {
         fmt::format("flange: the height is {} m; it must be a positive number", f.height));
   if (!(f.layback >= 0.0 && f.layback < 0.5 * kPi))
     throw InputError(fmt::format(
-        "flange: the layback angle is {} rad; it must lie between 0 and π/2", f.layback));
+        "flange: the layback angle is {} rad; it must be between 0 and π/2", f.layback));
   const double towards = f.at < 0 ? 1.0 : -1.0, out = f.side == bearing::kInner ? 1.0 : -1.0;
   const double ca = std::cos(f.race_half_angle), sa = std::sin(f.race_half_angle);
   const double cg = std::cos(f.layback), sg = std::sin(f.layback);
@@ -463,8 +463,8 @@ Flange placed_flange(Flange flange, const RollerEnd& end, const Vec3& centre, co
     }
   }
   throw InputError(
-      fmt::format("flange: no place on the raceway through ({}, {}) m makes the flange of height "
-                  "{} m touch the roller end",
+      fmt::format("flange: no position on the raceway through ({}, {}) m brings the flange of "
+                  "height {} m into contact with the roller end",
                   on_raceway[0], on_raceway[1], flange.height));
 }
 

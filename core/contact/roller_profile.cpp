@@ -35,7 +35,7 @@ void check_roller_profile(const RollerProfile& p) {
                     "straight roller)",
                     p.crown_radius));
   if (!(p.half_angle >= 0.0 && p.half_angle < kHalfPi))
-    throw InputError(fmt::format("roller: the half angle is {} rad; it must lie between 0 and π/2",
+    throw InputError(fmt::format("roller: the half angle is {} rad; it must be between 0 and π/2",
                                  p.half_angle));
   if (!(p.corner_radius[0] >= 0.0 && p.corner_radius[1] >= 0.0))
     throw InputError(
@@ -57,10 +57,10 @@ void check_roller_profile(const RollerProfile& p) {
                       "be larger than {} m",
                       p.crown_radius, s, reach));
     if (!(roller_radius(p, s) > 0.0))
-      throw InputError(fmt::format(
-          "roller: the radius at the end s = {} m is {} m; crown and half angle must leave "
-          "a positive one",
-          s, roller_radius(p, s)));
+      throw InputError(
+          fmt::format("roller: the radius at the end s = {} m is {} m; reduce crown or half angle "
+                      "so that this radius is positive",
+                      s, roller_radius(p, s)));
   }
   for (int end = 0; end < 2; ++end) (void)roller_end(p, end);
 }
@@ -103,7 +103,7 @@ RollerEnd roller_end(const RollerProfile& p, int end) {
   const auto [vc, rho] = tube_centre(p, e.sign, r, high);
   if (!(rho > 0.0))
     throw InputError(
-        fmt::format("roller: the corner radius {} m of end {} is larger than the roller there; it "
+        fmt::format("roller: the corner radius {} m of end {} is too large for this roller; it "
                     "must be below {} m",
                     r, end + 1, rho + r));
   e.ring = vc;

@@ -132,7 +132,7 @@ SubsurfaceStress subsurface_stress(double a, double b, double p_max, double pois
   }
   if (!(poisson >= 0.0 && poisson <= 0.5)) {
     throw InputError(
-        fmt::format("subsurface stress: Poisson's ratio is {}; it must lie in 0 to 0.5", poisson));
+        fmt::format("subsurface stress: Poisson's ratio is {}; it must be 0 to 0.5", poisson));
   }
   SubsurfaceStress s;
   const double t = orthogonal_parameter((b / a) * (b / a));

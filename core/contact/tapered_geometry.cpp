@@ -14,8 +14,8 @@ constexpr double kPi = 3.14159265358979323846;
 double groove_radius(double factor, double crown_radius, int race) {
   if (!(factor > 0.5))
     throw InputError(
-        fmt::format("the curvature factor of the {} race is {}; it must be above 0.5, where the "
-                    "groove fits the crown",
+        fmt::format("the curvature factor of the {} race is {}; it must be above 0.5 (at 0.5 the "
+                    "groove radius is equal to the crown radius)",
                     race == bearing::kOuter ? "outer" : "inner", factor));
   if (!(std::isfinite(crown_radius) && crown_radius > 0.0))
     throw InputError(
@@ -44,17 +44,14 @@ TaperedGeometry tapered_geometry(double D, const std::array<double, 2>& race_ang
   if (!(inner > 0.0 && outer < 0.5 * kPi && std::isfinite(inner)))
     throw InputError(
         fmt::format("tapered bearing: the half angles of the races are {} rad (outer) and {} rad "
-                    "(inner); both must lie "
-                    "between 0 and π/2",
+                    "(inner); both must be between 0 and π/2",
                     outer, inner));
   if (!(outer > inner))
-    throw InputError(
-        fmt::format("tapered bearing: the half angle of the outer race, {} rad, is not larger than "
-                    "that of the inner race, {} "
-                    "rad; as the angles approach each other the common apex and with it the pitch "
-                    "diameter go to infinity, so "
-                    "give a larger outer angle or use a cylindrical roller bearing",
-                    outer, inner));
+    throw InputError(fmt::format(
+        "tapered bearing: the half angle of the outer race, {} rad, is not larger than that of the "
+        "inner race, {} rad. If the angles are equal, the apex and the pitch diameter are at "
+        "infinity. Enter a larger outer angle or use a cylindrical roller bearing",
+        outer, inner));
   TaperedGeometry g;
   g.race_angle = race_angle;
   g.half_angle = 0.5 * (outer - inner);
@@ -65,12 +62,9 @@ TaperedGeometry tapered_geometry(double D, const std::array<double, 2>& race_ang
   if (g.pitch_diameter > kLargestPitchRatio * D)
     throw InputError(
         fmt::format("tapered bearing: the half angles {} rad (outer) and {} rad (inner) are so "
-                    "close that the common apex asks "
-                    "for a pitch diameter of {} m, {:.0f} roller diameters; it grows without bound "
-                    "as they approach each other. "
-                    "Give angles further apart (for a pitch diameter dm their ratio inner/outer is "
-                    "about (dm - D)/(dm + D)), or "
-                    "use a cylindrical roller bearing",
+                    "close that the common apex requires a pitch diameter of {} m ({:.0f} roller "
+                    "diameters). Enter angles with a larger difference (for a pitch diameter dm, "
+                    "inner/outer is about (dm - D)/(dm + D)), or use a cylindrical roller bearing",
                     outer, inner, g.pitch_diameter, g.pitch_diameter / D));
   g.apex_distance = 0.5 * D / tangent;
   g.apex_x = g.apex_distance * cosine;
@@ -95,9 +89,8 @@ double pitch_diameter_sensitivity(const TaperedGeometry& g) {
 EndDiameters end_diameters(const TaperedGeometry& g, double D, double length) {
   if (!(length > 0.0 && 0.5 * length < g.apex_distance))
     throw InputError(
-        fmt::format("tapered bearing: rollers of length {} m reach the common apex, which lies {} "
-                    "m from their middle; the "
-                    "length must be positive and below twice that",
+        fmt::format("tapered bearing: rollers of length {} m reach the common apex, which is {} m "
+                    "from their middle; the length must be positive and below twice this distance",
                     length, g.apex_distance));
   const double change = length * std::tan(g.half_angle);
   return {D + change, D - change};
@@ -170,15 +163,13 @@ RibLoads rib_loads(double thrust_per_roller, const std::array<double, 2>& race_a
   const auto [outer, inner] = race_angle;
   const double across = std::cos(inner - rib_angle);
   if (!(outer > 0.0 && outer < 0.5 * kPi))
-    throw InputError(
-        fmt::format("tapered bearing: the half angle of the outer race is {} rad; it must lie "
-                    "between 0 and π/2",
-                    outer));
+    throw InputError(fmt::format(
+        "tapered bearing: the half angle of the outer race is {} rad; it must be between 0 and π/2",
+        outer));
   if (!(across > 1e-6 && std::abs(inner) < 0.5 * kPi))
     throw InputError(
         fmt::format("tapered bearing: a rib whose normal makes {} rad with the bearing axis cannot "
-                    "hold a roller on an inner race "
-                    "of half angle {} rad",
+                    "guide a roller on an inner race of half angle {} rad",
                     rib_angle, inner));
   RibLoads q;
   q.outer = thrust_per_roller / std::sin(outer);

@@ -69,7 +69,7 @@ class ArkodeStepper final : public SundialsStepper {
   void create() override {
     if (method_ == ArkodeMethod::ImplicitExplicit && !system_->has_stiff_part()) {
       refuse(
-          "an implicit-explicit method needs the stiff part of the right-hand side separately, and "
+          "an implicit-explicit method needs the stiff part of the right-hand side separately, but "
           "this system does not provide it",
           "Choose arkode-dirk (all implicit), arkode-erk (all explicit) or another integrator.");
     }

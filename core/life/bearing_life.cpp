@@ -62,20 +62,20 @@ void note_shapes(BearingLife& out, std::size_t slices) {
       continue;
     }
     const std::string ellipse = fmt::format(
-        "{}: the ellipse of the most loaded roller would be {:.3g} times as long as its effective "
-        "length",
+        "{}: the calculated contact ellipse of the most loaded roller is {:.3g} times as long as "
+        "the effective roller length",
         name, share);
     switch (state.shape[i]) {
       case ContactShape::Point:
         out.notes.push_back(ellipse +
-                            ", so it counts as a point contact (below 1, rule of Harris, "
-                            "recalled)");
+                            ", so the contact is a point contact (ratio below 1; rule of Harris, "
+                            "quoted from memory)");
         break;
       case ContactShape::Line:
-        out.notes.push_back(ellipse +
-                            ", so it counts as a line contact (above 1.5 with the straight "
-                            "land, or a land longer than the ellipse; rule of Harris, "
-                            "recalled)");
+        out.notes.push_back(
+            ellipse +
+            ", so the contact is a line contact (ratio above 1.5 with the straight land, or a land "
+            "longer than the ellipse; rule of Harris, quoted from memory)");
         break;
       case ContactShape::Between: {
         constexpr std::array<const char*, kModels> kNames{"LP", "updated LP", "GZ", "IH"};
@@ -89,20 +89,19 @@ void note_shapes(BearingLife& out, std::size_t slices) {
         };
         const std::string point = list(points, "point"), line = list(all, "line");
         out.notes.push_back(
-            fmt::format("{}: between point and line contact (rule of Harris, recalled), so the "
-                        "shorter of both lives counts: {}{}{}",
+            fmt::format("{}, which is between point and line contact (rule of Harris, quoted from "
+                        "memory), so the shorter of both lives applies: {}{}{}",
                         ellipse, point, point.empty() || line.empty() ? "" : "; ", line));
         break;
       }
     }
   }
   if (lines)
-    out.notes.push_back(
-        slices > 1
-            ? "line contacts are evaluated slice by slice; edge stresses beyond the slices' "
-              "pressure are not in these lives"
-            : "a line contact is taken as uniform over the effective length: the solution has "
-              "one ellipse per contact and no slices");
+    out.notes.push_back(slices > 1
+                            ? "line contacts are evaluated slice by slice; these lives do not "
+                              "include edge stresses above the slice pressures"
+                            : "line contacts are assumed uniform over the effective length, "
+                              "because the solution has one ellipse per contact and no slices");
 }
 
 void set_temperatures(LifeParameters& out, const bearing::Bearing& bearing) {
@@ -425,37 +424,37 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
                       name, 1e-9 * r.p_max));
     if (out.state.factors.residual_refused[i])
       out.notes.push_back(fmt::format(
-          "WARNING: {}: the compressive residual stress is at least twice the largest "
-          "shear stress; the residual-stress life factor is not valid there and is not applied",
+          "WARNING: {}: the compressive residual stress is at least twice the largest shear "
+          "stress, so the residual-stress life factor is not valid and is not applied",
           name));
   }
   const auto& films = out.state.factors.film_parameter;
   if (parameters_.choices.film_parameter) {
     out.notes.push_back(
-        fmt::format("film parameter {} (run option lifeLambda) is taken at every contact instead "
-                    "of a computed one",
+        fmt::format("film parameter {} (run option lifeLambda) is used at every contact instead of "
+                    "the computed value",
                     *parameters_.choices.film_parameter));
   } else if (films[0] || films[1]) {
     for (std::size_t i = 0; i < 2; ++i)
       if (films[i] && *films[i] <= scene::kNoFilmLeft)
-        out.notes.push_back(fmt::format(
-            "{}: no film is left at the most loaded contact; its film factor is that of the "
-            "thinnest film",
-            parameters_.part[i].name));
+        out.notes.push_back(
+            fmt::format("{}: there is no film at the most loaded contact; the film factor is that "
+                        "of the thinnest film",
+                        parameters_.part[i].name));
       else if (films[i])
-        out.notes.push_back(fmt::format(
-            "{}: film parameter {:.3g}, computed for the most loaded contact with the deck's "
-            "lubricant",
-            parameters_.part[i].name, *films[i]));
+        out.notes.push_back(
+            fmt::format("{}: film parameter {:.3g}, computed for the most loaded contact with the "
+                        "lubricant of the deck",
+                        parameters_.part[i].name, *films[i]));
   } else {
     out.notes.push_back(
-        "no lubricant film is computed: the film factor is 1 and the Tallian-type factor has no "
-        "asperity term, as for a full film; run option lifeLambda gives a film parameter");
+        "no lubricant film is computed. As for a full film, the film factor is 1 and the "
+        "Tallian-type factor has no asperity term. Run option lifeLambda sets a film parameter");
   }
   if (out.state.factors.thin_film)
     out.notes.push_back(
-        "thin film (below 1): no credit is given for material, process and hardness in the STLE "
-        "factors");
+        "thin film (film parameter below 1): the product of the STLE factors for material, process "
+        "and hardness is limited to 1");
   return out;
 }
 

@@ -80,10 +80,10 @@ std::vector<std::string> strength_warnings(const Bearing& bearing, const RaceStr
                                           : fmt::format("{} {}", element, s.element);
       const Material& material = body == 0 ? bearing.race_material[race] : bearing.element_material;
       out.push_back(
-          fmt::format("{} ({}) yields under the contact of {} {} with the {} race: a von Mises "
-                      "stress of {:.4g} MPa at a pressure of {:.4g} MPa, with an elastic limit of "
-                      "{:.4g} MPa (strain limit {:.4g} times the modulus); elastic contact loads "
-                      "and lives are not valid beyond it",
+          fmt::format("{} ({}) yields at the contact of {} {} with the {} race: the von Mises "
+                      "stress is {:.4g} MPa at a pressure of {:.4g} MPa, but the elastic limit is "
+                      "{:.4g} MPa (strain limit {:.4g} times the modulus). Elastic contact loads "
+                      "and lives are not valid above this limit",
                       where, material.name, element, s.element, kRaceName[race], 1e-6 * s.von_mises,
                       1e-6 * s.pressure, 1e-6 * s.elastic_limit, material.elastic_strain_limit));
     }

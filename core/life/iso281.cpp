@@ -76,8 +76,8 @@ double size_factor(IsoType type, double pitch_mm) {
 double iso_gamma(const IsoGeometry& g) {
   if (!(g.element_diameter > 0.0 && g.pitch_diameter > g.element_diameter && g.count > 0))
     throw InputError(fmt::format(
-        "ISO 281 rating: {} elements of {} mm on a pitch diameter of {} mm do not make a bearing; "
-        "sizes must be above 0 and the pitch diameter larger than the element",
+        "ISO 281 rating: {} elements of {} mm on a pitch diameter of {} mm are not possible. All "
+        "values must be above 0, and the pitch diameter must be larger than the element diameter",
         g.count, g.element_diameter, g.pitch_diameter));
   const double ratio = g.element_diameter / g.pitch_diameter;
   return is_axial(g) ? ratio : ratio * std::cos(g.contact_angle);

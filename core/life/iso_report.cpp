@@ -64,15 +64,15 @@ IsoGeometry iso_geometry_of_balls(const bearing::Bearing& bearing,
                     degrees));
   else if (degrees > 15.0 + 1e-9 && degrees < 20.0 - 1e-9)
     notes.push_back(
-        fmt::format("ISO: X, Y and e of {:.3g} deg are interpolated between the rows of 15 and 20 "
-                    "deg of the standard",
+        fmt::format("ISO: X, Y and e for {:.3g} deg are interpolated between the values of the "
+                    "standard for 15 and 20 deg",
                     degrees));
   const auto replaced = [&](const char* race, double own, double rated, double limit) {
     if (std::abs(own - rated) > 1e-9)
-      notes.push_back(
-          fmt::format("ISO: the {} groove of factor {:g} is rated as factor {:g}, for which the "
-                      "standard's tables are made; they are valid for grooves up to {:g}",
-                      race, own, rated, limit));
+      notes.push_back(fmt::format(
+          "ISO: the {} groove with factor {:g} is rated with factor {:g}, on which the tables of "
+          "the standard are based. The tables are valid for factors up to {:g}",
+          race, own, rated, limit));
   };
   replaced("outer", made.groove_factor[0], out.conformity_outer, thrust ? table : 0.53);
   replaced("inner", made.groove_factor[1], out.conformity_inner, thrust ? table : 0.52);
@@ -144,15 +144,15 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
   }
   if (!out.equivalent)
     out.notes.push_back(
-        "ISO: the factors of a thrust bearing under radial load are not available; no equivalent "
-        "load");
+        "ISO: factors for a thrust bearing under radial load are not available, so the equivalent "
+        "load is not computed");
   const double p = iso_load_exponent(out.geometry.type);
   if (out.equivalent && out.equivalent->P > 0.0) {
     out.L10 = std::pow(out.C / out.equivalent->P, p);
     if (out.C0 && out.equivalent->P > std::min(0.5 * out.C, *out.C0))
       out.notes.push_back(
-          "ISO: the equivalent load is above half the dynamic rating or above the static rating; "
-          "the life of the standard is not valid there");
+          "ISO: the equivalent load is above half the dynamic rating or above the static rating, "
+          "so the ISO life is not valid");
   }
   out.a1 = iso_reliability_factor(parameters.survival.value);
   const bearing::Material& race = bearing.race_material[bearing::kInner];
@@ -171,8 +171,8 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
     condition = IsoCondition{*out.contamination, *out.C_u, *out.kappa};
   else if (out.geometry.type != IsoType::ThrustRoller)
     out.notes.push_back(
-        "ISO: a_ISO needs the viscosity ratio and the contamination, which the deck does not "
-        "contain; set the run options isoKappa (or lifeLambda) and isoContamination");
+        "ISO: a_ISO needs the viscosity ratio and the contamination factor, which are not in the "
+        "deck. Set the run options isoKappa (or lifeLambda) and isoContamination");
   if (condition && out.L10) {
     const AisoResult a =
         iso_life_factor(out.geometry.type, condition->kappa,
@@ -183,15 +183,15 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
   }
   if (out.geometry.type == IsoType::ThrustRoller) {
     out.notes.push_back(
-        "ISO: the static rating and the ISO 16281 formulas of thrust roller bearings (angle above "
-        "45 deg) are not available, so Cu, aISO and L10r are not computed; C and L10 are those of "
+        "ISO: the static rating and the ISO 16281 formulas for thrust roller bearings (angle above "
+        "45 deg) are not available, so Cu, aISO and L10r are not computed. C and L10 are those of "
         "ISO 281 for a pure axial load");
     return out;
   }
   if (bearing.rollers() && contacts.slices < 2) {
     out.notes.push_back(
-        "ISO 16281: not computed; it needs slices of the roller, and the contact here is one "
-        "ellipse");
+        "ISO 16281: not computed, because it needs roller slices and this solution has one ellipse "
+        "per contact");
     return out;
   }
   out.reference = reference_life(out, bearing, contacts, condition);

@@ -71,7 +71,7 @@ void set_factors(PartParameters& out, const LifeComponentInput& input, const Mat
         "{}: no STLE factors are known for {}; material and process factors are set to 1", out.name,
         material.name));
   if (!own && !has_tallian)
-    notes.push_back(fmt::format("{}: no Tallian factors are known for {}; they are set to 1",
+    notes.push_back(fmt::format("{}: no Tallian factors are known for {}; the factors are set to 1",
                                 out.name, material.name));
 }
 
@@ -85,10 +85,10 @@ void set_limit(PartParameters& out, const Material& material, double limit_facto
     out.fatigue_limit = {0.0, "none known"};
   out.fatigue_limit.value *= limit_factor;
   if (out.fatigue_limit.value == 0.0)
-    notes.push_back(
-        fmt::format("{}: no fatigue limit is known for {}; it is set to 0, so no life is infinite; "
-                    "with the calibration at 684 MPa the Ioannides-Harris lives are far too short",
-                    out.name, material.name));
+    notes.push_back(fmt::format(
+        "{}: no fatigue limit is known for {}. The limit is set to 0, so no life is infinite. The "
+        "Ioannides-Harris lives are far too short, because the model was calibrated with 684 MPa",
+        out.name, material.name));
 }
 
 }  // namespace
@@ -134,9 +134,8 @@ LifeParameters life_parameters(const bearing::LifeInputs& inputs, bool line,
     if (i != bearing::kElementPart &&
         !(material.elastic_modulus > 185e9 && material.elastic_modulus < 225e9))
       out.notes.push_back(
-          fmt::format("{}: the original Lundberg-Palmgren life holds for steel only, not for a "
-                      "modulus of {:.4g} "
-                      "GPa; the stress models do account for it",
+          fmt::format("{}: the original Lundberg-Palmgren life is valid for steel only, not for a "
+                      "modulus of {:.4g} GPa; the stress models account for the modulus",
                       part.name, 1e-9 * material.elastic_modulus));
   }
   constexpr double kCeramicModulus = 250e9;
@@ -145,8 +144,8 @@ LifeParameters life_parameters(const bearing::LifeInputs& inputs, bool line,
       (element.code == kDeckMaterial && element.elastic_modulus > kCeramicModulus);
   if (out.ceramic_elements && out.choices.elements == bearing::ElementLife::Zaretsky)
     out.notes.push_back(
-        "ceramic rolling elements follow other failure laws: they are left out of the life of the "
-        "bearing (run option lifeElements=all counts them)");
+        "ceramic rolling elements follow other failure laws, so the life of the bearing does not "
+        "include them (run option lifeElements=all includes them)");
   return out;
 }
 

@@ -129,7 +129,7 @@ StressLife::StressLife(const StressModel& model) : model_(model) {
   const double power = model.hazard_exponent - model.depth_exponent + (model.line ? 1.0 : 2.0);
   if (!(model.hazard_exponent > 0.0 && power > 0.0))
     throw InputError(fmt::format(
-        "fatigue life: with stress exponent {} and depth exponent {} life would not fall with "
+        "fatigue life: with stress exponent {} and depth exponent {} life would not decrease with "
         "load; the stress exponent must be above 0 and above the depth exponent - {}",
         model.hazard_exponent, model.depth_exponent, model.line ? 1 : 2));
   n_ = power / model.slope;
@@ -172,7 +172,7 @@ double StressLife::log_hazard(const ContactPatch& patch, const Track& track, dou
   if (h != 1.0 && !(m.depth > 0.0))
     throw InputError(
         fmt::format("fatigue life: with Poisson's ratio {} the largest stress of this contact is "
-                    "at the surface, where a model with a depth exponent has no meaning",
+                    "at the surface, where a model with a depth exponent is not defined",
                     poisson));
   return c * std::log(m.stress) + (h == 1.0 ? 0.0 : (1.0 - h) * std::log(m.depth)) + common;
 }

@@ -54,11 +54,11 @@ std::string rule_text(bearing::SpinRule rule) {
     case bearing::SpinRule::RaceControl:
       return "race control (kAngVel = 1)";
     case bearing::SpinRule::MinimumHeat:
-      return "the spin axis of least heat (kAngVel = 0)";
+      return "minimum-heat spin axis (kAngVel = 0)";
     case bearing::SpinRule::Prescribed:
       break;
   }
-  return "the prescribed spin axis (kAngVel = 2)";
+  return "prescribed spin axis (kAngVel = 2)";
 }
 
 }  // namespace
@@ -80,16 +80,14 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
     if (!slip.numbers.empty())
       add("statics.gyroscopic", slip, j,
           fmt::format(
-              "{}: {} needs a coefficient of friction of {:.3g} at the {} race to stand against "
-              "its "
-              "gyroscopic moment, and {}: such balls slip about the gyroscopic axis, and their "
-              "spin, "
-              "heat and contact angles are not those shown. Raise the load, lower the speed, or "
-              "let ballFriction=balance or a dynamic run (mode 0) find the motion",
+              "{}: {} needs a friction coefficient of {:.3g} at the {} race to resist the "
+              "gyroscopic moment, but {}. Such balls slip about the gyroscopic axis: their actual "
+              "spin, heat and contact angles differ from those shown. Increase the load, reduce "
+              "the speed, or use ballFriction=balance or a dynamic run (mode 0)",
               rule_text(bearing.spin_rule), slip.text(), balls[slip.worst].friction[j], kRace[j],
               available
-                  ? fmt::format("the traction law of the deck has at most {:.3g}", *available)
-                  : "lubricated contacts have some 0.06 at most (the deck has no traction law)"))
+                  ? fmt::format("the traction law of the deck gives at most {:.3g}", *available)
+                  : "lubricated contacts reach only about 0.06 (the deck has no traction law)"))
           .measure(balls[slip.worst].friction[j], available.value_or(kLubricated));
     const Offenders over = offenders(balls, 0.0, [j](const StaticBall& b) { return b.beyond[j]; });
     if (!over.numbers.empty()) {
@@ -101,14 +99,11 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
       }
       add("statics.shoulder", over, j,
           fmt::format(
-              "{}: the contact ellipse reaches over the shoulder of the {} race by {}; the part "
-              "beyond "
-              "carries {} of the contact's {} ({:.3g} %), which a real race does not have ({:.3g} "
-              "% of "
-              "the load of all contacts that reach over it). The solution keeps the whole ellipse: "
-              "displacement, loads and life are optimistic, and the pressure at the edge of "
-              "the "
-              "shoulder is not in them",
+              "{}: the contact ellipse at the {} race extends beyond the shoulder by {}. The part "
+              "beyond the shoulder supports {} of the contact load of {} ({:.3g} %; {:.3g} % of "
+              "the load of all such contacts), but a real race has no surface there. The model "
+              "does not truncate the ellipse: displacement, loads and life are optimistic, and the "
+              "pressure at the shoulder edge is not computed",
               over.text(), kRace[j], quantity(-worst.shoulder_depth[j], unit::kLength, units),
               quantity(worst.beyond[j], unit::kForce, units),
               quantity(worst.Q[j], unit::kForce, units), 100.0 * worst.beyond[j] / worst.Q[j],
@@ -121,13 +116,11 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
       const StaticBall& worst = balls[wide.worst];
       add("statics.ellipse", wide, j,
           fmt::format(
-              "{}: half the length of the contact ellipse at the {} race, {}, is more than half "
-              "the "
-              "ball radius of {}; Hertz theory assumes flat bodies there, so that "
-              "deflection "
-              "and pressure are approximate (groove factor {:.5g}). It grows with the cube root of "
-              "the "
-              "load and reaches the radius at {}: a motion ends where a contact comes to that",
+              "{}: the half length of the contact ellipse at the {} race, {}, is more than half "
+              "the ball radius ({}). Hertz theory assumes nearly flat bodies, so deflection and "
+              "pressure are approximate (groove factor {:.5g}). The half length grows with the "
+              "cube root of the load and equals the ball radius at {}. A dynamic run ends when a "
+              "contact reaches that load",
               wide.text(), kRace[j], quantity(worst.a[j], unit::kLength, units),
               quantity(radius, unit::kLength, units), bearing.balls().groove_factor[j],
               quantity(worst.Q[j] * std::pow(radius / worst.a[j], 3), unit::kForce, units)));

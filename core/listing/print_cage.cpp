@@ -22,10 +22,10 @@ using bearing::PocketShape;
 std::string pocket_name(const Cage& cage, bool rollers) {
   if (!rollers) return std::string(name_of(cage.pocket));
   if (cage.pocket == PocketShape::Cylindrical)
-    return "cylinder about the roller (roller-guided cage)";
+    return "cylinder around the roller (roller-guided cage)";
   const std::size_t pairs = cage.pocket_faces.size();
   if (pairs > 0) return fmt::format("{} pair{} of guide faces", pairs, pairs > 1 ? "s" : "");
-  return "window of parallel faces";
+  return "rectangular, parallel faces";
 }
 
 void lands(Report& report, const Cage& cage) {
@@ -74,17 +74,17 @@ void mass(Report& report, const Bearing& bearing, bool given) {
   }
   try {
     const contact::SolidInertia solid = contact::cage_solid_inertia(contact::cage_solid(bearing));
-    report.item("Mass, from the ideal shape", solid.mass, unit::kMass);
+    report.item("Mass (from the ideal shape)", solid.mass, unit::kMass);
     if (cage.segments.several())
       report.item("Distance of the mass center of a segment from the axis", solid.mass_centre.z(),
                   unit::kLength);
     if (cage.cone_angle != 0.0)
-      report.item("Mass center from the middle of the cage, along x", solid.mass_centre.x(),
-                  unit::kLength);
+      report.item("Axial distance of the mass center from the middle of the cage",
+                  solid.mass_centre.x(), unit::kLength);
     if (bearing.rollers())
       report.text(
-          "The pocket of a roller is cut out with the length of the roller and its diameter at mid "
-          "length plus the pocket clearance.");
+          "Shape of a roller pocket: length of the roller; diameter of the roller at mid-length "
+          "plus the pocket clearance.");
   } catch (const InputError& error) {
     report.text(fmt::format("The mass of the cage is unknown: {}.", error.what()));
   }
@@ -114,11 +114,10 @@ void print_cage_geometry(Report& report, const Bearing& bearing, const deck::Dec
   report.item("Outer diameter", cage.outer_diameter, unit::kLength);
   report.item("Inner diameter", cage.inner_diameter, unit::kLength);
   report.item("Width", cage.width, unit::kLength);
-  report.item("Half cone angle of a conical cage (diameters: at mid width)", cage.cone_angle,
-              unit::kAngle);
+  report.item("Half cone angle (cage diameters: at mid-width)", cage.cone_angle, unit::kAngle);
   report.item("Pocket shape", pocket_name(cage, rollers));
   report.item(!cage.pocket_faces.empty()
-                  ? "Least pocket clearance between the guide faces, diametral"
+                  ? "Smallest pocket clearance between guide faces, diametral"
                   : "Pocket clearance I, diametral",
               cage.pocket_clearance_1, unit::kLength);
   if (!rollers)
@@ -128,12 +127,12 @@ void print_cage_geometry(Report& report, const Bearing& bearing, const deck::Dec
   if (cage.segments.several()) {
     report.item("Number of equal segments (mass and inertia: one segment)",
                 static_cast<long>(cage.segments.count));
-    report.item(
-        "Cut",
-        cage.segments.through_pockets
-            ? fmt::format("through the pockets, first that of element {}", cage.segments.first + 1)
-            : fmt::format("between the pockets, first before element {}", cage.segments.first + 1));
-    report.item("Angle of a cut", cage.segments.cut_angle, unit::kAngle);
+    report.item("Cut", cage.segments.through_pockets
+                           ? fmt::format("through the pockets (first: pocket of element {})",
+                                         cage.segments.first + 1)
+                           : fmt::format("between the pockets (first: before element {})",
+                                         cage.segments.first + 1));
+    report.item("Angular width of a cut", cage.segments.cut_angle, unit::kAngle);
   }
   mass(report, bearing, deck.has("cageMass"));
   lands(report, cage);
@@ -144,10 +143,10 @@ void print_cage_operation(Report& report, const Bearing& bearing) {
   report.heading("Cage in operation");
   report.item("Cage speed (epicyclic)", bearing.operating->cage_speed, unit::kRotation);
   for (const CagePlay& play : bearing.operating->plays)
-    report.item(fmt::format("Play, diametral: {}", play.name), play.operating, unit::kLength);
+    report.item(fmt::format("Diametral clearance: {}", play.name), play.operating, unit::kLength);
   if (const CagePlay* least = least_play(bearing))
     report.item(
-        "Effective cage clearance, the smallest of these radial limits",
+        "Effective cage clearance (smallest of these radial limits)",
         fmt::format("{} {}, {}",
                     Report::number(from_si(least->operating, unit::kLength, report.units())),
                     unit_name(unit::kLength, report.units()), least->name));

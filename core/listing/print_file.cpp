@@ -32,8 +32,8 @@ void PrintFile::check(const std::filesystem::path& path, const std::string& run_
   InputFile stream(path);
   if (!stream)
     throw InputError(
-        fmt::format("{}: the file to be continued cannot be opened; restore it, or start new files "
-                    "with kIcOpt = -1",
+        fmt::format("{}: cannot open the file that this run continues. Restore the file, or start "
+                    "new files with kIcOpt = -1",
                     path.string()));
   std::string_view line;
   LineReader lines(stream);
@@ -84,7 +84,9 @@ std::pair<long, double> PrintFile::stored_end(const std::filesystem::path& path,
     };
     if (line.starts_with("  Step  ")) step = static_cast<long>(value());
     if (line.starts_with("  Time  ")) out = {step, std::max(out.second, value())};
-    if (line.starts_with("  Its end  ")) out.second = std::max(out.second, value());
+    // Files of 0.9.0 have "Its end".
+    if (line.starts_with("  Step end  ") || line.starts_with("  Its end  "))
+      out.second = std::max(out.second, value());
   }
   return out;
 }

@@ -13,10 +13,10 @@ constexpr std::array<const char*, 2> kRaceName{"outer", "inner"};
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::string certainty(const std::string& provenance) {
-  if (provenance == "given") return "the deck's own";
+  if (provenance == "given") return "from the deck";
   if (provenance == "seen") return "from a public source";
-  if (provenance == "recalled") return "at least one recalled, not seen";
-  return "AT LEAST ONE AN ESTIMATE of the lubricant's class, not a measured value";
+  if (provenance == "recalled") return "at least one quoted from memory, not checked";
+  return "AT LEAST ONE IS AN ESTIMATE for the class of the lubricant, not a measured value";
 }
 
 }  // namespace
@@ -24,14 +24,14 @@ std::string certainty(const std::string& provenance) {
 void print_films(Report& report, const statics::LubricantFilms& films, const std::string& element) {
   report.heading("Lubricant films");
   report.item("Lubricant", films.lubricant);
-  report.item("Its constants", certainty(films.provenance));
+  report.item("Source of the lubricant constants", certainty(films.provenance));
   for (std::size_t j = 0; j < 2; ++j) {
     const std::string at = fmt::format("at the inlet of the {} race", kRaceName[j]);
     report.item("Temperature " + at, films.temperature[j], unit::kTemperature);
     report.item("Viscosity " + at, films.viscosity[j], unit::kViscosity);
     report.item("Pressure-viscosity coefficient " + at, films.alpha[j], unit::kPerStress);
   }
-  report.item("Critical film thickness (thinner: metallic contact)", films.critical_film,
+  report.item("Critical film thickness (below: metallic contact)", films.critical_film,
               unit::kLength);
   report.item("Inlet meniscus distance divided by contact half width", films.meniscus, unit::kPure);
   std::vector<Report::Row> rows;
@@ -48,9 +48,9 @@ void print_films(Report& report, const statics::LubricantFilms& films, const std
     rows.push_back(std::move(row));
   }
   report.text(
-      "Film in the middle and at its thinnest; factors of inlet heating (heat) and starvation "
-      "(starve) "
-      "in them; lambda: thinnest film over the composite roughness.");
+      "film: central thickness. least: minimum thickness. heat, starve: factors for inlet heating "
+      "and starvation (included in both). lambda: minimum thickness divided by the composite "
+      "roughness.");
   report.table(element,
                {{"film outer", &unit::kLength},
                 {"least outer", &unit::kLength},
@@ -65,10 +65,10 @@ void print_films(Report& report, const statics::LubricantFilms& films, const std
                rows);
   for (std::size_t j = 0; j < 2; ++j)
     if (films.metal[j] > 0)
-      report.text(fmt::format(
-          "{} of the loaded contacts with the {} race have a film below the critical one: metal "
-          "contact.",
-          films.metal[j], kRaceName[j]));
+      report.text(
+          fmt::format("Metallic contact (film thinner than the critical thickness): {} of the "
+                      "loaded contacts with the {} race.",
+                      films.metal[j], kRaceName[j]));
 }
 
 void add_film_columns(results::StaticTable& elements, const statics::LubricantFilms& films) {

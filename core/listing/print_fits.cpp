@@ -22,7 +22,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  // printed a
 double known(double limit) { return limit > 0.0 ? limit : kNone; }
 
 void fits_table(Report& report, const OperatingFits& fits) {
-  report.heading("Fits, diametral: above 0 interference, below 0 running clearance");
+  report.heading("Diametral fits (positive: interference; negative: clearance)");
   std::vector<Report::Row> rows, stresses;
   const std::array<const char*, 2> names{"outer race in housing", "inner race on shaft"};
   for (std::size_t j = 0; j < 2; ++j) {
@@ -39,22 +39,22 @@ void fits_table(Report& report, const OperatingFits& fits) {
                 {"operating", &unit::kLength},
                 {"p operating", &unit::kPressure}},
                rows, 24);
-  report.heading("Largest hoop stress in operation (fit and rotation; tension above 0)");
+  report.heading("Largest hoop stress in operation from fit and rotation (positive: tension)");
   report.table("", {{"stress", &unit::kPressure}, {"elastic lim", &unit::kPressure}}, stresses, 12);
 }
 
 void growth_table(Report& report, const OperatingFits& fits, bool cage) {
-  report.heading("Radial growth in operation, outward, by cause");
+  report.heading("Radial growth in operation by cause (positive: outward)");
   std::vector<Report::Row> rows;
   const auto row = [&](std::string name, const Growth& g) {
     rows.push_back({std::move(name), {g.thermal, g.centrifugal, g.pressure, g.total()}});
   };
   row("outer raceway", fits.raceway[0]);
   row("inner raceway", fits.raceway[1]);
-  row("outer race at the fit, free", fits.race_at_fit[0]);
-  row("housing bore, free", fits.mate_at_fit[0]);
-  row("shaft outside, free", fits.mate_at_fit[1]);
-  row("inner race bore, free", fits.race_at_fit[1]);
+  row("outer race at the fit, no fit pressure", fits.race_at_fit[0]);
+  row("housing bore, no fit pressure", fits.mate_at_fit[0]);
+  row("shaft outside, no fit pressure", fits.mate_at_fit[1]);
+  row("inner race bore, no fit pressure", fits.race_at_fit[1]);
   if (cage) {
     row("cage outside", fits.cage[0]);
     row("cage bore", fits.cage[1]);
@@ -64,10 +64,11 @@ void growth_table(Report& report, const OperatingFits& fits, bool cage) {
                 {"centrifug.", &unit::kLength},
                 {"fit press.", &unit::kLength},
                 {"total", &unit::kLength}},
-               rows, 28);
+               rows, 40);
   report.item("Growth of the rolling element diameter", fits.element_growth, unit::kLength);
   if (cage)
-    report.item("Cage speed assumed for its growth (epicyclic)", fits.cage_speed, unit::kRotation);
+    report.item("Cage speed assumed for the growth of the cage (epicyclic)", fits.cage_speed,
+                unit::kRotation);
 }
 
 void clearance_table(Report& report, const OperatingFits& fits) {
@@ -82,7 +83,8 @@ void clearance_table(Report& report, const OperatingFits& fits) {
       rows.push_back({name, {state->clearance}});
     report.table("", {{"clearance", &unit::kLength}}, rows, 16);
   } else {
-    report.heading("Internal clearance, diametral, and free contact angle");
+    report.heading(
+        "Diametral internal clearance, free contact angle and distance A of the curvature centers");
     const auto row = [&](const char* name, const ClearanceState& s) {
       rows.push_back({name, {s.clearance, s.contact_angle, s.end_play, s.centre_distance}});
     };
@@ -93,14 +95,14 @@ void clearance_table(Report& report, const OperatingFits& fits) {
                  {{"clearance", &unit::kLength},
                   {"angle", &unit::kAngle},
                   {"end play", &unit::kLength},
-                  {"centres A", &unit::kLength}},
+                  {"centers A", &unit::kLength}},
                  rows, 16);
   }
   report.blank();
   report.item("Pitch diameter, cold", fits.pitch_free, unit::kLength);
   report.item("Pitch diameter, in operation", fits.pitch, unit::kLength);
   if (fits.axial_setting)
-    report.item("Change of the axial setting (above 0: clearance lost)", *fits.axial_setting,
+    report.item("Change of the axial setting (positive: clearance lost)", *fits.axial_setting,
                 unit::kLength);
   if (!(fits.locus[0] > 0.0)) return;  // rollers
   for (std::size_t j = 0; j < 2; ++j) {
@@ -133,7 +135,7 @@ void warm_materials(Report& report, const bearing::Bearing& b) {
                 {"conduct.", &unit::kConductivity},
                 {"spec. heat", &unit::kSpecificHeat}},
                rows, 12);
-  report.text("Expansion is the mean coefficient from 293.15 K.");
+  report.text("Expansion: mean coefficient between 293.15 K and the temperature of the part.");
 }
 
 Json growth_json(const Growth& g) {
@@ -159,11 +161,12 @@ void print_fits(Report& report, const bearing::Bearing& bearing) {
   const OperatingFits& fits = *bearing.operating;
   report.new_page("OPERATING FITS AND CLEARANCES");
   report.text(
-      "Plane-stress rings: free thermal growth, centrifugal growth and growth under fit pressure "
-      "are added. Mounted is at room temperature and rest.");
+      "Rings in plane stress: thermal growth, centrifugal growth and growth from fit pressure are "
+      "added. Mounted: at room temperature, not rotating.");
   if (!fits.changed)
     report.text(
-        "No thermal or centrifugal growth and no fit pressure: the geometry is that of the deck.");
+        "There is no thermal or centrifugal growth and no fit pressure. The geometry is that of "
+        "the deck.");
   fits_table(report, fits);
   growth_table(report, fits, !fits.plays.empty());
   clearance_table(report, fits);

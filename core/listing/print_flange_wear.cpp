@@ -88,8 +88,10 @@ void print_contact(Report& report, const Place& place, bool outer, double of_fla
                 {"from axis", &unit::kLength},
                 {"end", &unit::kSpeed}},
                rows);
-  report.item("Wear rate of the flange by roller 1 now", of_flange * load_slip, unit::kVolumeFlow);
-  report.item("Wear rate of the end of roller 1 there now", of_end * load_slip, unit::kVolumeFlow);
+  report.item("Current wear rate of the flange from contact with roller 1", of_flange * load_slip,
+              unit::kVolumeFlow);
+  report.item("Current wear rate of the end of roller 1 at this flange", of_end * load_slip,
+              unit::kVolumeFlow);
 }
 
 }  // namespace
@@ -108,7 +110,7 @@ void print_flange_wear(Report& report, const scene::Snapshot& snapshot,
     const scene::FlangeContactSnapshot& flange =
         snapshot.elements.front().flange[j][static_cast<std::size_t>(pair.side)];
     report.heading(fmt::format(
-        "1c. Wear over the end of roller 1 and the {} race flange at {}x, depths per time",
+        "1c. Wear depth per time on the end of roller 1 and on the {} race flange at {}x",
         j == 0 ? "outer" : "inner", pair.side == 0 ? "-" : "+"));
     const Place place =
         flange.force > 0.0 ? place_of(pair, snapshot, bearing, flange.force) : Place{};

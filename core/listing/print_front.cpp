@@ -25,7 +25,7 @@ std::string value_text(const deck::Value& value) {
   if (const auto* integer = std::get_if<long long>(&value)) return std::to_string(*integer);
   if (const auto* real = std::get_if<double>(&value)) return fmt::format("{}", *real);
   if (const auto* text = std::get_if<std::string>(&value)) return "'" + *text + "'";
-  return "(left out)";
+  return "(no value)";
 }
 
 /// The first sentence of the help, without its full stop, and what the chosen code means.
@@ -50,7 +50,7 @@ void defaults(Report& report, const deck::Deck& deck) {
   for (const deck::DefaultUsed& used : deck::defaults_used(deck))
     rows.push_back({used.record, used.variable, used.value, used.unit});
   if (rows.empty()) {
-    report.text("None: the deck gives every value.");
+    report.text("None. The deck contains all values.");
     return;
   }
   report.text_table({{"record", 14}, {"variable", 18}, {"value", 76}, {"unit", 12}}, rows);
@@ -59,8 +59,8 @@ void defaults(Report& report, const deck::Deck& deck) {
 void echo(Report& report, const deck::Deck& deck) {
   report.new_page("INPUT");
   report.text(
-      "All records as read, in the units of the deck. Meanings are those of this program; codes "
-      "are followed by the chosen option.");
+      "All records as read, in the units of the deck. The descriptions are from this program. The "
+      "selected option follows the description of a code.");
   const deck::Deck shown = deck::with_orbit_records(deck);
   for (const deck::RecordData& record : shown.records) {
     const deck::RecordSpec* spec = deck::find_record(record.id);
@@ -84,7 +84,7 @@ void echo(Report& report, const deck::Deck& deck) {
   }
   defaults(report, deck);
   if (deck.user_lines.empty()) return;
-  report.heading("Lines for user routines");
+  report.heading("Input lines for user routines");
   for (const std::string& line : deck.user_lines) report.text(line, 4);
 }
 
@@ -144,8 +144,8 @@ void materials(Report& report, const bearing::Bearing& bearing) {
   for (const Part& part : parts)
     names.push_back({part.name, part.material->name, std::to_string(part.material->code),
                      part.material->provenance});
-  report.text_table(
-      {{"part", 12}, {"material", 60}, {"code", 6}, {"weakest source of a value", 30}}, names);
+  report.text_table({{"part", 12}, {"material", 60}, {"code", 6}, {"least reliable source", 30}},
+                    names);
   report.blank();
   struct Property {
     const char* name;
@@ -218,8 +218,8 @@ void materials(Report& report, const bearing::Bearing& bearing) {
                inertia, 12);
   if (places.empty()) return;
   report.text(
-      "Unbalance: geometric center from the mass center; angles from the principal axes of the "
-      "moments above to the geometric axes");
+      "Unbalance: position of the geometric center relative to the mass center; angles from the "
+      "principal axes to the geometric axes");
   report.table("",
                {{"x", &unit::kLength},
                 {"y", &unit::kLength},
@@ -231,7 +231,7 @@ void materials(Report& report, const bearing::Bearing& bearing) {
 }
 
 void traction(Report& report, const bearing::Bearing& bearing) {
-  report.heading("Traction coefficient k over slip speed u");
+  report.heading("Traction coefficient k as a function of slip speed u");
   const auto curve = [&](std::string_view where, const bearing::TractionCurve& c) {
     const bool exponential = c.form == bearing::TractionCurve::Form::Exponential;
     report.text(fmt::format("{}: {}", where,
@@ -248,8 +248,8 @@ void traction(Report& report, const bearing::Bearing& bearing) {
   curve("Rolling element to race", bearing.race_traction);
   if (bearing.pocket_traction) curve("Rolling element to cage pocket", *bearing.pocket_traction);
   if (bearing.land_traction) curve("Cage to race", *bearing.land_traction);
-  report.item("A coefficient that is not zero at rest is smoothed below the slip speed",
-              tribology::kRegularisationSlip, unit::kSpeed);
+  report.item("Slip speed below which friction at rest is smoothed", tribology::kRegularisationSlip,
+              unit::kSpeed);
 }
 
 void operation(Report& report, const PrintFront& front) {
@@ -272,19 +272,19 @@ void operation(Report& report, const PrintFront& front) {
   }
   report.item("Misalignment of the outer race about y", c.outer_misalignment[0], unit::kAngle);
   report.item("Misalignment of the outer race about z", c.outer_misalignment[1], unit::kAngle);
-  const char* spin = bearing.spin_rule == bearing::SpinRule::MinimumHeat   ? "least heat"
+  const char* spin = bearing.spin_rule == bearing::SpinRule::MinimumHeat   ? "minimum heat"
                      : bearing.spin_rule == bearing::SpinRule::RaceControl ? "race control"
-                                                                           : "given orientation";
+                                                                           : "given direction";
   // kAngVel is a rule for balls.
   statics::StaticsOptions statics;
   for (const auto& [name, value] : front.options)
     if (name == "ballFriction")
       statics.friction_balance =
           value == "balance" && !(front.deck.has("kTrac") && front.deck.integer("kTrac") == -1);
-  report.item("Assumption for the internal speeds",
+  report.item("Assumption for the speeds of the rolling elements",
               bearing.rollers() ? "pure rolling at nominal geometry"
               : statics::has_friction_balance(bearing, statics)
-                  ? fmt::format("friction equilibrium, else {}", spin)
+                  ? fmt::format("friction equilibrium (fallback: {})", spin)
                   : spin);
   if (!bearing.rollers() && bearing.spin_rule == bearing::SpinRule::Prescribed)
     report.item("Angle of the spin axis from x", bearing.spin_angle, unit::kAngle);
@@ -297,24 +297,25 @@ void operation(Report& report, const PrintFront& front) {
   report.item("Housing temperature", bearing.mounting.housing_temperature, unit::kTemperature);
   report.item("Shaft temperature", bearing.mounting.shaft_temperature, unit::kTemperature);
   report.item("Room temperature", bearing.room_temperature, unit::kTemperature);
-  report.item("Fit of the outer race at room temperature, diametral (above 0: interference)",
+  report.item("Diametral fit of the outer race, cold (positive: interference)",
               bearing.mounting.fit[0], unit::kLength);
-  report.item("Fit of the inner race at room temperature, diametral (above 0: interference)",
+  report.item("Diametral fit of the inner race, cold (positive: interference)",
               bearing.mounting.fit[1], unit::kLength);
   report.item("Material properties", bearing.mounting.material_laws
-                                         ? "follow the temperature of each part"
-                                         : "constant (room temperature)");
+                                         ? "at the temperature of each part"
+                                         : "at room temperature (constant)");
   const int pieces =
       bearing.cage && front.deck.integer("mode") >= 0 ? bearing.cage->segments.count : 0;
   for (int piece = 0; piece < pieces; ++piece) {
     const bearing::PieceStart& start = bearing.cage->start_of(static_cast<std::size_t>(piece));
     const std::string name = pieces > 1 ? fmt::format("cage segment {}", piece + 1) : "cage";
-    report.heading(fmt::format("Start of the {}", name));
+    report.heading(fmt::format("Initial state of the {}", name));
     report.item("Whirl speed divided by the angular speed of the cage", start.whirl_ratio,
                 unit::kPure);
     report.item("Angular speed divided by the epicyclic speed", start.speed_ratio, unit::kPure);
     for (int k = 0; k < 3; ++k)
-      report.item(fmt::format("Center along {}", "xyz"[k]), start.start_offset[k], unit::kLength);
+      report.item(fmt::format("Center position along {}", "xyz"[k]), start.start_offset[k],
+                  unit::kLength);
     for (int k = 0; k < 3; ++k)
       report.item(fmt::format("Angle {} of the {}",
                               std::array{"eta", "xi", "lambda"}[static_cast<std::size_t>(k)], name),
@@ -341,8 +342,8 @@ void operation(Report& report, const PrintFront& front) {
 void scales(Report& report, const scene::Scales& s) {
   report.heading("Scale factors");
   report.text(
-      "A dimensionless number of the deck (step sizes and end time of record 2.1) times its scale "
-      "is the dimensional value.");
+      "Multiply a dimensionless number of the deck (step sizes and end time of record 2.1) by its "
+      "scale factor to get the value with units.");
   report.item("Length: radius of a rolling element", s.length, unit::kLength);
   report.item("Force: largest applied load", s.force, unit::kForce);
   report.item("Time: sqrt(mass / stiffness) of the stiffest race contact", s.time, unit::kTime);
@@ -360,7 +361,8 @@ void output_control(Report& report, const PrintFront& front) {
   const deck::Deck& deck = front.deck;
   if (deck.integer("mode") >= 0) {
     report.heading("Output control");
-    report.item("kPrtOpt, sections of a printed step", static_cast<long>(deck.integer("kPrtOpt")));
+    report.item("kPrtOpt, sections printed for each printed step",
+                static_cast<long>(deck.integer("kPrtOpt")));
     for (const auto& [name, what] :
          {std::pair{"kPrtFreq", "steps between printed steps"},
           std::pair{"kPltFreq", "steps between stored steps of SOL1-SOL7"},
@@ -373,7 +375,7 @@ void output_control(Report& report, const PrintFront& front) {
     std::string elements;
     for (int k = 1; k <= deck.integer("kNumPltElem"); ++k)
       elements += fmt::format("{} ", deck.integer("kPltElemInd", k));
-    report.item("kPltElemInd, elements with a plot file",
+    report.item("kPltElemInd, bodies with a plot file",
                 elements.empty() ? std::string("none") : elements.substr(0, elements.size() - 1));
   }
   if (front.options.empty()) return;

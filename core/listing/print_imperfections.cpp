@@ -85,7 +85,7 @@ std::vector<Deviation> race_deviations(const bearing::Bearing& b, std::size_t ra
 void print_wave(Report& report, const std::string& label, const bearing::Harmonic& wave,
                 const UnitPair& unit) {
   report.item(label + ": amplitude", wave.amplitude, unit);
-  report.item("    waves per turn", wave.waves, unit::kPure);
+  report.item("    waves per revolution", wave.waves, unit::kPure);
   report.item("    phase", wave.phase, unit::kAngle);
 }
 
@@ -96,17 +96,17 @@ void print_race(Report& report, const bearing::Bearing& b, std::size_t race) {
     const auto range = [&](const char* what, const bearing::TurnSeries& of, const UnitPair& unit) {
       if (of.pairs.empty()) return;
       report.item(
-          fmt::format("User routine ADRX6, {} of the {} race: least", what, kRaceName[race]),
+          fmt::format("User routine ADRX6, {} of the {} race: smallest", what, kRaceName[race]),
           of.least, unit);
       report.item("    largest", of.largest, unit);
     };
     if (const bearing::SurfaceTable* const table = bearing::table_of(&given)) {
       report.text(
-          fmt::format("User routine ADRX6 gives the surface of the {} race over {} places around "
-                      "and {} across.",
+          fmt::format("User routine ADRX6 gives the surface of the {} race on a grid of {} x {} "
+                      "points (around x across).",
                       kRaceName[race], table->around, table->across));
       if (given.curvature_factor.least != 0.0 || given.curvature_factor.largest != 0.0) {
-        report.item(fmt::format("Curvature factor of the {} race: least", kRaceName[race]),
+        report.item(fmt::format("Curvature factor of the {} race: smallest", kRaceName[race]),
                     given.curvature_factor.least, unit::kPure);
         report.item("    largest", given.curvature_factor.largest, unit::kPure);
       }
@@ -122,17 +122,17 @@ void print_race(Report& report, const bearing::Bearing& b, std::size_t race) {
     report.item("    half minor axis minus radius", e.variation[1], unit::kLength);
     report.item("    major axis from the z axis", e.variation[2], unit::kAngle);
   } else {
-    print_wave(report, fmt::format("Wave of the {} race's radius", kRaceName[race]),
+    print_wave(report, fmt::format("Waviness of the {} race radius", kRaceName[race]),
                {e.variation[0], e.variation[1], e.variation[2]}, unit::kLength);
   }
   if (!b.rollers() || b.rollers()->groove_factor[race] > 0.0) {
-    print_wave(report, fmt::format("Wave of the {} race's curvature factor", kRaceName[race]),
+    print_wave(report, fmt::format("Waviness of the {} race curvature factor", kRaceName[race]),
                e.curvature_factor, unit::kPure);
     return;
   }
-  print_wave(report, fmt::format("Wave of the {} race's land offset", kRaceName[race]),
+  print_wave(report, fmt::format("Waviness of the {} race land offset", kRaceName[race]),
              e.land_offset, unit::kLength);
-  print_wave(report, fmt::format("Wave of the {} race's taper", kRaceName[race]), e.taper,
+  print_wave(report, fmt::format("Waviness of the {} race taper", kRaceName[race]), e.taper,
              unit::kAngle);
 }
 
@@ -164,9 +164,10 @@ void print_imperfections(Report& report, const bearing::Bearing& b) {
   const bearing::Imperfections& i = b.imperfections;
   if (i.elements == bearing::ElementErrors::Random) {
     report.text(
-        "Rolling elements: rms values of the deck times normal deviates that depend only on the "
-        "seed, the number of the element and the dimension (option seed).");
-    report.item("Seed of the random table", static_cast<long>(i.seed));
+        "Deviations of the rolling elements: rms values of the deck times normally distributed "
+        "random numbers. The random numbers depend only on the seed (option seed), the element "
+        "number and the dimension.");
+    report.item("Random seed", static_cast<long>(i.seed));
   }
   for (std::size_t race = 0; race < 2; ++race)
     if (i.race_given[race]) print_race(report, b, race);
@@ -174,8 +175,8 @@ void print_imperfections(Report& report, const bearing::Bearing& b) {
   for (std::size_t race = 0; race < 2; ++race)
     if (i.race_given[race])
       print_columns(report,
-                    fmt::format("The {} race at the elements of the quasi-static solution: actual "
-                                "minus nominal",
+                    fmt::format("The {} race at the element positions of the quasi-static "
+                                "solution: actual minus nominal",
                                 kRaceName[race]),
                     b, race_deviations(b, race));
 }

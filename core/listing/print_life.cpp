@@ -45,9 +45,9 @@ const char* shape_text(life::ContactShape shape, bool line) {
 void lives(Report& report, const BearingLife& life) {
   const double S = life.parameters.survival.value;
   report.text(
-      "Lives under constant loads of the quasi-static solution. Lives of the parts and L10 are "
-      "those that 90 % survive, in 1e6 revolutions of one race relative to the other; values in ( "
-      ") are not counted in the bearing.");
+      "Lives at the constant loads of the quasi-static solution. Part lives and L10: 90 % "
+      "survival, in 1e6 revolutions of one race relative to the other. Values in ( ) are not "
+      "included in the bearing life.");
   report.blank();
   std::vector<std::vector<std::string>> rows;
   for (std::size_t m = 0; m < life::kModels; ++m)
@@ -74,17 +74,16 @@ void lives(Report& report, const BearingLife& life) {
                     rows);
   report.blank();
   const bearing::LifeChoices& choices = life.parameters.choices;
-  report.item("SOL7, terminal and sweeps show (sol7Life)",
+  report.item("Life model in SOL7, terminal and sweeps (sol7Life)",
               life_name(choices.stored_model, choices.stored_modification));
   report.item("Specified survival probability", marked(life.parameters.survival));
   report.item("Weibull slope of the bearing", marked(life.parameters.bearing_slope));
   report.text(
-      "Origin (of a life with factors: the model's, then the factors'): the constant of the "
-      "original theory is published (seen). The constants of the three stress models are "
-      "CALIBRATED on it by this program, at one contact where all models agree; they are not the "
-      "constants of the models' authors. The STLE tables are recalled from the literature (film "
-      "curve +-30 %); the asperity term of the Tallian-type factor is a form of this program "
-      "(derived).");
+      "Column \"origin\": model, then + factors. The constant of the original theory is published "
+      "(seen). This program CALIBRATED the constants of the three stress models to that constant, "
+      "at one contact where all models agree. They are not the constants of the authors of the "
+      "models. The STLE tables are quoted from memory of the literature (recalled; film curve +-30 "
+      "%). The asperity term of the Tallian-type factor was derived for this program.");
 }
 
 void races(Report& report, const BearingLife& life) {
@@ -96,11 +95,11 @@ void races(Report& report, const BearingLife& life) {
                     &unit == &unit::kPure ? "" : std::string(unit_name(unit, report.units()))});
   };
   using Race = life::RaceReport;
-  rows.push_back({"turns relative to the load", life.race[0].rotating ? "yes" : "no",
+  rows.push_back({"rotates relative to the load", life.race[0].rotating ? "yes" : "no",
                   life.race[1].rotating ? "yes" : "no", ""});
   const bool rollers = life.effective_length > 0.0;
   if (rollers) {
-    rows.push_back({"counts as (rule of Harris, recalled)",
+    rows.push_back({"contact type (rule of Harris, recalled)",
                     shape_text(life.state.shape[0], life.race[0].line),
                     shape_text(life.state.shape[1], life.race[1].line), ""});
     row("ellipse of the most loaded roller, 2a", unit::kLength,
@@ -108,7 +107,8 @@ void races(Report& report, const BearingLife& life) {
     row("effective length of a roller", unit::kLength,
         [&](const Race&) { return life.effective_length; });
   }
-  row("contact angle (mean of the loaded)", unit::kAngle, [](const Race& r) { return r.angle; });
+  row("contact angle (mean of loaded contacts)", unit::kAngle,
+      [](const Race& r) { return r.angle; });
   row("D cos(angle) / pitch diameter", unit::kPure, [](const Race& r) { return r.gamma; });
   row("load capacity Qc, original theory", unit::kForce, [](const Race& r) { return r.Q_c; });
   row("equivalent contact load Qe", unit::kForce, [](const Race& r) { return r.Q_e; });
@@ -147,13 +147,13 @@ void parameters(Report& report, const BearingLife& life) {
                      {"part", 17},
                      {"multiplier", 13},
                      {"stress exponent", 21},
-                     {"of hazard", 10},
+                     {"hazard exp", 10},
                      {"depth exponent", 21},
                      {"n", 8}},
                     rows);
   report.text(
-      "The stress exponent of the Gupta-Zaretsky type refers to life; the exponent of hazard is "
-      "that times the Weibull slope.");
+      "The stress exponent of the Gupta-Zaretsky type refers to life. Its hazard exponent is the "
+      "stress exponent times the Weibull slope.");
   report.blank();
   rows.clear();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -168,18 +168,19 @@ void parameters(Report& report, const BearingLife& life) {
                      {"Weibull slope", 20},
                      {"original multiplier", 20},
                      {fmt::format("limit [{}]", pressure), 18},
-                     {"of it", 12},
+                     {"origin", 12},
                      {fmt::format("residual stress [{}]", pressure), 26}},
                     rows);
   report.text(fmt::format(
-      "Fatigue limit: von Mises stress of the material times facStrLimit = {}; ISO 281 corresponds "
-      "to about {} {} (seen). Residual stress: tension is positive (reading of this program).",
+      "Fatigue limit: von Mises limit stress of the material times facStrLimit = {}. ISO 281 "
+      "corresponds to about {} {} (seen). Residual stress: positive in tension (interpretation of "
+      "this program).",
       Report::number(life.parameters.limit_factor),
       with_unit(report, life::constants().iso_equivalent_limit.value, unit::kPressure), pressure));
   report.item("Form of the Ioannides-Harris model",
               life.parameters.choices.limit_form == bearing::LimitForm::Peak
                   ? "largest von Mises stress minus the limit"
-                  : "depth integral of the orthogonal shear of a line contact above its limit");
+                  : "depth integral of the orthogonal shear stress above the limit (line contact)");
 }
 
 /// At which temperature the lives know each property.
@@ -195,14 +196,15 @@ void properties(Report& report, const BearingLife& life) {
                 {"modulus", &unit::kPressure},
                 {"Poisson", &unit::kPure}},
                rows, 18);
-  report.text(follows ? "Moduli, pressures and ellipses are those at the temperature of each part "
-                        "(kMatPropMod = 1; constant beyond the range of each law)."
-                      : "The moduli are those of room temperature (kMatPropMod is not 1), "
-                        "independent of the temperature of the part.");
   report.text(
-      "Poisson's ratio, fatigue limit and life factors are those of room temperature, because the "
-      "material table has no law for them. The hardness factor is that of the record, for "
-      "operating temperature; its default is 1.");
+      follows
+          ? "Moduli, pressures and ellipses are those at the temperature of each part (kMatPropMod "
+            "= 1). Outside the range of a material law, its value at the end of the range applies."
+          : "The moduli are those at room temperature, because kMatPropMod is not 1.");
+  report.text(
+      "Poisson's ratio, fatigue limit and life factors are those at room temperature, because the "
+      "material table has no law for them. The hardness factor is that of the deck, at operating "
+      "temperature (default 1).");
 }
 
 void factors(Report& report, const BearingLife& life) {
@@ -224,8 +226,7 @@ void factors(Report& report, const BearingLife& life) {
                      {"residual", 10},
                      {"life factor", 12}},
                     rows);
-  report.heading(
-      "Tallian-type factors: hazard multipliers, and the life factor of the original theory");
+  report.heading("Tallian-type factors: hazard multipliers and life factor of the original theory");
   rows.clear();
   for (std::size_t i = 0; i < 3; ++i) {
     const life::PartParameters& part = life.parameters.part[i];
@@ -250,7 +251,8 @@ void factors(Report& report, const BearingLife& life) {
 
 void iso(Report& report, const life::IsoReport& r) {
   report.heading(
-      "ISO 281 / ISO 16281 companions (after public implementations; not the lives above)");
+      "Additional results of ISO 281 and ISO 16281 (from public implementations; separate from the "
+      "lives above)");
   const auto optional_life = [&](const char* name, const std::optional<double>& life) {
     report.item(name, life ? life_text(*life) + " Mrev" : std::string("not available"));
   };
@@ -261,40 +263,42 @@ void iso(Report& report, const life::IsoReport& r) {
       report.item(name, "not available");
   };
   report.item("Rating angle", r.geometry.contact_angle, unit::kAngle);
-  report.item("Rating factor bm (recalled)", r.geometry.rating_factor, unit::kPure);
-  report.item("Dynamic load rating C (formula seen)", r.C, unit::kForce);
+  report.item("Rating factor bm (from memory)", r.geometry.rating_factor, unit::kPure);
+  report.item("Dynamic load rating C (formula from a public source)", r.C, unit::kForce);
   const bool roller = r.geometry.type == life::IsoType::RadialRoller ||
                       r.geometry.type == life::IsoType::ThrustRoller;
-  optional_force(roller ? "Static load rating C0 (formula seen)"
-                        : "Static load rating C0 (factor f0 recalled)",
+  optional_force(roller ? "Static load rating C0 (formula from a public source)"
+                        : "Static load rating C0 (factor f0 from memory)",
                  r.C0);
-  optional_force(
-      roller ? "Fatigue load limit Cu (C0/8.2, seen)" : "Fatigue load limit Cu (1500 MPa, seen)",
-      r.C_u);
+  optional_force(roller ? "Fatigue load limit Cu (C0/8.2, from a public source)"
+                        : "Fatigue load limit Cu (1500 MPa, from a public source)",
+                 r.C_u);
   report.item("Radial load", r.radial, unit::kForce);
   report.item("Axial load", r.axial, unit::kForce);
   if (r.equivalent) {
-    report.item("Equivalent load P (factors recalled or seen)", r.equivalent->P, unit::kForce);
+    report.item("Equivalent load P (factors from memory or a public source)", r.equivalent->P,
+                unit::kForce);
     report.item("    X", r.equivalent->X, unit::kPure);
     report.item("    Y", r.equivalent->Y, unit::kPure);
     report.item("    e", r.equivalent->e, unit::kPure);
   }
-  optional_life("L10 (ISO 281; with C and P as marked)", r.L10);
+  optional_life("L10 (ISO 281; sources: see C and P)", r.L10);
   report.item("Life factor a1 for the survival probability (from memory)", r.a1, unit::kPure);
   if (r.kappa) report.item("Viscosity ratio kappa (option)", *r.kappa, unit::kPure);
   if (r.contamination)
     report.item("Contamination factor eC (option)", *r.contamination, unit::kPure);
-  if (r.a_iso) report.item("aISO (coefficients seen)", *r.a_iso, unit::kPure);
-  if (r.outside) report.text("The viscosity ratio is below 0.1, outside the standard.");
-  optional_life("Lnm = a1 aISO L10 (as marked)", r.L_nm);
+  if (r.a_iso) report.item("aISO (coefficients from a public source)", *r.a_iso, unit::kPure);
+  if (r.outside)
+    report.text("The viscosity ratio is below 0.1, which is outside the range of the standard.");
+  optional_life("Lnm = a1 aISO L10 (sources: see a1, aISO and L10)", r.L_nm);
   if (r.reference) {
     report.item("Reference load Pref (ISO 16281)", r.reference->P_ref, unit::kForce);
     report.item("    race capacity Qci", r.reference->capacity_inner, unit::kForce);
     report.item("    race capacity Qce", r.reference->capacity_outer, unit::kForce);
   }
-  optional_life("L10r (ISO 16281, formula seen)",
+  optional_life("L10r (ISO 16281, formula from a public source)",
                 r.reference ? std::optional(r.reference->L10r) : std::nullopt);
-  optional_life("Lnmr (as marked)", r.L_nmr);
+  optional_life("Lnmr = a1 aISO L10r (sources: see a1, aISO and L10r)", r.L_nmr);
 }
 
 }  // namespace
@@ -333,33 +337,33 @@ void print_life(Report& report, const BearingLife& life) {
 void print_run_life(Report& report, const RunLife& run) {
   report.heading("Fatigue life of the run (Palmgren-Miner sum over the window)");
   report.item("Model", life_name(run.model, run.modification));
-  report.item("Origin of its constants", life_origin(run.model, run.modification));
-  report.item("Left out at the start", run.skipped_turns * 2.0 * unit::kPi, unit::kRevolution);
+  report.item("Origin of the constants", life_origin(run.model, run.modification));
+  report.item("Excluded at the start", run.skipped_turns * 2.0 * unit::kPi, unit::kRevolution);
   report.item("Window", run.damage.seconds(), unit::kTime);
-  report.item("Window, relative revolutions of the races",
+  report.item("Window, revolutions of one race relative to the other",
               run.damage.revolutions() * 2.0 * unit::kPi, unit::kRevolution);
   constexpr std::array<const char*, 3> kParts{"outer race", "inner race", "rolling elements"};
   for (std::size_t i = 0; i < kParts.size(); ++i)
     report.item(fmt::format("Damage in the window, {}", kParts[i]), run.damage.damage()[i],
                 unit::kPure);
   if (!(run.damage.seconds() > 0.0)) {
-    report.text("The window is empty: no life of the run.");
+    report.text("The window is empty. The life of the run is not computed.");
     return;
   }
-  report.item("Samples: integration steps, each with its contact loads",
-              fmt::format("{}", run.steps));
+  report.item("Load samples (integration steps)", fmt::format("{}", run.steps));
   report.item("Evaluations of the full life model", fmt::format("{}", run.evaluations));
-  report.item("Mean change of damage at equal loads between two of them", run.change, unit::kPure);
-  report.item("Life, the window repeated, 90 % survival",
+  report.item("Mean change of damage between evaluations (equal loads)", run.change, unit::kPure);
+  report.item("Life at 90 % survival if the window repeats",
               life_text(run.damage.life_mega_revolutions(run.slopes)) + " Mrev");
-  report.item("Life, the window repeated, 90 % survival",
+  report.item("Life at 90 % survival if the window repeats",
               life_text(run.damage.life_hours(run.slopes)) + " hr");
   if (std::isnan(run.relative_error))
-    report.text(fmt::format(
-        "Spread: not computed. {} batches of {:.3g} revolutions are too few; extend the run.",
-        run.batches, run.revolutions_per_batch));
+    report.text(
+        fmt::format("Standard error: not computed. {} batches of {:.3g} revolutions are too few. "
+                    "Extend the run.",
+                    run.batches, run.revolutions_per_batch));
   else
-    report.item(fmt::format("Spread: standard error of {} batches of {:.3g} revolutions, relative",
+    report.item(fmt::format("Relative standard error ({} batches of {:.3g} revolutions)",
                             run.batches, run.revolutions_per_batch),
                 run.relative_error, unit::kPure);
 }

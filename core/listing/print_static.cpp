@@ -18,13 +18,13 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 void ball_contacts(Report& report, const statics::StaticSolution& solution) {
-  report.item("Race control criterion (above 1: outer race)", solution.race_control_ratio,
+  report.item("Race control criterion (above 1: outer race control)", solution.race_control_ratio,
               unit::kPure);
   for (std::size_t race = 0; race < 2; ++race) {
     const char* name = race == 0 ? "outer" : "inner";
     report.item(fmt::format("Hertz constant K of Q = K delta^1.5, {} race", name),
                 solution.hertz[race].K, unit::kHertzConstant);
-    report.item(fmt::format("Ratio of the contact ellipse, {} race", name),
+    report.item(fmt::format("Axis ratio of the contact ellipse, {} race", name),
                 solution.hertz[race].kappa, unit::kPure);
   }
 }
@@ -37,11 +37,12 @@ std::string edge_limits(const bearing::Bearing& bearing, std::size_t race, UnitS
   };
   const double shoulder = bearing.balls().shoulder_diameter[race];
   const double shim = bearing.balls().shim[race];
-  return fmt::format("Allowed at the {} race: s {}; t {}.", race == 0 ? "outer" : "inner",
-                     shoulder > 0.0 ? fmt::format("above 0, shoulder diameter {}", length(shoulder))
-                                    : std::string("without a limit, no shoulder given"),
-                     shim > 0.0 ? fmt::format("above {}, half the shim", length(0.5 * shim))
-                                : std::string("without a limit, not split"));
+  return fmt::format(
+      "Limits at the {} race: s {}; t {}.", race == 0 ? "outer" : "inner",
+      shoulder > 0.0 ? fmt::format("above 0 (shoulder diameter {})", length(shoulder))
+                     : std::string("not limited (no shoulder diameter given)"),
+      shim > 0.0 ? fmt::format("above {} (half the shim thickness)", length(0.5 * shim))
+                 : std::string("not limited (race not split)"));
 }
 
 void balls(Report& report, const statics::StaticSolution& solution,
@@ -78,7 +79,8 @@ void balls(Report& report, const statics::StaticSolution& solution,
                 {"pmax inner", &unit::kPressure}},
                loads);
   report.heading(
-      "Contact ellipses (a across, b along the rolling direction) and spin to roll ratios");
+      "Contact ellipses (half axes a across, b along the rolling direction) and spin-to-roll "
+      "ratios");
   report.table("ball",
                {{"a outer", &unit::kLength},
                 {"b outer", &unit::kLength},
@@ -87,10 +89,11 @@ void balls(Report& report, const statics::StaticSolution& solution,
                 {"s/r outer", &unit::kPure},
                 {"s/r inner", &unit::kPure}},
                ellipses);
-  report.heading("Edges of the contacts on their grooves");
+  report.heading("Contact edges in the grooves");
   report.text(
-      "s: depth of the contact's far edge below the shoulder; below 0 it reaches over. t: from the "
-      "middle plane of the groove to the contact's near edge, where a split race has its gap.");
+      "s: depth of the outer edge of the contact below the shoulder (negative: beyond the "
+      "shoulder). t: distance of the inner edge of the contact from the middle plane of the "
+      "groove, where a split race has its gap.");
   for (std::size_t race = 0; race < 2; ++race)
     report.text(edge_limits(bearing, race, report.units()));
   report.table("ball",
@@ -133,8 +136,8 @@ void split_races(Report& report, const statics::StaticSolution& solution,
             of_second(second.p_max), of_second(second.a), of_second(second.b)}});
     }
     report.heading(
-        fmt::format("Split {} race: inner edge of the contact from the split, gap to "
-                    "the other half, contact with the other half",
+        fmt::format("Split {} race: distance of the inner contact edge from the split, gap to the "
+                    "other half, contact with the other half",
                     name));
     report.table("ball",
                  {{"azimuth", &unit::kAngle},
@@ -156,7 +159,8 @@ void split_races(Report& report, const statics::StaticSolution& solution,
 void print_race_equilibrium(Report& report, const statics::RaceResult& solution,
                             const bearing::Bearing& bearing) {
   report.text(
-      "Inner race relative to the outer race, base frame; loads are what the shaft applies to it.");
+      "Inner race relative to the outer race, in the base frame. Loads: applied by the shaft to "
+      "the inner race.");
   report.text(datum_text(bearing, report.units()));
   const double radius = 0.5 * bearing.pitch_diameter();
   const auto displacement = without_rounding(solution.displacement, radius);
@@ -184,14 +188,14 @@ void print_race_equilibrium(Report& report, const statics::RaceResult& solution,
   }
   report.blank();
   report.item("Largest contact load", solution.max_load, unit::kForce);
-  report.item("Largest stiffness of a contact", solution.max_stiffness, unit::kStiffness);
+  report.item("Largest contact stiffness", solution.max_stiffness, unit::kStiffness);
   report.item("Iterations", static_cast<long>(solution.iterations));
-  report.item("Largest force residual over the load", solution.residual, unit::kPure);
+  report.item("Largest force residual divided by the load", solution.residual, unit::kPure);
 }
 
 /// Entries are force or moment over length or radian.
 void print_race_stiffness(Report& report, const statics::RaceResult& solution) {
-  report.heading("Stiffness: change of the load (rows) with the displacement (columns)");
+  report.heading("Stiffness: change of the load (rows) per displacement (columns)");
   const UnitSystem units = report.units();
   const std::array<const char*, 5> loads{"Fx", "Fy", "Fz", "My", "Mz"},
       motions{"x", "y", "z", "rot y", "rot z"};

@@ -25,7 +25,7 @@ const char* shape_name(bearing::RollerShape shape) {
     case bearing::RollerShape::Crowned:
       break;
   }
-  return "straight land, crown tangent at its ends";
+  return "straight land with tangent crowns";
 }
 
 void flanges(Report& report, const bearing::RollerGeometry& g) {
@@ -66,12 +66,13 @@ void summary(Report& report, const statics::RollerSolution& s) {
   report.item("Spin of a roller about its axis, relative to the orbit", s.spin_speed,
               unit::kRotation);
   report.item("Centrifugal force on a roller", s.centrifugal_force, unit::kForce);
-  report.item("Gyroscopic moment about y that the contacts supply", s.gyroscopic_moment,
+  report.item("Gyroscopic moment about y, supported by the contacts", s.gyroscopic_moment,
               unit::kMoment);
   if (s.guide_force > 0.0) {
-    report.item("Held along each roller by guide ring or cage", s.guide_force, unit::kForce);
+    report.item("Force along the axis of each roller from guide ring or cage", s.guide_force,
+                unit::kForce);
   }
-  report.text("Skew of the rollers is kept at zero. " + s.unloaded_rule);
+  report.text("Roller skew is assumed to be zero. " + s.unloaded_rule);
 }
 
 /// Position of the largest pressure: the middle of the neighboring slices that carry it (to 1e-9,
@@ -100,8 +101,8 @@ void contacts(Report& report, const statics::RollerSolution& s, std::size_t race
   }
   report.heading(fmt::format("Contacts with the {} race", kRaceName[race]));
   report.text(
-      "Moments are about mid-length. At: distance of the pressure peak from mid-length (of two "
-      "equal peaks: larger x).");
+      "Moments are about mid-length. Column \"at\": axial distance of the pressure peak from "
+      "mid-length (of two equal peaks, the one at larger x).");
   report.table("roller",
                {{"load Q", &unit::kForce},
                 {"moment", &unit::kMoment},
@@ -115,8 +116,8 @@ void contacts(Report& report, const statics::RollerSolution& s, std::size_t race
   if (std::any_of(s.rollers.begin(), s.rollers.end(),
                   [race](const auto& r) { return r.race[race].at_edge; }))
     report.text(
-        "* the contact reaches a corner of the roller or an edge of the land: the stress there is "
-        "higher than printed.");
+        "*: the contact reaches a corner of the roller or an edge of the land. The edge stress is "
+        "higher than the printed pressure.");
 }
 
 void positions(Report& report, const statics::RollerSolution& s) {
@@ -128,7 +129,7 @@ void positions(Report& report, const statics::RollerSolution& s) {
          {r.azimuth, r.x, r.r, r.tilt, r.race[0].load, r.race[1].load, s.centrifugal_force}});
   }
   report.heading(
-      "Position of the rollers (middle of the roller; tilt of its axis to the bearing axis)");
+      "Roller positions (middle of the roller; tilt of the roller axis to the bearing axis)");
   report.table("roller",
                {{"azimuth", &unit::kAngle},
                 {"axial", &unit::kLength},
@@ -173,8 +174,8 @@ void profile(Report& report, const statics::RollerSolution& s) {
   const auto& inner = s.rollers[heaviest[1]].race[1];
   if (outer.slice_load.empty() || !(outer.load + inner.load > 0.0)) return;
   report.heading(
-      fmt::format("Along the heaviest rollers ({} at the outer, {} at the inner race), from mid "
-                  "length towards +x",
+      fmt::format("Slices of the most loaded rollers (roller {} at the outer, {} at the inner "
+                  "race); positions from mid-length towards +x",
                   heaviest[0] + 1, heaviest[1] + 1));
   std::vector<Report::Row> rows;
   for (std::size_t k = 0; k < s.slice_position.size(); ++k)
@@ -195,7 +196,7 @@ void profile(Report& report, const statics::RollerSolution& s) {
 void print_roller_geometry(Report& report, const bearing::RollerGeometry& g,
                            const bearing::Envelope& envelope) {
   report.item("Number of rollers", static_cast<long>(g.count));
-  report.item("Roller diameter at mid length", g.diameter, unit::kLength);
+  report.item("Roller diameter at mid-length", g.diameter, unit::kLength);
   report.item("Roller length", g.length, unit::kLength);
   report.item("Roller profile", shape_name(g.shape));
   report.item("Crown radius", g.crown_radius, unit::kLength);
@@ -205,7 +206,7 @@ void print_roller_geometry(Report& report, const bearing::RollerGeometry& g,
   report.item("Corner radius, +x end", g.corner_radius[1], unit::kLength);
   report.item("End radius, -x end (0: flat)", g.end_radius[0], unit::kLength);
   report.item("End radius, +x end (0: flat)", g.end_radius[1], unit::kLength);
-  report.item("Half angle of the roller's taper", g.half_angle, unit::kAngle);
+  report.item("Half taper angle of the roller", g.half_angle, unit::kAngle);
   report.item("Angle of the roller axis to the bearing axis", g.axis_angle, unit::kAngle);
   report.item("Pitch diameter", g.pitch_diameter, unit::kLength);
   report.item("Diametral clearance", g.clearance, unit::kLength);
@@ -222,7 +223,7 @@ void print_roller_geometry(Report& report, const bearing::RollerGeometry& g,
          {g.race_angle[r], 2.0 * g.race_radius(race), 2.0 * g.groove_factor[r] * g.crown_radius,
           g.land_width[r], envelope.race_width[r], g.roughness[r]}});
   }
-  report.text("Groove radius 0: straight raceway; land width 0: no limit.");
+  report.text("Groove radius 0: straight raceway. Land width 0: not limited.");
   report.table("",
                {{"angle", &unit::kAngle},
                 {"diameter", &unit::kLength},

@@ -54,7 +54,7 @@ std::string_view no_films(RaceFriction friction) {
     case RaceFriction::Film:
       break;
   }
-  return "no friction of the races";
+  return "no race friction";
 }
 
 /// Load distribution along roller 1 (page 1a).
@@ -79,7 +79,7 @@ void mean(Report& report, std::string_view label, double value, const UnitPair& 
   if (time > 0.0)
     report.item(label, value, unit);
   else
-    report.item(label, "not computed: no time has passed");
+    report.item(label, "not computed at time zero");
 }
 
 void wear(Report& report, const scene::Snapshot& snapshot, std::string_view label, double rate) {
@@ -96,7 +96,7 @@ void race_wear(Report& report, const scene::Snapshot& snapshot, const StepRecord
     wear(report, snapshot, j == 0 ? outer : inner, record["race.wear_rate"][j]);
     const auto& flanges = snapshot.elements.front().flange[j];
     if (flanges[0].present || flanges[1].present)
-      wear(report, snapshot, "    of it: flanges", record["race.flange_wear_rate"][j]);
+      wear(report, snapshot, "    flange part", record["race.flange_wear_rate"][j]);
   }
 }
 
@@ -210,8 +210,8 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
     const char* name = race == 0 ? "outer" : "inner";
     report.heading(
         rollers
-            ? fmt::format("Contacts with the {} race (a half the length in contact, b, "
-                          "pressure and place of the slice that is pressed most)",
+            ? fmt::format("Contacts with the {} race (a: half the contact length; b, pressure, "
+                          "place: of the slice with the largest pressure)",
                           name)
             : fmt::format(
                   "Contacts with the {} race (a across, b along the rolling direction; edge: {})",
@@ -251,7 +251,7 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
     print_flange_wear(report, snapshot, bearing);
   }
   if (record.shape.pairs > 0) {
-    report.heading("Elements and the next ones in the ring (gap: negative in contact)");
+    report.heading("Contacts between neighboring elements (gap: negative in contact)");
     std::vector<Report::Row> rows;
     for (int j = 0; j < record.shape.pairs; j += interval) {
       const auto at = static_cast<std::size_t>(j);
@@ -262,10 +262,9 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
   }
   if (record.shape.cages == 0) return;
   report.heading(
-      rollers
-          ? "Cage pockets (gap: negative in contact; position: of the contact along the surface)"
-          : "Cage pockets (gap: negative in contact; theta: 0 the cage drives, 180 deg the "
-            "element drives)");
+      rollers ? "Cage pockets (gap: negative in contact; position: contact point along the surface)"
+              : "Cage pockets (gap: negative in contact; theta = 0: the cage drives, "
+                "theta = 180 deg: the element drives)");
   std::vector<Report::Column> columns;
   const char* last = rollers ? "pocket.position" : "pocket.phi";
   for (const char* id : {"pocket.force", "pocket.gap", "pocket.theta", last})
@@ -291,8 +290,8 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
   report.table("element", columns, rows);
   if (record.shape.last_halves > 0)
     report.text(
-        "The cuts go through pockets: the rows of their elements are the halves at the starts of "
-        "segments, the rows \"end\" those at the ends of segments.");
+        "The cage is cut through pockets. In a cut pocket, the row of the element is the half at "
+        "the start of a segment; the row \"end\" is the half at the end of a segment.");
 }
 
 /// By the model that run option sol7Life names, as if the loads of `life_step` lasted for ever.
@@ -300,7 +299,7 @@ void fatigue_life(Report& report, const scene::Snapshot& snapshot, long life_ste
   const double life = snapshot.power.life_hours;
   const std::string label =
       life_step == snapshot.step
-          ? std::string("Fatigue life at the present loads (sol7Life; page FATIGUE LIFE)")
+          ? std::string("Fatigue life at the current loads (sol7Life)")
           : fmt::format("Fatigue life at the loads of step {} (kLifeFreq; sol7Life)", life_step);
   if (std::isinf(life))
     report.item(label, "INFINITE");
@@ -378,11 +377,10 @@ void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& r
     const bool films = std::any_of(shown.begin(), shown.end(), [](const scene::LandSnapshot& land) {
       return land.film_force > 0.0;
     });
-    report.heading(films
-                       ? "Cage to race contact and film (contact angle in the cage frame; attitude "
-                         "from the least gap to the film's load)"
-                       : "Cage to race contact (contact angle in the cage frame; no attitude angle "
-                         "without hydrodynamics)");
+    report.heading(films ? "Contact and film between cage and race (angle: azimuth of the contact "
+                           "in the cage frame; attitude: from the smallest gap to the film force)"
+                         : "Contact between cage and race (angle: azimuth of the contact in the "
+                           "cage frame; no attitude angle without a film)");
     std::vector<Report::Row> lands;
     for (std::size_t k = 0; k < snapshot.cages.size(); ++k) {
       int number = 0;
@@ -459,9 +457,9 @@ void applied(Report& report, const scene::Snapshot& snapshot, const bearing::Bea
       bearing.rollers() != nullptr ? bearing.rollers()->clearance : bearing.balls().clearance,
       unit::kLength);
   if (bearing.operating) {
-    report.item("Operating fit of the outer race, diametral (above 0: interference)",
+    report.item("Diametral operating fit, outer race (positive: interference)",
                 bearing.operating->fit[0].interference, unit::kLength);
-    report.item("Operating fit of the inner race, diametral (above 0: interference)",
+    report.item("Diametral operating fit, inner race (positive: interference)",
                 bearing.operating->fit[1].interference, unit::kLength);
   }
   if (!bearing.cage) return;
@@ -500,8 +498,8 @@ void summary(Report& report, const scene::Snapshot& snapshot, const StepRecord& 
   report.item("Power loss, average over time", averages.power_loss, unit::kPower);
   for (const auto& item : snapshot.energy.items())
     if (item.term->kind == scene::LedgerKind::Heat)
-      report.item(fmt::format("    of it now: {}", item.place()), item.rate, unit::kPower);
-  report.item("Churning and drag, fraction of the loss", snapshot.power.churning_fraction,
+      report.item(fmt::format("    current rate: {}", item.place()), item.rate, unit::kPower);
+  report.item("Fraction of the power loss from churning and drag", snapshot.power.churning_fraction,
               unit::kPure);
   wear(report, snapshot, "Average wear rate, rolling element 1",
        record["power.element1_wear_rate"][0]);
@@ -511,7 +509,7 @@ void summary(Report& report, const scene::Snapshot& snapshot, const StepRecord& 
     wear(report, snapshot, "Average wear rate, cage", record["power.cage_wear_rate"][0]);
   fatigue_life(report, snapshot, life_step);
   if (snapshot.held_elements)
-    report.item("Elements held in force balance", static_cast<long>(*snapshot.held_elements));
+    report.item("Quasi-static elements", static_cast<long>(*snapshot.held_elements));
   report.item("Energy residual", snapshot.energy.residual(), unit::kEnergy);
 }
 
@@ -560,23 +558,23 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
   for (const auto& [name, value] : run.counters)
     report.item(fmt::format("Counter: {}", name), value);
   if (run.error_sum) {
-    report.item("Error estimates of the steps, of the scales: sum", *run.error_sum, unit::kPure);
-    report.item("Error estimates of the steps, of the scales: largest", *run.error_largest,
+    report.item("Step error estimates divided by the scales: sum", *run.error_sum, unit::kPure);
+    report.item("Step error estimates divided by the scales: largest", *run.error_largest,
                 unit::kPure);
   } else if (!run.integrator.empty()) {
-    report.item("Error estimates of the steps", "not computed: this method forms none here");
+    report.item("Step error estimates", "not computed (not available with this method)");
   }
 
   if (!run.stability.empty()) report.text("Stability: " + run.stability);
   if (run.load) {
-    report.heading("Mean load of the elements over the stored instants, compared with the deck");
+    report.heading("Mean load on the elements over the stored steps, compared with the deck");
     for (int k = 0; k < 3; ++k) {
       const char axis = "xyz"[k];
       if (run.load->given[static_cast<std::size_t>(k)])
         report.item(fmt::format("{}: specified", axis), run.load->asked[k], unit::kForce);
       report.item(fmt::format("{}: actual", axis), run.load->mean[k], unit::kForce);
     }
-    report.item("difference from the specified load", run.load->departure(), unit::kPure);
+    report.item("relative difference from the specified load", run.load->departure(), unit::kPure);
   }
 
   report.heading("Arithmetic settings (affect the last digits)");
@@ -589,7 +587,7 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
 
   if (life) print_run_life(report, *life);
 
-  report.heading("Plan: simulated length and its reason");
+  report.heading("Plan: effects and unknowns of this run");
   std::vector<std::vector<std::string>> rows;
   for (const scene::EffectEntry& effect : plan.effects)
     for (std::string_view rest = effect.because, first = effect.name;;) {
@@ -614,37 +612,37 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
       report.item(name, value, unit::kEnergy);
     const double scale = energy_scale(*run.energy);
     if (scale > 0.0)
-      report.item("residual over the energy that moved", run.energy->residual() / scale,
+      report.item("residual divided by the exchanged energy", run.energy->residual() / scale,
                   unit::kPure);
     if (const double heat = results::heat_scale(*run.energy); heat > 0.0)
-      report.item("residual over the heat", run.energy->residual() / heat, unit::kPure);
+      report.item("residual divided by the heat", run.energy->residual() / heat, unit::kPure);
     if (run.elastic && *run.elastic > 0.0)
-      report.item("residual over the elastic energy of the quasi-static solution",
+      report.item("residual divided by the elastic energy, quasi-static solution",
                   run.energy->residual() / *run.elastic, unit::kPure);
   }
   if (!run.momentum.empty()) {
-    report.heading("Conservation of momentum of elements and cage since the start, base frame, SI");
+    report.heading(
+        "Conservation of momentum of elements and cage since the start (base frame, SI units)");
     for (const auto& [name, value] : run.momentum) report.item(name, value, unit::kPure);
   }
   if (run.max_quaternion_error)
-    report.item("largest departure of a quaternion's length from 1", *run.max_quaternion_error,
+    report.item("largest deviation of a quaternion norm from 1", *run.max_quaternion_error,
                 unit::kPure);
   if (run.quadrature_error) {
-    report.item("error of the contact integrals, of the traction force",
-                run.quadrature_error->force, unit::kPure);
+    report.item("error of the contact integrals / traction force", run.quadrature_error->force,
+                unit::kPure);
     if (run.quadrature_error->heat_of_finer > 0.0)
-      report.item("error of the contact integrals, of the heat of the races",
+      report.item("error of the contact integrals / heat of the races",
                   run.quadrature_error->heat_of_rule / run.quadrature_error->heat_of_finer - 1.0,
                   unit::kPure);
   }
 
   if (!run.cost.empty()) {
-    report.heading(
-        run.measured_from > 0
-            ? fmt::format("Cost: where the computing time went since the run was continued at step "
-                          "{} (measured, differs from run to run)",
-                          run.measured_from)
-            : "Cost: where the computing time went (measured, differs from run to run)");
+    report.heading(run.measured_from > 0
+                       ? fmt::format("Cost: computing time since the continuation at step {} by "
+                                     "program part (measured; varies from run to run)",
+                                     run.measured_from)
+                       : "Cost: computing time by program part (measured; varies from run to run)");
     rows.clear();
     double total = 0.0;
     for (const scene::CostLedger::Row& row : run.cost) {
@@ -654,9 +652,9 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
                                         : std::string()});
     }
     rows.push_back(
-        {"accounted for", "", fmt::format("{:.4f}", total),
+        {"sum of these parts", "", fmt::format("{:.4f}", total),
          run.seconds > 0.0 ? fmt::format("{:.1f} %", 100.0 * total / run.seconds) : std::string()});
-    rows.push_back({run.measured_from > 0 ? "since then" : "whole run", "",
+    rows.push_back({run.measured_from > 0 ? "since continuation" : "whole run", "",
                     fmt::format("{:.4f}", run.seconds), ""});
     report.text_table({{"part", 40}, {"calls", 14}, {"seconds", 12}, {"share", 8}}, rows);
   }

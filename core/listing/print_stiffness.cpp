@@ -38,7 +38,7 @@ void print_row(Report& report, const statics::StiffnessRow& row) {
                              from_si(row.speed[0], unit::kRotation, report.units()),
                              from_si(row.speed[1], unit::kRotation, report.units())));
   if (!row.failure.empty()) {
-    report.text("No stiffness: " + row.failure);
+    report.text("Stiffness not computed: " + row.failure);
     for (const std::string& warning : warnings_of(row)) report.text("Warning: " + warning);
     return;
   }
@@ -60,7 +60,7 @@ void print_row(Report& report, const statics::StiffnessRow& row) {
   report.text_table(columns, rows);
   report.item("Largest contact load", row.result.max_load, unit::kForce);
   if (differences)
-    report.item("Largest difference, divided by the largest entry of its kind",
+    report.item("Largest difference / largest entry with the same unit",
                 statics::stiffness_disagreement(row.result.stiffness, *differences), unit::kPure);
   if (!row.operating) return;
   const bearing::OperatingFits& fits = *row.operating;
@@ -78,11 +78,11 @@ void print_stiffness_table(Report& report, const std::vector<statics::StiffnessR
                            double share) {
   report.new_page("STIFFNESS OVER SPEED");
   report.text(
-      "Change of the load on the inner race (rows) with its displacement (columns) at fixed speed, "
-      "every rolling element in equilibrium. Exact linearization.");
+      "Change of the load on the inner race (rows) per displacement of the inner race (columns) at "
+      "constant speed. All rolling elements are in equilibrium. Exact linearization.");
   if (share > 0.0)
     report.text(
-        fmt::format("By difference: the race is displaced in both directions by {:.4g} % of the "
+        fmt::format("By difference: from displacements of the inner race of +- {:.4g} % of the "
                     "largest contact deflection.",
                     100.0 * share));
   for (const statics::StiffnessRow& row : rows) print_row(report, row);

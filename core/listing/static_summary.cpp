@@ -72,16 +72,16 @@ void inner_race(Report& report, const StaticSummary& s, const Bearing& bearing) 
   report.text_table({{"inner race", 18},
                      {"displacement", 22},
                      {"", 6},
-                     {"load that the shaft applies", 28},
+                     {"load from the shaft", 28},
                      {"", 6},
-                     {"stiffness, its own direction", 30}},
+                     {"stiffness in this direction", 30}},
                     rows);
   const auto& outer = bearing.constraints.outer_misalignment;
   if (outer[0] != 0.0 || outer[1] != 0.0) {
     const auto tilt = relative_tilt({r.displacement[3], r.displacement[4]}, outer);
     report.text(fmt::format(
-        "Tilts are in the base frame, in which the outer race is tilted by {} about y and {} about "
-        "z; relative to the outer race the inner one is tilted by {} about y and {} about z.",
+        "Tilts are in the base frame. Tilt of the outer race: {} about y, {} about z. Tilt of the "
+        "inner race relative to the outer race: {} about y, {} about z.",
         quantity(outer[0], unit::kAngle, units), quantity(outer[1], unit::kAngle, units),
         quantity(tilt[0], unit::kAngle, units), quantity(tilt[1], unit::kAngle, units)));
   }
@@ -109,8 +109,8 @@ void contacts(Report& report, const StaticSummary& s) {
     }
     rows.push_back(std::move(cells));
   };
-  strength("von Mises below it, race", 0);
-  strength(fmt::format("von Mises below it, {}", s.element), 1);
+  strength("subsurface von Mises, race", 0);
+  strength(fmt::format("subsurface von Mises, {}", s.element), 1);
   row("smallest contact angle", unit::kAngle, &RaceSummary::least_angle);
   row("largest contact angle", unit::kAngle, &RaceSummary::most_angle);
   row("least depth below shoulder", unit::kLength, &RaceSummary::shoulder);
@@ -146,7 +146,7 @@ void geometry(Report& report, const bearing::OperatingFits& fits) {
   report.text_table({{"operating geometry", 42}, {"cold", 22}, {"mounted", 22}, {"operating", 22}},
                     rows);
   if (cones)
-    report.text("Axial setting taken up (above 0: clearance lost): " +
+    report.text("Change of the axial setting (positive: clearance lost): " +
                 cell(*fits.axial_setting, unit::kLength));
   report.blank();
   rows.clear();
@@ -158,11 +158,11 @@ void geometry(Report& report, const bearing::OperatingFits& fits) {
          cell(fit.race_hoop, unit::kPressure),
          fit.race_limit > 0.0 ? cell(fit.race_limit, unit::kPressure) : std::string("not known")});
   }
-  report.text_table({{"fits in operation (below 0: loose)", 34},
+  report.text_table({{"fit in operation (negative: loose)", 34},
                      {"interference", 20},
                      {"pressure", 20},
                      {"hoop stress of race", 22},
-                     {"its elastic limit", 20}},
+                     {"elastic limit", 20}},
                     rows);
 }
 
@@ -293,7 +293,7 @@ std::array<double, 2> relative_tilt(const std::array<double, 2>& inner,
 std::string datum_text(const Bearing& bearing, UnitSystem units) {
   const bool cones =
       bearing.type == bearing::Type::Tapered || bearing.type == bearing::Type::SphericalTapered;
-  std::string place = cones               ? "both races just touch the rollers"
+  std::string place = cones               ? "both races touch the rollers without load"
                       : bearing.rollers() ? "the mid planes of both races coincide"
                                           : "the planes of the groove centers coincide";
   if (!bearing.rollers()) {
@@ -303,18 +303,18 @@ std::string datum_text(const Bearing& bearing, UnitSystem units) {
         bearing.operating ? bearing.operating->free.contact_angle : bearing.balls().contact_angle;
     if (apart != 0.0)
       place = fmt::format(
-          "all balls just touch both grooves at {}, by +x (the planes of the groove centers "
-          "coincide at x = {})",
+          "all balls touch both grooves without load at a contact angle of {} on the +x side (the "
+          "planes of the groove centers coincide at x = {})",
           quantity(angle, unit::kAngle, units), quantity(-apart, unit::kLength, units));
   }
-  const char* const kept = !bearing.rollers() ? "the plane of its groove centers"
+  const char* const kept = !bearing.rollers() ? "the plane of the groove centers"
                            : bearing.type == bearing::Type::Spherical
-                               ? "the plane of the outer groove's centers"
+                               ? "the plane of the outer groove centers"
                                : "the middle plane of the row";
   return fmt::format(
-      "Zero of displacements: the bearing unmounted, at room temperature and at rest, races "
-      "coaxial; at x = 0 {}. Fits, temperatures and speeds move the raceways, but not this datum: "
-      "each race keeps {}; axial growth of the rings against their faces is not modeled.",
+      "Datum of displacements: unmounted bearing at room temperature, not rotating, races coaxial. "
+      "At x = 0, {}. Fits, temperatures and speeds move the raceways, but not the datum: on each "
+      "race, {} does not move. Axial growth of the rings relative to their faces is not modeled.",
       place, kept);
 }
 
@@ -360,7 +360,7 @@ std::vector<std::string> summary_lines(const StaticSummary& s, const Bearing& be
                               : 0;
     const AtElement& at = s.race[j].*member;
     out.push_back(at.element == 0
-                      ? fmt::format("{}: none, nothing touches", name)
+                      ? fmt::format("{}: none (no contact)", name)
                       : fmt::format("{}: {} ({} {}, {})", name, quantity(at.value, unit, units),
                                     s.element, at.element, kRace[j]));
   };

@@ -109,13 +109,13 @@ constexpr auto kTable = std::to_array<Channel>({
      each<Per::Element, 1>([](const Source& s) { return s.ball().x; }), "along the bearing axis"},
     {"element.theta", "orientation theta", &unit::kAngle, "A", true,
      each<Per::Element, 1>([](const Source& s) { return theta_of(s.ball().x_axis); }),
-     "of the principal x axis; 0 when not integrated"},
+     "of the principal x axis; 0 if the orientation is not integrated"},
     {"element.phi", "orientation phi", &unit::kAngle, "A", false,
      each<Per::Element, 1>([](const Source& s) { return phi_of(s.ball().x_axis); }),
-     "of the principal x axis; 0 when not integrated"},
+     "of the principal x axis; 0 if the orientation is not integrated"},
     {"element.rotation", "total rotation", &unit::kAngle, "A", false,
      each<Per::Element, 1>([](const Source& s) { return s.ball().total_rotation; }),
-     "about the principal x axis; 0 when not integrated"},
+     "about the principal x axis; 0 if the orientation is not integrated"},
     {"element.angular_velocity", "angular velocity", &unit::kRotation, "A", false,
      each<Per::Element, 1>([](const Source& s) { return s.ball().omega.norm(); }),
      "magnitude of the angular velocity vector"},
@@ -127,7 +127,7 @@ constexpr auto kTable = std::to_array<Channel>({
      "direction of the angular velocity vector"},
     {"element.orientation", "orientation quaternion", &unit::kPure, "N", false,
      each<Per::Element, 4>([](const Source& s) { return s.ball().orientation[s.component]; }),
-     "body to base frame; identity when not integrated"},
+     "body to base frame; identity if the orientation is not integrated"},
     {"element.angular_velocity_vector", "angular velocity vector", &unit::kRotation, "A", false,
      each<Per::Element, 3>(
          [](const Source& s) { return s.ball().omega[static_cast<int>(s.component)]; }),
@@ -135,18 +135,19 @@ constexpr auto kTable = std::to_array<Channel>({
     {"element.pocket_to_centre", "pocket center to element center", &unit::kLength, "P", false,
      each<Per::Element, 3>(
          [](const Source& s) { return s.ball().pocket_to_centre[static_cast<int>(s.component)]; }),
-     "0 without cage"},
+     "vector from pocket center to element center; 0 without a cage"},
     {"element.pocket_heat", "pocket heat", &unit::kPower, "-", false,
      each<Per::Element, 1>([](const Source& s) { return s.ball().pocket_heat; }),
-     "dissipated in the pocket of the element, friction and film"},
+     "dissipated in the pocket of the element by friction and film"},
     // Element / race contacts, outer then inner.
     {"contact.load", "contact load", &unit::kForce, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().load; }), "normal load Q"},
     {"contact.angle", "contact angle", &unit::kAngle, "A", false,
-     each<Per::Contact, 1>([](const Source& s) { return s.contact().angle; }), "0 when open"},
+     each<Per::Contact, 1>([](const Source& s) { return s.contact().angle; }), "0 without contact"},
     {"contact.spin_to_roll", "spin to roll ratio", &unit::kPure, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().spin_to_roll; }),
-     "relative angular velocity normal to the contact divided by that in its plane"},
+     "relative angular velocity normal to the contact divided by the component in the contact "
+     "plane"},
     {"contact.slip", "largest slip velocity", &unit::kSpeed, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().max_slip; }),
      "within the contact ellipse"},
@@ -155,7 +156,7 @@ constexpr auto kTable = std::to_array<Channel>({
      "dissipated in the contact"},
     {"contact.rolling_heat", "rolling resistance heat", &unit::kPower, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().rolling_heat; }),
-     "power of the rolling resistance of the oil; on both halves of a split race"},
+     "power of the rolling resistance of the oil; sum of both halves of a split race"},
     {"contact.damping_heat", "contact damping heat", &unit::kPower, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().damping_heat; }),
      "power dissipated by contact damping"},
@@ -164,7 +165,7 @@ constexpr auto kTable = std::to_array<Channel>({
      "0 with a hypothetical traction law"},
     {"contact.least_film", "least film thickness", &unit::kLength, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().least_film; }),
-     "at the thinnest place; 0 with a hypothetical traction law"},
+     "minimum over the contact; 0 with a hypothetical traction law"},
     {"contact.film_parameter", "film parameter", &unit::kPure, "-", false,
      each<Per::Contact, 1>([](const Source& s) {
        const double lambda = s.contact().film_parameter;
@@ -173,13 +174,13 @@ constexpr auto kTable = std::to_array<Channel>({
      "smallest film thickness divided by the composite roughness; 0 without film or roughness"},
     {"contact.load_slip", "integral of load times slip", &unit::kPower, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().load_slip; }),
-     "pressure times slip speed over the contact"},
+     "pressure times slip speed, integrated over the contact"},
     {"contact.temperature_rise", "contact temperature rise", &unit::kTemperature, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().temperature_rise; }),
-     "above the race"},
+     "contact temperature minus race temperature"},
     {"contact.temperature", "race contact temperature", &unit::kTemperature, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().contact_temperature; }),
-     "race temperature and rise"},
+     "race temperature plus contact temperature rise"},
     {"contact.half_major", "contact half width, transverse", &unit::kLength, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().half_major; }),
      "half axis a of the ellipse"},
@@ -191,16 +192,16 @@ constexpr auto kTable = std::to_array<Channel>({
      "in the middle of the ellipse"},
     {"contact.edge", "contact edge position", &unit::kLength, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().edge; }),
-     "depth s of the contact's edge below the shoulder"},
+     "depth s of the contact edge below the shoulder"},
     {"contact.peak_position", "place of the largest pressure", &unit::kLength, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().peak_position; }),
-     "along a roller from its middle; 0 for balls"},
+     "axial distance from the middle of the roller; 0 for balls"},
     // Balls on split races: contacts above are those with the half that carries more.
     {"second_contact.load", "second contact load", &unit::kForce, "-", false,
      each<Per::Second, 1>([](const Source& s) { return s.second().load; }),
-     "normal load on the other half of a split race; 0 when open"},
+     "normal load on the other half of a split race; 0 without contact"},
     {"second_contact.angle", "second contact angle", &unit::kAngle, "A", false,
-     each<Per::Second, 1>([](const Source& s) { return s.second().angle; }), "0 when open"},
+     each<Per::Second, 1>([](const Source& s) { return s.second().angle; }), "0 without contact"},
     {"second_contact.heat", "second contact heat", &unit::kPower, "-", false,
      each<Per::Second, 1>([](const Source& s) { return s.second().heat; }),
      "dissipated in the contact"},
@@ -209,7 +210,7 @@ constexpr auto kTable = std::to_array<Channel>({
      "largest within the contact ellipse"},
     {"second_contact.load_slip", "second contact load times slip", &unit::kPower, "-", false,
      each<Per::Second, 1>([](const Source& s) { return s.second().load_slip; }),
-     "pressure times slip speed over the contact"},
+     "pressure times slip speed, integrated over the contact"},
     {"second_contact.half_major", "second contact half width, transverse", &unit::kLength, "-",
      false, each<Per::Second, 1>([](const Source& s) { return s.second().half_major; }),
      "half axis a of the whole ellipse"},
@@ -226,7 +227,7 @@ constexpr auto kTable = std::to_array<Channel>({
     {"flange.gap", "flange gap", &unit::kLength, "-", false,
      each<Per::Flange, 1>(
          [](const Source& s) { return std::isfinite(s.flange().gap) ? s.flange().gap : 0.0; }),
-     "geometric interaction, negative in contact; 0 where the race has no flange"},
+     "distance between roller end and flange, negative in contact; 0 where the race has no flange"},
     {"flange.heat", "flange heat", &unit::kPower, "-", false,
      each<Per::Flange, 1>([](const Source& s) { return s.flange().heat; }),
      "dissipated in the contact"},
@@ -235,22 +236,22 @@ constexpr auto kTable = std::to_array<Channel>({
      "power dissipated by contact damping"},
     {"flange.slip", "flange slip velocity", &unit::kSpeed, "-", false,
      each<Per::Flange, 1>([](const Source& s) { return s.flange().slip; }),
-     "of the contact point; 0 when open"},
+     "of the contact point; 0 without contact"},
     {"flange.load_slip", "flange load times slip", &unit::kPower, "-", false,
      each<Per::Flange, 1>([](const Source& s) { return s.flange().load_slip; }),
-     "of the contact; 0 when open"},
+     "load times slip speed; 0 without contact"},
     {"flange.height", "flange contact height", &unit::kLength, "-", false,
      each<Per::Flange, 1>([](const Source& s) { return s.flange().height; }),
      "height of the nearest point on the flange face"},
     // Pockets, one value per guide surface.
     {"pocket.force", "pocket force", &unit::kForce, "-", false,
      each<Per::Pocket, 1>([](const Source& s) { return s.pocket().force; }),
-     "of the cage on the element"},
+     "normal force of the cage on the element"},
     {"pocket.gap", "pocket gap", &unit::kLength, "-", false,
      each<Per::Pocket, 1>([](const Source& s) { return s.pocket().gap; }), "negative in contact"},
     {"pocket.theta", "pocket contact angle theta", &unit::kAngle, "P", false,
      each<Per::Pocket, 1>([](const Source& s) { return s.pocket().theta; }),
-     "0 the cage drives the element, 180 deg the element drives the cage"},
+     "0: the cage drives the element; 180 deg: the element drives the cage"},
     {"pocket.phi", "pocket contact angle phi", &unit::kAngle, "P", false,
      each<Per::Pocket, 1>([](const Source& s) { return s.pocket().phi; }),
      "cone angle or latitude; 0 for cylindrical pockets"},
@@ -268,17 +269,18 @@ constexpr auto kTable = std::to_array<Channel>({
     {"cage.whirl_ratio", "whirl ratio", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return over_race_speed(s, cage_orbit(s).theta_dot); }),
-     "whirl speed of the center of the (uncut) cage divided by the speed of the faster race"},
+     "whirl speed of the cage center divided by the speed of the faster race; segments: center of "
+     "the uncut cage"},
     {"cage.radial_velocity", "radial velocity", &unit::kSpeed, "N", false,
      each<Per::Cage, 1>([](const Source& s) { return cage_orbit(s).r_dot; }),
-     "of the center of the (uncut) cage"},
+     "of the cage center; segments: center of the uncut cage"},
     {"cage.axial_velocity", "axial velocity", &unit::kSpeed, "N", false,
      each<Per::Cage, 1>([](const Source& s) { return s.cage_body().velocity.x(); }),
-     "of the center of the (uncut) cage"},
+     "of the cage center; segments: center of the uncut cage"},
     {"cage.land1_force", "land 1 force", &unit::kForce, "-", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return land_value(s, 0, [](const auto& l) { return l.force; }); }),
-     "normal force of cage and race"},
+     "normal force between cage and race"},
     {"cage.land1_gap", "land 1 gap", &unit::kLength, "-", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return land_value(s, 0, [](const auto& l) { return l.gap; }); }),
@@ -286,11 +288,11 @@ constexpr auto kTable = std::to_array<Channel>({
     {"cage.land1_angle", "land 1 contact angle", &unit::kAngle, "K", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return land_value(s, 0, [](const auto& l) { return l.angle; }); }),
-     "azimuth of the least gap"},
+     "azimuth of the smallest gap"},
     {"cage.land2_force", "land 2 force", &unit::kForce, "-", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return land_value(s, 1, [](const auto& l) { return l.force; }); }),
-     "normal force of cage and race"},
+     "normal force between cage and race"},
     {"cage.land2_gap", "land 2 gap", &unit::kLength, "-", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return land_value(s, 1, [](const auto& l) { return l.gap; }); }),
@@ -298,40 +300,40 @@ constexpr auto kTable = std::to_array<Channel>({
     {"cage.land2_angle", "land 2 contact angle", &unit::kAngle, "K", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return land_value(s, 1, [](const auto& l) { return l.angle; }); }),
-     "azimuth of the least gap"},
+     "azimuth of the smallest gap"},
     {"cage.orbital_acceleration", "orbital acceleration", &unit::kRotationRate, "N", false,
      each<Per::Cage, 1>([](const Source& s) { return cage_orbit(s).theta_ddot; }),
-     "of the center of the (uncut) cage about the bearing axis"},
+     "of the cage center about the bearing axis; segments: center of the uncut cage"},
     {"cage.radial_acceleration", "radial acceleration", &unit::kAcceleration, "N", false,
      each<Per::Cage, 1>([](const Source& s) { return cage_orbit(s).r_ddot; }),
      "second derivative of the radial position"},
     {"cage.axial_acceleration", "axial acceleration", &unit::kAcceleration, "N", false,
      each<Per::Cage, 1>([](const Source& s) { return s.cage_body().acceleration.x(); }),
-     "of the center of the (uncut) cage"},
+     "of the cage center; segments: center of the uncut cage"},
     {"cage.x_over_clearance", "x position over clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.x() / cage_clearance(s); }),
-     "divided by the mean radial guide land clearance; without guided lands by the radial pocket "
-     "clearance I (N71)"},
+     "position divided by the mean radial guide land clearance; without guided lands: by the "
+     "radial pocket clearance I (N71)"},
     {"cage.y_over_clearance", "y position over clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.y() / cage_clearance(s); }),
-     "divided by the mean radial guide land clearance; without guided lands by the radial pocket "
-     "clearance I (N71)"},
+     "position divided by the mean radial guide land clearance; without guided lands: by the "
+     "radial pocket clearance I (N71)"},
     {"cage.z_over_clearance", "z position over clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.z() / cage_clearance(s); }),
-     "divided by the mean radial guide land clearance; without guided lands by the radial pocket "
-     "clearance I (N71)"},
+     "position divided by the mean radial guide land clearance; without guided lands: by the "
+     "radial pocket clearance I (N71)"},
     {"cage.orbital_position", "orbital position", &unit::kAngle, "N", true,
      each<Per::Cage, 1>([](const Source& s) { return cage_orbit(s).theta; }),
-     "azimuth of the center of the (uncut) cage"},
+     "azimuth of the cage center; segments: center of the uncut cage"},
     {"cage.radial_position", "radial position", &unit::kLength, "N", false,
      each<Per::Cage, 1>([](const Source& s) { return cage_orbit(s).r; }),
-     "of the center of the (uncut) cage"},
+     "of the cage center; segments: center of the uncut cage"},
     {"cage.axial_position", "axial position", &unit::kLength, "N", false,
      each<Per::Cage, 1>([](const Source& s) { return s.cage_body().position.x(); }),
-     "of the center of the (uncut) cage"},
+     "of the cage center; segments: center of the uncut cage"},
     {"cage.theta", "orientation theta", &unit::kAngle, "N", true,
      each<Per::Cage, 1>(
          [](const Source& s) { return theta_of(body_x_axis(s.cage_body().orientation)); }),
@@ -356,11 +358,11 @@ constexpr auto kTable = std::to_array<Channel>({
     {"cage.position", "position", &unit::kLength, "N", false,
      each<Per::Cage, 3>(
          [](const Source& s) { return s.cage_body().position[static_cast<int>(s.component)]; }),
-     "of the center of the (uncut) cage"},
+     "of the cage center; segments: center of the uncut cage"},
     {"cage.velocity", "velocity", &unit::kSpeed, "N", false,
      each<Per::Cage, 3>(
          [](const Source& s) { return s.cage_body().velocity[static_cast<int>(s.component)]; }),
-     "of the center of the (uncut) cage"},
+     "of the cage center; segments: center of the uncut cage"},
     {"cage.orientation", "orientation quaternion", &unit::kPure, "N", false,
      each<Per::Cage, 4>([](const Source& s) { return s.cage_body().orientation[s.component]; }),
      "body to base frame"},
@@ -376,7 +378,7 @@ constexpr auto kTable = std::to_array<Channel>({
      each<Per::Land, 1>([](const Source& s) {
        return land_value(s, s.land, [](const auto& l) { return l.force; });
      }),
-     "normal force of cage and race"},
+     "normal force between cage and race"},
     {"land.gap", "guide land gap", &unit::kLength, "-", false,
      each<Per::Land, 1>([](const Source& s) {
        return land_value(s, s.land, [](const auto& l) { return l.gap; });
@@ -386,22 +388,22 @@ constexpr auto kTable = std::to_array<Channel>({
      each<Per::Land, 1>([](const Source& s) {
        return land_value(s, s.land, [](const auto& l) { return l.angle; });
      }),
-     "azimuth of the least gap"},
+     "azimuth of the smallest gap"},
     {"land.film_force", "guide land film force", &unit::kForce, "-", false,
      each<Per::Land, 1>([](const Source& s) {
        return land_value(s, s.land, [](const auto& l) { return l.film_force; });
      }),
-     "of the oil between cage and race; 0 without hydrodynamics (kGsHydro)"},
+     "force of the oil film between cage and race; 0 without hydrodynamics (kGsHydro)"},
     {"land.attitude", "guide land attitude angle", &unit::kAngle, "-", false,
      each<Per::Land, 1>([](const Source& s) {
        return land_value(s, s.land, [](const auto& l) { return l.attitude; });
      }),
-     "angle from the line of the smallest gap to the film load"},
+     "angle from the smallest gap to the film force"},
     {"land.heat", "guide land heat", &unit::kPower, "-", false,
      each<Per::Land, 1>([](const Source& s) {
        return land_value(s, s.land, [](const auto& l) { return l.heat; });
      }),
-     "dissipated at the guide land, friction and film"},
+     "dissipated at the guide land by friction and film"},
     // Races, outer then inner.
     {"race.whirl_speed", "whirl speed", &unit::kRotation, "N", false,
      each<Per::Race, 1>([](const Source& s) { return race_orbit(s).theta_dot; }),
@@ -486,7 +488,7 @@ constexpr auto kTable = std::to_array<Channel>({
     {"race.flange_wear_rate", "average wear rate of the flanges", &unit::kVolumeFlow, "-", false,
      each<Per::Race, 1>(
          [](const Source& s) { return race_wear(s, s.snapshot->power.qv_flange[s.race]); }),
-     "part of the race wear rate at its flanges; 0 without flanges"},
+     "flange part of the race wear rate; 0 without flanges"},
     {"race.temperature", "bulk temperature", &unit::kTemperature, "-", false,
      each<Per::Race, 1>([](const Source& s) { return s.bearing->race_temperature[s.race]; }),
      "of the race"},
@@ -499,7 +501,7 @@ constexpr auto kTable = std::to_array<Channel>({
      "churning and drag as a fraction of the power loss"},
     {"power.life", "fatigue life", &unit::kLife, "-", false,
      each<Per::Run, 1>([](const Source& s) { return plotted_life(s.snapshot->power.life_hours); }),
-     "at the loads of the last life prediction (kLifeFreq); infinite as 9.9999999E+30; 0 where no "
+     "at the loads of the last life prediction (kLifeFreq); 9.9999999E+30: infinite life; 0: no "
      "life model is active"},
     {"power.element1_wear_rate", "average wear rate, rolling element 1", &unit::kVolumeFlow, "-",
      false, each<Per::Run, 1>([](const Source& s) {
@@ -559,12 +561,12 @@ constexpr auto kTable = std::to_array<Channel>({
      "of the last thermal step"},
     {"thermal.outer_film", "outer contact film temperature", &unit::kTemperature, "-", false,
      each<Per::Thermal, 1>([](const Source& s) { return s.thermal().film[0]; }),
-     "mean of all contacts, of the last thermal step; NaN: not computed (before the first step, "
-     "and by the ladder)"},
+     "mean of all contacts in the last thermal step; NaN: not computed (before the first step or "
+     "with thermalModel=ladder)"},
     {"thermal.inner_film", "inner contact film temperature", &unit::kTemperature, "-", false,
      each<Per::Thermal, 1>([](const Source& s) { return s.thermal().film[1]; }),
-     "mean of all contacts, of the last thermal step; NaN: not computed (before the first step, "
-     "and by the ladder)"},
+     "mean of all contacts in the last thermal step; NaN: not computed (before the first step or "
+     "with thermalModel=ladder)"},
     {"thermal.housing_mean", "housing mean temperature", &unit::kTemperature, "-", false,
      each<Per::Thermal, 1>([](const Source& s) { return s.thermal().housing_mean; }),
      "of the last thermal step"},
@@ -607,7 +609,7 @@ ChannelTable::ChannelTable(scene::LedgerTerms energy)
   channels_.push_back(
       {"energy.residual", "energy residual", &unit::kEnergy, "-", false,
        each<Per::Run, 1>([](const Source& s) { return s.snapshot->energy.residual(); }),
-       "work less heat less change of stored energy"});
+       "work minus heat minus change of stored energy"});
   ids_ = ids;
 }
 

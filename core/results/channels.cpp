@@ -105,7 +105,7 @@ const StepRecord& ChannelRecorder::record(const scene::Snapshot& snapshot, StepB
   const Shape& shape = record_.shape;
   demand(snapshot.elements.size() == static_cast<std::size_t>(shape.elements) &&
              snapshot.cages.size() == static_cast<std::size_t>(shape.cages),
-         "the snapshot is not one of this bearing");
+         "the snapshot is of another bearing");
   for (const scene::ElementSnapshot& element : snapshot.elements)
     demand(shape.cages == 0 ||
                element.pocket.size() == static_cast<std::size_t>(shape.pocket_surfaces),

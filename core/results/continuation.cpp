@@ -13,22 +13,23 @@ namespace adore::results {
 namespace {
 
 constexpr std::string_view kRemedy =
-    "give the old deck's values, or start new files with kIcOpt = -1";
+    "use the values of the old deck, or start new files with kIcOpt = -1";
 
 template <class T>
 void compare(const std::filesystem::path& path, std::string_view what, const T& found,
              const T& expected) {
   if (found == expected) return;
-  throw InputError(fmt::format("{}: the file to be continued has {} {}, this run {}; {}",
-                               path.string(), what, found, expected, kRemedy));
+  throw InputError(
+      fmt::format("{}: the file that this run continues has {} {}, but this run has {}; {}",
+                  path.string(), what, found, expected, kRemedy));
 }
 
 InputFile open_existing(const std::filesystem::path& path) {
   InputFile stream(path);
   if (!stream)
     throw InputError(
-        fmt::format("{}: the file to be continued cannot be opened; restore it, or start new files "
-                    "with kIcOpt = -1",
+        fmt::format("{}: cannot open the file that this run continues. Restore the file, or start "
+                    "new files with kIcOpt = -1",
                     path.string()));
   return stream;
 }
@@ -43,7 +44,7 @@ void compare_headers(const std::filesystem::path& path, const SolParser& found,
   compare(path, "rolling elements:", a.elements, b.elements);
   compare(path, "cage segments:", a.segments, b.segments);
   compare(path, "the index of element", a.index, b.index);
-  compare(path, "values a step:", a.value_count, b.value_count);
+  compare(path, "values per step:", a.value_count, b.value_count);
   compare(path, "bearing type", a.bearing_type, b.bearing_type);
   for (std::size_t k = 0; k < a.units.size(); ++k)
     compare(path, fmt::format("in unit slot {}", k + 1), a.units[k], b.units[k]);
@@ -56,9 +57,8 @@ void check_run_id(const std::filesystem::path& path, const std::string& found,
   const std::string_view a = fortran::trimmed(found), b = fortran::trimmed(of_deck);
   if (a.substr(0, 36) == b.substr(0, 36)) return;
   throw InputError(
-      fmt::format("{}: the file belongs to run '{}', but the deck says runID = '{}'; put the right "
-                  "files here, or start new "
-                  "ones from FINAL with kIcOpt = -1",
+      fmt::format("{}: the file belongs to run '{}', but the deck has runID = '{}'. Restore the "
+                  "files of this run, or start new files from FINAL with kIcOpt = -1",
                   path.string(), a, b));
 }
 

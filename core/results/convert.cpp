@@ -240,7 +240,7 @@ FileKind file_kind(const std::filesystem::path& path) {
   const std::string bytes = first_bytes(path);
   const FileSort sort = sort_of(bytes);
   if (sort == FileSort::Deck || sort == FileSort::Listing || sort == FileSort::SweepTable)
-    throw InputError(fmt::format("{}: this is {}, not a result file that can be shown; {}",
+    throw InputError(fmt::format("{}: this is {}, not a result file that can be displayed; {}",
                                  path.string(), sort_name(sort), sort_use(sort)));
   if (bytes.substr(0, 4) == "\x89HDF") return FileKind::ResultsH5;
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");

@@ -60,30 +60,31 @@ EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic, 
                   residual, earlier ? " at some time of the run" : "", out.over_moved, moved,
                   limit(shares.by_moved(), kMovedLimit));
   if (elastic > 0.0)
-    out.text +=
-        fmt::format(", {:.2g} of the {:.3g} J of elastic energy in the quasi-static solution{}",
-                    out.over_elastic, elastic, limit(shares.by_elastic(), kElasticLimit));
+    out.text += fmt::format(
+        " and {:.2g} times the elastic energy of {:.3g} J in the quasi-static solution{}",
+        out.over_elastic, elastic, limit(shares.by_elastic(), kElasticLimit));
   if (falsifies_heat)
     out.text += fmt::format(
-        ". At the end the energy residual is {:.2g} % of the {:.3g} J of heat, so heat and power "
-        "loss have that uncertainty",
+        ". At the end the energy residual is {:.2g} % of the heat ({:.3g} J), so heat and power "
+        "loss have this uncertainty",
         100.0 * out.over_heat, heat);
   out.text += ". ";
   constexpr double kNothingElse = 0.5;  // of what moved, error of the steps
   if (none && shares.by_elastic() != Trust::None && out.over_moved > kNothingElse) {
     out.text +=
-        "The results of this run cannot be trusted. Almost nothing moves except by the errors of "
-        "the steps: contacts neither roll nor slide, and a lubricant without shear is a solid. "
-        "Shorter steps do not help. Use the equilibrium (mode = -1) for a bearing at rest or "
-        "nearly at rest, or the hypothetical traction law (kTrac = 0)";
+        "The results of this run cannot be trusted. Contacts neither roll nor slide, and a "
+        "lubricant without shear acts as a solid, so integration errors cause most of the motion. "
+        "Shorter steps do not help. For a bearing at rest or nearly at rest, use the quasi-static "
+        "solution (mode = -1) or the hypothetical traction law (kTrac = 0)";
     return out;
   }
-  out.text += out.trust == Trust::None
-                  ? "The results of this run cannot be trusted. Lower the tolerance (tol on record "
-                    "2.1, or --tol) or the longest step (stpMax), lower stpMin if steps were "
-                    "accepted above the tolerance, or choose another integrator"
-                  : "If this matters, lower the tolerance (tol on record 2.1, or --tol) or the "
-                    "longest step (stpMax)";
+  out.text +=
+      out.trust == Trust::None
+          ? "The results of this run cannot be trusted. Reduce the tolerance (tol on record 2.1, "
+            "or --tol) or the maximum step (stpMax). If steps were accepted above the tolerance, "
+            "reduce stpMin. If this does not help, choose another integrator"
+          : "To reduce the energy residual, reduce the tolerance (tol on record 2.1, or --tol) or "
+            "the maximum step (stpMax)";
   return out;
 }
 

@@ -55,10 +55,10 @@ FileCheck compare(const fs::path& path, std::uintmax_t bytes, const std::string&
   try {
     const FileSum found = sum_of_file(path);
     if (found.bytes != bytes)
-      out.detail = fmt::format("it has {} bytes, but the run wrote {}", found.bytes, bytes);
+      out.detail = fmt::format("the file has {} bytes, but the run wrote {}", found.bytes, bytes);
     else if (hex(found.sum) != sum)
-      out.detail = fmt::format("its {} bytes have the checksum {}, but the run wrote {}", bytes,
-                               hex(found.sum), sum);
+      out.detail = fmt::format("the file ({} bytes) has the checksum {}, but the run wrote {}",
+                               bytes, hex(found.sum), sum);
     else
       out = {path, State::Intact, fmt::format("{} bytes", bytes)};
   } catch (const InputError& refused) {
@@ -69,7 +69,8 @@ FileCheck compare(const fs::path& path, std::uintmax_t bytes, const std::string&
 
 /// The checksum of RUN.json over its own text.
 FileCheck check_summary(const fs::path& path, const std::string& text, const Json& json) {
-  FileCheck out{path, State::Unchecked, "it was written by an earlier version without a checksum"};
+  FileCheck out{path, State::Unchecked,
+                "the file was written by an earlier version without a checksum"};
   const auto measured = json.find("measured");
   if (measured == json.end() || !measured->is_object() || !measured->contains(kOwnChecksum))
     return out;
@@ -77,7 +78,7 @@ FileCheck check_summary(const fs::path& path, const std::string& text, const Jso
   const bool same = stored.is_string() && stored.get<std::string>() == own_checksum(text);
   out.state = same ? State::Intact : State::Damaged;
   out.detail = same ? fmt::format("{} bytes", text.size())
-                    : "its text does not match the checksum that it contains";
+                    : "the text does not match the checksum in the file";
   return out;
 }
 
@@ -88,7 +89,7 @@ void check_parts(const fs::path& folder, std::vector<FileCheck>& out) {
     if (sort_of_file(entry.path()) != FileSort::Master) continue;
     try {
       const MasterState master = read_master(entry.path());
-      out.push_back({entry.path(), State::Intact, "its own checksum"});
+      out.push_back({entry.path(), State::Intact, "checksum in the file"});
       const auto saved = master.averages.find(kLastSaved);
       for (const MasterFile& file : master.files) {
         const fs::path path = folder / file.name;
@@ -140,7 +141,7 @@ bool verify_one(const fs::path& folder, std::vector<FileCheck>& out) {
     const bool plain = name.find('/') == std::string::npos;
     if (!plain || !item.is_object() || !item.value("bytes", Json()).is_number_unsigned() ||
         !item.value("checksum", Json()).is_string()) {
-      out.push_back({summary, State::Damaged, "its list of checksums is damaged"});
+      out.push_back({summary, State::Damaged, "the list of checksums is damaged"});
       continue;
     }
     out.push_back(compare(folder / name, item.at("bytes").get<std::uintmax_t>(),
@@ -170,7 +171,7 @@ std::uint64_t sum_of_steps(const H5Reader& file, std::size_t rows) {
 std::string damage_of(const MasterFile& file, const fs::path& path, long last_step) {
   if (!file.sum) return {};
   constexpr const char* kDiffers =
-      "its part up to the last checkpoint has the checksum {}, but was written with {}";
+      "the part up to the last checkpoint has the checksum {}, but the run wrote {}";
   if (file.role == "RESULTS") {
     const H5Reader reader(path);
     const std::vector<long> steps = reader.step_numbers();
@@ -181,8 +182,8 @@ std::string damage_of(const MasterFile& file, const fs::path& path, long last_st
   }
   const FileSum found = sum_of_start(path, file.bytes);
   if (found.bytes < file.bytes)
-    return fmt::format("it has {} bytes, but the run left {} at its last checkpoint", found.bytes,
-                       file.bytes);
+    return fmt::format("the file has {} bytes, but had {} at the last checkpoint of the run",
+                       found.bytes, file.bytes);
   return found.sum == *file.sum ? std::string()
                                 : fmt::format(kDiffers, hex(found.sum), hex(*file.sum));
 }

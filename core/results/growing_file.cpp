@@ -26,7 +26,7 @@ std::string_view remedy(int error) {
       return "make the file and its folder writable, or choose another folder";
     case ENOENT:
     case ENOTDIR:
-      return "create the folder first or choose another one";
+      return "create the folder first, or choose another folder";
     case ENOSPC:
     case EDQUOT:
       return "free some disk space or choose another disk";
@@ -35,11 +35,10 @@ std::string_view remedy(int error) {
     case ELOOP:
       return "replace the symbolic link by the file";
     case EFBIG:
-      return "no larger files are allowed here (ulimit -f, or the file system): raise the limit, "
-             "choose "
-             "another disk, or store fewer steps";
+      return "the file has reached the largest allowed size (ulimit -f, or the file system): "
+             "increase the limit, choose another disk, or store fewer steps";
     default:
-      return "choose another place";
+      return "choose another folder";
   }
 }
 
@@ -109,16 +108,16 @@ GrowingFile GrowingFile::append_after(const WritePath& place, std::uintmax_t byt
   GrowingFile file(path, descriptor, bytes);
   struct stat status {};
   if (::fstat(descriptor, &status) != 0)
-    fail(path, errno, "the file to be continued cannot be read");
+    fail(path, errno, "the file that this run continues cannot be read");
   if (static_cast<std::uintmax_t>(status.st_size) < bytes)
     throw InputError(
-        fmt::format("{}: the file has {} bytes, but the run to be continued left {}; restore the "
-                    "file, or start a new run with kIcOpt = -1",
+        fmt::format("{}: the file has {} bytes, but had {} at the end of the run that is "
+                    "continued. Restore the file, or start a new run with kIcOpt = -1",
                     path.string(), status.st_size, bytes));
   file.sum_ = sum_of(descriptor, bytes);
   if (::ftruncate(descriptor, static_cast<off_t>(bytes)) != 0 ||
       ::lseek(descriptor, static_cast<off_t>(bytes), SEEK_SET) < 0)
-    fail(path, errno, "the file to be continued cannot be truncated");
+    fail(path, errno, "the file that this run continues cannot be truncated");
   return file;
 }
 
@@ -152,7 +151,7 @@ void GrowingFile::write(std::string_view pieces) {
       // step.
       if (::ftruncate(descriptor_, static_cast<off_t>(bytes_)) == 0)
         (void)::lseek(descriptor_, static_cast<off_t>(bytes_), SEEK_SET);
-      fail(path_, error, "the file cannot be written further");
+      fail(path_, error, "writing to the file failed");
     }
     rest.remove_prefix(static_cast<std::size_t>(written));
   }

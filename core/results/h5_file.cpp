@@ -145,7 +145,7 @@ File::File(const std::filesystem::path& path) {
     if (dataset.compressed) width = width / kLargestCompression + 1;
     if (content_.steps > (size - taken) / width)
       damaged(
-          fmt::format("it is too short for the {} that it lists", counted(content_.steps, "step")));
+          fmt::format("the file is too short for the listed {}", counted(content_.steps, "step")));
     taken += content_.steps * width;
   }
 
@@ -180,7 +180,7 @@ void File::add_dataset(const std::string& path) {
   info.id = read_text(dataset, "id");
   // The series have no separate id.
   const std::string id = info.id.empty() ? path : info.id;
-  if (!datasets_.emplace(id, std::move(made)).second) damaged(fmt::format("{} is there twice", id));
+  if (!datasets_.emplace(id, std::move(made)).second) damaged(fmt::format("{} occurs twice", id));
   if (info.id.empty()) {
     const bool series = std::any_of(kSeries.begin(), kSeries.end(),
                                     [&](const StepSeries& s) { return s.name == path; });
@@ -214,7 +214,7 @@ void File::read_geometry() {
         return geometry.size() > kMostAttributes ? -1 : 0;
       },
       &content_.geometry);
-  if (done < 0) damaged("the sizes of the bearing cannot be read");
+  if (done < 0) damaged("the bearing geometry cannot be read");
 }
 
 std::vector<double> File::read(const std::string& id, std::uint64_t first, std::uint64_t count,

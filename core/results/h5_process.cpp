@@ -153,7 +153,8 @@ void answer_with(int socket, const std::function<void()>& act) {
   } catch (const InputError& error) {
     refuse(error.what());
   } catch (const std::bad_alloc&) {
-    refuse("reading it needs more memory than such a file should; the file is damaged");
+    refuse(
+        "reading the file needs more memory than a valid file of this size; the file is damaged");
   } catch (const std::exception& error) {
     refuse(fmt::format("the file is damaged ({})", error.what()));
   }
@@ -189,7 +190,8 @@ Process::Process(std::filesystem::path path, Limits limits, const std::function<
     : path_(std::move(path)), limits_(limits) {
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    fail_outside(fmt::format("a process to read it cannot be started ({})", std::strerror(errno)));
+    fail_outside(
+        fmt::format("cannot start a process that reads the file ({})", std::strerror(errno)));
   {
     const std::scoped_lock nobody_inside(library_mutex());
     child_ = ::fork();
@@ -205,7 +207,8 @@ Process::Process(std::filesystem::path path, Limits limits, const std::function<
   ::close(ends[1]);
   socket_ = ends[0];
   if (child_ < 0)
-    fail_outside(fmt::format("a process to read it cannot be started ({})", std::strerror(reason)));
+    fail_outside(
+        fmt::format("cannot start a process that reads the file ({})", std::strerror(reason)));
 }
 
 std::string read_apart(const std::filesystem::path& path,
@@ -250,13 +253,15 @@ void Process::child_gone() {
   child_ = -1;
   const int signal = gone > 0 && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU)
-    fail(fmt::format("reading it did not end within {} s of processor time; the file is damaged",
-                     limits_.cpu.count()));
+    fail(fmt::format(
+        "reading the file did not end within {} s of processor time; the file is damaged",
+        limits_.cpu.count()));
   if (signal == SIGKILL)  // somebody, or the system when memory ends; our limits do not
-    fail_outside("the process that read it was killed; try again");
-  fail(signal != 0 ? fmt::format("the HDF5 library failed to read it ({}); the file is damaged",
-                                 ::strsignal(signal))
-                   : std::string("the HDF5 library failed to read it; the file is damaged"));
+    fail_outside("the process that read the file was killed; try again");
+  fail(signal != 0
+           ? fmt::format("the HDF5 library failed to read the file ({}); the file is damaged",
+                         ::strsignal(signal))
+           : std::string("the HDF5 library failed to read the file; the file is damaged"));
 }
 
 void Process::receive(char* bytes, std::size_t count) {
@@ -271,9 +276,10 @@ void Process::receive(char* bytes, std::size_t count) {
     const int any = ::poll(&ready, 1, static_cast<int>(std::max<long>(left, 0)));
     if (any < 0 && errno == EINTR) continue;
     if (any == 0)
-      fail_outside(fmt::format(
-          "reading it did not end within {} s; the file is damaged, or its disk does not respond",
-          limits_.silence.count()));
+      fail_outside(
+          fmt::format("reading the file did not end within {} s; the file is damaged, or the disk "
+                      "does not respond",
+                      limits_.silence.count()));
     const ssize_t got = ::recv(socket_, bytes, count, 0);
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) child_gone();
@@ -296,7 +302,7 @@ std::string Process::answer(std::size_t most) {
 
 std::vector<double> Process::read(const std::string& id, std::size_t width, std::size_t first,
                                   std::size_t count, std::size_t every) {
-  if (socket_ < 0) fail("the file could not be read earlier; it is damaged");
+  if (socket_ < 0) fail("an earlier attempt to read the file failed; the file is damaged");
   std::vector<double> values;
   values.reserve(count * width);
   const std::size_t rows = std::max<std::size_t>(kPiece / width, 1);

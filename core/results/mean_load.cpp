@@ -85,8 +85,8 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
     if (ratio != 0.0) instead[k] = load.asked[k] / ratio;
   }
   std::string out = fmt::format(
-      "the elements carried {} on average over {:.3g} s instead of {} specified in the deck "
-      "({:.1f} % off): ",
+      "the mean load of the elements is {} over {:.3g} s, but the deck specifies {} ({:.1f} % "
+      "difference). Cause: ",
       named(load, load.mean, units), load.time, named(load, load.asked, units), 100.0 * departure);
   std::size_t furthest = 0;
   for (std::size_t k = 1; k < 3; ++k)
@@ -94,41 +94,40 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
   if (load.balanced)
     return out +
            "in mode 2 the inner race has no inertia. Centrifugal force, gravity or the cage move "
-           "the elements more than the load does, so they lose contact for short times; give more "
-           "load or preload, or set mode to 0 with kDCR = 1 and kFD = 0";
+           "the elements more than the load does, so the elements lose contact for short times. "
+           "Increase the load or preload, or set mode = 0 with kDCR = 1 and kFD = 0";
   if (load.moves[furthest])
     return out + fmt::format(
-                     "a race moves under its load along {}, and in this short time part of the "
-                     "load accelerates it; a longer run reduces the difference",
+                     "a race is free to move along {}, and in this short time part of the load "
+                     "accelerates the race. A longer run reduces the difference",
                      "xyz"[furthest]);
   if (load.tilts)
     return out +
-           "a race tilts freely (kMD21, kMD31, kMD22 or kMD32 of record 2.2) from its position in "
-           "the equilibrium, which changes the load of the elements; hold its tilt, or give the "
-           "moments of the equilibrium";
+           "a race tilts freely (kMD21, kMD31, kMD22 or kMD32 of record 2.2) away from its "
+           "quasi-static position, which changes the load of the elements. Prescribe the tilt, or "
+           "give the moments of the quasi-static solution";
   if (load.shaken)
     return out +
-           "record 9.3B makes a race vibrate about its quasi-static position; springs that stiffen "
-           "under load, or incomplete periods, give a nonzero mean. Compare with a run without "
-           "vibration before changing the load";
+           "record 9.3B makes a race vibrate about its quasi-static position. The mean load "
+           "changes because contacts stiffen under load, or because the last period is incomplete. "
+           "Compare with a run without vibration before changing the load";
   constexpr double kMost =
       0.5;  // fraction of the difference: another load along the specified one corrects the rest
   if (across(load) > kMost * off(load))
     return out +
-           "a dynamic run holds the inner race at its quasi-static position, and the moving "
-           "elements exert forces across the load there; a different load in the specified "
-           "direction does not correct that. A longer run or a cage distributes the elements more "
-           "evenly. A race that moves under its load (kDCR = 1 and kFD = 0) carries the specified "
-           "mean load";
+           "the inner race is fixed at its quasi-static position, where the moving elements exert "
+           "forces perpendicular to the specified load. A different load in the specified "
+           "direction does not correct this. A longer run or a cage distributes the elements more "
+           "evenly. A race that is free to move (kDCR = 1 and kFD = 0) has the specified mean load";
   out +=
-      "a dynamic run holds the inner race at its quasi-static position, where moving elements "
-      "exert different forces. ";
+      "the inner race is fixed at its quasi-static position, where moving elements exert different "
+      "forces. ";
   out += scalable ? fmt::format(
-                        "First guess for the load that gives the specified mean: {}; or give the "
+                        "Estimated load for the specified mean load: {}. Or specify the "
                         "displacement (kFS1-3, appDispX to Z)",
                         named(load, instead, units))
-                  : "Give the displacement instead of the load (kFS1-3, appDispX to Z), and adjust "
-                    "it until the mean load is the specified one";
+                  : "Specify the displacement instead of the load (kFS1-3, appDispX to Z), and "
+                    "adjust the displacement until the mean load is correct";
   return out;
 }
 

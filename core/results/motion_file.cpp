@@ -61,14 +61,15 @@ MotionFile MotionFile::open(const std::filesystem::path& h5, UnitSystem units,
   out.units_ = units;
   out.file_.path = h5;
   if (out.reader_->steps() == 0)
-    throw InputError(h5.string() +
-                     " does not contain a complete step yet; let the run store at least one");
+    throw InputError(
+        h5.string() +
+        " does not contain a complete step yet. Continue the run until it has stored a step");
   for (const char* needed : {"element.axial_position", "element.radial_position",
                              "element.orbital_position", "race.orientation", "race.x"})
     if (!out.has(needed))
       throw InputError(
-          fmt::format("{} does not contain the channel {}, so there is no motion to show; it was "
-                      "written by another program, or is damaged",
+          fmt::format("{} does not contain the channel {}, so the motion cannot be displayed. The "
+                      "file was written by another program, or it is damaged",
                       h5.string(), needed));
   out.read_frames(std::max<std::size_t>(most_frames, 1));
   return out;
@@ -111,8 +112,9 @@ std::optional<MotionFile> MotionFile::beside(const Sol8File& file, std::string& 
                                                file.frames.begin());
     // For a run that has just begun it may contain only a few frames of SOL8.
     if (2 * held < file.frames.size()) {
-      why_not = fmt::format("RESULTS.h5 in the folder of the file has {} of its {} frames", held,
-                            file.frames.size());
+      why_not = fmt::format(
+          "RESULTS.h5 in the folder of the file has only {} of the {} frames in the file", held,
+          file.frames.size());
       return std::nullopt;
     }
     const std::size_t every = std::max<std::size_t>(1, held / kLooks);

@@ -102,7 +102,7 @@ class Reader {
   }
   std::size_t count(std::string_view keyword) {
     const long value = integer(keyword);
-    if (value < 0 || value > 100'000'000) fail(fmt::format("{} is not a possible count", value));
+    if (value < 0 || value > 100'000'000) fail(fmt::format("{} is not a valid count", value));
     return static_cast<std::size_t>(value);
   }
   /// A finite number between the limits, which belong to it.
@@ -115,7 +115,8 @@ class Reader {
   /// A step number.
   long step() {
     const long value = integer("step");
-    if (value < 0 || value > kMostSteps) fail(fmt::format("step is {}; steps count from 0", value));
+    if (value < 0 || value > kMostSteps)
+      fail(fmt::format("step is {}; it must be 0 or more", value));
     return value;
   }
   /// "number name" lines.
@@ -137,13 +138,13 @@ class Reader {
     const std::string sum = fmt::format("{:016x}", sum_);
     const std::string stored = text("end");
     if (format_ >= 3 && stored != sum)
-      fail(fmt::format("its lines have the checksum {}, but it was written with {}", sum,
+      fail(fmt::format("the lines have the checksum {}, but the file was written with {}", sum,
                        stored.empty() ? "none" : stored));
   }
   [[noreturn]] void fail(std::string_view why) const {
     throw InputError(
         fmt::format("{}:{}: the file is damaged: {}; use the file of an earlier run, or start from "
-                    "statics (kIcOpt = 0)",
+                    "the quasi-static solution (kIcOpt = 0)",
                     path_.string(), lines_.number(), why));
   }
 
@@ -155,7 +156,7 @@ class Reader {
   }
   std::string_view line() {
     std::string_view text;
-    if (!lines_.next(text)) fail("it ends too early");
+    if (!lines_.next(text)) fail("the file ends too early");
     sum_ = checksum("\n", checksum(text, sum_));
     return text;
   }
@@ -278,10 +279,10 @@ void check_layout(const FinalState& state, const std::vector<std::string>& compo
     return at == end ? std::string("nothing more") : "'" + *at + "'";
   };
   throw InputError(
-      fmt::format("{}: the stored state does not match this deck: it has {} components, the deck "
-                  "needs {}; the first difference is {}, where the deck needs {}. Keep number of "
-                  "elements, cage, degrees of freedom, oriented elements and qFac (on or off) of "
-                  "the stored run, or start from statics (kIcOpt = 0)",
+      fmt::format("{}: the stored state does not match this deck. The file has {} components, but "
+                  "the deck needs {}. The first difference is {}, where the deck needs {}. Use the "
+                  "number of elements, cage, degrees of freedom, oriented elements and qFac (on or "
+                  "off) of the stored run, or start from the quasi-static solution (kIcOpt = 0)",
                   path.string(), state.components.size(), components.size(),
                   name(stored, state.components.end()), name(wanted, components.end())));
 }
@@ -291,8 +292,8 @@ void check_bodies(const FinalState& state, const std::vector<std::string>& compo
   const std::string stored = bodies_text(state.components), wanted = bodies_text(components);
   if (stored == wanted) return;
   throw InputError(
-      fmt::format("{}: the stored state is of {}, but this deck has {}; give the FINAL of such a "
-                  "bearing, or start from statics (kIcOpt = 0)",
+      fmt::format("{}: the stored state has {}, but this deck has {}. Use the FINAL file of such a "
+                  "bearing, or start from the quasi-static solution (kIcOpt = 0)",
                   path.string(), stored, wanted));
 }
 

@@ -340,7 +340,7 @@ struct H5Writer::Impl {
   }
 
   void start_single_writer() {
-    if (H5Fstart_swmr_write(file) < 0) fail(path, "the file cannot be prepared for growing");
+    if (H5Fstart_swmr_write(file) < 0) fail(path, "the file cannot be prepared for further steps");
   }
 
   void write_waiting() {
@@ -376,8 +376,7 @@ struct H5Writer::Impl {
       if (!ok || error != 0) {
         broken = true;  // /step, written last, counts the steps that are in all of them
         throw WriteError(fmt::format(
-            "{}: the file cannot be written further ({}); free some disk space or choose another "
-            "disk",
+            "{}: writing to the file failed ({}); free some disk space or choose another disk",
             path.string(), error != 0 ? std::generic_category().message(error) : h5::last_error()));
       }
       one.sum = sum_of_values(one.waiting, one.sum);
@@ -494,14 +493,14 @@ void check_file(const H5Reader& file, const std::filesystem::path& path,
                                        found->dimensions.end()))
       continue;
     if (found == nullptr)
-      throw InputError(
-          fmt::format("{}: it does not contain {}: an earlier version of Adore wrote it, or it is "
-                      "incomplete. It can be displayed, but not continued; start new files with "
-                      "kIcOpt = -1, or run the deck in another folder",
-                      path.string(), channel.id));
+      throw InputError(fmt::format(
+          "{}: the file does not contain {}. An earlier version of Adore wrote the file, or the "
+          "file is incomplete. The file can be displayed, but not continued. Start new files with "
+          "kIcOpt = -1, or run the deck in another folder",
+          path.string(), channel.id));
     throw InputError(
-        fmt::format("{}: {} does not match the sizes of this bearing; restore the file of this "
-                    "run, or start new files with kIcOpt = -1",
+        fmt::format("{}: the size of {} does not match this bearing. Restore the file of this run, "
+                    "or start new files with kIcOpt = -1",
                     path.string(), channel.id));
   }
 }
@@ -596,7 +595,7 @@ void H5Writer::close() {
   if (const int error = write_error(impl_->file); error != 0) {
     impl_->broken = true;
     throw WriteError(
-        fmt::format("{}: the file cannot be written to its end ({}); free some disk space or "
+        fmt::format("{}: the end of the file cannot be written ({}); free some disk space or "
                     "choose another disk",
                     impl_->path.string(), std::generic_category().message(error)));
   }

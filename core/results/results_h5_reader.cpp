@@ -75,9 +75,10 @@ std::vector<double> H5Reader::read(std::string_view id, std::size_t first, std::
     throw InputError(fmt::format("{}: the file has no channel '{}'", impl_->path.string(), id));
   if (every == 0 ||
       (count > 0 && (first >= steps() || (count - 1) > (steps() - 1 - first) / every)))
-    throw InputError(fmt::format("{}: {} from {} on, every {}, are not available: the file has {}",
-                                 impl_->path.string(), counted(count, "step"), first + 1, every,
-                                 steps()));
+    throw InputError(
+        fmt::format("{}: the file does not contain {} from step {} with interval {}; number of "
+                    "stored steps: {}",
+                    impl_->path.string(), counted(count, "step"), first + 1, every, steps()));
   return impl_->process.read(std::string(id), info == nullptr ? 1 : info->size(), first, count,
                              every);
 }

@@ -72,7 +72,7 @@ std::vector<Finding> stored_findings(const fs::path& results_h5) {
     const std::string text = read_text(root, FindingsText::kList);
     if (!text.empty() &&
         read_text(root, FindingsText::kSum) != fmt::format("{:016x}", checksum(text)))
-      throw InputError("its list of findings is damaged: the checksum differs");
+      throw InputError("the list of findings is damaged: the checksum differs");
     return text;
   };
   const std::string text = h5::read_apart(results_h5, read, kMostText);

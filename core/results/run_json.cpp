@@ -92,14 +92,14 @@ std::vector<std::pair<std::string, double>> momentum_items(const scene::Momentum
 std::vector<std::pair<std::string, std::string>> arithmetic_items(const RunSummary& run) {
   std::vector<std::pair<std::string, std::string>> items{
       {"math functions", portable_math_functions()
-                             ? "bound in, the same on every processor"
-                             : "of the C library, which differ between processors"}};
+                             ? "built in, identical on every processor"
+                             : "from the C library, different between processors"}};
   if (run.integrator.empty()) return items;  // the equilibrium does not use a contact kernel
   items.emplace_back("instruction set of the contacts", run.instruction_set);
   items.emplace_back("note",
-                     "another instruction set rounds differently, and the motion magnifies that: "
-                     "about 3e-6 of the loads after 3 revolutions; --reproducible gives the same "
-                     "bytes on any x86-64");
+                     "Another instruction set rounds differently, and the motion amplifies these "
+                     "differences to about 3e-6 of the loads after 3 revolutions. --reproducible "
+                     "gives identical files on every x86-64 processor.");
   return items;
 }
 

@@ -41,7 +41,7 @@ SolParser::SolParser(std::istream& stream, std::string name)
                                  sort_use(sort)));
   const std::string second(header_line("a title or integers"));
   if (first.find('\0') != std::string::npos || second.find('\0') != std::string::npos)
-    reject("it holds binary data");
+    reject("it contains binary data");
   const bool titled = second.find('$') != std::string::npos;
   const auto integers = integer_fields(second, 14, 3);
   // The eleven n + 22 of the fourteenth field may have overflowed its three columns.
@@ -140,7 +140,7 @@ void SolParser::read_animation_header(std::string_view, std::string_view line) {
   if (geometry < 12)
     reject(fmt::format("line 2 gives {} geometry values, but twelve are needed", geometry));
   if (header_.value_count < needed)
-    reject(fmt::format("line 2 gives {} values a step, but {} rolling elements need {}",
+    reject(fmt::format("line 2 gives {} values per step, but {} rolling elements need {}",
                        header_.value_count, header_.elements, needed));
   std::array<int, 10> lengths{};
   for (int k = 0; k < 10; ++k) lengths[static_cast<std::size_t>(k)] = integer(3 + k);
@@ -222,15 +222,16 @@ BlockStatus SolParser::next(SolStep& step, bool with_values) {
   if (status == BlockStatus::Cut)
     note_ = fmt::format("cut off in {} (line {})", where, reader_.number());
   else if (status == BlockStatus::Wrong)
-    note_ = fmt::format("damaged in {} (line {}); the rest is not used", where, reader_.number());
+    note_ =
+        fmt::format("damaged in {} (line {}); later steps are not used", where, reader_.number());
   return status;
 }
 
 std::string SolParser::gaps() const {
   if (missing_ == 0) return {};
-  return fmt::format("{} not finite (stars mean a field overflow), the first in step {}",
-                     missing_ == 1 ? "1 value is" : fmt::format("{} values are", missing_),
-                     first_missing_);
+  return fmt::format(
+      "{} not finite (stars: value too wide for its field); first occurrence: step {}",
+      missing_ == 1 ? "1 value is" : fmt::format("{} values are", missing_), first_missing_);
 }
 
 }  // namespace adore::results

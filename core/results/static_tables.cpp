@@ -85,8 +85,8 @@ StaticTables read_static_tables(const std::filesystem::path& run_json) {
   try {
     if (!json.is_object() || !(json.contains("quasi_static") || json.contains("thermal_network")))
       throw refuse(
-          "contains no quasi-static solution and no thermal network; plots of this kind need the "
-          "RUN.json of a run with mode -1, or of a motion with kTherm = 1 after a thermal step");
+          "contains no quasi-static solution and no thermal network. These plots need the RUN.json "
+          "of a run with mode -1, or of a dynamic run with kTherm = 1 after a thermal step");
     const Json& section =
         json.at(json.contains("quasi_static") ? "quasi_static" : "thermal_network");
     StaticTables out;
@@ -98,7 +98,7 @@ StaticTables read_static_tables(const std::filesystem::path& run_json) {
       for (const auto& [title, values] : columns.items()) {
         const std::size_t bracket = title.rfind(" [");
         if (bracket == std::string::npos || title.back() != ']')
-          throw refuse(fmt::format("column \"{}\" names no unit", title));
+          throw refuse(fmt::format("column \"{}\" has no unit", title));
         const std::string unit = title.substr(bracket + 2, title.size() - bracket - 3);
         const UnitPair* pair = unit_named(unit);
         if (pair == nullptr) throw refuse(fmt::format("unit \"{}\" is not known", unit));

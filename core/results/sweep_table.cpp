@@ -80,7 +80,7 @@ SweepTable read_sweep(const std::filesystem::path& path) {
   }
   if (out.values.empty())
     throw InputError(fmt::format(
-        "{}: this table of runs has no complete row; there is nothing to draw", path.string()));
+        "{}: this table of runs has no complete row, so nothing can be drawn", path.string()));
   return out;
 }
 

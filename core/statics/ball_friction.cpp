@@ -411,8 +411,8 @@ BallMotion FrictionBalance::motion_of(std::size_t k, const StaticBall& ball) con
 
 std::string FrictionBalance::note() const {
   if (!failure.empty())
-    return fmt::format("friction is not in balance: {}; balls roll by the spin rule (kAngVel)",
-                       failure);
+    return fmt::format(
+        "no friction equilibrium: {}. The ball speeds follow the spin rule (kAngVel)", failure);
   if (left.empty()) return {};
   std::vector<std::size_t> numbers;
   for (const std::size_t k : left) numbers.push_back(k + 1);
@@ -484,7 +484,7 @@ FrictionBalance balance_balls(const Bearing& bearing, const StaticsOptions& opti
     if (!balls.solve(solution)) {
       solution = before;
       out = {};
-      out.failure = "no equilibrium of the bearing was found with its tractions";
+      out.failure = "the bearing has no equilibrium with the traction forces";
       return out;
     }
     if (change <= kSteady) break;
@@ -492,7 +492,7 @@ FrictionBalance balance_balls(const Bearing& bearing, const StaticsOptions& opti
   if (!(change <= kSteadyAccepted)) {
     solution = before;
     out = {};
-    out.failure = fmt::format("tractions and loads do not settle in {} passes", kPasses);
+    out.failure = fmt::format("traction forces and loads did not converge in {} passes", kPasses);
     return out;
   }
   balls.add_difference(options.difference_share, solution);
@@ -503,7 +503,7 @@ FrictionBalance balance_balls(const Bearing& bearing, const StaticsOptions& opti
   const std::vector<std::string> old = balls.notes(before);
   std::erase_if(solution.notes, [&](const std::string& note) {
     const bool of_rule =
-        note.starts_with("race control: ") || note.starts_with("spin axis of least heat: ");
+        note.starts_with("race control: ") || note.starts_with("minimum-heat spin axis: ");
     return std::count(old.begin(), old.end(), note) > 0 || (of_rule && out.left.empty());
   });
   for (std::string& note : balls.notes(solution)) solution.notes.push_back(std::move(note));

@@ -27,9 +27,8 @@ void check_material(const bearing::Material& m, const char* part) {
                                  part, m.elastic_modulus));
   }
   if (!(m.poisson_ratio >= 0.0 && m.poisson_ratio <= 0.5)) {
-    throw InputError(
-        fmt::format("{} material: Poisson's ratio is {}; it must lie between 0 and 0.5", part,
-                    m.poisson_ratio));
+    throw InputError(fmt::format("{} material: Poisson's ratio is {}; it must be between 0 and 0.5",
+                                 part, m.poisson_ratio));
   }
 }
 

@@ -146,10 +146,10 @@ void check_ellipse(const BallSeat& seat, std::size_t j, const StaticBall& s) {
     return;
   }
   throw SolverError(fmt::format(
-      "bearing equilibrium: a contact of {:.6g} N with the {} race makes an ellipse whose half "
-      "length of {:.4g} m reaches the ball radius of {:.4g} m, because the groove fits the ball so "
-      "closely (groove factor {:.6g}, pressure only {:.3g} Pa): Hertz's theory, and every contact "
-      "surface, ends before that. Give a larger groove factor or less load",
+      "bearing equilibrium: a contact load of {:.6g} N at the {} race causes a contact ellipse "
+      "whose half length of {:.4g} m reaches the ball radius of {:.4g} m, because the groove "
+      "conforms closely to the ball (groove factor {:.6g}, pressure only {:.3g} Pa). Hertz theory "
+      "is not valid for such an ellipse. Enter a larger groove factor or less load",
       s.Q[j], kRaceName[j], s.a[j], radius, seat.groove.groove_radius[j] / (2.0 * radius),
       s.p_max[j]));
 }
@@ -196,8 +196,8 @@ void note_split_race(const BallModel& m, std::size_t j, const std::vector<Static
     double heaviest = 0.0;
     for (const StaticBall& b : balls) heaviest = std::max(heaviest, b.second[j].Q);
     notes.push_back(
-        fmt::format("{}: dual contact with both halves of the split {} race; the second contact "
-                    "carries up to {:.4g} N",
+        fmt::format("{}: dual contact with both halves of the split {} race; the load of the "
+                    "second contact is up to {:.4g} N",
                     number_list(dual, "ball"), kRaceName[j], heaviest));
   }
   const auto forward = balls_that(
@@ -205,9 +205,9 @@ void note_split_race(const BallModel& m, std::size_t j, const std::vector<Static
   const auto backward = balls_that(
       balls, [&](const StaticBall& b) { return b.alpha[j] < 0.0 && !(b.second[j].Q > 0.0); });
   if (!forward.empty() && !backward.empty())
-    notes.push_back(
-        fmt::format("the balls touch both halves of the split {} race, {} the one and {} the other",
-                    kRaceName[j], number_list(forward, "ball"), number_list(backward, "ball")));
+    notes.push_back(fmt::format(
+        "the balls touch both halves of the split {} race: {} on one half, {} on the other half",
+        kRaceName[j], number_list(forward, "ball"), number_list(backward, "ball")));
   const auto cut = balls_that(
       balls, [&](const StaticBall& b) { return b.share[j] < 1.0 && !(b.second[j].Q > 0.0); });
   if (!cut.empty())
@@ -366,16 +366,16 @@ std::vector<std::string> report_notes(const BallModel& m, const std::vector<Stat
       balls_that(balls, [](const StaticBall& b) { return b.Q[0] > 0.0 && !b.inner_contact; });
   if (!outer_only.empty()) {
     notes.push_back(
-        fmt::format("{}: contact with the outer race only; placed where the outer groove's normal "
-                    "meets the centrifugal force",
+        fmt::format("{}: contact with the outer race only; position: where the normal of the outer "
+                    "groove is parallel to the centrifugal force",
                     number_list(outer_only, "ball")));
   }
   const auto unloaded =
       balls_that(balls, [](const StaticBall& b) { return b.Q[0] == 0.0 && b.Q[1] == 0.0; });
   if (!unloaded.empty()) {
     notes.push_back(
-        fmt::format("{}: no load; at rest, so placed by rule: just touching the outer race, on the "
-                    "line between the groove centres",
+        fmt::format("{}: no load; assumed position at rest: touching the outer race, on the line "
+                    "between the groove centers",
                     number_list(unloaded, "ball")));
   }
   const auto steep = balls_that(balls, [](const StaticBall& b) {
@@ -384,7 +384,7 @@ std::vector<std::string> report_notes(const BallModel& m, const std::vector<Stat
   });
   if (!steep.empty()) {
     notes.push_back(
-        fmt::format("{}: a contact angle beyond 90 degrees, which no real groove offers",
+        fmt::format("{}: a contact angle beyond 90 degrees, which is not possible in a real groove",
                     number_list(steep, "ball")));
   }
   for (std::size_t j = 0; j < 2; ++j) {

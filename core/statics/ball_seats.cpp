@@ -42,7 +42,8 @@ bool make_seat(const BallModel& m, const bearing::Bearing& b, const StaticsOptio
   if (growth != 0.0) {
     if (!(std::isfinite(growth) && growth > -0.5 * m.diameter)) {
       throw InputError(
-          fmt::format("ball {}: a diameter deviation of {} m from the nominal {} m leaves no ball",
+          fmt::format("ball {}: the diameter deviation is {} m and the nominal diameter {} m; "
+                      "their sum must be above 0",
                       k + 1, growth, m.diameter));
     }
     seat.diameter += growth;
@@ -92,9 +93,9 @@ bool make_seat(const BallModel& m, const bearing::Bearing& b, const StaticsOptio
     if (!(seat.groove.offset[j] > 0.0 && own.groove_factor[j] < 1.0)) {
       throw InputError(fmt::format(
           "ball {}: its diameter of {:.9g} m does not fit the {} groove of radius {:.9g} m at this "
-          "azimuth; the groove radius must exceed half the ball diameter and stay below the "
-          "diameter. Reduce the imperfections of the balls (5G.1) or of the race's curvature "
-          "factor (5G.2)",
+          "azimuth; the groove radius must be above half the ball diameter and below the ball "
+          "diameter. Reduce the imperfections of the balls (5G.1) or of the curvature factor of "
+          "the race (5G.2)",
           k + 1, seat.diameter, j == 0 ? "outer" : "inner", seat.groove.groove_radius[j]));
     }
   }

@@ -40,15 +40,14 @@ double steepest_contact_angle(const BallModel& m, const BallRace& state) {
   std::string angles;
   if (steepest > 0.5 * std::numbers::pi) {
     angles = fmt::format(
-        ". Contact angles reach {:.0f} degrees there: these loads push balls past the edge of any "
-        "groove",
+        ". Contact angles reach {:.0f} degrees: these loads push the balls out of any groove",
         steepest * 180.0 / std::numbers::pi);
   }
   if (solve.ran_away) {
     throw SolverError(fmt::format(
-        "bearing equilibrium: no ball holds the inner race under {}; it moved to x = {:.4g} m, y = "
-        "{:.4g} m, z = {:.4g} m, further than the grooves reach{}. Prescribe the displacement in "
-        "that direction, or change load or geometry",
+        "bearing equilibrium: no ball supports the inner race under {}; the inner race moved to x "
+        "= {:.4g} m, y = {:.4g} m, z = {:.4g} m, which is outside the grooves{}. Prescribe the "
+        "displacement in this direction, or change load or geometry",
         loads, state.q(0), state.q(1), state.q(2), angles));
   }
   const double force = force_scale(race_scales(m), task, state.largest_contact);
@@ -56,24 +55,21 @@ double steepest_contact_angle(const BallModel& m, const BallRace& state) {
       std::cbrt(force * force) * std::pow(m.hertz[1].reference().K, -2.0 / 3.0);
   if (deflection < 1e-11 * m.balls.pitch_diameter) {
     throw SolverError(
-        fmt::format("bearing equilibrium: {} deflects a contact by {:.2g} m only, too little "
-                    "for a pitch diameter of {:.4g} m; set this load to zero",
+        fmt::format("bearing equilibrium: {} deflects a contact by only {:.2g} m, which is too "
+                    "small for a pitch diameter of {:.4g} m. Set this load to zero",
                     loads, deflection, m.balls.pitch_diameter));
   }
   if (share >= 0.0) {
     throw SolverError(fmt::format(
-        "bearing equilibrium: under {} the balls find an equilibrium with {:.0f} % of the "
-        "orbital speeds, "
-        "gyroscopic moments and angle-dependent stiffness, but not with all of them (residual "
-        "{:.2g} of the load) at race "
-        "speeds of {:.6g} and {:.6g} rad/s{}. Raise the load, lower the speed, or choose another "
-        "rule for the ball's "
-        "angular velocity",
+        "bearing equilibrium: under {} the balls have an equilibrium with {:.0f} % of the orbital "
+        "speeds, gyroscopic moments and angle-dependent stiffness, but not with 100 % (residual "
+        "{:.2g} of the load) at race speeds of {:.6g} and {:.6g} rad/s{}. Increase the load, "
+        "reduce the speed, or choose another spin rule (kAngVel)",
         loads, 100.0 * share, solve.residual, m.race_speed[0], m.race_speed[1], angles));
   }
   throw SolverError(
-      fmt::format("bearing equilibrium: under {} Newton's iteration {}{}{}; "
-                  "give a first guess of the displacement, or prescribe it in some direction",
+      fmt::format("bearing equilibrium: under {} Newton's iteration {}{}{}; enter a first guess of "
+                  "the displacement, or prescribe the displacement in one direction",
                   loads, how_far(solve),
                   solve.element_failed ? ", because a ball lost its equilibrium" : "", angles));
 }
@@ -166,9 +162,8 @@ void settle_race_control(BallModel& m, const RaceTask& task, BallRace& state, Ra
       m.own_speed_share = 1.0;
       state = before;
       notes.push_back(
-          fmt::format("race control: the inner race would control the spin of {}, but then "
-                      "there is no equilibrium; "
-                      "outer race control is used",
+          fmt::format("race control: the inner race would control the spin of {}, but this has no "
+                      "equilibrium; outer race control is used",
                       ball_numbers(changed)));
       return;
     }
@@ -193,11 +188,11 @@ void check_rolling(const BallModel& m, const BallRace& state) {
   for (std::size_t k = 0; k < state.elements.size(); ++k) {
     const BallState& ball = state.elements[k];
     if (!ball_forces<double>(m, ball.site, ball.x, ball.rho, inner_pose<double>(m, q)).rolls) {
-      throw SolverError(fmt::format(
-          "bearing equilibrium: with the spin axis prescribed at {:.6g} degrees from the "
-          "bearing axis (angVelOrient, less half turns) ball {} cannot roll on both "
-          "races; prescribe an angle near the contact angle",
-          m.spin_angle * 180.0 / std::numbers::pi, k + 1));
+      throw SolverError(
+          fmt::format("bearing equilibrium: with the spin axis prescribed at {:.6g} degrees from "
+                      "the bearing axis (angVelOrient minus multiples of 180 degrees), ball {} "
+                      "cannot roll on both races. Prescribe an angle near the contact angle",
+                      m.spin_angle * 180.0 / std::numbers::pi, k + 1));
     }
   }
 }
@@ -245,7 +240,7 @@ StaticSolution solve_from(ColdStart start, const bearing::Bearing& bearing,
     staged = solve_in_stages(model, task, state, true);
     solution.notes.push_back(
         "no equilibrium was found from the first guess of the displacement; this one was found "
-        "without it");
+        "without the guess");
   }
   if (staged.reached < 1.0) {
     give_up(model, task, staged.solve, state, staged.reached);

@@ -22,19 +22,19 @@ bool glass(double viscosity) {
 
 [[noreturn]] void refuse(const std::string& flag, const std::string& why) {
   throw DeckFault(flag, why,
-                  fmt::format("give the temperatures that the bearing runs at (record 9.1.3), a "
-                              "thinner lubricant (kTrac), or {} = 0",
+                  fmt::format("enter the operating temperatures (record 9.1.3), choose a less "
+                              "viscous lubricant (kTrac), or set {} = 0",
                               flag));
 }
 
 std::string at(const std::string& oil, double temperature, const std::string& place) {
-  return fmt::format("{} at {:.4g} K, {},", oil, temperature, place);
+  return fmt::format("{} at {:.4g} K ({})", oil, temperature, place);
 }
 
 std::string beyond_measured(double viscosity) {
   return fmt::format(
-      " has {:.3g} Pa s by its law, beyond what is measured (some {:g} Pa s): films, friction and "
-      "heat are extrapolations",
+      " has a calculated viscosity of {:.3g} Pa s, above the measured range (about {:g} Pa s). "
+      "Films, friction and heat are extrapolated",
       viscosity, most("film.viscosity"));
 }
 
@@ -46,25 +46,26 @@ std::vector<std::string> film_doubts(const LubricantFilms& films, FilmsOf use) {
   for (std::size_t j = 0; j < 2; ++j) {
     const double ratio = films.thickest[j];
     if (use == FilmsOf::Equilibrium && !(ratio > 0.0)) continue;
-    const std::string oil = at(films.lubricant, films.temperature[j],
-                               fmt::format("the inlet of the {} race", kRace[j]));
+    const std::string oil =
+        at(films.lubricant, films.temperature[j], fmt::format("inlet of the {} race", kRace[j]));
     if (glass(films.viscosity[j]))
       refuse("kTrac",
-             oil + " is a glass (1e12 Pa s): it makes no film, and its traction is unknown");
+             oil + " is a glass (at least 1e12 Pa s): no film forms, and the traction is unknown");
     if (ratio > most("film.separation")) {
       const std::string why = fmt::format(
-          "{} is so thick ({:.3g} Pa s) that its film would be {:.2g} of the radius of the bodies "
-          "that it parts: formulas of films, and the contacts themselves, end far below",
+          "{} is so thick ({:.3g} Pa s) that the film would be {:.2g} times the radius of the "
+          "contacting bodies. The film formulas and the contact model are valid only for much "
+          "thinner films",
           oil, films.viscosity[j], ratio);
       if (use != FilmsOf::ThermalSteps) refuse("kTrac", why);
-      out.push_back(why +
-                    ". Until thermal steps have warmed it, results that depend on this oil, "
-                    "its heat included, cannot be trusted. Start nearer to the expected "
-                    "temperatures (record 9.1.3)");
+      out.push_back(
+          why +
+          ". Until thermal steps have warmed the oil, its heat and all results that depend on the "
+          "oil cannot be trusted. Start closer to the expected temperatures (record 9.1.3)");
     } else if (ratio > most("film.thickness"))
       out.push_back(fmt::format(
-          "{} makes a film of {:.2g} of the radius of the bodies that it parts, where formulas of "
-          "films are known up to {:g}: films, lambda, friction and heat are rough there",
+          "{} forms a film of {:.2g} times the radius of the contacting bodies, but film formulas "
+          "are known only up to {:g} times. Films, lambda, friction and heat are rough estimates",
           oil, ratio, most("film.thickness")));
     if (films.viscosity[j] > most("film.viscosity"))
       out.push_back(oil + beyond_measured(films.viscosity[j]));
@@ -75,7 +76,7 @@ std::vector<std::string> film_doubts(const LubricantFilms& films, FilmsOf use) {
 std::string flow_doubt(const std::string& flag, const std::string& oil, double temperature,
                        double viscosity, const std::string& place) {
   const std::string text = at(oil, temperature, place);
-  if (glass(viscosity)) refuse(flag, text + " is a glass (1e12 Pa s) and does not flow");
+  if (glass(viscosity)) refuse(flag, text + " is a glass (at least 1e12 Pa s) and does not flow");
   return viscosity > most("film.viscosity") ? text + beyond_measured(viscosity) : std::string();
 }
 

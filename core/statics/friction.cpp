@@ -48,18 +48,18 @@ FrictionEstimate begin(const Bearing& bearing, const ContactLaws& oil) {
   };
   out.resists = acts(bearing.race_traction) || bearing.churning ||
                 (bearing.flange_traction && acts(*bearing.flange_traction));
-  const std::string curve = fmt::format("the curve of record 10.1, {:.4g} at most",
+  const std::string curve = fmt::format("traction curve of record 10.1 (maximum {:.4g})",
                                         tribology::largest_traction(bearing.race_traction));
   out.oil = oil.given();
   if (out.oil) {
-    out.law = fmt::format("film of {}, below the critical film {}", oil.name(), curve);
+    out.law = fmt::format("film of {}; below the critical film thickness: {}", oil.name(), curve);
   } else {
     out.law = curve;
   }
   if (bearing.cage)
     out.notes.emplace_back(
-        "friction of the cage in pockets and at lands is not in these figures: its loads follow "
-        "from the motion (mode 0 to 2)");
+        "the friction of the cage in pockets and at lands is not included, because its loads need "
+        "a dynamic run (mode 0 to 2)");
   return out;
 }
 
@@ -90,10 +90,10 @@ double FrictionEstimate::power() const noexcept {
 }
 
 std::string FrictionEstimate::why_none() const {
-  if (!(speed > 0.0)) return "the races do not turn against each other";
+  if (!(speed > 0.0)) return "the races do not rotate relative to each other";
   if (resists || power() > 0.0) return {};
-  return "nothing in the deck resists: the curves of record 10 are 0, no film carries, no medium "
-         "drags";
+  return "the deck has no friction: the traction curves of record 10 are 0, and there is no film "
+         "and no churning medium";
 }
 
 namespace {

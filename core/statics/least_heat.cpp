@@ -131,9 +131,9 @@ void settle_least_heat(const bearing::Bearing& bearing, const BallModel& model,
   state = before;
   solve = first;
   notes.push_back(fmt::format(
-      "spin axis of least heat: {}; the axes are those of a constant coefficient of friction",
-      solve.converged ? "angle and loads do not settle"
-                      : "no equilibrium with the law of the deck"));
+      "minimum-heat spin axis: {}. The spin axes are those for a constant friction coefficient",
+      solve.converged ? "spin axes and loads did not converge"
+                      : "no equilibrium with the traction law of the deck"));
 }
 
 }  // namespace adore::statics

@@ -134,15 +134,15 @@ std::string instability_note(const UnstableMode& mode,
   Eigen::Index largest = 0;
   mode.direction.cwiseAbs().maxCoeff(&largest);
   std::string text = fmt::format(
-      "this equilibrium is not stable: the stiffness of the inner race mainly {} is negative "
-      "({:.3g} {}), so that a disturbance grows; prescribe that displacement if the shaft holds "
+      "this equilibrium is not stable: the stiffness of the inner race, mainly {}, is negative "
+      "({:.3g} {}), so a disturbance grows. If the shaft prevents this displacement, prescribe "
       "it. ",
       kDirection[static_cast<std::size_t>(largest)], mode.stiffness * mode.lever * mode.lever,
       largest < 3 ? "N/m" : "N.m/rad");
   if (stable_ones.empty()) {
-    return text + "No stable equilibrium was found near it";
+    return text + "No stable equilibrium was found nearby";
   }
-  text += stable_ones.size() == 1 ? "A stable equilibrium near it:" : "Stable equilibria near it:";
+  text += stable_ones.size() == 1 ? "A stable equilibrium nearby:" : "Stable equilibria nearby:";
   for (std::size_t k = 0; k < stable_ones.size(); ++k) {
     const auto& q = stable_ones[k];
     text +=

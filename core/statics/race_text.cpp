@@ -37,7 +37,7 @@ std::string load_text(const RaceTask& task) {
 
 std::string how_far(const RaceSolve& solve) {
   return solve.iterations == 0
-             ? "could not begin"
+             ? "could not start"
              : fmt::format("stopped with a residual of {:.2g} of the load after {}", solve.residual,
                            counted(solve.iterations, "step"));
 }
@@ -47,8 +47,9 @@ std::vector<std::string> held_notes(const std::vector<int>& held,
   std::vector<std::string> notes;
   for (const int k : held) {
     const auto i = static_cast<std::size_t>(k);
-    notes.push_back(fmt::format("nothing holds or loads the inner race {}: it stays at {:.6g} {}",
-                                kDirection[i], displacement[i], k < 3 ? "m" : "rad"));
+    notes.push_back(fmt::format(
+        "the inner race has no load and no support {}: the displacement remains {:.6g} {}",
+        kDirection[i], displacement[i], k < 3 ? "m" : "rad"));
   }
   return notes;
 }

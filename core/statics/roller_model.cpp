@@ -41,11 +41,11 @@ void check(const bearing::Bearing& b, const RollerOptions& options) {
         "point contact needs rollers with one arc over their length (types 3 and 5); use slices");
   }
   if (options.kinematics == RollerKinematics::Linear && b.type != bearing::Type::Cylindrical) {
-    refuse("linear kinematics exist for cylindrical rollers only");
+    refuse("linear kinematics are available for cylindrical rollers only");
   }
   if (options.kinematics == RollerKinematics::Linear &&
       (g.race_crown_radius[0] > 0.0 || g.race_crown_radius[1] > 0.0)) {
-    refuse("linear kinematics know no crowned raceways");
+    refuse("linear kinematics are not available for crowned raceways");
   }
   if (!(std::isfinite(b.speed[0]) && std::isfinite(b.speed[1]))) {
     refuse(fmt::format("the race speeds are {} and {} rad/s; they must be numbers", b.speed[0],
@@ -57,9 +57,8 @@ void check(const bearing::Bearing& b, const RollerOptions& options) {
   }
   if (b.type == bearing::Type::Tapered && !g.flange[0][0] && !g.flange[1][0]) {
     refuse(
-        "no flange at the large end (negative x side) of the tapered rollers: any load squeezes "
-        "them "
-        "out. Give the inner race its rib: kFlngInd12 = 1 and record 5F");
+        "the tapered rollers have no flange at their large end (negative x side), so any load "
+        "pushes them out. Add a rib to the inner race: kFlngInd12 = 1 and record 5F");
   }
 }
 
@@ -76,10 +75,10 @@ double point_constant(const RollerModel& m, std::size_t j, const contact::Roller
   const auto [rolling, along] =
       contact::roller_race_curvature(m.rollers, p, static_cast<int>(j), race.groove_radius);
   if (!(along > 0.0)) {
-    refuse(fmt::format(
-        "point contact needs a crown that is rounder than the groove; here the crown radius is "
-        "{:.6g} m and the groove radius {:.6g} m",
-        p.crown_radius, race.groove_radius));
+    refuse(
+        fmt::format("point contact needs a crown radius smaller than the groove radius; here the "
+                    "crown radius is {:.6g} m and the groove radius {:.6g} m",
+                    p.crown_radius, race.groove_radius));
   }
   const auto [low, high] = std::minmax(rolling, along);
   return contact::hertz_constants({low, high}, m.E_star[j]).K;
@@ -122,7 +121,7 @@ RollerBody body_of(const RollerModel& m, bearing::Type type, const bearing::Impe
       continue;
     }
     if (table->across != m.slicing.count) {
-      refuse("the surface of a race was given for another number of slices");
+      refuse("a race surface was given for a different number of slices");
     }
     std::vector<double> radius;
     for (const contact::RollerSlice& slice : body.slices) {

@@ -176,44 +176,44 @@ StaticRoller report_roller(const RollerModel& m, const Vec5& q, const RollerStat
 
 std::string unloaded_rule(const RollerModel& m) {
   if (!m.moving) {
-    return "A roller that touches nothing has no unique place at rest: it is put in the middle "
-           "between both races and carries nothing.";
+    return "A roller without contact has no unique position at rest. It is placed in the middle "
+           "between both races and has no load.";
   }
   std::string text =
-      "A roller that the inner race does not touch orbits with the others and rests on the outer "
-      "race, ";
+      "A roller without contact with the inner race orbits with the other rollers and touches the "
+      "outer race. ";
   if (m.grips || m.linear) {
     return text +
-           "axially at its nominal place or as near to it as flanges allow: friction holds it.";
+           "Friction prevents axial sliding, so its axial position is nominal, or as close to "
+           "nominal as flanges allow.";
   }
   if (m.rollers.shape == bearing::RollerShape::Arc && !m.rollers.has_flange(0) &&
       !m.rollers.has_flange(1)) {
     return text +
-           "its contact in the middle of the groove: what its centrifugal force has along the "
-           "roller, guide ring or cage hold.";
+           "Its contact is in the middle of the groove. Guide ring or cage support the component "
+           "of the centrifugal force along the roller axis.";
   }
-  return text + "slid along it without friction until a flange stops it.";
+  return text + "It slides axially without friction until a flange stops it.";
 }
 
 std::vector<std::string> roller_notes(const RollerModel& m,
                                       const std::vector<StaticRoller>& rollers) {
   Notes notes(rollers);
   notes.add([](const StaticRoller& r) { return r.idle; },
-            "no load; at rest, so placed in the middle between both races");
+            "no load; assumed position at rest: in the middle between both races");
   notes.add(
       [](const StaticRoller& r) {
         return !r.idle && r.race[0].load == 0.0 && r.race[1].load == 0.0;
       },
-      "no load; left where it lost its last contact");
+      "no load; position: where the last contact was lost");
   notes.add([](const StaticRoller& r) { return r.race[0].load > 0.0 && r.race[1].load == 0.0; },
-            "contact with the outer race only (centrifugal force), placed by the rule for unloaded "
-            "rollers");
+            "contact with the outer race only (centrifugal force); position: by the rule for "
+            "unloaded rollers");
   for (std::size_t j = 0; j < 2; ++j) {
     notes.add([j](const StaticRoller& r) { return r.race[j].at_edge; },
-              "the contact with the {} race carries more than a tenth of its largest pressure up "
-              "to a corner of the roller or an "
-              "edge of the land; the stress there exceeds the printed pressure by an amount that "
-              "independent slices cannot tell",
+              "in the contact with the {} race, the pressure at a corner of the roller or at an "
+              "edge of the land is more than a tenth of the largest pressure. The edge stress "
+              "exceeds the printed pressure; independent slices cannot determine how much",
               kRace[j]);
     for (std::size_t side = 0; side < 2; ++side) {
       notes.add(
@@ -221,8 +221,8 @@ std::vector<std::string> roller_notes(const RollerModel& m,
             const auto& f = r.flange[j][side];
             return f.load > 0.0 && !f.on_face;
           },
-          "touches the {} flange of the {} race with its corner or at the flange's lip, where the "
-          "stress is not Hertzian",
+          "contact with the {} flange of the {} race at the roller corner or at the flange lip, "
+          "where the stress is not Hertzian",
           kSide[side], kRace[j]);
     }
   }
@@ -236,9 +236,8 @@ std::vector<std::string> roller_notes(const RollerModel& m,
             return r.race[j].load > 0.0 && r.race[j].length < shortest && r.race[0].load > 0.0 &&
                    r.race[1].load > 0.0;
           },
-          "fewer than {} of {} slices touch the {} race; more slices (option rollerSlices) would "
-          "be "
-          "more exact",
+          "fewer than {} of {} slices touch the {} race; increase the number of slices (option "
+          "rollerSlices) for more accurate results",
           enough, m.slicing.count, kRace[j]);
     }
   }

@@ -135,11 +135,11 @@ std::string missing_thrust(const RollerModel& m, const RaceTask& task, const Vec
   }
   constexpr double kDegree = 180.0 / std::numbers::pi;
   std::string text = fmt::format(
-      ". A row at {:.4g} degrees carries thrust towards +x only, and each roller turns what it "
-      "carries radially into thrust{}: under a radial load of {:.6g} N it needs at least {} tan α "
-      "= {:.4g} N along x and has {:.6g} N",
+      ". A row with a contact angle of {:.4g} degrees supports thrust towards +x only, and each "
+      "roller converts its radial load{} into thrust. Under a radial load of {:.6g} N the row "
+      "needs an axial load of at least {} tan α = {:.4g} N along x, but the axial load is {:.6g} N",
       angle * kDegree,
-      thrown > 0.0 ? fmt::format(", its centrifugal force of {:.4g} N too", m.centrifugal) : "",
+      thrown > 0.0 ? fmt::format(" and its centrifugal force of {:.4g} N", m.centrifugal) : "",
       radial, thrown > 0.0 ? "(F_r + Z F_c)" : "F_r", needed, task.load(0));
   if (m.rollers.shape == bearing::RollerShape::Arc) {
     text += fmt::format(" (with the race at x = {:.4g} m the angle is still {:.4g} degrees)", q(0),
@@ -186,43 +186,42 @@ UnstableMode unstable_at(const RollerModel& m, const RaceTask& task, const Rolle
   const double tilt = std::hypot(state.q(3), state.q(4));
   if (const std::string why = missing_thrust(m, task, state.q); !why.empty()) {
     throw MissingThrust(
-        fmt::format("bearing equilibrium: no roller or flange holds the inner race under {}; it "
-                    "moved to x = {:.4g} m, y = {:.4g} m, z = {:.4g} m{}",
+        fmt::format("bearing equilibrium: no roller or flange supports the inner race under {}; "
+                    "the inner race moved to x = {:.4g} m, y = {:.4g} m, z = {:.4g} m{}",
                     loads, state.q(0), state.q(1), state.q(2), why),
-        std::string(m.moving ? "lower the speed, give" : "give") +
-            " the row that thrust, or prescribe x (kFS1 = 1) for the second row or the shaft that "
-            "holds it");
+        std::string(m.moving ? "reduce the speed, apply" : "apply") +
+            " this axial load, or prescribe x (kFS1 = 1) if a second row or the shaft supports the "
+            "thrust");
   }
   const bool barrels = m.rollers.shape == bearing::RollerShape::Arc;
   const bool may_tilt = !task.given[3] || !task.given[4];
   const double far = 0.5 * race_scales(m).reach;
   if ((solve.ran_away && tilt * race_scales(m).lever > far) ||
       (barrels && may_tilt && tilt * race_scales(m).lever > 0.1 * far)) {
-    throw SolverError(fmt::format(
-        "bearing equilibrium: nothing stops the inner race from tilting under {}; it had tilted by "
-        "{:.3g} rad (about y {:.3g}, about z {:.3g}) when the rollers could not follow any "
-        "more{}. Prescribe the tilts about y and z (kFS4 = kFS5 = 1), or let the load pass through "
-        "the point about which the bearing swivels",
-        loads, tilt, state.q(3), state.q(4),
-        barrels
-            ? ": barrels in a groove that is nearly a sphere let the race swivel about its centre"
-            : ""));
+    throw SolverError(
+        fmt::format("bearing equilibrium: nothing prevents the inner race from tilting under {}. "
+                    "At a tilt of {:.3g} rad (about y {:.3g}, about z {:.3g}) the rollers lost "
+                    "their equilibrium{}. Prescribe the tilts about y and z (kFS4 = kFS5 = 1), or "
+                    "apply the load through the swivel center of the bearing",
+                    loads, tilt, state.q(3), state.q(4),
+                    barrels ? ", because barrels in a nearly spherical groove allow the race to "
+                              "swivel about its center"
+                            : ""));
   }
   if (solve.ran_away) {
     throw SolverError(fmt::format(
-        "bearing equilibrium: no roller or flange holds the inner race under {}; it moved to x = "
-        "{:.4g} m, y = {:.4g} m, z = {:.4g} m. Prescribe the displacement in the direction that "
-        "nothing holds (kFS), add flanges, or change the load",
+        "bearing equilibrium: no roller or flange supports the inner race under {}; the inner race "
+        "moved to x = {:.4g} m, y = {:.4g} m, z = {:.4g} m. Prescribe the displacement in the "
+        "direction without support (kFS), add flanges, or change the load",
         loads, state.q(0), state.q(1), state.q(2)));
   }
-  throw SolverError(fmt::format(
-      "bearing equilibrium: under {} Newton's iteration {}{}; give a first guess of the "
-      "displacement, or prescribe it in some direction",
-      loads, how_far(solve),
-      solve.element_failed
-          ? ", because a roller lost its equilibrium (nothing holds it along its axis, or the race "
-            "moved too far)"
-          : ""));
+  throw SolverError(
+      fmt::format("bearing equilibrium: under {} Newton's iteration {}{}; enter a first guess of "
+                  "the displacement, or prescribe the displacement in one direction",
+                  loads, how_far(solve),
+                  solve.element_failed ? ", because a roller lost its equilibrium (no support "
+                                         "along the roller axis, or the race moved too far)"
+                                       : ""));
 }
 
 void fill_summary(RollerSolution& s) {
@@ -264,7 +263,7 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
                               ? "the equilibrium found from the first guess of the displacement is "
                                 "not stable; this one was found without the guess"
                               : "no equilibrium was found from the first guess of the "
-                                "displacement; this one was found without it");
+                                "displacement; this one was found without the guess");
       state = std::move(from_cold);
       solve = second;
     }

@@ -86,10 +86,10 @@ void check(const NetworkRings& rings) {
                                              std::tuple{&rings.housing, "hsngTC", "housing"},
                                              std::tuple{&rings.shaft, "shftTC", "shaft"}})
     if (!(ring->conductivity > 0.0 && ring->width > 0.0))
-      throw InputError(fmt::format(
-          "the thermal network needs a conductivity and a width above 0 of the {}; they "
-          "are {:g} W/m/K and {:g} m: give {} and the width of the race",
-          what, ring->conductivity, ring->width, variable));
+      throw InputError(
+          fmt::format("the thermal network needs a conductivity and a width above 0 for the {}, "
+                      "but these are {:g} W/m/K and {:g} m. Enter {} and the width of the race",
+                      what, ring->conductivity, ring->width, variable));
 }
 
 double mean_of(const NetworkRing& ring, double inside, double outside) {
@@ -318,36 +318,36 @@ void add_notes(BearingHeat& out, const Bearing& b, double cage_speed) {
   const bearing::ThermalInputs& in = *b.thermal;
   if (!(b.envelope.shaft_bore > 0.0))
     out.notes.emplace_back(
-        "the shaft is solid (shftID = 0): the thermal network gives it a bore of 1 % of the "
-        "bearing's");
+        "the shaft is solid (shftID = 0): the thermal network uses a shaft bore of 1 % of the "
+        "bearing bore");
   constexpr std::array<const char*, 2> kRing{"outer", "inner"}, kMate{"housing", "shaft"};
   for (std::size_t j = 0; j < 2; ++j)
     if (out.turned_back[j] > 0.0)
       out.notes.push_back(fmt::format(
-          "ladder: with {:.4g} W through the {} race the {} would be colder than the coldest given "
-          "temperature; it takes {:.4g} W, and the rest leaves by {}",
+          "ladder: with {:.4g} W through the {} race, the {} would be colder than the coldest "
+          "given temperature. So {:.4g} W flow this way, and the remaining heat is removed by {}",
           out.flows.race[j] + out.turned_back[j], kRing[j], kMate[j], out.flows.race[j],
           out.coolant ? "the coolant"
           : j == 1    ? "the outer race"
                       : "the inner race"));
   if (out.clamped)
     out.notes.emplace_back(
-        "ladder: housing or shaft would be colder than the coldest given temperature and is held "
-        "there; thermalModel=network closes the heat balance");
+        "ladder: housing or shaft would be colder than the coldest given temperature, so that "
+        "temperature is used. With thermalModel=network the heat balance is closed");
   const double T_mean = out.temperature.coolant_mean;
   if (out.coolant && out.coolant->outside(T_mean))
-    out.notes.push_back(
-        fmt::format("the coolant's properties are known from {:g} to {:g} K; at its mean "
-                    "temperature of {:.4g} K those of the nearer end are used",
-                    out.coolant->T_min, out.coolant->T_max, T_mean));
+    out.notes.push_back(fmt::format(
+        "the properties of the coolant are known from {:g} to {:g} K. The mean temperature of the "
+        "coolant is {:.4g} K, so the properties at the nearer limit are used",
+        out.coolant->T_min, out.coolant->T_max, T_mean));
   if (out.coolant && b.cage && !in.convection_given) {
     const double reynolds = out.coolant->density * std::abs(cage_speed - b.speed[0]) *
                             b.cage->outer_diameter * b.cage->outer_diameter /
                             (2.0 * out.coolant->viscosity);
     if (reynolds > 4e5)
       out.notes.push_back(
-          fmt::format("convection of the cage is extrapolated: its Reynolds number is {:.3g}, and "
-                      "the correlation was measured up to 4e5",
+          fmt::format("convection of the cage is extrapolated: the Reynolds number is {:.3g}, but "
+                      "the correlation was measured only up to 4e5",
                       reynolds));
   }
 }
@@ -424,11 +424,11 @@ BearingHeat solve_bearing_heat(const Bearing& b, const HeatSources& sources, dou
         convection = convection_in(b, fluid_of(coolant), surfaces, cage_speed);
       }
       if (!(capacity_flow > 0.0 && convection.element > 0.0 && (!b.cage || convection.cage > 0.0)))
-        throw InputError(fmt::format(
-            "the coolant {} takes no heat: flow times heat capacity is {:g} W/K, convection "
-            "coefficients of elements and cage are {:g} and {:g} W/m^2/K; give reHTC and cageHTC "
-            "(or kHTC = 0) and a specific heat above 0",
-            coolant.name, capacity_flow, convection.element, convection.cage));
+        throw InputError(
+            fmt::format("the coolant {} removes no heat: flow times heat capacity is {:g} W/K, "
+                        "convection coefficients of elements and cage are {:g} and {:g} W/m^2/K. "
+                        "Enter reHTC and cageHTC (or kHTC = 0) and a specific heat above 0",
+                        coolant.name, capacity_flow, convection.element, convection.cage));
       out.coolant = std::move(coolant);
     } else if (!is_ladder) {
       convection = convection_in(b, still_medium(b, T_mean), surfaces, cage_speed);

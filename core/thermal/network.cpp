@@ -127,10 +127,10 @@ NodalResult solve_network(const NodalNetwork& n) {
   net.link(inner, coolant, n.race_film[1]);
   net.link(coolant, inlet, 2.0 * n.capacity_flow);
   if (const std::string lost = net.unconnected(); !lost.empty())
-    throw SolverError(fmt::format(
-        "thermal network: no link carries heat away from {}. Enter a film or contact conductance "
-        "above 0.",
-        lost));
+    throw SolverError(
+        fmt::format("thermal network: no link removes heat from {}. Enter a film or contact "
+                    "conductance above 0.",
+                    lost));
   const HeatNetwork::Solution at = net.solve();
   const std::vector<double>& T = at.temperature;
   NodalResult out;

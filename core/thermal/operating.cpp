@@ -163,7 +163,7 @@ void move_play(const std::string& name, int race, double cage_diameter, double& 
     entry.operating = land_clearance(race, race_radius, u_race, cage_radius, u_cage);
   if (entry.free >= 0.0 && entry.operating < 0.0)
     report.warnings.push_back(
-        fmt::format("the cage loses its clearance: {} was {:.4g} m and is {:.4g} m in operation",
+        fmt::format("the cage loses its clearance: {} is {:.4g} m cold and {:.4g} m in operation",
                     name, entry.free, entry.operating));
   play = entry.operating;
   report.plays.push_back(entry);
@@ -174,7 +174,7 @@ void move_pocket(const std::string& name, double& clearance, double diameter, do
   bearing::CagePlay entry{name, clearance, pocket_clearance(clearance, diameter, g_cage, g_ball)};
   if (entry.free >= 0.0 && entry.operating < 0.0)
     report.warnings.push_back(fmt::format(
-        "the cage clamps its rolling elements: {} was {:.4g} m and is {:.4g} m in operation", name,
+        "the cage clamps its rolling elements: {} is {:.4g} m cold and {:.4g} m in operation", name,
         entry.free, entry.operating));
   clearance = entry.operating;
   report.plays.push_back(entry);
@@ -206,7 +206,7 @@ void report_tightest_pocket(const bearing::Cage& cage, std::size_t which, double
   double clearance = nominal + tightest->clearance[which];
   if (nominal >= 0.0 && clearance < 0.0)
     report.warnings.push_back(fmt::format(
-        "pocket {} of the cage clamps its rolling element: its clearance {} is {:.4g} m",
+        "pocket {} of the cage clamps its rolling element: pocket clearance {} is {:.4g} m",
         tightest - own.begin() + 1, which == 0 ? "I" : "II", clearance));
   move_pocket(fmt::format("pocket clearance {}, {} {}", which == 0 ? "I" : "II",
                           own.size() > 1 ? "least: no." : "pocket", tightest - own.begin() + 1),
@@ -272,17 +272,17 @@ void warn(OperatingFits& report, const Bearing& free) {
   if (!report.axial_setting && report.operating.clearance < 0.0 && report.free.clearance >= 0.0)
     say(
         fmt::format("the clearance turns negative: {:.4g} m unmounted, {:.4g} m mounted, {:.4g} m "
-                    "in operation; fits and growth preload the bearing radially",
+                    "in operation. Fits and growth preload the bearing radially",
                     report.free.clearance, report.mounted.clearance, report.operating.clearance));
   for (std::size_t j = 0; j < 2; ++j) {
     const bearing::FitState& fit = report.fit[j];
     const bool wall = j == 0 ? free.envelope.housing_diameter > free.envelope.outer_diameter
                              : free.envelope.shaft_bore < free.envelope.bore;
     if (wall && fit.allowance > 0.0 && fit.interference <= 0.0)
-      say(fmt::format(
-          "the {} race comes loose from the {}: an interference of {:.4g} m when mounted "
-          "has become a clearance of {:.4g} m in operation",
-          kRaceName[j], kMateName[j], fit.allowance, -fit.interference));
+      say(
+          fmt::format("the {} race comes loose from the {}: the interference is {:.4g} m when "
+                      "mounted, but in operation there is a clearance of {:.4g} m",
+                      kRaceName[j], kMateName[j], fit.allowance, -fit.interference));
     const auto check = [&](const char* what, double stress, double limit) {
       if (limit > 0.0 && std::abs(stress) > limit)
         say(
@@ -373,14 +373,14 @@ MountedRings mounted_rings(const Bearing& b, const std::array<double, 2>& racewa
   const double bore = 0.5 * b.envelope.bore, outside = 0.5 * b.envelope.outer_diameter;
   if (!(raceway_radius[0] > 0.0 && raceway_radius[0] < outside))
     throw InputError(
-        fmt::format("the outer raceway radius is {} m; it must be smaller than the bearing's "
-                    "outside radius of {} m, so that a ring is left",
+        fmt::format("the outer raceway radius is {} m; it must be smaller than the outside radius "
+                    "of the bearing, {} m, because the ring needs a thickness above 0",
                     raceway_radius[0], outside));
   if (!(raceway_radius[1] > bore && bore > 0.0))
-    throw InputError(
-        fmt::format("the inner raceway radius is {} m; it must be larger than the bore radius of "
-                    "{} m, which must be above 0, so that a ring is left",
-                    raceway_radius[1], bore));
+    throw InputError(fmt::format(
+        "the inner raceway radius is {} m; it must be larger than the bore radius of {} m, and the "
+        "bore radius must be above 0, because the ring needs a thickness above 0",
+        raceway_radius[1], bore));
   MountedRings out;
   out.shaft = part(b, b.mounting.shaft, b.mounting.shaft_temperature, 0.5 * b.envelope.shaft_bore,
                    bore, b.speed[1]);

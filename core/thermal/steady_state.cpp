@@ -50,8 +50,8 @@ Pass one_pass(const Bearing& as_built, const BulkTemperatures& bulk,
 }
 
 constexpr const char* kRemedy =
-    "give more coolant (cFlowRate), more clearance or less interference (freeIntCls, raceFit1, "
-    "raceFit2), less load or speed, or a less viscous lubricant";
+    "Increase the coolant flow (cFlowRate), increase the clearance or reduce the interference "
+    "(freeIntCls, raceFit1, raceFit2), reduce load or speed, or use a less viscous lubricant";
 
 [[noreturn]] void give_up(const std::string& what, int passes, const std::optional<Pass>& last,
                           double gain) {
@@ -59,16 +59,17 @@ constexpr const char* kRemedy =
   if (last) {
     const BulkTemperatures& T = last->heat.bulk;
     state = fmt::format(
-        "; last: {:.4g} W, outer race {:.4g} K, inner race {:.4g} K, elements {:.4g} K, diametral "
-        "clearance {:.4g} m",
+        "; last iteration: power loss {:.4g} W, outer race {:.4g} K, inner race {:.4g} K, elements "
+        "{:.4g} K, diametral clearance {:.4g} m",
         last->friction.power(), T.race[0], T.race[1], T.element,
         last->operating.operating ? last->operating.operating->operating.clearance : 0.0);
   }
   const std::string growth =
       std::isfinite(gain) && gain > 1.0
-          ? fmt::format("; heat grows with temperature {:.3g} times as fast as it is removed", gain)
+          ? fmt::format("; with temperature, the heat grows {:.3g} times as fast as its removal",
+                        gain)
           : std::string();
-  throw SolverError(fmt::format("thermal analysis: no steady state after {} passes: {}{}{}. {}",
+  throw SolverError(fmt::format("thermal analysis: no steady state after iteration {}: {}{}{}. {}",
                                 passes, what, state, growth, kRemedy));
 }
 
@@ -133,11 +134,11 @@ SteadyState solve_steady_state(const Bearing& as_built, const statics::RollerOpt
       now = one_pass(as_built, at, rollers);
     } catch (const SolverError& error) {
       if (!last) throw;
-      give_up(fmt::format("the bearing has no equilibrium any more ({})", error.what()), pass, last,
-              out.gain);
+      give_up(fmt::format("the bearing no longer has an equilibrium ({})", error.what()), pass,
+              last, out.gain);
     } catch (const InputError& error) {
       if (!last) throw;
-      give_up(fmt::format("the bearing cannot work any more ({})", error.what()), pass, last,
+      give_up(fmt::format("the bearing can no longer operate ({})", error.what()), pass, last,
               out.gain);
     }
     last = now;

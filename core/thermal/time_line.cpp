@@ -42,7 +42,8 @@ TimeLine solve_time_line(const bearing::Bearing& as_built, const statics::Roller
       return out;
     } catch (const InputError& error) {
       if (out.points.empty()) throw;
-      out.end = fmt::format("the bearing cannot work after {:.4g} s: {}", time, error.what());
+      out.end =
+          fmt::format("the bearing can no longer operate after {:.4g} s: {}", time, error.what());
       return out;
     }
     const HeatSources heat = heat_sources(at.friction);
@@ -72,7 +73,7 @@ TimeLine solve_time_line(const bearing::Bearing& as_built, const statics::Roller
       return out;
     }
   }
-  out.end = fmt::format("not settled after {}, {:.4g} s", counted(kMostPoints, "step"), time);
+  out.end = fmt::format("no steady state after {}, {:.4g} s", counted(kMostPoints, "step"), time);
   return out;
 }
 

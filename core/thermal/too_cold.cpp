@@ -9,17 +9,17 @@ namespace adore::thermal {
 std::string too_cold(const BearingHeat& heat) {
   const NetworkTemperatures& T = heat.temperature;
   const auto told = [](const char* node, double at) {
-    return fmt::format("{} would be at {:.4g} K, not above absolute zero", node, at);
+    return fmt::format("{} would be at {:.4g} K, which is not above absolute zero", node, at);
   };
   if (heat.coolant && !(T.coolant_in > 0.0))
-    return told("the coolant's inlet", T.coolant_in) +
-           fmt::format(": {:.4g} W warm the flow by {:.4g} K", heat.flows.coolant,
-                       T.coolant_out - T.coolant_in);
-  for (const auto& [node, at] :
-       {std::pair{"the outer race at the housing", T.outer_interface},
-        std::pair{"the housing's outside", T.housing},
-        std::pair{"the inner race at the shaft", T.inner_interface},
-        std::pair{"the shaft's inside", T.shaft}, std::pair{"the coolant's exit", T.coolant_out}})
+    return told("the coolant inlet", T.coolant_in) +
+           fmt::format(": a heat of {:.4g} W increases the coolant temperature by {:.4g} K",
+                       heat.flows.coolant, T.coolant_out - T.coolant_in);
+  for (const auto& [node, at] : {std::pair{"the outer race at the housing", T.outer_interface},
+                                 std::pair{"the outside of the housing", T.housing},
+                                 std::pair{"the inner race at the shaft", T.inner_interface},
+                                 std::pair{"the inside of the shaft", T.shaft},
+                                 std::pair{"the coolant exit", T.coolant_out}})
     if (!(at > 0.0)) return told(node, at);
   return {};
 }

@@ -174,7 +174,7 @@ std::string strips_of(const Lubricant& oil, const bearing::Lubrication& lubricat
           ? "points in single precision, relative error of traction 3e-5 (run option filmPrecision)"
           : "";
   if (oil.model == LubricantModel::ShearThinning) {
-    if (lubrication.direct_strips) return "stress of every point solved";
+    if (lubrication.direct_strips) return "stress solved at every point";
     const ThinningSurface at =
         thinning_surface(0.5 * (oil.carreau_n - 1.0), thinning_error_of(lubrication.tolerance));
     return floats + (floats.empty() ? "" : "; ") +

@@ -46,7 +46,7 @@ std::string beyond_range(const PressureRange& range, double pressure) {
   if (pressure <= *range.measured_to) return {};
   return fmt::format("extrapolated beyond {:g} GPa, the highest measured pressure{}",
                      1e-9 * *range.measured_to,
-                     range.provenance == "seen" ? "" : " (recalled, not read)");
+                     range.provenance == "seen" ? "" : " (quoted from memory, not checked)");
 }
 
 }  // namespace adore::tribology

@@ -141,8 +141,7 @@ TractionCurve from_asymptote(const std::array<double, 4>& tc) {
   if (!(slope * (kinf - k0) > 0.0)) {
     throw InputError(
         fmt::format("the initial slope {} s/m cannot lead from {} at zero slip to {} at infinite "
-                    "slip; its sign must "
-                    "be that of the difference {}",
+                    "slip; the slope must have the sign of the difference, {}",
                     slope, k0, kinf, kinf - k0));
   }
   return exponential(k0 - kinf, 0.0, slope / (kinf - k0), kinf);

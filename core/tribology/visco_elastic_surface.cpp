@@ -269,8 +269,8 @@ void heat_film(ViscoElasticFilm& film, const Lubricant& oil, double temperature,
                const std::array<FilmWall, 2>& walls) {
   if (!(walls[0].conductivity > 0.0) && !(walls[1].conductivity > 0.0))
     throw InputError(
-        "iTherm = 1 (flash temperature of the surfaces) needs a thermal conductivity, and neither "
-        "races nor elements have one; choose materials of the table, or set iTherm to 0");
+        "iTherm = 1 (flash temperature of the surfaces) needs a thermal conductivity, but neither "
+        "races nor elements have a value. Choose materials of the table, or set iTherm = 0");
   ViscoElasticFilm::Heating& heat = film.heating;
   heat.on = true;
   for (std::size_t i = 0; i < 2; ++i) {

@@ -48,8 +48,8 @@ TEST_CASE("findings of statics: listed at load, no green sign, a click goes to t
     return -1;
   };
   CHECK(row_of("no problem") < 0);
-  REQUIRE(row_of("needs a coefficient of friction") >= 0);
-  const int row = row_of("reaches over the shoulder");
+  REQUIRE(row_of("needs a friction coefficient") >= 0);
+  const int row = row_of("extends beyond the shoulder");
   REQUIRE(row >= 0);
   CHECK(window.document().state_of("5A") == RecordState::Doubtful);
   emit problems->itemClicked(problems->item(row));

@@ -86,7 +86,7 @@ TEST_CASE("sentences of the sources write no number before a plural", "[unit]") 
                                       "as in a deck, {} values",
                                       "has {:.2g} {} steps per period",
                                       "this bearing has {} segments",
-                                      "gives {} values a step, but {} rolling",
+                                      "gives {} values per step, but {} rolling",
                                       "{} balls; there must be at least one",
                                       "{} rollers; there must be at least one",
                                       "the random variables have {} dimensions",

@@ -54,7 +54,7 @@ std::vector<std::string> hidden_files(const Folder& folder) {
 /// continuation takes one more, and the computing times at its end.
 std::string listed_results(const Folder& folder) {
   const std::string text = read(folder / "PRINT.txt");
-  std::istringstream lines(text.substr(0, text.find("  Cost: where the computing time went")));
+  std::istringstream lines(text.substr(0, text.find("  Cost: computing time")));
   std::string out;
   for (std::string line; std::getline(lines, line);)
     if (!contains(line, "  Counter: evaluations")) out += line + "\n";

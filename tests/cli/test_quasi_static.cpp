@@ -36,7 +36,7 @@ TEST_CASE("a quasi-static deck of each roller type writes one page and carries i
     REQUIRE(run.code == 0);
     const std::string print = read(folder / "PRINT.txt");
     for (const char* part : {"QUASI-STATIC EQUILIBRIUM", "Contacts with the outer race",
-                             "Along the heaviest rollers", "Roller length"})
+                             "Slices of the most loaded rollers", "Roller length"})
       CHECK(contains(print, part));
     CHECK_FALSE(contains(print, "nan"));
     const json summary = json::parse(read(folder / "RUN.json")).at("summary");

@@ -56,7 +56,8 @@ TEST_CASE("chart_scene: ends of a curve → distance from the frame", "[gui]") {
 TEST_CASE("chart_scene: long titles are written whole", "[gui]") {
   test::use_qt();
   const std::string longest =
-      "Life, original Lundberg-Palmgren, Life, Gupta-Zaretsky type, Life by the loads of the run, "
+      "Life, original Lundberg-Palmgren, Life, Gupta-Zaretsky type, Life from the loads of the "
+      "run, "
       "Mean of the largest contact load over initCageVelRatio";
   for (const int width : {700, 1000, 1280})
     for (const std::size_t length : {std::size_t{20}, std::size_t{70}, longest.size()}) {

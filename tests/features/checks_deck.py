@@ -212,7 +212,7 @@ def _(b):
 
 def wear_table(run):
     """Page 1c of the last step: heights, radii, depths of the flange, distances from the roller axis, depths of the end."""
-    part = run.listing.split("1c. Wear over the end of roller 1 and the inner race flange at -x")[-1].splitlines()
+    part = run.listing.split("1c. Wear depth per time on the end of roller 1 and on the inner race flange at -x")[-1].splitlines()
     rows = [[float(w) for w in line.split()[1:]] for line in part[4:13]]
     return list(zip(*rows))
 
@@ -283,7 +283,7 @@ def _(b):
         close("misalignment of the inner race about y, 0.2 mrad [deg]", value_of(text, "Misalignment of the inner race about y"), math.degrees(2e-4), 1e-4),
         close("operating clearance [m]", value_of(text, "Internal clearance, diametral"), r.fits["operating"]["diametral clearance [m]"], 1e-5),
         close("temperature of the cage [K]", value_of(text, "Cage temperature"), 303.15, 1e-6),
-        close("fit of the inner race [m]", value_of(text, "Operating fit of the inner race, diametral (above 0: interference)"), r.fits["inner race"]["operating interference [m]"], 1e-5),
+        close("fit of the inner race [m]", value_of(text, "Diametral operating fit, inner race (positive: interference)"), r.fits["inner race"]["operating interference [m]"], 1e-5),
         close("play at guide land 1 [m]", value_of(text, "Cage clearance at guide land 1, diametral"), r.fits["cage play, diametral"]["guide land 1 on the outer race"]["operating [m]"], 0.02)]
 
 
@@ -308,7 +308,7 @@ def _(b):
                        close("cage whirl ratio, angle of its centre", value_of(text, "Cage whirl ratio, average over time"), angle, 0.01),
                        close("power loss [W]", value_of(text, "Power loss"), c["power.loss"][t], 1e-5), close("its average over time [W]", value_of(text, "Power loss, average over time"), loss, 0.03),
                        close("average wear rate of the inner race [m^3/s]", value_of(text, "Average wear rate, inner race"), c["race.wear_rate.2"][t], 1e-5),
-                       close("life [hr]", value_of(text, "Fatigue life at the present loads (sol7Life; page FATIGUE LIFE)"), c["power.life"][t], 1e-5)]
+                       close("life [hr]", value_of(text, "Fatigue life at the current loads (sol7Life)"), c["power.life"][t], 1e-5)]
 
 
 @feature("F240", G)

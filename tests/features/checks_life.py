@@ -270,7 +270,7 @@ def conductivity_check(b, part, base, hot, cold, ratio, width=0.018):
     out = []
     for k in (52.0, 26.0):
         r, n = steady(b, kBaseTemp=base, **ring(part, TC=k))
-        q = n[f"From {hot} to {cold}"]
+        q = n[f"Flow from {hot} to {cold}"]
         out.append(close(f"{part}TC = {k:.0f}: drop over the ring for {q:.1f} W, q ln(r2/r1) / (2 pi k w) [K]", n[hot] - n[cold], q * math.log(ratio) / (2 * math.pi * k * width), 5e-3))
     return out
 
@@ -421,7 +421,7 @@ def _(b):
 def _(b):
     r, light = b.static(sets={**HARD, "appLoadX": 30000.0}), b.static(sets={**HARD, "appLoadX": 300.0, "rpm2": 100.0})
     race_ = lives(r)["races"]["inner race"]
-    mises = float([x for x in r.listing.splitlines() if "von Mises below it, race" in x][0].split("Pa")[2].split()[-1])
+    mises = float([x for x in r.listing.splitlines() if "subsurface von Mises, race" in x][0].split("Pa")[2].split()[-1])
     ratio = mises / race_["largest pressure [Pa]"]
     p0 = calibration()[0]
     p = r.elements["inner pressure [Pa]"][0]
@@ -602,7 +602,7 @@ def _(b):
     out.append(more("Ioannides-Harris life with it over that before", basic(iso, IH, INNER) / basic(base, IH, INNER), 2.0))
     # (s - 1.28 L)/(s - L) of the von Mises stress s
     p = base.elements["inner pressure [Pa]"][0]
-    mises = float([x for x in base.listing.splitlines() if "von Mises below it, race" in x][0].split("Pa")[2].split()[-1]) / lives(base)["races"]["inner race"]["largest pressure [Pa]"] * p
+    mises = float([x for x in base.listing.splitlines() if "subsurface von Mises, race" in x][0].split("Pa")[2].split()[-1]) / lives(base)["races"]["inner race"]["largest pressure [Pa]"] * p
     out.append(close("ratio of these lives, ((s - L)/(s - 1.28 L))^(c/e)", basic(iso, IH, INNER) / basic(base, IH, INNER), ((mises - 6.84e8) / (mises - 1.28 * 6.84e8))**(31 / 3 / E), 0.01))
     return r.command, out
 

@@ -319,17 +319,17 @@ def _(b):
 
 
 def flow(n, name):
-    return n[f"From {name}"]
+    return n[f"Flow from {name}"]
 
 
 @feature("F154", HEAT)
 def _(b):
     r, n = steady(b)
     off = b.static(sets={**OIL, **{t: 330.0 for t in HOT}, "shftID": 0.01})
-    out = sum(v for k, v in n.items() if k.startswith("Leaves to"))
+    out = sum(v for k, v in n.items() if k.startswith("Removed to"))
     motion = b.run(sets=THERMAL, until="0.6rev")
     late, early = motion.sol("SOL7").values[-1], motion.sol("SOL7").values[0]
-    return r.command, [close("heat that leaves the network, heat made [W]", out, n["Made in all"], 1e-4), close("heat made, power of the summary [W]", n["Made in all"], r.summary["friction_power_W"], 1e-4),
+    return r.command, [close("heat that leaves the network, heat made [W]", out, n["Generated, total"], 1e-4), close("heat made, power of the summary [W]", n["Generated, total"], r.summary["friction_power_W"], 1e-4),
                        more("balls above the base of 330 K [K]", r.summary["element_temperature_K"] - 330.0, 1.0), equal("temperatures without kTherm", "element_temperature_K" in off.summary, False),
                        more("motion: balls warm up [K]", late[13] - early[13], 1.0), close("motion: coolant exit of the last thermal step, that of its network [K]", late[18],
                        motion.json["thermal_network"]["tables"]["thermal network"]["coolant exit [K]"][0], 1e-4),
@@ -347,7 +347,7 @@ def coolant(b, code, **sets):
 
 def heating(n, density, heat, rate):
     """Rise of the coolant: q / (rho cp V)."""
-    return n["Leaves to coolant"] / (density * heat * rate)
+    return n["Removed to coolant"] / (density * heat * rate)
 
 
 @feature("F155", HEAT)
@@ -368,7 +368,7 @@ def _(b):
     out = [close("rise of the coolant, q / (rho cp V) [K]", n["coolant exit"] - n["coolant inlet"], heating(n, 800.0, 2100.0, 2e-5), 1e-4)]
     for name, factor in (("xRo", 2.0), ("xCp", 2.0)):
         _, m = coolant(b, 2, **{**GIVEN, name: GIVEN[name] * factor})
-        out.append(close(f"{name} twice: rise over heat to the coolant, half", (m["coolant exit"] - m["coolant inlet"]) / m["Leaves to coolant"] / ((n["coolant exit"] - n["coolant inlet"]) / n["Leaves to coolant"]), 0.5, 1e-4))
+        out.append(close(f"{name} twice: rise over heat to the coolant, half", (m["coolant exit"] - m["coolant inlet"]) / m["Removed to coolant"] / ((n["coolant exit"] - n["coolant inlet"]) / n["Removed to coolant"]), 0.5, 1e-4))
     speed = sphere_speed(n, GIVEN)
     for name, factor in (("xRo", 2.0), ("xMu", 2.0), ("xK", 2.0), ("xCp", 2.0)):
         changed = {**GIVEN, name: GIVEN[name] * factor}
@@ -438,7 +438,7 @@ def _(b):
     f = {"xRo": m["Density"], "xMu": m["Viscosity"], "xCp": m["Specific heat"], "xK": m["Conductivity"]}
     speed = sphere_speed(m, f)
     area = 12 * math.pi * D**2
-    return r.command, [close("heat of the balls to the coolant, h A dT with h = 2500 [W]", n["From rolling elements to coolant mean"], 2500.0 * area * (n["rolling elements"] - n["coolant mean"]), 2e-3),
+    return r.command, [close("heat of the balls to the coolant, h A dT with h = 2500 [W]", n["Flow from rolling elements to coolant mean"], 2500.0 * area * (n["rolling elements"] - n["coolant mean"]), 2e-3),
                        close("that of a motion [W]", net(moving, "rolling elements to coolant mean [W]"), 2500.0 * area * (net(moving, "rolling elements [K]") - net(moving, "coolant mean [K]")), 2e-3),
                        close("cage: heat over temperature difference with cageHTC 3000 over that with 1500", cage_conductance(free) / cage_conductance(moving), 2.0, 1e-3),
                        between("area of the cage that takes part, over its outside and bore", cage_conductance(moving) / 1500.0 / (math.pi * (0.066 + 0.058) * 0.017), 0.5, 3.0),
@@ -503,7 +503,7 @@ def _(b):
     window = [k for k in range(1, len(t)) if short[0] < s.times[k] <= short[1]]
     mean = sum(0.5 * (power[k] + power[k - 1]) * (t[k] - t[k - 1]) for k in window) / sum(t[k] - t[k - 1] for k in window)
     at = s.times.index(short[1])
-    return r.command, [close("rise with twice the flow over heat to the coolant, half", (m["coolant exit"] - m["coolant inlet"]) / m["Leaves to coolant"] / ((n["coolant exit"] - n["coolant inlet"]) / n["Leaves to coolant"]), 0.5, 1e-4),
+    return r.command, [close("rise with twice the flow over heat to the coolant, half", (m["coolant exit"] - m["coolant inlet"]) / m["Removed to coolant"] / ((n["coolant exit"] - n["coolant inlet"]) / n["Removed to coolant"]), 0.5, 1e-4),
                        close("aveTime = 0.6 ms: end of the first thermal step [s]", short[0], 0.0006, 0.05), close("aveTime = 1.2 ms [s]", long[0], 0.0012, 0.05),
                        close("heat of the second thermal step, mean of the power over its time [W]", s.values[at][22], mean, 0.05),
                        more("skipTime = 3 ms: first change of the geometry [s]", changed[0], 0.003 - 1e-9), less("and soon after [s]", changed[0], 0.0037)]

@@ -623,7 +623,7 @@ def _(b):
 @feature("F118", G)
 def _(b):
     plain = b.static()
-    line = [x for x in plain.listing.splitlines() if "von Mises below it, race" in x][0]
+    line = [x for x in plain.listing.splitlines() if "subsurface von Mises, race" in x][0]
     limit = float(line.split("limit")[1].split()[0])
     heavy = b.static(sets={"appLoadX": 90000.0, "appLoadZ": 0.0})
     return heavy.command, [close("stress limit E times the elastic strain limit [Pa]", limit, 207e9 * 0.00982609, 1e-3),

@@ -127,7 +127,7 @@ inline const std::vector<Pristine>& pristine() {
 /// Text of a rejection, without its numbers and names; an unknown message unchanged.
 inline std::string kind_of(const std::string& sentence) {
   for (const char* kind :
-       {"the HDF5 library failed to read it", "did not end within", "more memory",
+       {"the HDF5 library failed to read the file", "did not end within", "more memory",
         "cannot be opened", "cannot be read", "too short", "contains no bearing results",
         "not an HDF5 file", "not stored in the format", "damaged", "step number"})
     if (sentence.find(kind) != std::string::npos) return kind;

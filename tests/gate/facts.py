@@ -24,7 +24,7 @@ TEXTS = {"measured", "findings", "notes"}
 def of_listing(text):
     skipped = False
     for line in text.splitlines():
-        if re.match(r" *Cost: where the computing time went", line):
+        if re.match(r" *Cost: (where the )?computing time", line):
             skipped = True
         if skipped:
             skipped = not re.match(r" *whole run", line)

@@ -41,7 +41,7 @@ constexpr unsigned kBatch = 1000;    ///< files of one worker
 constexpr unsigned kReport = 50000;  ///< files between two reports
 
 const std::array<const char*, 13> kKinds{"read to the last value",
-                                         "the HDF5 library failed to read it",
+                                         "the HDF5 library failed to read the file",
                                          "did not end within",
                                          "more memory",
                                          "cannot be opened",

@@ -150,7 +150,7 @@ def untrue_thrust(command):
     """Reason why the required thrust in the message of a rejected row is wrong, or an empty text."""
     plan = [command[0], "plan", command[2]] + command[command.index("--quiet") + 1:]
     said = subprocess.run(plan, capture_output=True, text=True, check=False).stderr
-    needed = re.search(r"needs at least [^=]*= ([-+.e\d]+) N along x and has", said)
+    needed = re.search(r"needs an axial load of at least [^=]*= ([-+.e\d]+) N along x, but", said)
     at = next((k for k, word in enumerate(plan) if word.startswith("appLoadX=")), None)
     if needed is None or at is None:
         return "names no thrust that would do, or one that the deck does not give"
@@ -168,7 +168,7 @@ def one(program, base, seed, number, turns, keep, limit):
     command = run_command(program, base, kind, fastest, folder, turns, values)
     outcome, why = run_deck(command, folder, keep, limit)
     if outcome == "refused":
-        lie = (untrue_thrust(command) if "no roller or flange holds the inner race" in why else "") or untrue(command, values, why)
+        lie = (untrue_thrust(command) if "no roller or flange supports the inner race" in why else "") or untrue(command, values, why)
         if lie:
             return kind, "FAILED", f"refused, but the sentence {lie}: {' | '.join(errors(why))[:300]}", command
     return kind, outcome, why, command

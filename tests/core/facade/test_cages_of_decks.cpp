@@ -76,7 +76,8 @@ TEST_CASE("segmented cage: deck runs, and its files have every segment", "[valid
     CHECK(sol.header.title == "Cage Segment 1");
     CHECK(sol.header.value_count == 24 + 4 * (through ? 5 : 4));
     CHECK(results::read_sol(here / "SOL3").header.title == "Cage Segment 3");
-    for (const char* text : {"segment 3", "Segments 3 and 1", "Start of the cage segment 2"})
+    for (const char* text :
+         {"segment 3", "Segments 3 and 1", "Initial state of the cage segment 2"})
       CHECK_THAT(ran.print, Catch::Contains(text));
     CHECK((ran.print.find("end 3") != std::string::npos) == through);
     // The first segment begins with element 2: RESULTS.h5 says so, and gives every file its digits.

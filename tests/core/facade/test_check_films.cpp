@@ -122,8 +122,9 @@ TEST_CASE("check: oil too thick for a film → error with the lubricant", "[phys
       CHECK(says(cold, Severity::Error, "record 10.0, kTrac = 4: "));
       CHECK(says(cold, Severity::Error, "is a glass"));
       CHECK(checked(type, with(oil, at(330.0))).ok());
-      CHECK_THAT(testing::refusal_of(deck_of(type, with(oil, at(95.0)))),
-                 Catch::Contains("record 10.0, kTrac = 4: ") && Catch::Contains("or kTrac = 0"));
+      CHECK_THAT(
+          testing::refusal_of(deck_of(type, with(oil, at(95.0)))),
+          Catch::Contains("record 10.0, kTrac = 4: ") && Catch::Contains("or set kTrac = 0"));
     }
 }
 
@@ -133,7 +134,8 @@ TEST_CASE("check: film too thick for its formula → warning", "[physics][film][
   for (double kelvin = 200.0; kelvin < 280.0 && !warned; kelvin += 4.0) {
     const facade::CheckReport report =
         checked("ball", with(with({{"mode", "-1"}}, in_oil(4)), at(kelvin)));
-    warned = report.ok() && says(report, Severity::Warning, "of the radius of the bodies");
+    warned =
+        report.ok() && says(report, Severity::Warning, "times the radius of the contacting bodies");
   }
   CHECK(warned);
 }
@@ -174,7 +176,7 @@ TEST_CASE("check: thermal steps from oil too thick for a film → allowed, from 
     const facade::CheckReport report = checked(type, warmed);
     INFO(to_text({report.issues.begin(), report.issues.end()}));
     CHECK(report.ok());
-    CHECK(says(report, Severity::Warning, "Until thermal steps have warmed it"));
+    CHECK(says(report, Severity::Warning, "Until thermal steps have warmed the oil"));
     // The same without thermal steps is refused.
     CHECK_FALSE(checked(type, with(warmed, {{"kTherm", "0"}})).ok());
     CHECK(says(checked(type, with(warmed, at(95.0))), Severity::Error, "is a glass"));

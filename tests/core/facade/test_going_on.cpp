@@ -180,7 +180,7 @@ TEST_CASE("flanges: wear of their race and of the roller ends", "[physics][wear]
   // One material: element 1 wears by its own integrals as the races by theirs.
   CHECK(element[last] / race[last * 2 + 1] ==
         Approx((first[0] + first[1]) / (ways[1] + ribs[1])).epsilon(0.01));
-  CHECK_THAT(ran.print, Catch::Contains("of it: flanges"));
+  CHECK_THAT(ran.print, Catch::Contains("flange part"));
 }
 
 TEST_CASE("continued run: other frequency → jump of its race is reported",

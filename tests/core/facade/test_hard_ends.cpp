@@ -46,7 +46,8 @@ TEST_CASE(
   CHECK_THAT(ran.outcome.message, Catch::Contains("Invalid there"));
   CHECK_THAT(ran.outcome.message,
              Catch::Contains("an ellipse whose half length reaches the radius of the element"));
-  CHECK_THAT(ran.report.at("notes").dump(), Catch::Contains("a motion ends where a contact comes"));
+  CHECK_THAT(ran.report.at("notes").dump(),
+             Catch::Contains("A dynamic run ends when a contact reaches"));
   // 1 kN keeps all balls in place.
   CHECK(run_deck(
             [] {

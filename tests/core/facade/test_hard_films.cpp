@@ -149,7 +149,7 @@ TEST_CASE(
           CHECK(std::string(mode) == "0");  // every equilibrium is found
           // With the remedy: a tighter tolerance, or an equilibrium where next to nothing moves.
           CHECK_THAT(end, Catch::Contains("energy residual of") &&
-                              (Catch::Contains("Lower the tol") || Catch::Contains("mode = -1")));
+                              (Catch::Contains("Reduce the tol") || Catch::Contains("mode = -1")));
         }
   }
   CAPTURE(solved);
@@ -188,7 +188,7 @@ TEST_CASE("thermal analysis: no coolant → air around housing and shaft takes t
     const double made = steady_number_of(ran.print, "Power loss");
     CHECK(made > 10.0);
     // The rest, below 1 mW, is what the trickle of coolant takes.
-    CHECK(steady_number_of(ran.print, "Leaves to ambient") == Approx(made).epsilon(1e-4));
+    CHECK(steady_number_of(ran.print, "Removed to ambient") == Approx(made).epsilon(1e-4));
     const double hot = steady_number_of(ran.print, "inner raceway");
     CHECK(hot > steady_number_of(ran.print, "ambient"));
     CHECK(hot < 450.0);
@@ -211,7 +211,7 @@ TEST_CASE(
       testing::run_deck(oiled("cylindrical", "11", coarse), folder / "loose");
   CHECK(loose.outcome.status == facade::RunStatus::Untrusted);
   CHECK_THAT(loose.outcome.message,
-             Catch::Contains("energy residual of") && Catch::Contains("Lower the tolerance"));
+             Catch::Contains("energy residual of") && Catch::Contains("Reduce the tolerance"));
   sets.emplace_back("tol", "1.0e-7");
   const testing::Ran tight = testing::run_deck(oiled("cylindrical", "11", sets), folder / "tight");
   CHECK(tight.outcome.status == facade::RunStatus::Done);

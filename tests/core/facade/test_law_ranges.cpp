@@ -95,8 +95,8 @@ std::vector<Left> left_ranges() {
   const Sets warm{{"kTherm", "1"},       {"kMatPropMod", "1"}, {"kBaseTemp", "1"},
                   {"baseTemp", "620.0"}, {"aveTime", "0.001"}, {"skipTime", "0.0005"}};
   return {
-      {"film.thickness", {"ball", thick, {}}, true, "of the radius of the bodies"},
-      {"film.viscosity", {"ball", thick, {}}, true, "Pa s by its law"},
+      {"film.thickness", {"ball", thick, {}}, true, "times the radius of the contacting bodies"},
+      {"film.viscosity", {"ball", thick, {}}, true, "has a calculated viscosity of"},
       {"film.speed", {"ball", oil("4"), {}}},
       {"film.load", {"ball", oil("4"), {}}},
       {"film.ellipticity", {"ball", oil("4") + Sets{{"raceCurFac1", "0.51"}}, {}}},
@@ -267,7 +267,7 @@ TEST_CASE(
       judged.insert(one["range"].get<std::string>());
     CHECK(judged.count("traction.coefficient") == 1);
     CHECK(judged.count("traction.impossible") == 0);
-    CHECK(says(between.outcome, "No oil film is known to reach it"));
+    CHECK(says(between.outcome, "No measured oil film has such a friction coefficient"));
     // A curve of the deck: 0.5 everywhere.
     const Ran dry = run_scene(
         {"ball",

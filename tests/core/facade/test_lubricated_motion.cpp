@@ -195,7 +195,7 @@ TEST_CASE("hard states of lubricated bearings → no NaN", "[validation][film][s
           const std::string why = error.what();
           INFO(why);
           CHECK((why.find("is a glass") != std::string::npos ||
-                 why.find("formulas of films") != std::string::npos));
+                 why.find("film formulas") != std::string::npos));
           CHECK((std::string(one.name) == "cold" || std::string(one.name) == "cryogenic"));
         }
       }

@@ -336,13 +336,13 @@ TEST_CASE("thermal steps: each variable acts", "[physics][thermal]") {
     REQUIRE(ran.outcome.status != facade::RunStatus::Failed);
     Seen out;
     const std::string change = "Geometry and material change with this step.";
-    for (std::size_t at = ran.print.find("Its end"); at != std::string::npos;
-         at = ran.print.find("Its end", at + 1)) {
+    for (std::size_t at = ran.print.find("Step end"); at != std::string::npos;
+         at = ran.print.find("Step end", at + 1)) {
       ++out.steps;
-      const std::size_t next = ran.print.find("Its end", at + 1);
+      const std::size_t next = ran.print.find("Step end", at + 1);
       const std::size_t found = ran.print.find(change, at);
       if (found == std::string::npos || found > next) continue;
-      if (out.changes++ == 0) out.first_change = std::stod(ran.print.substr(at + 7));
+      if (out.changes++ == 0) out.first_change = std::stod(ran.print.substr(at + 8));
     }
     const std::string label = "changes of geometry and material by thermal steps";
     const std::size_t at = ran.print.rfind(label);

@@ -295,7 +295,7 @@ TEST_CASE(
       page(hot),
       Catch::Contains("Moduli, pressures and ellipses are those at the temperature of each part") &&
           Catch::Contains("Poisson's ratio, fatigue limit and life factors"));
-  CHECK_THAT(page(cold), Catch::Contains("The moduli are those of room temperature"));
+  CHECK_THAT(page(cold), Catch::Contains("The moduli are those at room temperature"));
 }
 
 TEST_CASE("life: contact angle above 90 degrees → a life; capacities are smooth at 90 degrees",

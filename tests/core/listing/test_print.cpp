@@ -249,7 +249,7 @@ TEST_CASE("PRINT: time zero → no averages, and no wear without integrals", "[u
   std::string text = print(0, true);
   for (const auto* lines : {&ratios, &wear})
     for (const std::string& line : *lines)
-      CHECK_THAT(line_with(text, line), Contains("not computed: no time has passed"));
+      CHECK_THAT(line_with(text, line), Contains("not computed at time zero"));
   text = print(100, true);
   for (const auto* lines : {&ratios, &wear})
     for (const std::string& line : *lines)
@@ -288,13 +288,13 @@ TEST_CASE("PRINT: printed step → half chords of inner contacts, and results th
   CHECK_THAT(line_with(text, "Film thickness"), Contains("not computed"));
   CHECK_THAT(line_with(text, "Contact temperature"), Contains("not computed"));
   CHECK(text.find("rise outer") == std::string::npos);
-  CHECK_THAT(line_with(text, "Fatigue life"), Contains("at the present loads"));
+  CHECK_THAT(line_with(text, "Fatigue life"), Contains("at the current loads"));
   CHECK_THAT(line_with(print(7), "Fatigue life"), Contains("at the loads of step 7"));
 
   // The law in force says whether there are films, not what they are: at rest all of them are 0.
   for (const auto& [friction, reason] : {std::pair{RaceFriction::Curve, "hypothetical traction"},
                                          {RaceFriction::OfUser, "user routine ADRX7"},
-                                         {RaceFriction::None, "no friction of the races"}}) {
+                                         {RaceFriction::None, "no race friction"}}) {
     in_force = friction;
     CHECK_THAT(line_with(print({}), "Film thickness"), Contains(reason));
     CHECK_THAT(line_with(print({}), "Contact temperature"), Contains(reason));
@@ -344,7 +344,7 @@ TEST_CASE("PRINT: the last page has plan, ledgers and cost", "[unit][print]") {
   check_pages(text);
   CHECK_THAT(line_with(text, "gravityVec"), Contains("off"));
   CHECK_THAT(line_with(text, "  race contacts"), Contains("60.0 %") && Contains("1000"));
-  CHECK_THAT(line_with(text, "accounted for"), Contains("99.0 %"));
+  CHECK_THAT(line_with(text, "sum of these parts"), Contains("99.0 %"));
   CHECK_THAT(line_with(text, "  residual  "), Contains("J"));
   CHECK_THAT(line_with(text, "error of the contact integrals"), Contains("0.0001"));
   CHECK_THAT(text, Contains("and goes on after it"));
@@ -389,7 +389,7 @@ TEST_CASE("PRINT: continued after the length stored in MASTER", "[unit][print]")
   CHECK_THAT(message_of([&] {
                PrintFile::continue_after(folder / "none", bearing.run_id, UnitSystem::SI, bytes);
              }),
-             Contains("cannot be opened"));
+             Contains("cannot open the file"));
   CHECK_THAT(message_of([&] {
                PrintFile print = PrintFile::create("/dev/full", bearing.run_id, UnitSystem::SI);
              }),

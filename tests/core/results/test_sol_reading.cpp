@@ -142,7 +142,8 @@ TEST_CASE("SOL: files of other programs → read", "[unit][sol]") {
     CHECK(file.steps[0].time == 1.0);
     CHECK(file.steps[0].values[0] == 1.2345678e-100);
     CHECK(std::isnan(file.steps[0].values[1]));
-    CHECK(file.gaps == "1 value is not finite (stars mean a field overflow), the first in step 1");
+    CHECK(file.gaps ==
+          "1 value is not finite (stars: value too wide for its field); first occurrence: step 1");
     CHECK(file.steps[0].values[39] == 39.0);
     CHECK(sol_columns(file.header)[39].id == "value40");
     CHECK(unit_of_column(file, sol_columns(file.header)[0]).empty());

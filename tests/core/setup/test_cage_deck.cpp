@@ -62,7 +62,7 @@ TEST_CASE("cage page: every roller type → mass, clearance and speed in a quasi
           Approx(0.5 * bearing.speed[1] * (1.0 - gamma)).epsilon(1e-4));
     const std::string text = page(bearing, deck);
     for (const char* words : {"Cage mass", "Effective cage clearance", "pocket clearance I",
-                              "Cage speed (epicyclic)", "Mass, from the ideal shape"})
+                              "Cage speed (epicyclic)", "Mass (from the ideal shape)"})
       CHECK_THAT(text, Catch::Contains(words));
     const auto json = listing::cage_json(bearing);
     CHECK(json["mass [kg]"] == cage.inertia.mass);
@@ -74,8 +74,9 @@ TEST_CASE("conical cage: mass center towards its large end", "[physics][cage]") 
   const deck::Deck deck = at_rest("tapered");
   const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
   CHECK(bearing.cage->cone_angle == Approx(12.275 * kPi / 180.0));
-  CHECK_THAT(page(bearing, deck), Catch::Contains("Mass center from the middle of the cage") &&
-                                      Catch::Contains("-0.0007"));  // the large end is at -x
+  CHECK_THAT(page(bearing, deck),
+             Catch::Contains("Axial distance of the mass center from the middle") &&
+                 Catch::Contains("-0.0007"));  // the large end is at -x
 }
 
 TEST_CASE("shaped roller pockets: smallest clearance, and the cylinder of a roller-guided cage",
@@ -98,7 +99,7 @@ TEST_CASE("shaped roller pockets: smallest clearance, and the cylinder of a roll
   CHECK(faces.cage->inertia.mass > 0.0);
   CHECK_THAT(page(faces, deck),
              Catch::Contains("2 pairs of guide faces") &&
-                 Catch::Contains("Least pocket clearance between the guide faces"));
+                 Catch::Contains("Smallest pocket clearance between guide faces"));
 
   deck = at_rest("cylindrical");
   const bearing::Bearing window = setup::build_bearing(deck);

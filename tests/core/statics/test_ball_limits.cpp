@@ -78,13 +78,13 @@ TEST_CASE("contacts over the shoulder are warned of in the deck's units", "[unit
   const StaticBall b = solve_ball_statics(bearing).balls[0];
   REQUIRE(b.shoulder_depth[0] < 0.0);
   CHECK_THAT(said(UnitSystem::SI), Contains("balls 1-16") &&
-                                       Contains("shoulder of the outer race") &&
+                                       Contains("contact ellipse at the outer race") &&
                                        Contains(fmt::format("{:.4g} N", b.beyond[0])) &&
                                        Contains(fmt::format("{:.4g} m", -b.shoulder_depth[0])));
   CHECK_THAT(said(UnitSystem::English),
              Contains(fmt::format("{:.4g} lbf", b.beyond[0] / 4.4482216152605)) &&
                  Contains(fmt::format("{:.4g} in", -b.shoulder_depth[0] / 0.0254)) &&
-                 !Contains(" N ") && !Contains(" m;"));
+                 !Contains(" N ") && !Contains(" m."));
 }
 
 TEST_CASE("race control says which friction it needs, and warns when the law has less",
@@ -113,7 +113,7 @@ TEST_CASE("race control says which friction it needs, and warns when the law has
     REQUIRE(texts.size() == 1);
     CHECK_THAT(texts[0].message,
                Contains("race control") && Contains("balls 1-16") &&
-                   Contains(fmt::format("friction of {:.3g} at the {} race", most,
+                   Contains(fmt::format("friction coefficient of {:.3g} at the {} race", most,
                                         most == b.friction[0] ? "outer" : "inner")));
     CHECK(warns(std::nullopt).size() == (most > 0.06 ? 1 : 0));
   }

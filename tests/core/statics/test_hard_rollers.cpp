@@ -121,7 +121,7 @@ TEST_CASE("reversed thrust on cones has no equilibrium, and that is said",
   Bearing cone = unloaded(roller_bearings::tapered(0.0));
   solved(load(cone, 3000, 0, 0));
   CHECK_THROWS_WITH(solve_roller_statics(load(cone, -3000, 0, 0)),
-                    Catch::Contains("no roller or flange holds the inner race"));
+                    Catch::Contains("no roller or flange supports the inner race"));
   CHECK_THROWS_AS(solve_roller_statics(load(cone, -3000, 0, 5000)), SolverError);
 }
 
@@ -134,7 +134,7 @@ TEST_CASE("a row of barrels that slides out of its grooves is given up soon",
       (void)solve_roller_statics(bearing);
     } catch (const SolverError& error) {
       found = false;
-      CHECK_THAT(error.what(), Catch::Contains("carries thrust towards +x only"));
+      CHECK_THAT(error.what(), Catch::Contains("supports thrust towards +x only"));
     }
     return std::pair{found, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC};
   };
@@ -159,7 +159,7 @@ TEST_CASE("cones that turn so fast that they throw the inner race off say what t
   } catch (const SolverError& error) {
     CHECK_THAT(error.what(), Catch::Contains("its centrifugal force of") &&
                                  Catch::Contains("at least (F_r + Z F_c) tan α = ") &&
-                                 Catch::Contains("lower the speed") &&
+                                 Catch::Contains("reduce the speed") &&
                                  !Catch::Contains("first guess"));
     CHECK(dynamic_cast<const MissingThrust*>(&error) != nullptr);  // a fault of the loads
   }
@@ -200,11 +200,12 @@ TEST_CASE("barrels in grooves of factor 0.5005", "[physics][statics][rollers][ha
       // Each roller hands on its force at 8 degrees: without thrust there is no equilibrium, and
       // the number that is missing is 8000 N tan 8.
       for (const double thrust : {0.0, -100.0})
-        CHECK_THROWS_WITH(solve_roller_statics(load(bearing, thrust, 0, 8000), options),
-                          Catch::Contains("no roller or flange holds the inner race") &&
-                              Catch::Contains(fmt::format(
-                                  "at least F_r tan α = {:.4g} N along x and has {:.6g} N",
-                                  8000.0 * std::tan(8.0 * roller_bearings::kDegree), thrust)));
+        CHECK_THROWS_WITH(
+            solve_roller_statics(load(bearing, thrust, 0, 8000), options),
+            Catch::Contains("no roller or flange supports the inner race") &&
+                Catch::Contains(fmt::format(
+                    "at least F_r tan α = {:.4g} N along x, but the axial load is {:.6g} N",
+                    8000.0 * std::tan(8.0 * roller_bearings::kDegree), thrust)));
       const auto held = solved(hold(load(bearing, 0, 0, 8000), 0, 0.0), options);
       CHECK(held.load[0] > 8000.0 * std::tan(8.0 * roller_bearings::kDegree));
     }
@@ -296,16 +297,17 @@ TEST_CASE("unloaded rollers at speed stand where the rule says, and PRINT says i
             Approx(std::abs(s.gyroscopic_moment)).epsilon(1e-2));
     }
     CHECK(unloaded_ones >= 5);
-    CHECK_THAT(printed(barrels, s), Catch::Contains("in the middle of the groove") &&
-                                        Catch::Contains("Held along each roller by guide ring"));
+    CHECK_THAT(printed(barrels, s),
+               Catch::Contains("in the middle of the groove") &&
+                   Catch::Contains("Force along the axis of each roller from guide ring"));
   }
   Bearing cylinders = unloaded(roller_bearings::cylindrical(3000.0));
   const auto c = solved(load(cylinders, 0, 0, 3000));
   for (const StaticRoller& r : c.rollers) CHECK(r.x == 0.0);
-  CHECK_THAT(printed(cylinders, c), Catch::Contains("axially at its nominal place"));
+  CHECK_THAT(printed(cylinders, c), Catch::Contains("its axial position is nominal"));
   cylinders.speed = {0.0, 0.0};
   CHECK_THAT(printed(cylinders, solved(cylinders)),
-             Catch::Contains("in the middle between both races and carries nothing"));
+             Catch::Contains("in the middle between both races and has no load"));
   Bearing cones = unloaded(roller_bearings::tapered(3000.0));
   const auto t = solved(hold(hold(load(cones, 1500, 0, 4000), 3, 0.0), 4, 0.0));
   for (const StaticRoller& r : t.rollers)

@@ -47,7 +47,7 @@ TEST_CASE("without load and speed the race stays where it is, with a note",
     CHECK(s.max_load == 0.0);
     CHECK(s.max_stiffness == 0.0);
     CHECK(s.stiffness.isZero());
-    CHECK(noted(s, "nothing holds or loads the inner race along x"));
+    CHECK(noted(s, "the inner race has no load and no support along x"));
     CHECK(noted(s, "no load"));
   }
 }
@@ -123,11 +123,11 @@ TEST_CASE("from one ball to two hundred", "[physics][statics][hard]") {
   // so.
   CHECK_THROWS_AS(solve_ball_statics(load(one, 2000, 0, 1000)), SolverError);
   CHECK_THROWS_WITH(solve_ball_statics(load(one, 2000, 0, 1000)),
-                    Catch::Contains("no ball holds the inner race"));
+                    Catch::Contains("no ball supports the inner race"));
   // Two balls give no support across their plane.
   Bearing two = make(2, 0.0127, 0.07, 0.52, 0.525, 0.0, 0.0);
   CHECK_THROWS_WITH(solve_ball_statics(load(two, 0, 500, 0)),
-                    Catch::Contains("further than the grooves reach"));
+                    Catch::Contains("which is outside the grooves"));
 }
 
 TEST_CASE("three million n d_m", "[physics][statics][hard]") {
@@ -161,7 +161,8 @@ TEST_CASE("reversed thrust gives negative contact angles", "[physics][statics][h
 TEST_CASE("an equilibrium past the edge of the grooves is named", "[physics][statics][hard]") {
   Bearing bearing = make(16, 0.0127, 0.07, 0.52, 0.52, 60.0, 0.0, 20000.0);
   load(bearing, -500, 0, 2000);
-  CHECK_THROWS_WITH(solve_ball_statics(bearing), Catch::Contains("past the edge of any groove"));
+  CHECK_THROWS_WITH(solve_ball_statics(bearing),
+                    Catch::Contains("push the balls out of any groove"));
   bearing.speed = {0, 0};
   CHECK(noted(solved(bearing), "beyond 90 degrees"));
 }
@@ -229,7 +230,7 @@ TEST_CASE("loads too small to compute, and nonsense, are refused in a sentence",
           "[unit][statics][hard]") {
   Bearing bearing = deep_groove(1.5e-5);
   CHECK_THROWS_WITH(solve_ball_statics(load(bearing, 0, 1e-9, 0)),
-                    Catch::Contains("set this load to zero"));
+                    Catch::Contains("Set this load to zero"));
   CHECK_THROWS_WITH(solve_ball_statics(load(bearing, 0, std::nan(""), 0)),
                     Catch::Contains("not a finite number"));
   load(bearing, 0, 0, 100);

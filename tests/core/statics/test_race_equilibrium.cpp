@@ -66,7 +66,7 @@ TEST_CASE(
 TEST_CASE("an iteration that could not begin tells no residual", "[unit][statics]") {
   RaceSolve solve;
   solve.residual = 0.0;  // of no step
-  CHECK(how_far(solve) == "could not begin");
+  CHECK(how_far(solve) == "could not start");
   solve.iterations = 7;
   solve.residual = 0.123;
   CHECK(how_far(solve) == "stopped with a residual of 0.12 of the load after 7 steps");

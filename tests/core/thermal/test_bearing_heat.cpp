@@ -223,14 +223,14 @@ TEST_CASE("cryogenic coolants: coolant temperature kept, extrapolation reported"
   b.thermal->base_temperature = 22.0;
   b.thermal->flow = 1e-3;
   const BearingHeat cold = thermal::solve_bearing_heat(b, kHeat, 3000.0);
-  for (const std::string& note : cold.notes) CHECK_THAT(note, !Catch::Contains("nearer end"));
+  for (const std::string& note : cold.notes) CHECK_THAT(note, !Catch::Contains("nearer limit"));
   CHECK(cold.temperature.coolant_in == Approx(22.0));
   CHECK(cold.bulk.element < 60.0);
   CHECK(cold.coolant->provenance == tribology::fluid_properties(4, 22.0).provenance);
   b.thermal->base_temperature = 300.0;  // no liquid any more
   const BearingHeat warm = thermal::solve_bearing_heat(b, kHeat, 3000.0);
   REQUIRE_FALSE(warm.notes.empty());
-  CHECK_THAT(warm.notes.front(), Catch::Contains("those of the nearer end are used"));
+  CHECK_THAT(warm.notes.front(), Catch::Contains("the properties at the nearer limit are used"));
 }
 
 TEST_CASE("network: hollow shaft, oil at 330 K, room at 293 K → no node below the room",
@@ -317,9 +317,9 @@ TEST_CASE("steady state: clamped bearing without heat path → runaway, with a m
   b.race_traction = {bearing::TractionCurve::Form::Exponential, 0.0, 0.0, 0.0, 0.5, 0.0};
   b.mounting.fit = {2e-5, 6e-5};
   b.speed[1] *= 20.0;
-  CHECK_THROWS_WITH(
-      thermal::solve_steady_state(b),
-      Catch::Contains("thermal analysis: no steady state") && Catch::Contains("give more coolant"));
+  CHECK_THROWS_WITH(thermal::solve_steady_state(b),
+                    Catch::Contains("thermal analysis: no steady state") &&
+                        Catch::Contains("Increase the coolant flow"));
 }
 
 TEST_CASE("network: rings end at the groove bottoms, as in the fits", "[physics][thermal]") {
@@ -365,7 +365,7 @@ TEST_CASE("steady state: no node below absolute zero, for any data and any small
           CHECK(node > 0.0);
       } catch (const SolverError& error) {
         ++refused;
-        CHECK_THAT(error.what(), Catch::Contains("give more coolant (cFlowRate)"));
+        CHECK_THAT(error.what(), Catch::Contains("Increase the coolant flow (cFlowRate)"));
       }
     }
   CHECK(found > 0);
