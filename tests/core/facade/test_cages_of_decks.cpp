@@ -207,7 +207,7 @@ TEST_CASE("balls of unequal diameter: run from decks", "[validation][imperfectio
 
 TEST_CASE("segments: unsupported features → rejected with the reason", "[unit][cage]") {
   CHECK_THAT(refusal_of(deck_of("ball", with(segments(false), {{"cageAngCut", "20"}}))),
-             Catch::Contains("removes more than the bars") && Catch::Contains("give at most"));
+             Catch::Contains("is wider than the bars") && Catch::Contains("give at most"));
   CHECK_THAT(refusal_of(deck_of("ball", with(segments(true), {{"cageAngCut", "20"}}))),
              Catch::Contains("touches the rolling element on both sides"));
 }
