@@ -225,10 +225,9 @@ std::string statement_text(const AccuracyStatement& statement) {
                         statement.twin_seconds / std::max(statement.run_seconds, 1e-9))
           : fmt::format("no second run with changed loads: {}", statement.twin_failure);
   std::string out = fmt::format(
-      "accuracy:  over the {} of this run, 95 % intervals\n"
-      "  numerical part: against {} ({:.3g} s of processor time)\n"
-      "  statistical part: batch means of the difference, {}\n"
-      "  {:<36} {:>14} {:<5} {:>11} {:>12} {:>10}\n",
+      "accuracy:  over the {} of this run, 95 % intervals\n  numerical part: compared with {} "
+      "({:.3g} s of processor time)\n  statistical part: batch means of the difference, {}\n  "
+      "{:<36} {:>14} {:<5} {:>11} {:>12} {:>10}\n",
       counted(fmt::format("{:.4g}", statement.turns), "revolution"), tighter.tighter,
       tighter.seconds, second, "", "value", "", "numerical", "statistical", "interval");
   for (const StatedQuantity& q : statement.quantities)
@@ -247,12 +246,12 @@ std::string statement_text(const AccuracyStatement& statement) {
   if (!(turns > 0.0)) return out;
   const std::string needed = counted(fmt::format("{:.3g}", turns), "revolution");
   out += fmt::format(
-      "  The means need {} for {} (this run: {:.4g}; {}). Simulate that long, or use `adore run "
-      "--accuracy ... --extend`.\n",
+      "  The means need {} for an accuracy of {} (this run: {:.4g}; {}). Simulate this length, or "
+      "use `adore run --accuracy ... --extend`.\n",
       (statement.needs_more(statement.target) ? "very roughly " : "about ") + needed,
       percent(statement.target), statement.turns,
       statement.needs_more(statement.target)
-          ? "order of magnitude: the two runs still diverge"
+          ? "order of magnitude only, because the two runs still diverge"
           : fmt::format("within a factor of {:g}", kNeededFactor));
   return out;
 }

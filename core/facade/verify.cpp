@@ -98,7 +98,7 @@ nlohmann::ordered_json verification_json(const Verification& verification,
 
 std::string verification_text(const Verification& verification, const RunOutcome& outcome) {
   if (!verification.failure.empty())
-    return fmt::format("verified:  not at all; the run with {} failed: {}\n", verification.tighter,
+    return fmt::format("verified:  no; the run with {} failed: {}\n", verification.tighter,
                        verification.failure);
   std::string text =
       fmt::format("verified:  against {} ({:.3g} s of processor time): {}\n", verification.tighter,

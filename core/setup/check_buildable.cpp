@@ -112,8 +112,8 @@ void check_requests(const Deck& deck, const UserHooks* user, Checker& check) {
                 user == nullptr ? asks + ", but no plug-in was given"
                                 : fmt::format("{}, which {} does not have or does not activate",
                                               asks, user->source),
-                fmt::format("give a plug-in with this routine by --user PLUG-IN (`adore user new "
-                            "adrx{}` writes an example), or {}",
+                fmt::format("give a plug-in that has this routine with --user PLUG-IN (`adore "
+                            "user new adrx{}` writes an example), or {}",
                             request.routine, otherwise));
   }
 }

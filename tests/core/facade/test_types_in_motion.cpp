@@ -176,8 +176,8 @@ TEST_CASE("every type: continued where it stopped, only as the same type",
     const std::string faster = fmt::format("{}", nominal.real("rpm2") * 0.9);
     const std::string heavier = fmt::format("{}", nominal.real("appLoadZ") + 100.0);
     const Ran changed = run_deck(more({{"rpm2", faster}, {"appLoadZ", heavier}}), folder / "parts");
-    CHECK_THAT(changed.print, Catch::Contains("under a changed deck") &&
-                                  Catch::Contains("rpm2: ") && Catch::Contains("appLoadZ: "));
+    CHECK_THAT(changed.print, Catch::Contains("with a changed deck") && Catch::Contains("rpm2: ") &&
+                                  Catch::Contains("appLoadZ: "));
   }
 }
 
@@ -313,7 +313,7 @@ TEST_CASE("uneven guide lands: decks run, and the energy ledger closes", "[valid
   const testing::TemporaryFolder folder;
   CHECK_THAT(why_not(deck_of("ball", {{"kCageGsImp", "1"}, {"cageGsRadVar1[1]", "3e-4"}}),
                      folder / "tight"),
-             Catch::Contains("inside other bodies") && Catch::Contains("guide land 1"));
+             Catch::Contains("overlaps other bodies") && Catch::Contains("guide land 1"));
 }
 
 TEST_CASE("cage records: no value gives an impossible pocket", "[validation][cage]") {

@@ -116,7 +116,7 @@ TEST_CASE("what-if: change and cost of each effect", "[physics][facade]") {
   INFO(cage.failure);
   CHECK(cage.failure.empty());
   CHECK(cage.share < 1.0);
-  CHECK(facade::what_if_text(result).find("a millionth of the load") != std::string::npos);
+  CHECK(facade::what_if_text(result).find("relative load change 1e-6") != std::string::npos);
   const auto json = facade::what_if_json(result);
   CHECK(json.at("rows").size() == result.rows.size());
   request.sets.emplace_back("mode", "-1");
