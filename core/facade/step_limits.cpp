@@ -289,7 +289,7 @@ std::string step_limits_text(const StepRequest& request, const StepLimits& limit
           "factor of {:.4g}",
           why, limits.highest_order, now, limits.growth);
     default:
-      return fmt::format("{}. It would need {}, {:.2g} steps per revolution", why, now,
+      return fmt::format("{}. It would need {}; that is {:.2g} per revolution", why, now,
                          request.turn / limits.maximum);
   }
 }

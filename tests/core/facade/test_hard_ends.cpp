@@ -45,7 +45,7 @@ TEST_CASE(
   CHECK(ran.outcome.status == facade::RunStatus::Failed);
   CHECK_THAT(ran.outcome.message, Catch::Contains("Invalid state ahead"));
   CHECK_THAT(ran.outcome.message,
-             Catch::Contains("an ellipse whose half length reaches the radius of the element"));
+             Catch::Contains("semi-major axis reaches the radius of the element"));
   CHECK_THAT(ran.report.at("notes").dump(), Catch::Contains("a motion ends where a contact comes"));
   // 1 kN keeps all balls in place.
   CHECK(run_deck(
