@@ -43,13 +43,13 @@ class Statement {
     const double heat = std::abs(of("mean_power_loss_W"));
     const double contact = std::abs(of("mean_largest_load_N"));
     using Means = results::MeanSeries;
-    add("mean_orbital_ratio", "element speed over shaft speed", &Means::orbital_ratio);
-    add("mean_cage_ratio", "cage speed over shaft speed", &Means::cage_ratio);
-    add("mean_swept_whirl_ratio", "whirl of the cage over shaft speed", &Means::swept_whirl_ratio,
+    add("mean_orbital_ratio", "element speed / shaft speed", &Means::orbital_ratio);
+    add("mean_cage_ratio", "cage speed / shaft speed", &Means::cage_ratio);
+    add("mean_swept_whirl_ratio", "cage whirl speed / shaft speed", &Means::swept_whirl_ratio,
         cage);
     add_load(results::kLoadFloor * contact);
-    add("mean_largest_load_N", "largest contact load, mean", &Means::largest_load);
-    if (add("peak_load_N", "largest contact load of the span", nullptr)) out_.back().mean = false;
+    add("mean_largest_load_N", "mean of the largest contact load", &Means::largest_load);
+    if (add("peak_load_N", "peak contact load", nullptr)) out_.back().mean = false;
     add("mean_heat_outer_race_W", "heat, outer race", &Means::heat_outer, heat);
     add("mean_heat_inner_race_W", "heat, inner race", &Means::heat_inner, heat);
     add("mean_heat_elsewhere_W", "heat, cage, lands and fluid", &Means::heat_elsewhere, heat);
@@ -130,7 +130,7 @@ class Statement {
     }
     StatedQuantity q;
     q.id = "mean_load";
-    q.label = "load of the races, mean";
+    q.label = "mean load of the races";
     q.value = length(v.run);
     q.unit = "N";
     q.scale = std::max(q.value, least);

@@ -150,8 +150,8 @@ constexpr Quantity kQuantities[] = {
      }},
     {"drag_power", "power loss: drag of the medium",
      [](const Prepared& p) { return friction(p).drag(); }},
-    {"orbit_ratio", "cage over shaft speed", orbit_ratio},
-    {"cage_excess", "cage speed over epicyclic, less 1",
+    {"orbit_ratio", "cage speed / shaft speed", orbit_ratio},
+    {"cage_excess", "cage speed / epicyclic speed - 1",
      [](const Prepared& p) {
        const bearing::BallGeometry& balls = p.bearing.balls();
        return orbit_ratio(p) / (0.5 * (1.0 - balls.diameter / balls.pitch_diameter)) - 1.0;
@@ -246,7 +246,7 @@ constexpr MotionQuantity kMotion[] = {
      [](const MotionFigures& f, const Prepared&) { return f.friction.cage; }},
     {"motion_residual", "energy residual",
      [](const MotionFigures& f, const Prepared&) { return f.friction.energy_residual; }},
-    {"motion_cage_excess", "cage speed over epicyclic, less 1",
+    {"motion_cage_excess", "cage speed / epicyclic speed - 1",
      [](const MotionFigures& f, const Prepared& p) { return excess(f.cage_ratio, p); }},
     {"motion_outer_pass", "BPFO / shaft",
      [](const MotionFigures& f, const Prepared& p) {
@@ -262,7 +262,7 @@ constexpr MotionQuantity kMotion[] = {
      [](const MotionFigures& f, const Prepared&) { return f.axial_line; }},
     {"motion_radial_line", "radial force at Z f_cage",
      [](const MotionFigures& f, const Prepared&) { return f.radial_line; }},
-    {"motion_line_contrast", "lg(axial over radial force at Z f_cage)",
+    {"motion_line_contrast", "lg(axial / radial force at Z f_cage)",
      [](const MotionFigures& f, const Prepared&) {
        return std::log10(f.axial_line / f.radial_line);
      }},
@@ -516,7 +516,7 @@ class RunFigures {
 std::string label_of(const RowData& row) {
   static const std::map<std::string_view, std::string_view> kLabels{
       {"largest_coefficient", "largest friction coefficient"},
-      {"film_over_hamrock", "minimum film over Hamrock and Dowson"},
+      {"film_over_hamrock", "minimum film / Hamrock-Dowson film"},
       {"exponent", "exponent"},
       {"spread", "spread"},
       {"torque_less_rib", "torque minus the computed rib"},

@@ -736,7 +736,7 @@ std::string plan_text(const Prepared& prepared, const scene::ScenePlan& plan) {
       "  fastest frequency        {:.4g} Hz, {}\n"
       "  expected step            {:.3g} s ({})\n"
       "  steps per revolution     {:.4g}\n"
-      "  computing per revolution {:.3g} s\n"
+      "  CPU time per revolution  {:.3g} s\n"
       "  end of the run           {}\n"
       "  stability                {}\n",
       plan.fastest_frequency, plan.fastest_contact, plan.expected_step, prepared.control.integrator,
