@@ -17,7 +17,7 @@ std::string duration_text(double seconds) {
 
 std::string turns_text(double turns) {
   const std::string number = fmt::format("{:.4g}", turns);
-  return number + (number == "1" ? " turn" : " turns");
+  return number + (number == "1" ? " revolution" : " revolutions");
 }
 
 }  // namespace adore

@@ -8,7 +8,7 @@ namespace adore {
 /// negative, not finite or longer than 40 days.
 std::string duration_text(double seconds);
 
-/// "1 turn", "0.48 turns": a span of a motion, four digits.
+/// "1 revolution", "0.48 revolutions": a span of a motion, four digits.
 std::string turns_text(double turns);
 
 }  // namespace adore

@@ -107,8 +107,8 @@ TEST_CASE("accuracy panel: running study → revolutions of the round are displa
   };
   window.studyAccuracy();
   CHECK(QTest::qWaitFor([&] { return panel.text().count("rkf5") == 2; }, 10000));
-  CHECK(panel.text().startsWith("first round, 1 turn\n"));
-  CHECK(panel.text().contains("second round, 12.5 turns\n"));
+  CHECK(panel.text().startsWith("first round, 1 revolution\n"));
+  CHECK(panel.text().contains("second round, 12.5 revolutions\n"));
   go_on = true;
   CHECK(QTest::qWaitFor([&] { return !panel.busy(); }, 10000));
 }

@@ -197,7 +197,7 @@ TEST_CASE("accuracy study: recommendation mentions warnings of its run and irreg
     CHECK((says.find("1.6e-04 of the exchanged energy") != std::string::npos) ==
           (share > results::kMovedWarning));
     CHECK(says.find("rk4, tol 0.0001, stpMax as long as stable: the fastest settings within 1 % "
-                    "over 50 turns") == 0);
+                    "over 50 revolutions") == 0);
     CHECK(says.find("the deck's own settings take 4 s") != std::string::npos);
     CHECK(says.find("irregular") == std::string::npos);
   }
@@ -212,7 +212,7 @@ TEST_CASE("accuracy study: recommendation mentions warnings of its run and irreg
         std::string::npos);
   study.long_reference.noise.heat = 0.04;
   CHECK(recommendation(study).find("two accurate runs differ by 4 %") != std::string::npos);
-  CHECK(recommendation(study).find("within 1 % (heat within 6 %) over 50 turns") !=
+  CHECK(recommendation(study).find("within 1 % (heat within 6 %) over 50 revolutions") !=
         std::string::npos);
   // What the resolution of the contacts changes is no matter of integrators.
   CHECK(recommendation(study).find("integrator and steps only") == std::string::npos);
@@ -359,7 +359,7 @@ TEST_CASE("accuracy study: budget ends early → growth between its spans is rep
       CHECK(before.energy_share * std::pow(row.growth, row.turns - before.turns) ==
             Approx(row.energy_share).epsilon(1e-6).margin(1e-12));
     }
-  CHECK(accuracy_table(study).find("1000 turns were specified; the budget allows") !=
+  CHECK(accuracy_table(study).find("1000 revolutions were specified; the budget allows") !=
         std::string::npos);
   const AccuracyStudy read = read_accuracy(accuracy_json(study), "ACCURACY.json");
   CHECK(accuracy_table(read) == accuracy_table(study));
@@ -383,7 +383,7 @@ TEST_CASE("accuracy study: growth → of a row that completed both rounds", "[un
   study.finals = {own};
   const auto told = [&] { return accuracy_table(study); };
   CHECK(told().find(
-            "from 1 to 3 turns the error changed from 0.1 % to 0.1 %, the energy residual "
+            "from 1 to 3 revolutions the error changed from 0.1 % to 0.1 %, the energy residual "
             "from 1.0e-06 to 4.0e-06 of the exchanged energy, a factor of 2 per revolution.") !=
         std::string::npos);
   SECTION("a row that was cut has none") {
