@@ -200,8 +200,8 @@ std::string limits_text(const AccuracyStudy& study) {
 std::string irregular_text(const AccuracyStudy& study) {
   if (study.limits().largest() <= study.target) return {};
   return fmt::format(
-      "the motion is irregular: over this span, errors of its means below this limit cannot be "
-      "resolved. Two accurate runs differ by {}{}",
+      "the motion is irregular: over this span, errors of the means cannot be resolved to this "
+      "accuracy. Two accurate runs differ by {}{}",
       percent(study.long_reference.noise.largest()),
       study.irregular.largest() > 0.0 ? fmt::format(", two runs with a relative load change of "
                                                     "1e-6 by up to {}",

@@ -61,7 +61,7 @@ std::string free_directions(const scene::ScenePlan& plan) {
         names += fmt::format("{}kFD{}2 = 0", names.empty() ? "" : ", ", k + 1);
   return names.empty()
              ? names
-             : ", and whether its loads can balance the inner race in its free directions (" +
+             : ", and whether the loads can balance the inner race in its free directions (" +
                    names + ")";
 }
 

@@ -226,8 +226,8 @@ void TimeRun::begin(bool remembers) {
       parts_.stepper.start(parts_.ode, start_.time, start_.y, control_);
   } catch (const std::out_of_range&) {
     throw InputError(
-        fmt::format("{}: the stored state of {} is incomplete; the file is damaged, restore it or "
-                    "start again with --overwrite",
+        fmt::format("{}: the stored state of {} is incomplete; the file is damaged. Restore it, "
+                    "or start again with --overwrite",
                     parts_.master.string(), parts_.prepared.control.integrator));
   }
   started_ = true;

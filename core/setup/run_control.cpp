@@ -283,8 +283,8 @@ void add_life_options(std::vector<Option>& table) {
         return true;
       });
   add("lifeLambda", "none",
-      "film parameter (film thickness over roughness) for the life factors if no film is computed, "
-      "above 0 to 1000, or none",
+      "film parameter (film thickness divided by roughness) for the life factors if no film is "
+      "computed, above 0 to 1000, or none",
       [](bearing::LifeChoices& o, std::string_view v) {
         return parse_optional(v, o.film_parameter, 1e3);
       });

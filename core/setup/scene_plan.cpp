@@ -43,7 +43,7 @@ std::string film_reason(const bearing::Bearing& bearing) {
   return fmt::format(
       "kTrac = {}, {}; {}{}", lubrication.code, oil.name,
       limit > 0.0
-          ? fmt::format("limiting shear stress {:.3g} of the pressure at {:.4g} K", limit, T)
+          ? fmt::format("limiting shear stress {:.3g} times the pressure at {:.4g} K", limit, T)
           : std::string("no limiting shear stress"),
       lubrication.hot_walls ? "; iTherm = 1: walls have the flash temperature of each strip" : "");
 }

@@ -231,7 +231,8 @@ Call motion(Section& section) {
   auto kinks = std::make_shared<std::vector<Formula>>();
   if (const Json* list = section.find("kinks"))
     for (const Json& one : *list) kinks->emplace_back(one, names, section.where + ", kinks");
-  if (kinks->size() > 8) throw InputError(section.where + ", kinks: give at most eight times");
+  if (kinks->size() > 8)
+    throw InputError(section.where + ", kinks: give at most eight points in time");
   auto longest =
       std::make_shared<std::optional<Formula>>(section.formula(section.json, "longest_step", ""));
   section.used.insert("longest_step");
