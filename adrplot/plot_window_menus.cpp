@@ -88,7 +88,7 @@ void PlotWindow::makeMenus() {
   view->addAction(tr("Zoom &Forward"), Qt::ALT | Qt::Key_Right, view_,
                   &desktop::ChartView::zoomForward);
   view->addAction(tr("Show &Everything"), Qt::Key_Home, view_, &desktop::ChartView::zoomAll);
-  view->addAction(tr("Remove Cu&rsors"), Qt::Key_Escape, view_, &desktop::ChartView::clearCursors);
+  view->addAction(tr("Remove C&ursors"), Qt::Key_Escape, view_, &desktop::ChartView::clearCursors);
   makeKeyMenus(view);
   view->addSeparator();
   auto* log_x = view->addAction(tr("Logarithmic &Abscissa"));

@@ -15,7 +15,7 @@ constexpr CatalogueLine kCatalogue[] = {
      "rollers, and balls of unequal moments or off center: six degrees of freedom and an attitude "
      "each",
      make_rigid_elements, nullptr},
-    {"ball orientation", "kPltElemInd, kPrtOpt, kAGraf", "quaternions of the balls that are shown",
+    {"ball orientation", "kPltElemInd, kPrtOpt, kAGraf", "quaternions of the displayed balls",
      make_ball_orientation, nullptr},
     {"races", "kTracType", "bodies, contact and traction with the elements", make_races,
      race_terms},
@@ -60,7 +60,7 @@ constexpr CatalogueLine kCatalogue[] = {
     {"race balance", "mode", "inner race in force balance", make_race_balance, nullptr},
     {"suppressed motions", "kDOF", "elements whose accelerations are zero",
      make_suppressed_elements, suppressed_element_terms},
-    {"light-load balance", "qFac, mode", "lightly loaded elements stand in force balance",
+    {"light-load balance", "qFac, mode", "lightly loaded elements are in force balance",
      make_light_load_balance, light_load_terms},
     {"thermal steps", "kTherm", "temperatures and geometry change between steps",
      make_thermal_steps, thermal_step_terms},

@@ -481,8 +481,8 @@ NewEquilibrium move_to_equilibrium(const MovingScene& before, double t_before,
     if (is) break;
   }
   if (!was || !is) {
-    out.why_not = was ? "the elements have no equilibrium after the change"
-                      : "the elements had no equilibrium before the change";
+    out.why_not = was ? "no equilibrium of the elements was found after the change"
+                      : "no equilibrium of the elements was found before the change";
     return out;
   }
 
@@ -506,7 +506,7 @@ NewEquilibrium move_to_equilibrium(const MovingScene& before, double t_before,
     auto elements = now.places(y, all, now.race(), conservative);
     if (!elements) elements = now.places(y, all, now.race(), true);
     if (!elements) {
-      out.why_not = "the elements have no equilibrium where the race moved";
+      out.why_not = "no equilibrium of the elements was found at the new race position";
       now.move_race(y, -shift);
       return out;
     }
@@ -573,7 +573,7 @@ NewEquilibrium judge_start(const MovingScene& scene, double t, std::span<const d
   for (const bool conservative : {false, true})
     if (!rest) rest = rest_of(at, y, conservative, at.race());
   if (!rest) {
-    out.why_not = "the elements have no equilibrium at the start";
+    out.why_not = "no equilibrium of the elements was found at the start";
     return out;
   }
   double elastic = 0.0;

@@ -150,7 +150,9 @@ void estimate(ScenePlan& plan, const bearing::Bearing& bearing,
   constexpr double kTurn = 2.0 * std::numbers::pi;
   if (!(plan.fastest_frequency > 0.0)) {
     plan.fastest_frequency = 1.0 / (kTurn * system.scales().time);
-    plan.fastest_contact = "no contact is loaded; a contact at 0.001 of the force scale";
+    plan.fastest_contact =
+        "estimated for a load of 0.001 times the force scale, because no "
+        "contact is loaded";
   }
   plan.expected_step = kPeriodsPerStep / plan.fastest_frequency;
   const double speed = std::abs(bearing.speed[1] - bearing.speed[0]);

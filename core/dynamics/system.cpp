@@ -113,13 +113,14 @@ std::string System::Impl::what_is_invalid(const double* y) const {
   for (int i = 0; i < parts.layout.controlled_size(); ++i)
     if (!std::isfinite(y[i]))
       return fmt::format(
-          "the state is not finite ({} = {}); use a smaller tolerance or largest step",
+          "the state is not finite ({} = {}); use a smaller tolerance (tol) or largest step "
+          "(stpMax)",
           parts.layout.component_name(i), y[i]);
   if (user != nullptr && user->failed()) return "a user routine failed";
   for (const auto& effect : parts.effects)
     if (std::string why = effect->why_invalid(e); !why.empty()) return why;
-  return "an acceleration is not finite; at the start a number of the deck is far too large, later "
-         "a smaller tolerance or largest step may help";
+  return "an acceleration is not finite. At the start, a number of the deck is far too large. "
+         "Later, a smaller tolerance (tol) or largest step (stpMax) may help";
 }
 
 void System::Impl::throw_invalid(double t, const double* y) const {

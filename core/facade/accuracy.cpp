@@ -85,7 +85,7 @@ Trial try_setting(const Subject& subject, const AccuracySetting& setting, double
     out.row.evaluations = outcome.evaluations;
     if (run.cut) {
       out.cut_at = std::max(outcome.time, 1e-12);
-      out.row.failure = fmt::format("cut: takes more than {:.3g} s", most_seconds);
+      out.row.failure = fmt::format("stopped: takes more than {:.3g} s", most_seconds);
     } else if (outcome.status != RunStatus::Done) {
       out.row.failure = outcome.message;
     } else {
@@ -222,8 +222,8 @@ class Study {
       spend_unlisted(out.row.seconds);  // until both have come to their end
       if (out.cut_at > 0.0) throw ReferenceCut{out.cut_at / subject_.turn};
       if (!out.good())
-        throw SolverError(fmt::format("no reference solution: {} at {:.0e}: {}", method, tolerance,
-                                      out.row.failure));
+        throw SolverError(fmt::format("no reference solution: {} at tolerance {:.0e}: {}", method,
+                                      tolerance, out.row.failure));
       return out;
     };
     const double tight =
@@ -234,8 +234,8 @@ class Study {
     AccuracyReference out{best.results, compare_results(check.results, best.results),
                           best.row.seconds + check.row.seconds};
     study_.unlisted_seconds -= out.seconds;
-    study_.reference =
-        fmt::format("rkf7 at {:.0e}, checked against rkf5 at {:.0e}", tight, 10.0 * tight);
+    study_.reference = fmt::format(
+        "rkf7 at tolerance {:.0e}, checked with rkf5 at tolerance {:.0e}", tight, 10.0 * tight);
     return out;
   }
 

@@ -47,8 +47,8 @@ std::string table_of(const std::vector<AccuracyRow>& rows) {
                        row.setting.name, width, row.seconds, short_percent(row.errors.largest()),
                        errors, static_cast<double>(row.steps) / row.turns,
                        row.order > 0.0 ? fmt::format("{:.1f}", row.order) : "-", row.energy_share,
-                       row.at_longest > kAtLongest ? "  at its longest step" : "",
-                       row.setting.own ? "  (as the deck asks)" : "");
+                       row.at_longest > kAtLongest ? "  mostly at the longest step" : "",
+                       row.setting.own ? "  (settings of the deck)" : "");
   }
   return out;
 }
@@ -159,7 +159,7 @@ std::string growth_text(const AccuracyStudy& study) {
       "residual from {:.1e} to {:.1e} of the exchanged energy{}.",
       row->setting.name, before->turns, turns_text(row->turns), percent(before->errors.largest()),
       percent(row->errors.largest()), before->energy_share, row->energy_share,
-      row->growth > 0.0 ? fmt::format(", {:.4g} times per revolution", row->growth)
+      row->growth > 0.0 ? fmt::format(", a factor of {:.4g} per revolution", row->growth)
                         : "; the spans differ by less than one revolution, too little for a rate");
 }
 
@@ -200,10 +200,11 @@ std::string limits_text(const AccuracyStudy& study) {
 std::string irregular_text(const AccuracyStudy& study) {
   if (study.limits().largest() <= study.target) return {};
   return fmt::format(
-      "the motion is irregular: over this span errors of its means below this limit cannot be "
-      "resolved; two accurate runs differ by {}{}",
+      "the motion is irregular: over this span, errors of the means cannot be resolved to this "
+      "accuracy. Two accurate runs differ by {}{}",
       percent(study.long_reference.noise.largest()),
-      study.irregular.largest() > 0.0 ? fmt::format(", runs with loads changed by 1e-6 by up to {}",
+      study.irregular.largest() > 0.0 ? fmt::format(", two runs with a relative load change of "
+                                                    "1e-6 by up to {}",
                                                     percent(study.irregular.largest()))
                                       : std::string());
 }
@@ -217,16 +218,18 @@ std::string recommendation(const AccuracyStudy& study) {
                       turns_text(study.long_turns));
   } else {
     const AccuracyRow& best = study.finals[static_cast<std::size_t>(study.recommended)];
-    out = fmt::format("{}: the cheapest within {} over {}, {:.3g} s ({})", best.setting.name,
-                      limits_text(study), turns_text(study.long_turns), best.seconds,
-                      errors_text(best.errors));
+    out = fmt::format("{}: the fastest settings within {} over {}, {:.3g} s ({})",
+                      best.setting.name, limits_text(study), turns_text(study.long_turns),
+                      best.seconds, errors_text(best.errors));
     if (best.energy_share > results::kMovedWarning)
       out += fmt::format(
-          "; the energy residual is {:.1e} of the exchanged energy, and the run warns of it",
+          "; the energy residual is {:.1e} of the exchanged energy, which causes a warning",
           best.energy_share);
     else if (const AccuracyRow* cheaper = cheaper_but_warned(study, best))
-      out += fmt::format("; {} is faster ({:.3g} s), but its energy residual is {:.1e}",
-                         cheaper->setting.name, cheaper->seconds, cheaper->energy_share);
+      out += fmt::format(
+          "; {} is faster ({:.3g} s), but its energy residual is {:.1e} of the "
+          "exchanged energy",
+          cheaper->setting.name, cheaper->seconds, cheaper->energy_share);
     if (best.setting.own) return out + "; these are the deck's own settings.";
   }
   if (own != nullptr)
@@ -237,8 +240,8 @@ std::string recommendation(const AccuracyStudy& study) {
     out += "; " + irregular;
   if (const AccuracyRow* model = other_model(study))
     out += fmt::format(
-        "; this covers integrator and steps only: {} changes the results more ({}), and `adore run "
-        "--accuracy {:g}%` also chooses nodes and slices",
+        "; these settings cover integrator and steps only: {} changes the results more ({}), and "
+        "`adore run --accuracy {:g}%` also chooses nodes and slices",
         model->setting.name, errors_text(model->errors), 100.0 * study.target);
   return out + ".";
 }
@@ -268,11 +271,11 @@ std::string round_text(const AccuracyRow& row, const AccuracyStudy& study) {
 
 std::string accuracy_table(const AccuracyStudy& study) {
   std::string out = fmt::format(
-      "Errors are differences of means from a reference ({});\ns: processor time of the whole run "
-      "(of the recommended, the deck's own and those with * in the second round the median of "
-      "three, if the budget allows);\n*: no other row is both faster and as accurate, with each "
-      "error counted only above its own noise.\nThe whirl speed is computed from the area that the "
-      "cage center sweeps, not from the windings in PRINT.\n",
+      "Errors: differences of means from a reference ({}).\ns: processor time of the whole run. "
+      "In the second round it is the median of three runs, if the budget allows,\nfor the "
+      "recommended settings, the deck's own settings and the rows with *.\n*: no other row is "
+      "both faster and as accurate. Each error counts only above its own noise.\nThe whirl speed "
+      "is computed from the area that the cage center sweeps, not from the windings in PRINT.\n",
       study.reference);
   const auto round = [&](const char* what, double turns, const AccuracyReference& reference,
                          const std::vector<AccuracyRow>& rows) {
@@ -300,7 +303,7 @@ std::string accuracy_table(const AccuracyStudy& study) {
         counted(study.untried, "more setting or model was", "more settings or models were"));
   if (!study.models.empty())
     out += fmt::format(
-        "\nOther models with the deck's own settings, {}; these figures are changes from the "
+        "\nOther models with the deck's own settings, {}. The figures are changes from the "
         "original model.\n{}",
         turns_text(study.short_turns), table_of(study.models));
   return out + "\n" + recommendation(study) + "\n";

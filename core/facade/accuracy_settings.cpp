@@ -20,7 +20,7 @@ AccuracySetting setting(const std::string& method, double tolerance, bool free, 
   out.as_long_as_stable = free;
   if (free) out.sets = {{"stpMax", kNoLimit}};
   out.name = fmt::format("{}, tol {:g}, stpMax {}", method, tolerance,
-                         free ? "as stable" : fmt::format("{:g}", stp_max));
+                         free ? "as long as stable" : fmt::format("{:g}", stp_max));
   return out;
 }
 

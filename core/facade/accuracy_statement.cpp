@@ -43,13 +43,13 @@ class Statement {
     const double heat = std::abs(of("mean_power_loss_W"));
     const double contact = std::abs(of("mean_largest_load_N"));
     using Means = results::MeanSeries;
-    add("mean_orbital_ratio", "element speed over shaft speed", &Means::orbital_ratio);
-    add("mean_cage_ratio", "cage speed over shaft speed", &Means::cage_ratio);
-    add("mean_swept_whirl_ratio", "whirl of the cage over shaft speed", &Means::swept_whirl_ratio,
+    add("mean_orbital_ratio", "element speed / shaft speed", &Means::orbital_ratio);
+    add("mean_cage_ratio", "cage speed / shaft speed", &Means::cage_ratio);
+    add("mean_swept_whirl_ratio", "cage whirl speed / shaft speed", &Means::swept_whirl_ratio,
         cage);
     add_load(results::kLoadFloor * contact);
-    add("mean_largest_load_N", "largest contact load, mean", &Means::largest_load);
-    if (add("peak_load_N", "largest contact load of the span", nullptr)) out_.back().mean = false;
+    add("mean_largest_load_N", "mean of the largest contact load", &Means::largest_load);
+    if (add("peak_load_N", "peak contact load", nullptr)) out_.back().mean = false;
     add("mean_heat_outer_race_W", "heat, outer race", &Means::heat_outer, heat);
     add("mean_heat_inner_race_W", "heat, inner race", &Means::heat_inner, heat);
     add("mean_heat_elsewhere_W", "heat, cage, lands and fluid", &Means::heat_elsewhere, heat);
@@ -130,7 +130,7 @@ class Statement {
     }
     StatedQuantity q;
     q.id = "mean_load";
-    q.label = "load of the races, mean";
+    q.label = "mean load of the races";
     q.value = length(v.run);
     q.unit = "N";
     q.scale = std::max(q.value, least);
@@ -225,10 +225,9 @@ std::string statement_text(const AccuracyStatement& statement) {
                         statement.twin_seconds / std::max(statement.run_seconds, 1e-9))
           : fmt::format("no second run with changed loads: {}", statement.twin_failure);
   std::string out = fmt::format(
-      "accuracy:  over the {} of this run, 95 % intervals\n"
-      "  numerical part: against {} ({:.3g} s of processor time)\n"
-      "  statistical part: batch means of the difference, {}\n"
-      "  {:<36} {:>14} {:<5} {:>11} {:>12} {:>10}\n",
+      "accuracy:  over the {} of this run, 95 % intervals\n  numerical part: compared with {} "
+      "({:.3g} s of processor time)\n  statistical part: batch means of the difference, {}\n  "
+      "{:<36} {:>14} {:<5} {:>11} {:>12} {:>10}\n",
       counted(fmt::format("{:.4g}", statement.turns), "revolution"), tighter.tighter,
       tighter.seconds, second, "", "value", "", "numerical", "statistical", "interval");
   for (const StatedQuantity& q : statement.quantities)
@@ -247,12 +246,12 @@ std::string statement_text(const AccuracyStatement& statement) {
   if (!(turns > 0.0)) return out;
   const std::string needed = counted(fmt::format("{:.3g}", turns), "revolution");
   out += fmt::format(
-      "  The means need {} for {} (this run: {:.4g}; {}). Simulate that long, or use `adore run "
-      "--accuracy ... --extend`.\n",
+      "  The means need {} for an accuracy of {} (this run: {:.4g}; {}). Simulate this length, or "
+      "use `adore run --accuracy ... --extend`.\n",
       (statement.needs_more(statement.target) ? "very roughly " : "about ") + needed,
       percent(statement.target), statement.turns,
       statement.needs_more(statement.target)
-          ? "order of magnitude: the two runs still diverge"
+          ? "order of magnitude only, because the two runs still diverge"
           : fmt::format("within a factor of {:g}", kNeededFactor));
   return out;
 }

@@ -65,7 +65,7 @@ void refuse_start(const Prepared& prepared, const SolverError& error) {
   issue.file = prepared.input.path.string();
   issue.record = segments > 1 ? "9.6.k" : "9.6";
   issue.variable = turned ? "cageAngPos" : "cageGcPos";
-  issue.message = "puts the cage outside its elements: " + why;
+  issue.message = "moves the cage away from its elements: " + why;
   issue.remedy = "enter smaller offsets and angles (0: centered cage)";
   throw InputError(std::vector<Issue>{issue});
 }
@@ -124,8 +124,9 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
   issue.file = prepared.input.path.string();
   issue.record = segments ? "9.6.k" : "9.6";
   issue.variable = turned ? "cageAngPos" : "cageGcPos";
-  const std::string found = fmt::format(
-      "the cage starts {} inside other bodies (largest overlap: {})", length(worst), where);
+  const std::string found =
+      fmt::format("the cage overlaps other bodies by {} at the start (largest overlap: {})",
+                  length(worst), where);
   // Is it the record that puts the cage there, or are the elements where pockets do not reach?
   const bool axial = wall_of_worst != nullptr && prepared.bearing.rollers() == nullptr &&
                      std::abs(std::sin(wall_of_worst->theta)) > 0.7;
@@ -137,8 +138,8 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
       by_record = by_record || cage.start_of(k).start_offset.x() != 0.0;
   }
   if (by_record) {
-    issue.message = segments ? found + ", placed there by cageGcPos and cageAngPos of its segments"
-                             : fmt::format("{}, where {} and {} put it", found, triple("cageGcPos"),
+    issue.message = segments ? found + ", because of cageGcPos and cageAngPos of its segments"
+                             : fmt::format("{}, because of {} and {}", found, triple("cageGcPos"),
                                            triple("cageAngPos"));
     issue.remedy = fmt::format(
         "enter smaller offsets and angles (0: centered cage), or a larger clearance ({})",
@@ -149,11 +150,13 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
     issue.record = "7.1";
     issue.variable = "cageConeAng";
     issue.message = fmt::format(
-        "{}: a cage with a cone angle of {:.4g} degrees has round pockets inclined by {:.4g} "
-        "degrees to its rollers, which do not fit",
+        "{}: with a cone angle of {:.4g} degrees, the round pockets are inclined by {:.4g} "
+        "degrees to the rollers and do not fit",
         found, prepared.bearing.cage->cone_angle * kDegree, std::abs(lean) * kDegree);
-    issue.remedy = fmt::format("give {:.6g} degrees, the angle of the rollers, or more bPocCls1",
-                               prepared.bearing.rollers()->axis_angle * kDegree);
+    issue.remedy = fmt::format(
+        "give {:.6g} degrees (the angle of the rollers), or a larger "
+        "bPocCls1",
+        prepared.bearing.rollers()->axis_angle * kDegree);
   } else {
     const bool second = axial && (cage.pocket == bearing::PocketShape::Rectangular);
     const bool land = wall_of_worst == nullptr;
@@ -164,15 +167,15 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
     issue.message = fmt::format(
         "{}{}{}: {}", found,
         pocket > 0.0 && wall_of_worst != nullptr
-            ? fmt::format(", more than the {} by which its pockets clamp them", length(pocket))
+            ? fmt::format(", more than the interference of the pockets ({})", length(pocket))
             : std::string(),
-        moved || turned ? ", which is not caused by record 9.6" : " although it is centered",
+        moved || turned ? ", which is not caused by record 9.6" : ", although the cage is centered",
         !land ? "the static solution shifted or tilted the elements by more than the clearance"
         : uneven
-            ? "the errors of records 7.5.i and 7.6.i exceed the clearance left by the static "
-              "solution"
+            ? "the shape errors of records 7.5.i and 7.6.i exceed the clearance left by the "
+              "static solution"
             : "the static solution moved the elements towards the race by more than the clearance");
-    issue.remedy = faces ? fmt::format("put the guide faces at least {} further from the rollers",
+    issue.remedy = faces ? fmt::format("move the guide faces at least {} further from the rollers",
                                        length(worst))
                          : fmt::format("give at least {} more clearance", length(2.0 * worst));
   }

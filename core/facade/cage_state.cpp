@@ -79,7 +79,7 @@ std::optional<Finding> CageState::finding() const {
         .of("cage");
   const results::Whirl whirl = results::judge_whirl(late);
   const double scatter = std::abs(whirl.deviation / whirl.ratio);
-  const std::string orbit = fmt::format("orbit of its center {:.3g} of the clearance ({})",
+  const std::string orbit = fmt::format("orbit of its center {:.3g} times the clearance ({})",
                                         whirl.orbit, results::name_of(of_));
   const std::string span =
       fmt::format("last {} of the cage", counted(fmt::format("{:.3g}", turns), "revolution"));
@@ -94,8 +94,8 @@ std::optional<Finding> CageState::finding() const {
       return make_finding(
                  "cage.whirling",
                  fmt::format(
-                     "State of the cage: whirling at {:.3g} of the cage speed, {}, above {:g}; the "
-                     "relative scatter of the whirl speed is {:.3g}, below {:g}; {}",
+                     "State of the cage: whirling at {:.3g} times the cage speed, {}, above {:g}; "
+                     "the relative scatter of the whirl speed is {:.3g}, below {:g}; {}",
                      whirl.ratio, orbit, results::kRestingOrbit, scatter, results::kSteadyDeviation,
                      span))
           .measure(whirl.orbit, results::kRestingOrbit)

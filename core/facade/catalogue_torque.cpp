@@ -339,15 +339,14 @@ std::string torque_text(const std::vector<TorqueTable>& tables) {
   std::string out;
   for (const TorqueTable& table : tables) {
     out += fmt::format(
-        "\n{} ({}), {} at 70 degrees Celsius, {:.1f} mm2/s, flooded; torques in N mm; left out: {} "
-        "above "
-        "the limiting speed, {} below the minimum load\n",
+        "\n{} ({}), {} at 70 degrees Celsius, {:.1f} mm2/s, flooded; torques in N mm; omitted "
+        "points: {} above the limiting speed, {} below the minimum load\n",
         table.bearing, table.deck, table.oil, 1e6 * table.viscosity, table.above_speed,
         table.below_load);
     out += fmt::format(
         "{:>7} {:>7} {:>6} | {:>8} {:>8} {:>6} {:>6} {:>8} | {:>8} {:>8} {:>8} | {:>7} "
         "{:>6}\n",
-        "Fr [N]", "Fa [N]", "rpm", "rolling", "sliding", "spin", "rib", "ours", "rolling",
+        "Fr [N]", "Fa [N]", "rpm", "rolling", "sliding", "spin", "rib", "computed", "rolling",
         "sliding", "formula", "rolling", "total");
     for (const TorqueLine& line : table.lines)
       out +=
@@ -362,15 +361,13 @@ std::string torque_markdown(const std::vector<TorqueTable>& tables) {
   std::string out;
   for (const TorqueTable& table : tables) {
     out += fmt::format(
-        "\n## {}, {}\n\n{:.1f} mm²/s at 70 °C, flooded, no medium in the cavity; N mm. The last "
-        "two "
-        "columns are ours over the formula. Points left out above the limiting speed: {}, below "
-        "the "
-        "minimum load: {}.\n\n",
+        "\n## {}, {}\n\n{:.1f} mm²/s at 70 °C, flooded, no medium in the cavity; torques in N mm. "
+        "The last two columns are computed divided by formula values. Omitted points above the "
+        "limiting speed: {}, below the minimum load: {}.\n\n",
         table.bearing, table.oil, 1e6 * table.viscosity, table.above_speed, table.below_load);
     out +=
-        "| Fr [N] | Fa [N] | rpm | rolling | sliding | spin | rib | ours | formula: rolling | "
-        "sliding | formula | rolling | total "
+        "| Fr [N] | Fa [N] | rpm | rolling | sliding | spin | rib | computed | formula: rolling | "
+        "sliding | formula | ratio: rolling | ratio: total "
         "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const TorqueLine& line : table.lines)
       out += torque_row(line,

@@ -26,17 +26,17 @@ std::string specified_jumps(const Prepared& prepared) {
   std::string out;
   const auto add = [&](const std::string& text) { out += (out.empty() ? "" : "; ") + text; };
   for (const double kink : promise.kinks)
-    if (kink > 0.0) add(fmt::format("a jump of its loads at t = {:.4g} s", kink));
+    if (kink > 0.0) add(fmt::format("its loads jump at t = {:.4g} s", kink));
   for (std::size_t j = 0; j < 2; ++j) {
     const char* const race = j == 0 ? "outer" : "inner";
     if (const double speed = promise.start_velocity[j].norm(); speed > 0.0)
       add(fmt::format("{} race starts with {:.4g} m/s", race, speed));
     if (promise.start_spin[j] != 0.0)
-      add(fmt::format("{} race starts with {:.4g} rad/s more", race, promise.start_spin[j]));
+      add(fmt::format("{} race starts with {:.4g} rad/s in addition", race, promise.start_spin[j]));
   }
   return out.empty()
              ? out
-             : "impulses and steps that routine ADRX1 specifies, not counted as excess energy: " +
+             : "routine ADRX1 specifies impulses and steps, which do not count as excess energy: " +
                    out;
 }
 
@@ -44,7 +44,7 @@ std::string change_remark(const dynamics::NewEquilibrium& change, const std::str
                           const std::string& specified) {
   if (!change.why_not.empty())
     return fmt::format(
-        "{}: {}, so the stored state is kept unchanged; the next revolutions contain a vibration",
+        "{}: {}, so the stored state is kept unchanged. The next revolutions contain a vibration",
         cause, change.why_not);
   const double ratio = change.ratio();
   if (!(ratio > dynamics::kExcessWarned)) return {};
@@ -54,8 +54,8 @@ std::string change_remark(const dynamics::NewEquilibrium& change, const std::str
   if (!specified.empty()) return text + ": " + specified + "; the run continues";
   if (ratio > dynamics::kExcessRefused)
     throw SolverError(text +
-                      ": the contact loads that follow are those of an impact. Change the bearing "
-                      "in smaller steps, or start from the equilibrium (kIcOpt = 0)");
+                      ": the contact loads after this change are those of an impact. Change the "
+                      "bearing in smaller steps, or start from the equilibrium (kIcOpt = 0)");
   return text + ": loads of the next revolutions contain a vibration";
 }
 

@@ -56,7 +56,7 @@ std::optional<Issue> nothing_moves(const deck::Deck& deck) {
   out.message = "no step is made, so that nothing moves; `--until` can set the length";
   out.remedy = std::string(steps ? "give the number of steps, such as 2000"
                                  : "give the end time, such as 1000") +
-               ", and kPltFreq = 1 and kAGraf = 1 to see the steps";
+               ", and set kPltFreq = 1 and kAGraf = 1 to see the steps";
   return out;
 }
 

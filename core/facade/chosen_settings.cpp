@@ -93,13 +93,13 @@ class Choice {
     const Prepared prepared = prepare(request_);
     rows_ = resolutions(prepared);
     if (rows_.empty()) {
-      out_.text += ". Nodes or slices of the contacts are taken from the options";
+      out_.text += ". The run options set the nodes or slices of the contacts";
     } else {
       choose_resolution(prepared);
     }
     out_.text += fmt::format(
-        ". Measured times decided between settings, so another run may choose others; to repeat "
-        "the same run: `adore run DECK {}`",
+        ". The choice depends on measured times, so another run may choose other settings. To "
+        "repeat this run: `adore run DECK {}`",
         again());
     return std::move(out_);
   }
@@ -119,8 +119,10 @@ class Choice {
                                     ? &study.finals[static_cast<std::size_t>(study.recommended)]
                                     : most_accurate(study);
     if (chosen == nullptr)
-      throw SolverError(fmt::format("{} `adore accuracy` tries more settings over more revolutions",
-                                    recommendation(study)));
+      throw SolverError(
+          fmt::format("{} Use `adore accuracy` to try more settings over more "
+                      "revolutions",
+                      recommendation(study)));
     const AccuracyRow& best = *chosen;
     out_.integrator = best.setting.method;
     out_.tolerance = best.setting.tolerance;
@@ -133,12 +135,12 @@ class Choice {
     seconds_per_turn_ = best.seconds / best.turns;
     const std::string longest =
         out_.sets.empty() ? "" : fmt::format(", stpMax {}", out_.sets.front().second);
-    out_.text =
-        fmt::format("settings for an error of {:.3g} %: {}, tol {:g}{} (errors over {}: {})",
-                    100.0 * target_, out_.integrator, out_.tolerance, longest,
-                    counted(fmt::format("{:.3g}", best.turns), "turn"), errors_text(best.errors));
+    out_.text = fmt::format(
+        "settings for an error of {:.3g} %: {}, tol {:g}{} (errors over {}: {})", 100.0 * target_,
+        out_.integrator, out_.tolerance, longest,
+        counted(fmt::format("{:.3g}", best.turns), "revolution"), errors_text(best.errors));
     if (study.recommended < 0)
-      out_.text += ", the most accurate of the study: none of its settings is within the target";
+      out_.text += ", the most accurate settings of the study, because none is within the target";
     if (study.limits().largest() > target_) out_.text += "; " + irregular_text(study);
   }
 
@@ -206,7 +208,8 @@ class Choice {
     const auto other = is ? results_of(beside, finest) : std::nullopt;
     if (!is || !other) {
       out_.text +=
-          fmt::format(". Nodes and slices are unchanged: with {} {}", finest.name, finest.failure);
+          fmt::format(". Nodes and slices are unchanged, because the run with {} failed: {}",
+                      finest.name, finest.failure);
       return;
     }
     out_.noise = compare_results(*other, *is);
@@ -230,23 +233,24 @@ class Choice {
       before = keeps ? here : -1;
     }
     if (out_.resolution < 0) out_.resolution = before;
-    const std::string against = fmt::format("against {} over {}", out_.finest,
-                                            counted(fmt::format("{:.3g}", out_.turns), "turn"));
+    const std::string against =
+        fmt::format("against {} over {}", out_.finest,
+                    counted(fmt::format("{:.3g}", out_.turns), "revolution"));
     if (out_.resolution < 0) {
       out_.options = finest.options;
-      out_.text += fmt::format(". {}: no coarser setting stays within {:.2g} % of it", out_.finest,
-                               100.0 * limit);
+      out_.text += fmt::format(". {}: no coarser setting differs from it by less than {:.2g} %",
+                               out_.finest, 100.0 * limit);
       return;
     }
     const ResolutionRow& chosen = out_.rows[static_cast<std::size_t>(out_.resolution)];
     out_.options = chosen.options;
     out_.text += fmt::format("; {} ({}: {}{}{})", chosen.name, against, errors_text(chosen.told),
-                             chosen.usual ? ", as without a choice" : "", noise_text(chosen));
+                             chosen.usual ? ", the default" : "", noise_text(chosen));
   }
 
   /// Noise below which an error counts as 0.
   [[nodiscard]] static std::string noise_text(const ResolutionRow& row) {
-    return row.hidden ? "; 0 %: not more than the effect of a relative load change of 1e-6" : "";
+    return row.hidden ? "; 0 %: no more than the effect of a relative load change of 1e-6" : "";
   }
 
   const DeckRequest& request_;
@@ -293,7 +297,8 @@ void tighten(ChosenSettings& chosen, const RunRequest& request, const RunOutcome
     chosen.sets.emplace_back("stpMin", fmt::format("{:.3g}", longest));
   if (auto finer = doubled_resolution(prepared); !finer.empty()) chosen.options = std::move(finer);
   chosen.text += fmt::format(
-      ". The interval of the whole run was wider than the target: tol {:g} and stpMax {:.3g}",
+      ". The 95 % interval of the whole run was wider than the target. New settings: tol {:g}, "
+      "stpMax {:.3g}",
       chosen.tolerance, longest);
   for (const auto& [name, value] : chosen.options)
     chosen.text += fmt::format(", {} {}", name, value);

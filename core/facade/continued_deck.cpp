@@ -89,8 +89,8 @@ std::vector<Issue> compare_with_stored(const std::string& stored, const deck::De
                                        const std::filesystem::path& file, setup::StartState start) {
   if (stored.empty())
     return {note(file,
-                 "the file does not contain the deck of its run: beyond the number of elements and "
-                 "the cage, its match with this deck cannot be checked")};
+                 "the file does not contain the deck of its run. Only the number of elements and "
+                 "the cage can be compared with this deck")};
   const deck::Deck before = deck_in(stored, file);
   const bool continues = start == setup::StartState::Continue;
   std::vector<Issue> refused;
@@ -114,7 +114,8 @@ std::vector<Issue> compare_with_stored(const std::string& stored, const deck::De
             fmt::format("{} ({})",
                         kind == Change::OtherBearing
                             ? "the run to be continued had a different bearing"
-                            : "state and files of the run to be continued do not match",
+                            : "the stored state and files of the run to be continued do not fit "
+                              "this value",
                         sentence(d)),
             d.variable == "kBrg"
                 ? "start from statics (kIcOpt = 0)"
@@ -127,11 +128,12 @@ std::vector<Issue> compare_with_stored(const std::string& stored, const deck::De
   if (!refused.empty()) throw InputError(std::move(refused));
   std::vector<Issue> out;
   if (!accepted.empty())
-    out.push_back(note(file, fmt::format("the run {} under a changed deck: {}",
+    out.push_back(note(file, fmt::format("the run {} with a changed deck: {}",
                                          continues ? "continues" : "starts", accepted)));
   if (!idle.empty())
     out.push_back(
-        note(file, fmt::format("has no effect, because the stored state is the start: {}", idle)));
+        note(file,
+             fmt::format("has no effect, because the run starts from the stored state: {}", idle)));
   return out;
 }
 

@@ -59,7 +59,7 @@ std::string operation_line(const deck::Deck& deck) {
     if (deck.real(race) != 0.0)
       line +=
           fmt::format(", {} race {}", race[3] == '1' ? "outer" : "inner", with_unit(deck, race));
-  if (deck.real("rpm1") == 0.0 && deck.real("rpm2") == 0.0) line += ", no race turns";
+  if (deck.real("rpm1") == 0.0 && deck.real("rpm2") == 0.0) line += ", no race rotates";
   return line;
 }
 
@@ -74,8 +74,8 @@ std::string run_line(const deck::Deck& deck) {
   std::string line =
       "run:        motion over time, at most " + counted(deck.integer("maxStps"), "step");
   const long long inner = deck.integer("nStps");
-  if (inner > 1) line += fmt::format(" of {} each", inner);
-  line += fmt::format(", to a time of {:g} (over the time scale)", deck.real("fTime"));
+  if (inner > 1) line += fmt::format(" of {} integration steps each", inner);
+  line += fmt::format(", to a dimensionless time of {:g}", deck.real("fTime"));
   return line + ", from the quasi-static solution";
 }
 

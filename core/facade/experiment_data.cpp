@@ -79,13 +79,21 @@ RowData read_row(JsonMembers& in, const std::string& kind, const std::string& ce
   out.type = static_cast<RowType>(word(in, "type", in.text("type", "value"), kTypes));
   read_theirs(in, out);
   out.certainty = in.text("certainty", certainty);
-  if (out.certainty.empty()) in.reject("member \"certainty\" is missing, of the row or of its run");
+  if (out.certainty.empty())
+    in.reject(
+        "member \"certainty\" is missing. Give it in the row or in "
+        "its run");
   check_certainty(out.certainty, in.where());
   const bool given = out.theirs || !out.their_sign.empty();
   const bool aside = out.certainty.starts_with("kept aside");
-  if (aside && given) in.reject("the measured value is kept aside. Remove \"theirs\"");
+  if (aside && given)
+    in.reject(
+        "the measured value of this row is kept aside (withheld). Remove "
+        "\"theirs\"");
   if (!aside && !given && out.kind != "part")
-    in.reject("member \"theirs\" is missing. Without it the row is a part, or kept aside");
+    in.reject(
+        "member \"theirs\" is missing. Give it, or set kind to \"part\" or certainty to "
+        "\"kept aside\"");
   out.rating = in.number("rating", 0.0);
   if (in.find("from") != nullptr) out.from = in.number("from");
   if (in.find("reference") != nullptr) out.reference = in.number("reference");
@@ -95,7 +103,7 @@ RowData read_row(JsonMembers& in, const std::string& kind, const std::string& ce
 
 OverData read_over(JsonMembers& in) {
   OverData out{in.text("variable"), in.numbers("values")};
-  if (out.values.size() < 2) in.reject("values needs two or more");
+  if (out.values.size() < 2) in.reject("member \"values\" needs two or more numbers");
   return out;
 }
 MotionData read_motion(JsonMembers& in) {
@@ -136,11 +144,11 @@ RunData read_run(JsonMembers& in) {
   if (out.deck.empty() && !out.discs && !out.film)
     in.reject("one of the members \"deck\", \"discs\" and \"film\" must be given");
   if (!out.deck.empty() && (out.discs || out.film))
-    in.reject("discs and film have no deck. Remove \"deck\"");
+    in.reject("a run with \"discs\" or \"film\" has no deck. Remove \"deck\"");
   const std::string kind = in.text("kind", "prediction"), certainty = in.text("certainty", "");
   for (JsonMembers& row : in.objects("rows", "row"))
     out.rows.push_back(read_row(row, kind, certainty));
-  if (out.rows.empty()) in.reject("a run needs rows");
+  if (out.rows.empty()) in.reject("a run needs at least one row in \"rows\"");
   in.finish();
   return out;
 }
@@ -179,7 +187,8 @@ ExperimentData read_experiment(JsonMembers& in, std::string_view name) {
     out.not_computed.push_back(read_not_computed(one));
   if (out.runs.empty() && out.not_computed.empty() && out.table.empty() && out.open.empty())
     in.reject(
-        "an experiment needs runs, or a list of quantities that are not computed, with reasons");
+        "an experiment needs one of the members \"runs\", \"not_computed\", \"table\" and "
+        "\"open\"");
   in.finish();
   return out;
 }

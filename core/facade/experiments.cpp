@@ -29,7 +29,10 @@ double mean_of_balls(const Prepared& p, double (*of)(const statics::StaticBall&)
 }
 
 const statics::FrictionEstimate& friction(const Prepared& p) {
-  if (!p.friction) throw InputError("the deck has no friction of an equilibrium");
+  if (!p.friction)
+    throw InputError(
+        "the friction of the equilibrium is not computed for this "
+        "deck");
   return *p.friction;
 }
 
@@ -41,14 +44,15 @@ double torque_of(const Prepared& p, double (*power)(const statics::FrictionEstim
 
 /// L10r for the rating that the source used: Q_ci and Q_ce are proportional to C, the life to C³.
 double reference_life(const Prepared& p, double rating) {
-  if (!p.life.iso || !p.life.iso->reference) throw InputError("there is no life by ISO 16281");
+  if (!p.life.iso || !p.life.iso->reference)
+    throw InputError("the life by ISO 16281 is not computed for this deck");
   const double ratio = rating > 0.0 ? rating / p.life.iso->C : 1.0;
   return p.life.iso->reference->L10r * ratio * ratio * ratio;
 }
 
 double relative_speed(const Prepared& p) {
   const double out = std::abs(p.bearing.speed[1] - p.bearing.speed[0]);
-  if (!(out > 0.0)) throw InputError("the races do not turn against each other");
+  if (!(out > 0.0)) throw InputError("the races do not rotate relative to each other");
   return out;
 }
 
@@ -67,8 +71,7 @@ const life::IsoReport& iso(const Prepared& p) {
 
 /// T_in + Q/(ρ c W) [K].
 double outlet_temperature(const Prepared& p, double heat) {
-  if (!p.thermal || !p.thermal->heat.coolant)
-    throw InputError("the deck has no coolant that flows");
+  if (!p.thermal || !p.thermal->heat.coolant) throw InputError("the deck has no coolant flow");
   const thermal::Coolant& coolant = *p.thermal->heat.coolant;
   return p.bearing.thermal->base_temperature + heat / (coolant.mass_flow * coolant.specific_heat);
 }
@@ -113,42 +116,42 @@ constexpr Quantity kQuantities[] = {
      [](const Prepared& p) { return std::abs(p.race_result().displacement[2]); }},
     {"power_loss", "power loss", [](const Prepared& p) { return friction(p).power(); }},
     {"friction_torque", "friction torque", [](const Prepared& p) { return friction(p).torque(); }},
-    {"rolling_torque", "of it rolling",
+    {"rolling_torque", "torque: rolling",
      [](const Prepared& p) {
        return torque_of(p, [](const statics::FrictionEstimate& f) {
          return f.of_race(0).rolling + f.of_race(1).rolling;
        });
      }},
-    {"sliding_torque", "of it sliding and spin",
+    {"sliding_torque", "torque: sliding and spin",
      [](const Prepared& p) {
        return torque_of(p, [](const statics::FrictionEstimate& f) {
          const statics::FrictionOfContact outer = f.of_race(0), inner = f.of_race(1);
          return outer.sliding + outer.spin + inner.sliding + inner.spin;
        });
      }},
-    {"rib_torque", "of it the rib",
+    {"rib_torque", "torque: rib",
      [](const Prepared& p) {
        return torque_of(
            p, [](const statics::FrictionEstimate& f) { return f.flange[0] + f.flange[1]; });
      }},
-    {"cage_torque", "of it drag of the cage",
+    {"cage_torque", "torque: drag of the cage",
      [](const Prepared& p) {
        return torque_of(p, [](const statics::FrictionEstimate& f) { return f.cage_drag; });
      }},
-    {"drag_torque", "of it drag of elements",
+    {"drag_torque", "torque: drag of elements",
      [](const Prepared& p) {
        return torque_of(p, [](const statics::FrictionEstimate& f) { return f.element_drag; });
      }},
-    {"outlet_temperature", "outlet temperature of the oil",
+    {"outlet_temperature", "oil outlet temperature",
      [](const Prepared& p) { return outlet_temperature(p, friction(p).power()); }},
-    {"rolling_power", "of it rolling",
+    {"rolling_power", "power loss: rolling",
      [](const Prepared& p) {
        return friction(p).of_race(0).rolling + friction(p).of_race(1).rolling;
      }},
-    {"drag_power", "of it drag of the medium",
+    {"drag_power", "power loss: drag of the medium",
      [](const Prepared& p) { return friction(p).drag(); }},
-    {"orbit_ratio", "cage over shaft speed", orbit_ratio},
-    {"cage_excess", "cage speed over epicyclic, less 1",
+    {"orbit_ratio", "cage speed / shaft speed", orbit_ratio},
+    {"cage_excess", "cage speed / epicyclic speed - 1",
      [](const Prepared& p) {
        const bearing::BallGeometry& balls = p.bearing.balls();
        return orbit_ratio(p) / (0.5 * (1.0 - balls.diameter / balls.pitch_diameter)) - 1.0;
@@ -211,10 +214,8 @@ constexpr RunDownQuantity kRunDown[] = {
     {"run_down_exponent", "exponent n of -dw/dt = K w^n",
      [](const RunDown& r) { return r.exponent; }},
     {"run_down_time", "run-down time", [](const RunDown& r) { return r.time; }},
-    {"run_down_rolling", "of its heat by rolling resistance",
-     [](const RunDown& r) { return r.rolling; }},
-    {"run_down_residual", "energy without account",
-     [](const RunDown& r) { return r.energy_residual; }},
+    {"run_down_rolling", "run-down heat: rolling", [](const RunDown& r) { return r.rolling; }},
+    {"run_down_residual", "energy residual", [](const RunDown& r) { return r.energy_residual; }},
 };
 const RunDownQuantity* run_down_quantity(std::string_view name) {
   for (const RunDownQuantity& one : kRunDown)
@@ -235,17 +236,17 @@ double excess(double cage_ratio, const Prepared& p) {
 constexpr MotionQuantity kMotion[] = {
     {"motion_torque", "friction torque in motion",
      [](const MotionFigures& f, const Prepared&) { return f.friction.total(); }},
-    {"motion_rolling", "of it rolling",
+    {"motion_rolling", "motion torque: rolling",
      [](const MotionFigures& f, const Prepared&) { return f.friction.rolling; }},
-    {"motion_races", "of it sliding at the races",
+    {"motion_races", "motion torque: sliding at races",
      [](const MotionFigures& f, const Prepared&) { return f.friction.races; }},
-    {"motion_rib", "of it the rib",
+    {"motion_rib", "motion torque: rib",
      [](const MotionFigures& f, const Prepared&) { return f.friction.ribs; }},
-    {"motion_cage", "of it the cage",
+    {"motion_cage", "motion torque: cage",
      [](const MotionFigures& f, const Prepared&) { return f.friction.cage; }},
-    {"motion_residual", "energy without account",
+    {"motion_residual", "energy residual",
      [](const MotionFigures& f, const Prepared&) { return f.friction.energy_residual; }},
-    {"motion_cage_excess", "cage speed over epicyclic, less 1",
+    {"motion_cage_excess", "cage speed / epicyclic speed - 1",
      [](const MotionFigures& f, const Prepared& p) { return excess(f.cage_ratio, p); }},
     {"motion_outer_pass", "BPFO / shaft",
      [](const MotionFigures& f, const Prepared& p) {
@@ -255,13 +256,13 @@ constexpr MotionQuantity kMotion[] = {
      [](const MotionFigures& f, const Prepared& p) {
        return static_cast<double>(p.bearing.element_count()) * (1.0 - f.cage_ratio);
      }},
-    {"motion_cage_slip", "cage slip against the equilibrium",
+    {"motion_cage_slip", "cage slip from the equilibrium",
      [](const MotionFigures& f, const Prepared& p) { return 1.0 - f.cage_ratio / orbit_ratio(p); }},
     {"motion_axial_line", "axial force at Z f_cage",
      [](const MotionFigures& f, const Prepared&) { return f.axial_line; }},
     {"motion_radial_line", "radial force at Z f_cage",
      [](const MotionFigures& f, const Prepared&) { return f.radial_line; }},
-    {"motion_line_contrast", "lg(axial over radial force at Z f_cage)",
+    {"motion_line_contrast", "lg(axial / radial force at Z f_cage)",
      [](const MotionFigures& f, const Prepared&) {
        return std::log10(f.axial_line / f.radial_line);
      }},
@@ -515,11 +516,11 @@ class RunFigures {
 std::string label_of(const RowData& row) {
   static const std::map<std::string_view, std::string_view> kLabels{
       {"largest_coefficient", "largest friction coefficient"},
-      {"film_over_hamrock", "minimum film over Hamrock and Dowson"},
+      {"film_over_hamrock", "minimum film / Hamrock-Dowson film"},
       {"exponent", "exponent"},
       {"spread", "spread"},
-      {"torque_less_rib", "torque less the computed rib"},
-      {"fitting_rolling", "share of flooded rolling that would fit"},
+      {"torque_less_rib", "torque minus the computed rib"},
+      {"fitting_rolling", "fitted share of flooded rolling"},
       {"pair_offset", "offset of the spacers"},
       {"unloading_force", "unloading force"},
       {kLife, "L10r of ISO 16281"}};
@@ -548,7 +549,7 @@ void check_energy(const RunData& run, const RunFigures& figures, Experiment& out
     }
   ExperimentRow line;
   line.condition = run.condition;
-  line.what = fmt::format("outlet temperature of the oil, heat {}", theirs ? "theirs" : "ours");
+  line.what = fmt::format("oil outlet temperature, {} heat", theirs ? "published" : "computed");
   line.unit = "C";
   line.kind = "part";
   const double outlet = outlet_temperature(prepared, heat);
@@ -562,8 +563,7 @@ void check_energy(const RunData& run, const RunFigures& figures, Experiment& out
            : "derived; not judged: no ring temperature in the source";
   if (!verdict.empty())
     out.inputs.push_back(
-        fmt::format("{}: {}: the oil would leave at {:.4g} C, the hottest ring has "
-                    "{:.4g} C",
+        fmt::format("{}: {}: the oil would leave at {:.4g} C, but the hottest ring has {:.4g} C",
                     run.condition, verdict, outlet - 273.15, *ring - 273.15));
   out.rows.push_back(std::move(line));
 }
@@ -618,7 +618,7 @@ void add_catalogue(const std::string& file, Experiment& out) {
       line.what = "friction torque";
       line.unit = "N.mm";
       line.kind = "prediction";
-      line.certainty = "model, forms seen, constants recalled";
+      line.certainty = "model: equations read in publications, constants quoted from memory";
       line.model = true;
       constexpr double kMilli = 1e3;
       line.failed = one.failed;
@@ -628,7 +628,7 @@ void add_catalogue(const std::string& file, Experiment& out) {
     }
   }
   out.assumed.push_back(fmt::format(
-      "points left out above the limiting speed: {}, below the minimum load: {}", speed, load));
+      "points omitted above the limiting speed: {}, below the minimum load: {}", speed, load));
 }
 
 }  // namespace

@@ -74,9 +74,9 @@ void count_row(const ExperimentRow& row, ExperimentSummary& out) {
 /// Lines of the summary behind the table of groups.
 std::vector<std::string> summary_lines(const ExperimentSummary& s) {
   std::vector<std::string> out{
-      fmt::format("{} of {} bounds are kept, {} of {} signs agree.", s.bounds_held, s.bounds,
+      fmt::format("{} of {} bounds are satisfied, {} of {} signs agree.", s.bounds_held, s.bounds,
                   s.signs_agree, s.signs),
-      fmt::format("Blind (the measured figure is kept aside): {}. Not computed: {}. Failed: {}. "
+      fmt::format("Blind rows (the measured value is withheld): {}. Not computed: {}. Failed: {}. "
                   "Parts of other rows: {}.",
                   s.kept_aside, s.not_computed, s.failed, s.parts)};
   out.insert(out.end(), s.remarks.begin(), s.remarks.end());
@@ -124,8 +124,9 @@ std::string experiments_text(const std::vector<Experiment>& experiments) {
                          p.low, p.high, p.at_bound() ? ", at its bound" : "", p.meaning);
     for (const std::string& text : one.inputs) out += fmt::format("  {}\n", text);
     if (!one.rows.empty())
-      out += fmt::format("  {:<24} {:<30} {:>11} {:>20} {:<5} {:>10}  {:<12} {}\n", "condition",
-                         "what", "ours", "theirs", "unit", "deviation", "kind", "certainty");
+      out +=
+          fmt::format("  {:<24} {:<30} {:>11} {:>20} {:<5} {:>10}  {:<12} {}\n", "condition",
+                      "quantity", "computed", "source", "unit", "deviation", "kind", "certainty");
     for (const ExperimentRow& row : one.rows) {
       out += fmt::format("  {:<24} {:<30} {:>11} {:>20} {:<5} {:>10}  {:<12} {}\n", row.condition,
                          row.what, figure(row.ours), theirs_text(row), row.unit,
@@ -139,12 +140,11 @@ std::string experiments_text(const std::vector<Experiment>& experiments) {
 
 std::string experiments_markdown(const std::vector<Experiment>& experiments) {
   std::string out =
-      "# Published experiments\n\n"
-      "Written by `adore validate --experiments --markdown`; the decks and the data of the sources "
-      "are in `resources/experiments`. A\n*calibration* row was used to fit the parameters named "
-      "with it, a *prediction* row was not. Figures of the sources are second hand where\ntheir "
-      "certainty says so. A miss is printed as it is.\n\n"
-      "| rows with a deviation | rows | median | 90th percentile |\n|---|---|---|---|\n";
+      "# Published experiments\n\nWritten by `adore validate --experiments --markdown`; the decks "
+      "and the data of the sources are in `resources/experiments`. A\n*calibration* row was used "
+      "to fit the parameters named with it, a *prediction* row was not. Values of the sources are "
+      "second-hand\nwhere their certainty says so. All deviations are printed as computed.\n\n| "
+      "rows with a deviation | rows | median | 90th percentile |\n|---|---|---|---|\n";
   const ExperimentSummary summary = summarise(experiments);
   for (const ExperimentGroup& one : summary.groups)
     out += fmt::format("| {} | {} | {:.1f} % | {:.1f} % |\n", one.name, one.rows,
@@ -172,8 +172,8 @@ std::string experiments_markdown(const std::vector<Experiment>& experiments) {
     for (const std::string& text : one.inputs) out += fmt::format("\n**{}**\n", text);
     if (!one.rows.empty())
       out +=
-          "\n| condition | what | ours | theirs | unit | deviation | kind | certainty of theirs |\n"
-          "|---|---|---|---|---|---|---|---|\n";
+          "\n| condition | quantity | computed | source | unit | deviation | kind | certainty of "
+          "source |\n|---|---|---|---|---|---|---|---|\n";
     for (const ExperimentRow& row : one.rows)
       out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", row.condition, row.what,
                          ours_text(row), theirs_text(row), row.unit, deviation_text(row), row.kind,

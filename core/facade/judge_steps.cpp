@@ -25,8 +25,8 @@ std::vector<VibrationBand> bands_of(const Prepared& prepared, double time_scale)
   // Elements in force balance do not vibrate along their contacts; rollers still tilt on them.
   const bool balanced = prepared.plan.has(scene::Effect::ElementBalance);
   if (balanced && prepared.bearing.rollers() == nullptr) return {};
-  VibrationBand along{"elements along their race contacts"},
-      across{"elements across their race contacts"};
+  VibrationBand along{"elements along the contact normal"},
+      across{"elements across the contact normal"};
   for (const auto& ball : dynamics::ball_vibrations(prepared.plan, prepared.bearing,
                                                     prepared.options.system, prepared.start)) {
     if (!balanced) widen(along, ball.along, ball.along_damping);
@@ -41,8 +41,7 @@ std::vector<VibrationBand> bands_of(const Prepared& prepared, double time_scale)
     for (int k = 0; k <= steps; ++k) {
       out.push_back(band);
       out.back().damping = k == 0 ? 0.0 : band.damping * k / steps;
-      if (k > 0)
-        out.back().name += fmt::format(", damped to {:.2g} of critical", out.back().damping);
+      if (k > 0) out.back().name += fmt::format(", damping ratio {:.2g}", out.back().damping);
     }
   }
   return out;
@@ -69,10 +68,10 @@ JudgedSteps judge_steps(const Prepared& prepared, double time_scale) {
     std::string others;
     for (const std::string& name : methods_that_keep(out.request))
       if (splits || name != "arkode-imex") others += (others.empty() ? "" : ", ") + name;
-    out.text += fmt::format(
-        ". {} cannot be used for this deck. {}", out.request.method,
-        others.empty() ? "Lower stpMax on record 2.1"
-                       : fmt::format("Integrators that do not need other steps: {}", others));
+    out.text +=
+        fmt::format(". {} cannot be used for this deck. {}", out.request.method,
+                    others.empty() ? "Lower stpMax on record 2.1"
+                                   : fmt::format("Integrators that allow these steps: {}", others));
   }
   return out;
 }

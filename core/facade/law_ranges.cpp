@@ -428,7 +428,8 @@ std::vector<validity::Finding> LawRanges::findings() const {
     if (above < kJudgedShare * use.slip_power) continue;
     if (!limit && use.above_limit >= kJudgedShare * use.slip_power) continue;  // said once
     validity::Finding one = found;
-    one.detail = fmt::format("{:.2g} % of load x slip above it", 100.0 * above / use.slip_power);
+    one.detail =
+        fmt::format("above this value for {:.2g} % of load x slip", 100.0 * above / use.slip_power);
     out.push_back(std::move(one));
   }
   for (const validity::Finding& before : impl_->others) {

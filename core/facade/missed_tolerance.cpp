@@ -15,8 +15,8 @@ MissedTolerance judge_missed(const setup::RunControl& control,
   const bool constant = control.step_minimum == control.step_maximum;
   out.trusted = constant || mean <= kMissedTimes || mean * control.tolerance <= kMissedLimit;
   out.text = fmt::format(
-      "{} of {} steps ({:.2g} %) missed the tolerance of {:g}: the smallest step of record 2.1 is "
-      "too long for it. The mean error of all steps is {:.2g} times the tolerance",
+      "{} of {} steps ({:.2g} %) missed the tolerance of {:g}: the smallest step of record 2.1 "
+      "(stpMin) is too long. The mean error of all steps is {:.2g} times the tolerance",
       counters.at_minimum, counters.steps, 100.0 * static_cast<double>(counters.at_minimum) / steps,
       control.tolerance, mean);
   if (mean > 1.0)

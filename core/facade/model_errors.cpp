@@ -70,11 +70,11 @@ std::vector<ModelVariant> model_variants(const Prepared& prepared) {
     const double factor = prepared.options.system.damping.factor;
     for (const double by : {2.0, 0.5})
       option("damping", "contactDamping", fmt::format("{:g}x", by * factor),
-             "factor 2: loss factor of steel contacts 0.005 to 0.02 (recalled)");
+             "factor 2: loss factor of steel contacts 0.005 to 0.02 (from memory)");
   }
   if (prepared.bearing.lubrication && prepared.plan.has(scene::Effect::RaceTraction)) {
     option("traction law", "filmLaw", prepared.options.recommended_law ? "code" : "recommended",
-           "two laws of the same oil");
+           "the two traction laws of this oil");
   } else {
     for (const double by : {1.3, 1.0 / 1.3})
       if (auto sets = scaled_curve(deck, "kTracType", "reRaceTC", by); !sets.empty())
@@ -115,7 +115,8 @@ std::vector<ModelVariant> model_variants(const Prepared& prepared) {
                      {}});
   if (prepared.bearing.thermal) {
     const bool network = prepared.options.thermal_model == bearing::ThermalModel::Network;
-    option("thermal model", "thermalModel", network ? "ladder" : "network", "two models of heat");
+    option("thermal model", "thermalModel", network ? "ladder" : "network",
+           "the two thermal models");
   }
   return out;
 }
@@ -186,7 +187,7 @@ ModelStudy study_models(const DeckRequest& request, double turns, double budget,
       row.seconds = one.seconds;
       study.seconds += one.seconds;
       if (one.cut)
-        row.failure = fmt::format("cut after {:.3g} s", one.seconds);
+        row.failure = fmt::format("stopped after {:.3g} s (time limit)", one.seconds);
       else if (one.outcome.status == RunStatus::Failed)
         row.failure = one.outcome.message;
       else {
@@ -208,8 +209,8 @@ ModelStudy study_models(const DeckRequest& request, double turns, double budget,
 
 std::string model_table(const ModelStudy& study) {
   std::string out = fmt::format(
-      "Model errors of {}: change of the results in percent, one model choice at a time, over {}.\n"
-      "{:<15}{:<42}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n",
+      "Model errors of {}: change of the results in percent for one changed model choice at a "
+      "time, over {}.\n{:<15}{:<42}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n",
       study.deck, counted(fmt::format("{:.3g}", study.turns), "revolution"), "choice", "", "speeds",
       "whirl", "loads", "peak", "heat", "life");
   const auto size = [](double share) {
@@ -229,7 +230,7 @@ std::string model_table(const ModelStudy& study) {
                        size(row.change.whirl), size(row.change.load), size(row.change.peak),
                        signed_percent(row.heat), signed_percent(row.life));
   }
-  out += "Stated ranges\n";
+  out += "Assumed ranges\n";
   for (const auto& [group, range] : ranges) out += fmt::format("{:<15}{}\n", group, range);
   return out;
 }

@@ -50,7 +50,7 @@ double line_amplitude(const std::vector<double>& force, const std::vector<double
                       const std::vector<double>& time) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   const double periods = std::floor((phase.back() - phase.front()) / kTurn);
-  if (periods < 1.0) throw InputError("the run is shorter than one period of the line");
+  if (periods < 1.0) throw InputError("the run is shorter than one period of this frequency");
   double sine = 0.0, cosine = 0.0, mean = 0.0, span = 0.0;
   std::size_t end = 1;
   while (end + 1 < phase.size() && phase[end] - phase.front() < kTurn * periods) ++end;
@@ -109,11 +109,11 @@ MotionFigures motion_figures(const DeckRequest& moving, const std::string& until
   const RunOutcome outcome = run(request);
   if (outcome.status != RunStatus::Done) throw SolverError(outcome.message);
   const results::H5Reader file(*request.out / "RESULTS.h5");
-  if (file.steps() < 4) throw InputError("the run stores too few steps to find its friction");
+  if (file.steps() < 4) throw InputError("the run stores too few steps to compute its friction");
   const std::size_t last = file.steps() - 1, first = last / 2;
   const std::vector<double> rotation = file.read("shaft_rotation");
   const double turned = std::abs(rotation[last] - rotation[first]);  // races against each other
-  if (!(turned > 0.0)) throw InputError("the races do not turn against each other");
+  if (!(turned > 0.0)) throw InputError("the races do not rotate relative to each other");
   MotionFigures out;
   for (const Item& item : kItems)
     if (const auto* channel = file.find(item.channel))

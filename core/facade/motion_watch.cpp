@@ -188,8 +188,8 @@ std::vector<Finding> MotionWatch::findings(results::UnitSystem units) const {
     if (over.steps > 0)
       add("motion.shoulder",
           fmt::format("in {} of the stored steps contact ellipses extend beyond the shoulder of "
-                      "the {} race, the worst that of ball {} at t = {:.6g} s by {}: the model "
-                      "does not truncate the ellipse, so loads there are optimistic",
+                      "the {} race, most for ball {} at t = {:.6g} s (by {}). The model does not "
+                      "truncate the ellipse, so loads there are optimistic",
                       over.steps, kRace[race], over.element, over.time,
                       quantity(over.value, results::unit::kLength, units)))
           .of(fmt::format("ball {}, {} race", over.element, kRace[race]))
@@ -198,10 +198,10 @@ std::vector<Finding> MotionWatch::findings(results::UnitSystem units) const {
   if (cage_.steps > 0)
     add("cage.yielding",
         fmt::format(
-            "in {} of the stored steps the cage ({}) yields, the worst {} at t = {:.6g} s: a von "
-            "Mises "
-            "stress of {:.4g} MPa at a pressure of {:.4g} MPa, with an elastic limit of {:.4g} MPa "
-            "(cageESL {:.4g} times the modulus); contacts are elastic in this run",
+            "in {} of the stored steps the cage ({}) yields. The worst case is {} at t = {:.6g} "
+            "s: a von Mises stress of {:.4g} MPa at a pressure of {:.4g} MPa, with an elastic "
+            "limit of {:.4g} MPa (cageESL {:.4g} times the modulus). This run treats contacts as "
+            "elastic",
             cage_.steps, bearing_.cage->material.name, cage_.where, cage_.time, 1e-6 * cage_.value,
             1e-6 * cage_pressure_, 1e-6 * cage_limit_,
             bearing_.cage->material.elastic_strain_limit))
@@ -214,9 +214,9 @@ std::vector<Finding> MotionWatch::findings(results::UnitSystem units) const {
     const bearing::Cage& cage = *bearing_.cage;
     add("cage.through_race",
         fmt::format(
-            "in {} of the stored steps the cage passes through the {} race: its center is up to {} "
-            "from the race's axis (t = {:.6g} s), {} = {} leaves half of that clearance. No land "
-            "of that race guides the cage; add a guide land (nGL, record 7.2)",
+            "in {} of the stored steps the cage passes through the {} race: its center is up to "
+            "{} from the axis of the race (t = {:.6g} s), but {} = {} allows only half of that "
+            "clearance. No land guides the cage at this race. Add a guide land (nGL, record 7.2)",
             through.steps, kRace[race], quantity(through.value, results::unit::kLength, units),
             through.time, race == 0 ? "cageCls1" : "cageCls2",
             quantity(race == 0 ? cage.clearance_outer : cage.clearance_inner,
@@ -227,9 +227,9 @@ std::vector<Finding> MotionWatch::findings(results::UnitSystem units) const {
   }
   if (overlap_.steps > 0)
     add("cage.overlap",
-        fmt::format("in {} of the stored steps segments of the cage overlap, the worst {} by {} at "
-                    "t = {:.6g} s: the model has no contact between segments; give a wider cut "
-                    "(cageAngCut) or less pocket clearance",
+        fmt::format("in {} of the stored steps segments of the cage overlap, most segments {} by "
+                    "{} at t = {:.6g} s. Contact between segments is not modeled. Give a wider "
+                    "cut (cageAngCut) or less pocket clearance",
                     overlap_.steps, overlap_.where,
                     quantity(overlap_.value, results::unit::kLength, units), overlap_.time))
         .measure(overlap_.value)

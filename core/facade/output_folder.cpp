@@ -208,26 +208,26 @@ void check_names(const Outputs& outputs) {
           return fs::equivalent(one, path, ignored);
         });
     if (input) {
-      issue.message = "this output of the run would replace an input of it";
+      issue.message = "this output file would replace an input file of the run";
       issue.remedy =
           "rename the input, choose another name on record 2.3, or another folder with "
           "--out";
     } else if (fs::is_symlink(status)) {
-      issue.message = fmt::format("this output of the run is a symbolic link to {}",
+      issue.message = fmt::format("this output file is a symbolic link to {}",
                                   fs::read_symlink(path, error).string());
       issue.remedy = "remove the link, or choose another folder with --out";
     } else if (!fs::is_regular_file(status)) {
-      issue.message = "this output of the run exists and is not a plain file";
+      issue.message = "this output file exists and is not a regular file";
       issue.remedy = "choose another name on record 2.3, or another folder with --out";
     } else if ((fs::file_size(path, error) > 0 ||
                 (status.permissions() & (fs::perms::owner_exec | fs::perms::group_exec |
                                          fs::perms::others_exec)) != fs::perms::none) &&
                !is_own_file(path)) {
-      issue.message = "this output of the run exists and was not written by this program";
+      issue.message = "this output file exists and was not written by this program";
       issue.remedy =
           "move it away, choose another name on record 2.3, or another folder with --out";
     } else if (write_protected(path)) {
-      issue.message = "this output of the run is write-protected and was not changed";
+      issue.message = "this output file is write-protected and was not changed";
       issue.remedy = "make it writable (chmod u+w), or choose another folder with --out";
     } else {
       continue;

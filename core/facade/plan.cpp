@@ -19,8 +19,8 @@ std::string cost_text(const RunCost& cost) {
   if (!(cost.seconds > 0.0))
     return fmt::format("\nprocessor time of the whole run\n  not measured: {}\n", cost.failure);
   const std::string pilot =
-      cost.whole ? "the pilot reached the end of the run"
-                 : fmt::format("by a pilot of {}",
+      cost.whole ? "the pilot run reached the end"
+                 : fmt::format("estimated from a pilot run of {}",
                                cost.pilot_turns > 0.0
                                    ? counted(fmt::format("{:.3g}", cost.pilot_turns), "revolution")
                                    : fmt::format("{:.3g} s", cost.pilot_time));

@@ -94,8 +94,8 @@ bool leave_out_user_traction(Prepared& out) {
   if (out.as_built.thermal)
     throw InputError({deck.issue(
         Severity::Error, "kTherm",
-        fmt::format("asks for the heat of contacts whose traction routine ADRX7 ({} = -1) acts in "
-                    "motion only",
+        fmt::format("needs the heat of contacts, but their traction routine ADRX7 ({} = -1) acts "
+                    "in motion only",
                     code),
         fmt::format("set kTherm to 0, {} to another law, or mode to 0, 1 or 2", code))});
   if (races) out.as_built.race_traction = {};
@@ -203,12 +203,12 @@ void set_film_options(Prepared& out) {
   oil.user->limit_softening = out.options.user_softening;
   if (oil.stress_limit && !out.options.user_limit)
     add_remark(
-        out,
-        make_finding(
-            "film.stress_limit_assumed",
-            fmt::format("limiting shear stress of the user's lubricant: not given; {:g} of the "
-                        "pressure at 40 °C is assumed (estimate). Set run option lubStressLimit.",
-                        tribology::kUserLimit)));
+        out, make_finding(
+                 "film.stress_limit_assumed",
+                 fmt::format("limiting shear stress of the user-defined lubricant: not given; {:g} "
+                             "times the pressure at 40 °C is assumed (estimate). Set run option "
+                             "lubStressLimit.",
+                             tribology::kUserLimit)));
 }
 
 /// Reports where films, the oil at the cage and a churning medium are outside their known
@@ -243,7 +243,8 @@ void doubt_fluids(Prepared& out) {
                make_finding(
                    "fluid.medium_range",
                    fmt::format("the properties of {}, the churning medium, are known from {:g} to "
-                               "{:g} K; it is at {:.4g} K, and those of the nearer end are used",
+                               "{:g} K. Its temperature is {:.4g} K, so the properties at the "
+                               "nearer end of the range are used",
                                medium.name, medium.T_min, medium.T_max, medium.temperature))
                    .measure(medium.temperature, medium.T_max));
 }
@@ -295,14 +296,14 @@ void find_left_ranges(Prepared& out) {
 /// Reports where properties of the medium around the elements are recalled or estimated.
 void say_certainty(Prepared& out) {
   const auto say = [&](const std::string& name, const std::string& provenance, const char* what) {
-    const char* const known = provenance == "estimated" ? "are estimates, at least in part"
+    const char* const known = provenance == "estimated" ? "are partly estimates"
                               : provenance == "recalled"
-                                  ? "are recalled, at least in part, not read in a publication"
+                                  ? "are partly quoted from memory, not from a publication"
                                   : nullptr;
     if (known != nullptr)
       add_remark(out,
                  make_finding("fluid.certainty",
-                              fmt::format("the properties of {}, {}, {}: results that depend on "
+                              fmt::format("the properties of {}, {}, {}. Results that depend on "
                                           "them have the same uncertainty",
                                           name, what, known)));
   };
@@ -370,13 +371,13 @@ Prepared prepare_model(LoadedDeck input) {
     if (!out.options.thermal_base) {
       if (out.options.thermal_model == bearing::ThermalModel::Ladder)
         throw InputError(
-            "run option thermalBase = none: the ladder needs a base temperature. Use "
+            "run option thermalBase = none: thermalModel=ladder needs a base temperature. Use "
             "thermalModel=network.");
       out.as_built.thermal->base = static_cast<int>(thermal::BaseNode::None);
     }
     if (out.options.thermal_transient && out.options.thermal_model == bearing::ThermalModel::Ladder)
       throw InputError(
-          "run option thermalTransient = on: the ladder has no heat capacities. Use "
+          "run option thermalTransient = on: thermalModel=ladder has no heat capacities. Use "
           "thermalModel=network.");
   }
   choose_nodes(out);
@@ -431,7 +432,8 @@ Prepared prepare_model(LoadedDeck input) {
     for (const std::string& text : row.operating->warnings)
       add_remark(out,
                  make_finding("fit.stiffness_table",
-                              fmt::format("stiffness over speed, from {:g} and {:g} rpm on: {}",
+                              fmt::format("stiffness over speed, from rpm1 = {:g} and rpm2 = {:g} "
+                                          "rpm on: {}",
                                           kRpm * row.speed[0], kRpm * row.speed[1], text)));
     break;
   }
@@ -463,7 +465,7 @@ Prepared prepare_model(LoadedDeck input) {
             make_finding(
                 "statics.guide_force",
                 fmt::format("the equilibrium holds each roller along its axis with {:.4g} N, as a "
-                            "guide ring does; in motion only the groove and friction hold it",
+                            "guide ring does. In motion only the groove and friction hold it",
                             out.rollers->guide_force))
                 .measure(out.rollers->guide_force));
     }
@@ -485,17 +487,17 @@ Prepared prepare_model(LoadedDeck input) {
   const bool rolls = !out.control.dynamic || out.plan.has(scene::Effect::RollingResistance);
   if (const double ratio = rolls ? statics::rolling_over_strips(out.bearing, out.statics) : 0.0;
       ratio > validity::range("rolling.strips").bounds.most)
-    add_remark(
-        out,
-        make_finding(
-            "rolling.thick_oil",
-            fmt::format("rolling resistance of the balls in oil: the law has no pressure "
-                        "coefficient of the oil, and its result is {:.2g} times that of strips "
-                        "with the line-contact law, which has one. Reynolds' equation solved for "
-                        "point contacts (up to 2.5 times) is between both: at this viscosity and "
-                        "speed this resistance and its heat may be about {:.0f} % too large",
-                        ratio, 100.0 * (statics::rolling_excess(ratio) - 1.0)))
-            .measure(ratio, validity::range("rolling.strips").bounds.most));
+    add_remark(out, make_finding(
+                        "rolling.thick_oil",
+                        fmt::format(
+                            "rolling resistance of the balls in oil: the law does not include the "
+                            "pressure-viscosity coefficient of the oil. Its result is {:.2g} times "
+                            "that of strips with the line-contact law, which includes this "
+                            "coefficient. Solutions of Reynolds' equation for point contacts are "
+                            "between both (up to 2.5 times). At this viscosity and speed, the "
+                            "resistance and its heat may be about {:.0f} % too large",
+                            ratio, 100.0 * (statics::rolling_excess(ratio) - 1.0)))
+                        .measure(ratio, validity::range("rolling.strips").bounds.most));
   judge(life::contact_strength(out.bearing, out.statics));
   for (Finding& one : listing::ball_warnings(out.bearing, out.statics,
                                              available_friction(deck, out.bearing), deck.units()))
@@ -711,7 +713,7 @@ std::string end_text(const Prepared& prepared, const scene::ScenePlan& plan) {
   const double by_steps = static_cast<double>(prepared.control.max_steps) *
                           prepared.control.substeps / plan.steps_per_revolution;
   if (by_steps < by_time)
-    return fmt::format("about {}, by maxStps; fTime would be {:.4g}",
+    return fmt::format("about {}, limited by maxStps; fTime would allow {:.4g}",
                        counted(fmt::format("{:.3g}", by_steps), "revolution"), by_time);
   return counted(fmt::format("{:.4g}", by_time), "revolution") + ", by fTime";
 }
@@ -724,7 +726,7 @@ std::string plan_text(const Prepared& prepared, const scene::ScenePlan& plan) {
                                                    body.degrees, body.unknowns)
                                      : fmt::format("  {:<24} {}\n  {:<24} {:<52} {:>5} unknowns\n",
                                                    body.name, body.degrees, "", "", body.unknowns);
-  out += fmt::format("  {:<24} {:<52} {:>5}\n\neffects\n", "together", "", plan.unknowns);
+  out += fmt::format("  {:<24} {:<52} {:>5}\n\neffects\n", "total", "", plan.unknowns);
   for (const scene::EffectEntry& effect : plan.effects)
     out +=
         fmt::format("  {:<3} {:<30} {}\n", effect.on ? "on" : "off", effect.name, effect.because);
@@ -734,7 +736,7 @@ std::string plan_text(const Prepared& prepared, const scene::ScenePlan& plan) {
       "  fastest frequency        {:.4g} Hz, {}\n"
       "  expected step            {:.3g} s ({})\n"
       "  steps per revolution     {:.4g}\n"
-      "  computing per revolution {:.3g} s\n"
+      "  CPU time per revolution  {:.3g} s\n"
       "  end of the run           {}\n"
       "  stability                {}\n",
       plan.fastest_frequency, plan.fastest_contact, plan.expected_step, prepared.control.integrator,

@@ -34,10 +34,11 @@ void RaceWatch::look(double t, const dynamics::RaceLoad& load, double contact) {
   begin(t);
   if (windows_ < kWindows) return;
   throw SolverError(
-      fmt::format("at t = {:.9g} s the inner race is not in balance (mode = 2): its specified load "
-                  "is {:.4g} N, and the load of the elements differs by {:.4g} N in the mean of "
-                  "the last {:.3g} s. Elements with little contact cannot hold a race without "
-                  "inertia; increase load or preload, or set mode to 0 with kDCR = 1 and kFD = 0",
+      fmt::format("at t = {:.9g} s the inner race is not in balance (mode = 2): its specified "
+                  "load is {:.4g} N, but the load of the elements differs by {:.4g} N on average "
+                  "over the last {:.3g} s. Elements with little contact cannot support a race "
+                  "without inertia. Increase load or preload, or set mode to 0 with kDCR = 1 and "
+                  "kFD = 0",
                   t, whole, off, length));
 }
 

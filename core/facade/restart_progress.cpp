@@ -136,7 +136,7 @@ FileSteps restore_progress(const results::MasterState& master, const setup::RunC
         value > static_cast<double>(most))
       throw InputError(
           fmt::format("{}: \"{}\" is {}, which is not a whole number from {} to {}; the file is "
-                      "damaged, restore it or start again with --overwrite",
+                      "damaged. Restore it, or start again with --overwrite",
                       file.string(), name, value, least, most));
     return static_cast<long>(value);
   };
@@ -158,8 +158,8 @@ FileSteps restore_progress(const results::MasterState& master, const setup::RunC
     const double value = number(name, 0.0);
     if (!(value >= 0.0) || !std::isfinite(value))
       throw InputError(
-          fmt::format("{}: \"{}\" is {}, which is not a number of 0 or more; the file is damaged, "
-                      "restore it or start again with --overwrite",
+          fmt::format("{}: \"{}\" is {}, which is not a number of 0 or more; the file is damaged. "
+                      "Restore it, or start again with --overwrite",
                       file.string(), name, value));
     out.resume.*error = value;
   }
@@ -173,8 +173,8 @@ FileSteps restore_progress(const results::MasterState& master, const setup::RunC
        ++at) {
     if (!std::isfinite(at->second))
       throw InputError(
-          fmt::format("{}: \"{}\" is not finite; the file is damaged, restore it or "
-                      "start again with --overwrite",
+          fmt::format("{}: \"{}\" is not finite; the file is damaged. Restore it, or start again "
+                      "with --overwrite",
                       file.string(), at->first));
     out.resume.memory[at->first.substr(memory.size())] = at->second;
   }

@@ -54,14 +54,14 @@ RunCost run_cost(const RunRequest& request, double budget, std::stop_token stop)
     });
     const Look& from = half.share < last.share ? half : looks.front();
     if (!(last.share > from.share)) {
-      out.failure = "the pilot made no progress";
+      out.failure = "the pilot run made no progress";
       return out;
     }
     const double rate = (last.seconds - from.seconds) / (last.share - from.share);
     out.seconds = all + rate * (1.0 - last.share);
   } catch (const Interrupted&) {
     if (stop.stop_requested()) throw;
-    out.failure = "the stiffness table before the motion takes longer than the pilot";
+    out.failure = "the stiffness table before the motion takes longer than the pilot run";
   } catch (const InputError& error) {
     out.failure = error.what();
   } catch (const SolverError& error) {

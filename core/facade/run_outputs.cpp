@@ -220,9 +220,10 @@ void RunOutputs::Impl::judge_quadrature(const scene::QuadratureError& error) {
   if (std::abs(off) <= kTolerated) return;
   remark(
       make_finding("end.quadrature",
-                   fmt::format("the heat of the races is {:.2g} % off because of too few nodes of "
-                               "the contact integrals (compared with twice as many, in the last "
-                               "state); increase the run options ellipseMajor and ellipseMinor",
+                   fmt::format("the heat of the races has an error of {:.2g} %, because the "
+                               "contact integrals have too few nodes (compared with twice as many "
+                               "nodes at the last state). Increase the run options ellipseMajor "
+                               "and ellipseMinor",
                                100.0 * off))
           .measure(100.0 * off, 100.0 * kTolerated));
 }
@@ -410,9 +411,9 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
           dynamics::move_to_equilibrium(moving_scene(from.prepared, *from.system), from.time,
                                         from.y, moving_scene(s.prepared, system), out.time, out.y);
     } catch (const InputError& failure) {
-      change.why_not = fmt::format("the scene of the stored state is unknown ({})", failure.what());
+      change.why_not = fmt::format("the model of the stored state is unknown ({})", failure.what());
     } catch (const SolverError& failure) {
-      change.why_not = fmt::format("the scene of the stored state is unknown ({})", failure.what());
+      change.why_not = fmt::format("the model of the stored state is unknown ({})", failure.what());
     }
     if (const std::string text = change_remark(change, "start from " + file.filename().string(),
                                                specified_shocks(s.prepared));
@@ -421,8 +422,8 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     if (change.moved)
       s.remark(make_finding(
           "run.start_moved",
-          fmt::format("the stored state moves to the equilibrium of this deck, elements and "
-                      "races by up to {:.4g} {}",
+          fmt::format("the stored state is moved to the equilibrium of this deck: elements and "
+                      "races move by up to {:.4g} {}",
                       results::from_si(change.largest_shift, results::unit::kLength, s.units),
                       results::unit_name(results::unit::kLength, s.units))));
     return change.moved;
@@ -509,8 +510,8 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
       if (start != setup::StartState::FromFinal) throw;
       throw ResultsExist(
           s.files.outputs().folder,
-          {s.control.final_file + ", which this run reads as its start (kIcOpt = -1) before it "
-                                  "replaces any file, and keeps until its first checkpoint",
+          {s.control.final_file + " (this run starts from it because of kIcOpt = -1, and keeps it "
+                                  "until the first checkpoint)",
            "others"});
     }
   }

@@ -28,8 +28,8 @@ double parse_until(const std::string& text, double shaft_speed, double time_scal
   if (unit == "") return value * time_scale;
   if (shaft_speed == 0.0)
     throw InputError(
-        fmt::format("--until {}: both races turn at the same speed, so shaft revolutions cannot be "
-                    "counted; give seconds, e.g. 0.01s",
+        fmt::format("--until {}: both races rotate at the same speed, so shaft revolutions cannot "
+                    "be counted; give seconds, e.g. 0.01s",
                     text));
   return value * 2.0 * std::numbers::pi / std::abs(shaft_speed);
 }
@@ -75,8 +75,8 @@ bool at_its_end(const RunSpan& span, long last_step, const StartPoint& start, do
                 double turns_per_second) {
   const auto refuse = [&](const std::string& end, const std::string& now) {
     throw InputError(
-        fmt::format("the run to be continued is already at {}, after the specified end, {}; give a "
-                    "later end with --until, fTime or maxStps",
+        fmt::format("the run to be continued is already at {}, later than the specified end, {}. "
+                    "Give a later end with --until, fTime or maxStps",
                     now, end));
   };
   if (span.end < start.time * (1.0 - 1e-12)) {
@@ -85,7 +85,7 @@ bool at_its_end(const RunSpan& span, long last_step, const StartPoint& start, do
                  ? fmt::format("{:.6g} s ({})", time,
                                counted(fmt::format("{:.6g}",
                                                    turned + turns_per_second * (time - start.time)),
-                                       "turn"))
+                                       "revolution"))
                  : fmt::format("{:.6g} s", time);
     };
     refuse(text(span.end), text(start.time));
@@ -96,10 +96,10 @@ bool at_its_end(const RunSpan& span, long last_step, const StartPoint& start, do
   const bool ends_before = span.end < start.stored_time * (1.0 - 1e-6);
   if (ends_before || last_step < start.stored_step)
     throw InputError(fmt::format(
-        "the run to be continued has stored results up to step {}, {:.6g} s, and continues from "
-        "its last checkpoint at step {}, {:.6g} s; the specified end, {}, is before those results "
-        "and would drop them: give a later end with --until, fTime or maxStps, or start a new run "
-        "(kIcOpt = 0) in another folder",
+        "the run to be continued has stored results up to step {}, {:.6g} s. Its last checkpoint "
+        "is at step {}, {:.6g} s. The specified end, {}, is before the stored results and would "
+        "delete them. Give a later end with --until, fTime or maxStps, or start a new run (kIcOpt "
+        "= 0) in another folder",
         start.stored_step, start.stored_time, start.step, start.time,
         ends_before ? fmt::format("{:.6g} s", span.end) : fmt::format("step {}", last_step)));
   return start.time >= span.end || last_step == start.step;

@@ -46,7 +46,7 @@ StartState start_state(const Prepared& prepared, dynamics::System& system) {
   else
     out.remark = fmt::format(
         "{} of {} rollers start without skew, because no friction equilibrium was found: the "
-        "first revolutions contain a transient, averages over later ones do not",
+        "first revolutions contain a transient. Averages over later revolutions are not affected",
         left, found.rollers);
   return out;
 }
@@ -61,7 +61,7 @@ std::string free_directions(const scene::ScenePlan& plan) {
         names += fmt::format("{}kFD{}2 = 0", names.empty() ? "" : ", ", k + 1);
   return names.empty()
              ? names
-             : ", and whether its loads can balance the inner race in its free directions (" +
+             : ", and whether the loads can balance the inner race in its free directions (" +
                    names + ")";
 }
 

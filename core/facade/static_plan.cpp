@@ -46,11 +46,11 @@ void contact_model(Entries& out, const Prepared& p) {
             "kBrg = 1: elliptical Hertz contact, curvatures at each contact's own angle");
     const char* rule = b.spin_rule == bearing::SpinRule::MinimumHeat   ? "least frictional heat"
                        : b.spin_rule == bearing::SpinRule::RaceControl ? "race control"
-                                                                       : "given angle of the axis";
+                                                                       : "specified angle";
     out.add("ball speeds", true,
             statics::has_friction_balance(b, ball_options(p))
-                ? fmt::format("friction equilibrium (ballFriction); balls without it: {}, "
-                              "spin axis by {}",
+                ? fmt::format("friction equilibrium (ballFriction); balls without equilibrium: "
+                              "{}, spin axis by {}",
                               given(deck, "kAngVel"), rule)
                 : fmt::format("{}: no slip at both contact centers, spin axis by {}",
                               given(deck, "kAngVel"), rule));
@@ -67,7 +67,7 @@ void contact_model(Entries& out, const Prepared& p) {
                                p.options.rollers.slices)
                  : fmt::format("{}: one elliptical Hertz contact per race (run option)",
                                given(deck, "kBrg")));
-  out.add("roller speeds", true, "pure rolling at nominal geometry, skew held at zero");
+  out.add("roller speeds", true, "pure rolling at nominal geometry, zero skew");
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t side = 0; side < 2; ++side) {
       const std::string name = fmt::format("kFlngInd{}{}", side + 1, j + 1);
@@ -116,14 +116,15 @@ void surroundings(Entries& out, const Prepared& p) {
 void results(Entries& out, const Prepared& p) {
   const Deck& deck = p.input.deck;
   const auto& stiffness = p.control.stiffness;
-  out.add("stiffness over speed", stiffness.has_value(),
-          stiffness
-              ? fmt::format(
-                    "kStif = {}: {}{}", stiffness->points, counted(stiffness->points, "speed"),
-                    stiffness->share > 0.0 ? fmt::format(", by difference too (pctDisp = {:g} %)",
-                                                         100.0 * stiffness->share)
-                                           : std::string())
-              : given(deck, "kStif"));
+  out.add(
+      "stiffness over speed", stiffness.has_value(),
+      stiffness
+          ? fmt::format("kStif = {}: {}{}", stiffness->points, counted(stiffness->points, "speed"),
+                        stiffness->share > 0.0
+                            ? fmt::format(", also by finite differences (pctDisp = {:g} %)",
+                                          100.0 * stiffness->share)
+                            : std::string())
+          : given(deck, "kStif"));
   out.add("fatigue life", true,
           fmt::format("{}: original and updated Lundberg-Palmgren, Gupta-Zaretsky, "
                       "Ioannides-Harris, each with STLE and Tallian factors; ISO 281 and 16281",
@@ -136,7 +137,7 @@ void results(Entries& out, const Prepared& p) {
       p.bearing.rollers()
           ? "estimated from speeds and loads of the equilibrium, which does not include friction"
       : statics::has_friction_balance(p.bearing, ball_options(p))
-          ? "balls in friction equilibrium under the laws of motion; no cage"
+          ? "balls in friction equilibrium with the friction laws of motion; no cage"
           : "estimated from speeds and loads of the equilibrium (kAngVel); no cage");
   out.add("thermal steady state", p.thermal.has_value(),
           p.thermal ? fmt::format("kTherm = 1, kCoolant = {}, {}", p.as_built.thermal->coolant,
@@ -169,9 +170,10 @@ scene::ScenePlan static_plan(const Prepared& prepared) {
     unknowns += fixed ? 0 : 1;
   }
   const std::string inner = fmt::format("speed {:g} rpm", rpm(b.speed[1]));
-  plan.bodies.push_back(
-      {"inner race", found.empty() ? inner : fmt::format("found: {}; {}", found, inner), unknowns});
-  if (!held.empty()) plan.bodies.push_back({"inner race, held", held, 0});
+  plan.bodies.push_back({"inner race",
+                         found.empty() ? inner : fmt::format("unknown: {}; {}", found, inner),
+                         unknowns});
+  if (!held.empty()) plan.bodies.push_back({"inner race, given", held, 0});
   for (const scene::BodyEntry& body : plan.bodies) plan.unknowns += body.unknowns;
   Entries entries(plan);
   contact_model(entries, prepared);

@@ -265,8 +265,8 @@ std::string step_limits_text(const StepRequest& request, const StepLimits& limit
       fmt::format("{:.4g} Hz ({})", limits.frequency / (2.0 * std::numbers::pi), limits.vibration);
   if (limits.action == StepAction::Kept)
     return fmt::format(
-        "{} keeps contact vibrations bounded with {}: the least stable, {}, is multiplied by "
-        "{:.4g} {}",
+        "{} keeps contact vibrations bounded with {}: the amplitude of the least stable, {}, "
+        "changes by a factor of {:.4g} {}",
         request.method, asked, hertz, limits.growth, counted_over(request));
   const std::string why = fmt::format(
       "{} with {}, as the deck specifies, lets the contact vibration of {} grow {} {}",
@@ -274,18 +274,22 @@ std::string step_limits_text(const StepRequest& request, const StepLimits& limit
   const std::string now = steps_text(limits.minimum, limits.maximum, time_scale);
   switch (limits.action) {
     case StepAction::Shortened:
-      return fmt::format("{}; it runs with {}, which allow {:.4g}", why, now, limits.growth);
+      return fmt::format("{}. The run uses {}, which limit the growth to a factor of {:.4g}", why,
+                         now, limits.growth);
     case StepAction::Lengthened:
       return fmt::format(
-          "{}; it runs with {}{}, in the band where it damps them ({:.4g} {})", why, now,
+          "{}. The run uses {}{}, with which the method damps these vibrations (factor {:.4g} {})",
+          why, now,
           limits.minimum < limits.maximum ? fmt::format(" and not below {:.4g} s", limits.minimum)
                                           : "",
           limits.growth, counted_over(request));
     case StepAction::OrderHeld:
-      return fmt::format("{}; it runs with orders up to {} and {}, which allow {:.4g}", why,
-                         limits.highest_order, now, limits.growth);
+      return fmt::format(
+          "{}. The run uses orders up to {} and {}, which limit the growth to a "
+          "factor of {:.4g}",
+          why, limits.highest_order, now, limits.growth);
     default:
-      return fmt::format("{}; it would need {}, {:.2g} per revolution", why, now,
+      return fmt::format("{}. It would need {}; that is {:.2g} per revolution", why, now,
                          request.turn / limits.maximum);
   }
 }

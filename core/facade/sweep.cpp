@@ -103,8 +103,9 @@ std::optional<Row> completed(const RunRequest& request, const std::string& value
         Finding issue =
             make_finding("sweep.unknown_result",
                          fmt::format("the summary contains \"{}\", which this release does not "
-                                     "know; the finished run is kept, but is not in the table of "
-                                     "the sweep; to compute it again, remove the run's folder",
+                                     "know. The finished run is kept, but the table of the sweep "
+                                     "does not include it. To compute it again, remove the folder "
+                                     "of the run",
                                      name));
         issue.file = file.string();
         row.outcome.warnings.push_back(std::move(issue));
@@ -169,8 +170,9 @@ std::optional<Finding> nothing_moved(const std::vector<Row>& rows) {
             : 0;
   if (still == 0) return std::nullopt;
   Finding out = make_finding(
-      "sweep.no_motion", fmt::format("{} of the sweep made no steps, so nothing moved: the table "
-                                     "gives loads at rest there, and no means, ratios or heat",
+      "sweep.no_motion", fmt::format("{} of the sweep made no steps, so nothing moved: there the "
+                                     "table contains loads at rest only, without means, ratios or "
+                                     "heat",
                                      counted(still, "run")));
   out.record = "1";
   out.variable = "maxStps";

@@ -158,9 +158,10 @@ void TimeRun::remark_thermal(const ThermalRun::Step& done, bool settles) {
     parts_.outputs.remark(
         make_finding(
             "thermal.window",
-            fmt::format("thermal analysis: aveTime = {:.3g} ms is shorter than one element passage "
-                        "({:.3g} ms), so the heat of a thermal step fluctuates. Temperatures of "
-                        "the bearing follow its mean. Each printed network shows one thermal step",
+            fmt::format("thermal analysis: aveTime = {:.3g} ms is shorter than one element "
+                        "passage ({:.3g} ms), so the heat of a thermal step fluctuates. "
+                        "Temperatures of the bearing follow the mean heat. Each printed network "
+                        "shows one thermal step",
                         1e3 * done.window, 1e3 * done.passing))
             .measure(1e3 * done.window)
             .at(t));
@@ -171,8 +172,8 @@ void TimeRun::remark_thermal(const ThermalRun::Step& done, bool settles) {
         parts_.prepared,
         make_finding(
             "thermal.growing",
-            fmt::format("thermal analysis: changes of temperature grew over four thermal steps "
-                        "up to step {}, t = {:.6g} s, heat {:.4g} W",
+            fmt::format("thermal analysis: temperature changes grew over four thermal steps up to "
+                        "step {}, t = {:.6g} s, heat {:.4g} W",
                         done.number, t, done.heat.sources.total()))
             .at(t));
   }
@@ -225,8 +226,8 @@ void TimeRun::begin(bool remembers) {
       parts_.stepper.start(parts_.ode, start_.time, start_.y, control_);
   } catch (const std::out_of_range&) {
     throw InputError(
-        fmt::format("{}: the stored state of {} is incomplete; the file is damaged, restore it or "
-                    "start again with --overwrite",
+        fmt::format("{}: the stored state of {} is incomplete; the file is damaged. Restore it, "
+                    "or start again with --overwrite",
                     parts_.master.string(), parts_.prepared.control.integrator));
   }
   started_ = true;
@@ -392,7 +393,7 @@ RunOutcome TimeRun::run(bool remembers) {
     const RunPoint here = point();
     if (const std::string beyond = invalid_beyond(system(), here.time, here.y, least);
         !beyond.empty())
-      why += " Invalid there: " + deck::message_in_units(beyond, units);
+      why += " Invalid state ahead: " + deck::message_in_units(beyond, units);
     fail(why);
   } catch (const SolverError& failure) {
     fail(deck::message_in_units(failure.what(), units));

@@ -33,8 +33,8 @@ Issue note(const Prepared& prepared, const std::vector<std::string>& names,
   Issue issue;
   issue.severity = Severity::Note;
   issue.file = prepared.input.path.string();
-  issue.message = fmt::format("{} {} no part, because {}", listed(names),
-                              names.size() == 1 ? "plays" : "play", because);
+  issue.message = fmt::format("{} {} without effect, because {}", listed(names),
+                              names.size() == 1 ? "is" : "are", because);
   return issue;
 }
 

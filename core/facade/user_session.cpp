@@ -92,8 +92,8 @@ void start_session(Prepared& prepared, setup::UserHooks& hooks) {
       throw InputError({prepared.input.deck.issue(
           Severity::Error,
           prepared.input.deck.integer("kCageGsImp") != 0 ? "kCageGsImp" : "kRaceGsImp",
-          fmt::format("gives guide lands shape errors: they have no single gap along the contact, "
-                      "which user routine ADRX4 of {} needs",
+          fmt::format("gives guide lands shape errors: the gap then varies along the contact, but "
+                      "user routine ADRX4 of {} needs a single gap",
                       session.source()),
           "set kCageGsImp and kRaceGsImp to 0, or omit the routine")});
   }
@@ -104,7 +104,8 @@ void start_session(Prepared& prepared, setup::UserHooks& hooks) {
     if ((hooks.drives[0] || hooks.drives[1]) && law_of_time(variable))
       throw InputError({prepared.input.deck.issue(
           Severity::Error, variable,
-          fmt::format("moves races by a law of time, but user routine ADRX1 of {} also drives one",
+          fmt::format("prescribes a motion of the races, but user routine ADRX1 of {} also drives "
+                      "a race",
                       session.source()),
           fmt::format("set {} to 0, or do not drive the race in the routine", variable))});
   prepared.options.system.user = session.laws(prepared.user);
@@ -126,7 +127,7 @@ std::vector<std::string> idle_routines(const Prepared& prepared) {
     idle(6, "the deck does not use user-defined races (kRaceGeoImp1, kRaceGeoImp2 = 3)");
   if (session.has_out_of_round())
     out.push_back(
-        fmt::format("user routine ADRX5 of {} gives out-of-round {}: they turn in motion; the "
+        fmt::format("user routine ADRX5 of {} gives out-of-round {}: they rotate in motion; the "
                     "equilibrium uses their mean radius over the azimuth",
                     session.source(), prepared.bearing.rollers() != nullptr ? "rollers" : "balls"));
   if (!prepared.control.dynamic) {
@@ -182,9 +183,10 @@ std::vector<Issue> held_loads(const Prepared& prepared) {
     if (where.empty()) continue;
     out.push_back(
         deck.issue(Severity::Warning, mode == 2 ? "mode" : "kDCR",
-                   fmt::format("holds the {} race {}, but user routine ADRX1 of {} gives a load "
-                               "there: the load cannot move the race, its support carries it "
-                               "(reaction in PRINT and SOL, work in the ledger)",
+                   fmt::format("fixes the {} race {}, but user routine ADRX1 of {} gives a load "
+                               "in this direction: the support of the race carries this load, "
+                               "which cannot move the race (reaction in PRINT and SOL, work in "
+                               "the ledger)",
                                j == 0 ? "outer" : "inner", where, session.source()),
                    mode == 2         ? "set mode to 0 or 1 and kDCR to 1"
                    : j == 1 && force ? "set kDCR to 1 and free these directions, or set mode to 2"

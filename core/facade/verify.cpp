@@ -98,11 +98,11 @@ nlohmann::ordered_json verification_json(const Verification& verification,
 
 std::string verification_text(const Verification& verification, const RunOutcome& outcome) {
   if (!verification.failure.empty())
-    return fmt::format("verified:  not at all; the run with {} failed: {}\n", verification.tighter,
+    return fmt::format("verified:  no; the run with {} failed: {}\n", verification.tighter,
                        verification.failure);
   std::string text =
-      fmt::format("verified:  against {} ({:.3g} s of processor time): {}\n", verification.tighter,
-                  verification.seconds, errors_text(verification.errors));
+      fmt::format("verified:  compared with {} ({:.3g} s of processor time): {}\n",
+                  verification.tighter, verification.seconds, errors_text(verification.errors));
   for (const results::KeyResult& here : outcome.summary) {
     const double there = value_of(verification.results, here.of.id);
     if (!std::isfinite(here.value) || !std::isfinite(there) || here.value == there) continue;

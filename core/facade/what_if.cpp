@@ -99,7 +99,8 @@ WhatIf what_if(const WhatIfRequest& request, const std::function<void(const What
   const Prepared prepared = prepare(request);
   if (!prepared.control.dynamic)
     throw InputError(
-        "effects of a quasi-static deck (mode < 0) cannot be left out one by one; set mode = 0");
+        "effects of a quasi-static deck (mode < 0) cannot be switched off one by one; set mode = "
+        "0");
   RunRequest run;
   static_cast<DeckRequest&>(run) = request;
   if (prepared.control.start != setup::StartState::Statics) run.changes.emplace_back("kIcOpt", "0");
@@ -179,12 +180,13 @@ std::string what_if_text(const WhatIf& result) {
     return std::isnan(value) ? std::string("none") : fmt::format("{:.{}g}{}", value, digits, unit);
   };
   std::string out = fmt::format(
-      "\nwhat if: each effect left out for {}, {:.3g} s of processor time with all of them\nwith "
-      "all: cage speed {}, largest load {}, heat {}, life {}\nChanges in percent of these; changes "
-      "below those of a relative load change of 1e-6 are not significant; cost is\nthe share of "
-      "the time, certain to {:.2g} %.\n\n  {:<32} {:>8} {:>9} {:>9} {:>9} {:>9}  without\n",
-      counted(fmt::format("{:.4g}", result.turns), "turn"), result.seconds,
-      of("mean_cage_ratio", 5, " of the shaft's"), of("mean_largest_load_N", 4, " N"),
+      "\nwhat if: each effect switched off for {}; {:.3g} s of processor time with all "
+      "effects\nall effects: cage speed {}, largest load {}, heat {}, life {}\nChanges are in "
+      "percent of these values. Changes below those of a relative load change of 1e-6 are not "
+      "significant.\nCost is the share of the processor time, with an uncertainty of {:.2g} "
+      "%.\n\n  {:<32} {:>8} {:>9} {:>9} {:>9} {:>9}  without\n",
+      counted(fmt::format("{:.4g}", result.turns), "revolution"), result.seconds,
+      of("mean_cage_ratio", 5, " times the shaft speed"), of("mean_largest_load_N", 4, " N"),
       of("mean_power_loss_W", 4, " W"), of("run_life_hours", 4, " h"), 100.0 * result.time_spread,
       "effect", "cost %", "speed %", "load %", "heat %", "life %");
   const auto line = [&](const std::string& name, const std::string& cost,
@@ -193,12 +195,12 @@ std::string what_if_text(const WhatIf& result) {
                        percent(change.speed), percent(change.load), percent(change.heat),
                        percent(change.life), without);
   };
-  line("a millionth of the load", "", result.noise, "");
+  line("relative load change 1e-6", "", result.noise, "");
   for (const WhatIfRow& row : result.rows) {
     if (row.failure.empty())
       line(row.effect, fmt::format("{:.1f}", 100.0 * row.share), row.change, row.without);
     else
-      out += fmt::format("  {:<32} no run without it ({}): {}\n", row.effect, row.without,
+      out += fmt::format("  {:<32} the run without it ({}) failed: {}\n", row.effect, row.without,
                          row.failure.substr(0, row.failure.find('\n')));
   }
   return out;

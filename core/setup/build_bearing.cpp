@@ -365,17 +365,17 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed, const UserHooks* use
   if (deck.has("freeIntCls") && clearance <= -2.0 * out.element_diameter())
     throw InputError(
         {deck.issue(Severity::Error, "freeIntCls", "puts the outer raceway inside the inner one",
-                    fmt::format("give more than {}, minus twice the diameter of the elements",
+                    fmt::format("give more than {} (minus two element diameters)",
                                 length_text(deck, -2.0 * out.element_diameter())))});
   // Without material between groove and bore or outside, the ideal ring would have a negative mass.
   if (out.envelope.outer_diameter <= groove_bottom_outer)
     throw InputError(
-        {deck.issue(Severity::Error, "brgOD", "the outer raceway diameter is not inside the ring",
+        {deck.issue(Severity::Error, "brgOD", "is not larger than the outer raceway diameter",
                     fmt::format("give more than the raceway diameter, {}{}",
                                 length_text(deck, groove_bottom_outer), cones))});
   if (out.envelope.bore >= groove_bottom_inner)
     throw InputError(
-        {deck.issue(Severity::Error, "brgBore", "the inner raceway diameter is not inside the ring",
+        {deck.issue(Severity::Error, "brgBore", "is not smaller than the inner raceway diameter",
                     fmt::format("give less than the raceway diameter, {}{}",
                                 length_text(deck, groove_bottom_inner), cones))});
   out.race_inertia = {ring_inertia(out.envelope.outer_diameter, groove_bottom_outer,

@@ -65,7 +65,7 @@ void check_positive(const Deck& deck, double value, const char* what, std::size_
   if (value > 0.0) return;
   throw InputError({deck.issue(
       Severity::Error, variable,
-      fmt::format("the deviation of rolling element {} makes its {} {}, which must be above 0",
+      fmt::format("rolling element {} with its deviation has a {} of {}, which must be above 0",
                   element + 1, what, length_text(deck, value)),
       "give smaller deviations")});
 }
@@ -87,7 +87,7 @@ void check_grooves(const Deck& deck, const bearing::Bearing& b) {
       throw InputError(
           {deck.issue(Severity::Error, diameter_variable(b.imperfections.elements, k),
                       fmt::format("ball {} with its deviation of {} does not fit the {} groove: "
-                                  "the groove radius would be {:.6g} of its diameter",
+                                  "the groove radius would be {:.6g} times its diameter",
                                   k + 1, length_text(deck, b.imperfections.ball_diameter[k]),
                                   j == 0 ? "outer" : "inner", ratio),
                       "give smaller deviations; the ratio must be above 0.5 and below 1")});
@@ -105,9 +105,9 @@ void check_grooves(const Deck& deck, const bearing::Bearing& b) {
     throw InputError(
         {deck.issue(Severity::Error, curvature_variable(b, j),
                     fmt::format("the groove factor raceCurFac{} = {:.6g} varies from {:.6g} to "
-                                "{:.6g} around the race, where the balls do not fit",
+                                "{:.6g} around the race, so the balls do not fit at every azimuth",
                                 j + 1, f, f + low, f + high),
-                    "give an amplitude that keeps it above 0.5 and below 1")});
+                    "give an amplitude that keeps the groove factor above 0.5 and below 1")});
   }
 }
 
@@ -120,9 +120,10 @@ void check_barrel_grooves(const Deck& deck, const bearing::Bearing& b) {
     throw InputError(
         {deck.issue(Severity::Error, curvature_variable(b, j),
                     fmt::format("the groove factor raceCurFac{} = {:.6g} varies from {:.6g} to "
-                                "{:.6g} around the race, where the rollers do not fit",
+                                "{:.6g} around the race, so the rollers do not fit at every "
+                                "azimuth",
                                 j + 1, f, f + low, f + high),
-                    "give an amplitude that keeps it above 0.5")});
+                    "give an amplitude that keeps the groove factor above 0.5")});
   }
 }
 

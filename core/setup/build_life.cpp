@@ -35,8 +35,9 @@ class Reader {
     if (c && h && *c > 0.0 && !(*c - *h + 1.0 > 0.0))
       issues_.push_back(
           deck_.issue(Severity::Error, stress,
-                      "with the depth exponent of the same record makes life increase with load",
-                      "give more than the depth exponent"));
+                      "is too small for the depth exponent of the same record: life would "
+                      "increase with load",
+                      "give a value above the depth exponent"));
   }
   void finish() {
     if (!issues_.empty()) throw InputError(std::move(issues_));
@@ -59,7 +60,9 @@ void read_constants(Reader& read, const std::string& suffix, const std::string& 
                 read.value("depExIH" + suffix)};
   read.check_exponents("shExLP" + suffix, "depExLP" + suffix);
   read.check_exponents("shExIH" + suffix, "depExIH" + suffix);
-  out.weibull_slope = read.positive(slope, "give e.g. 1.111 (point) or 1.125 (line contact)");
+  out.weibull_slope = read.positive(slope,
+                                    "give a value such as 1.111 (point contact) or 1.125 "
+                                    "(line contact)");
 }
 
 /// `film`: a film parameter is known, so that asperities are counted.
@@ -82,7 +85,7 @@ bearing::LifeInputs build_life(const Deck& deck, const bearing::LifeChoices& cho
   out.choices = choices;
   Reader read(deck);
   out.survival = read.value("sProb");
-  out.bearing_slope = read.positive("brgWbDis", "give e.g. 1.111");
+  out.bearing_slope = read.positive("brgWbDis", "give a value above 0, such as 1.111");
   const std::string suffixes[] = {"1", "2", "re"};
   const std::string slopes[] = {"wbDis1", "wbDis2", "wbDisRe"};
   for (std::size_t i = 0; i < 3; ++i) read_constants(read, suffixes[i], slopes[i], out.part[i]);

@@ -32,10 +32,11 @@ void read_race_crowns(const Deck& deck, bearing::RollerGeometry& out) {
     const double reach =
         0.5 * (std::max(out.length, out.land_width[j]) - out.race_central_length[j]);
     if (!(out.race_crown_radius[j] > reach))
-      throw InputError(
-          {deck.issue(Severity::Error, crown, "is a crown that ends inside the raceway width",
-                      fmt::format("give more than {}, or 0 for a straight raceway",
-                                  length_text(deck, reach)))});
+      throw InputError({deck.issue(Severity::Error, crown,
+                                   "is too small: the crown would end within the "
+                                   "raceway width",
+                                   fmt::format("give more than {}, or 0 for a straight raceway",
+                                               length_text(deck, reach)))});
   }
 }
 
@@ -56,7 +57,8 @@ void read_profile(const Deck& deck, Type type, bearing::RollerGeometry& out) {
       if (!(deck.si(name) > 0.0))
         throw InputError(
             {deck.issue(Severity::Error, name, "is not a valid raceway width",
-                        "give the usable width; a value of bReLen or more sets no limit")});
+                        "give the usable raceway width; a value of bReLen or more does not limit "
+                        "the contact")});
     }
     read_race_crowns(deck, out);
   }

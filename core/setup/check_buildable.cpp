@@ -112,8 +112,8 @@ void check_requests(const Deck& deck, const UserHooks* user, Checker& check) {
                 user == nullptr ? asks + ", but no plug-in was given"
                                 : fmt::format("{}, which {} does not have or does not activate",
                                               asks, user->source),
-                fmt::format("give a plug-in that has it with --user PLUG-IN (`adore user new "
-                            "adrx{}` writes an example), or {}",
+                fmt::format("give a plug-in that has this routine with --user PLUG-IN (`adore "
+                            "user new adrx{}` writes an example), or {}",
                             request.routine, otherwise));
   }
 }
@@ -144,16 +144,18 @@ void check_waves(const Deck& deck, Checker& check) {
       const std::string phase = std::string(stem) + "3" + race;
       if (deck.real(waves) == 0.0 && std::abs(std::sin(deck.si(phase))) < 1e-9)
         check.warning(amplitude.c_str(),
-                      fmt::format("has no effect: with {} = 0 waves and a phase {} of {:.6g} "
-                                  "degrees, a sin(phase) is zero everywhere",
+                      fmt::format("has no effect: {} = 0 waves and phase {} = {:.6g} degrees make "
+                                  "the deviation zero everywhere",
                                   waves, phase, deck.real(phase)),
-                      fmt::format("give {}, or a phase of 90 degrees for a constant", waves));
+                      fmt::format("give a number of waves in {}, or a phase of 90 degrees for a "
+                                  "constant deviation",
+                                  waves));
       if (deck.real(waves) == std::round(deck.real(waves))) continue;
       const std::string step =
           "is not a whole number of waves per revolution: the surface has a step at the z axis of "
           "the race";
       if (deck.integer("mode") >= 0)
-        check.error(waves.c_str(), step + ", over which no element rolls",
+        check.error(waves.c_str(), step + ", over which no element can roll",
                     "give a whole number of waves per revolution");
       else
         check.warning(waves.c_str(), step);
@@ -186,7 +188,8 @@ void check_law_ranges(const Deck& deck, Checker& check) {
     if (!laws.empty())
       check.warning(
           place.temperature,
-          fmt::format("is outside the known range of {}: {}; the value at the nearer end is used",
+          fmt::format("is outside the known range of the properties of {}: {}; the value at the "
+                      "nearer end of the range is used",
                       material.name, laws));
   }
 }
@@ -197,8 +200,9 @@ void check_pocket_errors(const Deck& deck, Checker& check) {
   if (deck.integer("kBrg") != 1 && deck.integer("kPocType") > 0) return;  // bPocCls1 has no part
   const double given = deck.si("bPocCls1"), left = given + deck.si("bPocClsVar1");
   if (given >= 0.0 && left < 0.0)
-    check.warning("bPocClsVar1", fmt::format("makes every pocket smaller than its rolling element "
-                                             "and clamps it: bPocCls1 + bPocClsVar1 is {}",
+    check.warning("bPocClsVar1", fmt::format("makes every pocket smaller than its rolling "
+                                             "element, which is then clamped: bPocCls1 + "
+                                             "bPocClsVar1 = {}",
                                              length_text(deck, left)));
 }
 
@@ -215,7 +219,9 @@ void check_land_errors(const Deck& deck, Checker& check) {
     const int index = static_cast<int>(i) + 1;
     const double radius = 0.5 * land.diameter;
     if (!land.ideal() && deck.integer("kGsHydro") == 1)
-      check.error("kGsHydro", "computes the films of round lands, but these have shape errors",
+      check.error("kGsHydro",
+                  "computes films of round guide lands only, but these lands have "
+                  "shape errors",
                   "set kGsHydro to 0, or kCageGsImp and kRaceGsImp to 0");
     for (const auto& [stem, errors] :
          {std::pair{"cageGsRadVar", &land.of_cage}, {"raceGsRadVar", &land.of_race}}) {
@@ -230,7 +236,7 @@ void check_land_errors(const Deck& deck, Checker& check) {
         for (const int k : {1, 2})
           if (std::abs(v[static_cast<std::size_t>(k - 1)]) > kMost * radius)
             error(k,
-                  fmt::format("makes land {} an ellipse far from a circle: the law of lands is "
+                  fmt::format("makes land {} too elliptical: the contact law of guide lands is "
                               "valid for deviations up to 1/20 of the radius",
                               index),
                   fmt::format("give an absolute value of at most {}",
@@ -239,25 +245,28 @@ void check_land_errors(const Deck& deck, Checker& check) {
       }
       if (v[1] != std::round(v[1]))
         error(2,
-              fmt::format("is not a whole number of waves per revolution: land {} has a step where "
-                          "the revolution closes, over which nothing slides",
+              fmt::format("is not a whole number of waves per revolution: the profile of land {} "
+                          "does not close and has a step, over which nothing can slide",
                           index),
               "give a whole number of waves per revolution");
       if (std::abs(v[1]) > kMostWaves)
-        error(2, fmt::format("is more than the law of lands resolves on land {}", index),
+        error(2, fmt::format("is too many waves for the contact law of land {}", index),
               fmt::format("give at most {:g} waves per revolution", kMostWaves));
       if (v[1] == 0.0 && std::abs(std::sin(v[2])) < 1e-9)
         check.add(deck.issue(
             Severity::Warning, variable(1),
-            fmt::format("has no effect: with {} = 0 waves and a phase {} of {:.6g} "
-                        "degrees, a sin(phase) is zero everywhere",
+            fmt::format("has no effect: {} = 0 waves and phase {} = {:.6g} degrees make the "
+                        "deviation zero everywhere",
                         variable(2), variable(3), v[2] * 180.0 / std::numbers::pi),
-            fmt::format("give {}, or a phase of 90 degrees for a constant", variable(2)), index));
+            fmt::format("give a number of waves in {}, or a phase of 90 degrees for a constant "
+                        "deviation",
+                        variable(2)),
+            index));
       const double most = kMost * radius / std::max(1.0, std::abs(v[1]));
       if (std::abs(v[0]) > most)
         error(1,
-              fmt::format("makes waves on land {} that are too high or too steep: the law of lands "
-                          "is valid for relative heights and slopes up to 1/20",
+              fmt::format("makes waves on land {} that are too high or too steep: the contact law "
+                          "of guide lands is valid for slopes and relative heights up to 1/20",
                           index),
               fmt::format("give an absolute value of at most {}", length_text(deck, most)));
     }
@@ -297,21 +306,22 @@ void check_segments(const Deck& deck, Checker& check) {
   const double cut = cage.segments.cut_angle;
   if (cut == 0.0)
     check.warning("cageAngCut",
-                  "leaves no gap between the segments. The model has no contact between segments, "
+                  "leaves no gap between the segments. Contact between segments is not modeled, "
                   "so their ends overlap as soon as they move",
                   "give the angle of the cut");
   for (std::size_t i = 0; i < cage.lands.size(); ++i)
     if (cage.lands[i].guide != bearing::GuideLand::Guide::None && cage.lands[i].clearance < 0.0)
       check.error("cageGsCls",
-                  fmt::format("lets land {} of the segments press on its race all around, which "
-                              "only a whole ring can do",
+                  fmt::format("makes land {} of the segments press on its race all around, which "
+                              "only a one-piece cage can do",
                               i + 1),
                   "give 0 or more");
   if (deck.has("cageMass") && deck.real("cageGeoCenZ") == 0.0)
     check.warning("cageGeoCenZ",
-                  "puts the mass center of every segment on the bearing axis; record 7.7 describes "
-                  "one segment, whose z axis passes through its angular middle",
-                  "give the distance, negative, or set kCageIP to 0");
+                  "puts the mass center of every segment on the bearing axis. Record 7.7 "
+                  "describes one segment; the z axis passes through its angular middle",
+                  "give the negative distance of the mass center from the bearing axis, or set "
+                  "kCageIP to 0");
   const bool faces = deck.integer("kBrg") != 1 && deck.integer("kPocType") > 0;
   if (faces || cut_fits(deck, cage, cut)) return;
   double most = 0.0, bad = cut;
@@ -322,11 +332,12 @@ void check_segments(const Deck& deck, Checker& check) {
   const std::string limit = fmt::format("give at most {:.4g} degrees",
                                         std::floor(most * 180.0 / std::numbers::pi * 1e4) / 1e4);
   if (!cage.segments.through_pockets)
-    check.error("cageAngCut", "removes more than the bars between the pockets", limit);
+    check.error("cageAngCut", "is wider than the bars between the pockets", limit);
   else
     check.error("cageAngCut",
-                "leaves half pockets whose opening touches the rolling element on both sides",
-                fmt::format("{}, or cut between the pockets (positive numbers)",
+                "leaves half pockets so narrow that the opening touches the rolling element on "
+                "both sides",
+                fmt::format("{}, or cut between the pockets (a positive angle)",
                             most > 0.0 ? limit : "give more pocket clearance"));
 }
 
@@ -348,11 +359,11 @@ void check_lubricant(const Deck& deck, Checker& check) {
   if (deck.integer("kTrac") <= 0) return;
   if (deck.si("strParam") == 0.0)
     check.note("strParam",
-               "leaves no oil at the contact inlets: the contacts have no film, and the traction "
-               "of record 10.1; 10 or more is flooded");
+               "leaves no oil at the contact inlets: the contacts have no film, and record 10.1 "
+               "gives their traction. A value of 10 or more means flooded inlets");
   else if (deck.si("reRaceFilm") < tribology::kThinnestFilm)
-    check.note("reRaceFilm", fmt::format("a film of a few molecules is not a liquid: below {:g} nm "
-                                         "contacts have the traction of record 10.1",
+    check.note("reRaceFilm", fmt::format("is too thin for a liquid film (a few molecules): below "
+                                         "{:g} nm record 10.1 gives the traction of the contacts",
                                          1e9 * tribology::kThinnestFilm));
 }
 
@@ -361,9 +372,10 @@ void check_pocket_films(const Deck& deck, Checker& check) {
   const deck::ReportOnly quiet(deck);
   if (!(deck.si("pocLubFilm") > 0.0))
     check.error("pocLubFilm",
-                "leaves no film in the pockets, which kPocHydro = 1 needs: elements farther than "
-                "this from a wall have none",
-                "give the largest film, e.g. half the pocket clearance, or set kPocHydro to 0");
+                "leaves no film in the pockets, but kPocHydro = 1 needs one: this is the largest "
+                "distance from the pocket wall at which an element has a film",
+                "give the largest film thickness, e.g. half the pocket clearance, or set "
+                "kPocHydro to 0");
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ class PocketCheck {
 
   void look_at(std::size_t pocket) {
     const PocketDeviation own = cage_.deviation_of(pocket);
-    of_ = random_ ? fmt::format(" of pocket {} (drawn at random)", pocket + 1) : std::string();
+    of_ = random_ ? fmt::format(" (pocket {}, random deviation)", pocket + 1) : std::string();
     room(own);
     if (deck_.integer("mode") < 0) return;
     if (issues_.empty()) play(pocket, own);
@@ -87,9 +87,9 @@ class PocketCheck {
       if (left >= 0.0) continue;
       const auto [variable, instance] = cause(k, i, own.clearance[i]);
       error(variable,
-            fmt::format("makes the pocket of element {} narrower than the element, by {}", k + 1,
+            fmt::format("makes the pocket of element {} narrower than the element by {}", k + 1,
                         length_text(deck_, -left)),
-            "leave a clearance of at least 0", instance);
+            "give values that leave a clearance of 0 or more", instance);
     }
   }
 
@@ -158,7 +158,8 @@ class PocketCheck {
     const double left = thickness + own.thickness;
     if (left > 0.0 && 0.5 * left < middle) return;
     error("bPocThknsVar",
-          left > 0.0 ? std::string("makes a wall that reaches through the bearing axis")
+          left > 0.0 ? std::string("makes the pocket wall so thick that it reaches the bearing "
+                                   "axis")
                      : std::string("leaves no wall around the pocket"),
           fmt::format("give more than {} and less than {}", length_text(deck_, -thickness),
                       length_text(deck_, 2.0 * middle - thickness)));
@@ -166,16 +167,16 @@ class PocketCheck {
 
   void place(const PocketDeviation& own) {
     if (!(std::abs(own.axial) < 0.5 * cage_.width))
-      error("bPocCenVar1", "puts the middle of the pocket outside the cage",
+      error("bPocCenVar1", "puts the center of the pocket outside the cage",
             fmt::format("give an absolute value below {}", length_text(deck_, 0.5 * cage_.width)));
     const double share = std::numbers::pi / bearing_.element_count();
     if (!(std::abs(own.angular) < share))
-      error("bPocCenVar2", "puts the pocket nearer to the next element than to its element",
+      error("bPocCenVar2", "moves the pocket closer to the next element than to its own element",
             fmt::format("give an absolute value below {:.6g} degrees",
                         share * 180.0 / std::numbers::pi));
     for (int k = 0; k < 3; ++k)
       if (!(std::abs(own.tilt[k]) < 0.25 * std::numbers::pi))
-        error(fmt::format("bPocAngVar{}", k + 1), "turns the pocket frame by 45 degrees or more",
+        error(fmt::format("bPocAngVar{}", k + 1), "rotates the pocket frame by 45 degrees or more",
               "give an absolute value below 45 degrees");
   }
 

@@ -72,7 +72,7 @@ class ShapeCheck {
         fmt::format("a roller {} in diameter and {} long", length_text(deck_, given_.diameter),
                     length_text(deck_, given_.length));
     issues_.push_back(deck_.issue(
-        Severity::Error, variable, fmt::format("{} cannot have such {}", size, what),
+        Severity::Error, variable, fmt::format("{} cannot have this {}", size, what),
         limit ? fmt::format("give {} than {}", more ? "more" : "less", length_text(deck_, *limit))
               : "check bReDia, bReLen and the other radii"));
   }
@@ -123,15 +123,15 @@ void check_roller_shape(const Deck& deck, const RollerGeometry& rollers) {
   ShapeCheck check(deck, contact::roller_profile(rollers));
   check.check_length();
   check.put(
-      "bReCrn", "a crown radius", [](RollerProfile& p) -> double& { return p.crown_radius; }, true);
+      "bReCrn", "crown radius", [](RollerProfile& p) -> double& { return p.crown_radius; }, true);
   // Corners before end radii: the limit of an end depends on the corners.
   for (std::size_t end = 0; end < 2; ++end)
     check.put(
-        fmt::format("bReCorRad{}", end + 1), "a corner",
+        fmt::format("bReCorRad{}", end + 1), "corner radius",
         [end](RollerProfile& p) -> double& { return p.corner_radius[end]; }, false);
   for (std::size_t end = 0; end < 2; ++end)
     check.put(
-        fmt::format("bReEndRad{}", end + 1), "an end radius",
+        fmt::format("bReEndRad{}", end + 1), "end radius",
         [end](RollerProfile& p) -> double& { return p.end_radius[end]; }, true);
   check.finish();
 }
@@ -141,7 +141,7 @@ void check_roller_deviations(const Deck& deck, const RollerGeometry& rollers) {
     if (fits(contact::roller_profile(rollers, rollers.deviation[k]))) continue;
     throw InputError({deck.issue(
         Severity::Error, culprit(deck, rollers, k),
-        fmt::format("the deviations of rolling element {} do not give a possible roller", k + 1),
+        fmt::format("the deviations of rolling element {} make the roller shape impossible", k + 1),
         "give smaller deviations")});
   }
 }
@@ -168,8 +168,8 @@ std::vector<Issue> check_flanges(const Deck& deck) {
              "give the height, or remove the flange");
       else if (deck.has(corner) && height <= deck.si(corner))
         warn("flngHt" + code,
-             fmt::format("ends within the corner radius {} of the roller: not the roller end, but "
-                         "its corner touches the flange, at the lip",
+             fmt::format("is not above the corner radius {} of the roller: the corner of the "
+                         "roller, not its end, touches the edge of the flange",
                          corner),
              "give a height above the corner radius, or remove the flange");
     }
@@ -179,13 +179,14 @@ std::vector<Issue> check_flanges(const Deck& deck) {
     if (play < 0.0)
       warn(name,
            "is negative: the flanges of this race press on both ends of every roller all the time",
-           "give a play, or 0");
+           "give a clearance of 0 or more");
     else if (play > kWidePlay * deck.si("bReLen"))
       warn(name,
-           fmt::format("is more than {:g} of the roller length: the rollers move far off their "
+           fmt::format("is more than {:g} times the roller length: the rollers move far off their "
                        "raceways before a flange stops them",
                        kWidePlay),
-           "give the free travel between the flanges, a small fraction of a millimeter");
+           "give the axial clearance of the rollers between the flanges, a small fraction of a "
+           "millimeter");
   }
   return out;
 }

@@ -49,13 +49,12 @@ std::string of_material(std::string_view name, const Scene& scene) {
       name.ends_with("SH") || name.ends_with("SH1") || name.ends_with("SH2"))
     return !scene.heat
                ? "no heat flow is computed, so conductivity and specific heat are only printed"
-               : "for the cage only the heat capacity depends on it, which is used with "
-                 "thermalTransient=on";
+               : "for the cage only the heat capacity uses it, and only with thermalTransient=on";
   if (name.starts_with("cage"))
     return scene.motion ? "fatigue of the cage is not computed"
                         : "a quasi-static solution does not move or wear the cage";
   if (name.starts_with("hsng") || name.starts_with("shft"))
-    return "this part has no contact stresses, only its fit is computed";
+    return "contact stresses of this part are not computed, only its fit";
   if (!scene.motion) return "a quasi-static solution has no sliding and no wear";
   return {};
 }
@@ -78,9 +77,9 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (is_one_of(name, {"kCRTrac", "kCRTracType", "kGsHydro"}) && !scene.guided)
     return "no land guides a cage";
   if (record.starts_with("10") && record.ends_with("D") && name.ends_with("TC4"))
-    return "the asymptotic law has three coefficients";
+    return "the asymptotic traction law has only three coefficients";
   if ((record.starts_with("10.2") || name == "kRFTracType") && scene.flanges && !scene.motion)
-    return "without thrust the flanges of cylindrical rollers carry no load at rest";
+    return "without thrust the flanges of cylindrical rollers have no load in the equilibrium";
   if (name == "reRaceFilm")
     return "without oil at the contact inlets (strParam = 0) there is no film";
   if (record.starts_with("10") && !scene.motion)
@@ -89,49 +88,53 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (name == "iTherm") return "only visco-elastic traction (kTrac 12) has this correction";
   if (record == "5F" && scene.balls) return "a ball bearing has no roller flanges";
   if (name.starts_with("flngCls")) return "this race has no flanges at both ends of the rollers";
-  if (record == "5F") return "there is no such flange";
+  if (record == "5F") return "the race does not have this flange";
   if (record.starts_with("10.2") && !scene.flanges) return "no roller meets a flange";
   // Values that an option fixes or replaces.
   if (is_one_of(name, {"appLoadX", "appLoadY", "appLoadZ", "appMomY", "appMomZ", "appDispX",
                        "appDispY", "appDispZ", "appMis12", "appMis22"}))
-    return "for each direction kFS1 to kFS5 choose either load or displacement";
+    return "kFS1 to kFS5 select the other quantity (load or displacement) for this direction";
   if (name == "freeIntCls") return "freeConAng above 0 sets the clearance";
-  if (name.starts_with("rpmRange")) return "a table with one speed has no last speed";
+  if (name.starts_with("rpmRange"))
+    return "the table has one speed only, so the last speed is "
+           "not used";
   if (name == "pltNames8") return "kAGraf = 0 stores no animation";
-  if (name.starts_with("pltNames") && scene.motion) return "fewer bodies have a plot file";
+  if (name.starts_with("pltNames") && scene.motion)
+    return "fewer bodies are plotted, so this file is not written";
   if (name == "angVelOrient") return "the angle of the spin axis is an input only with kAngVel = 2";
-  if (name == "bPocCls2") return "a pocket of this shape has one clearance";
+  if (name == "bPocCls2") return "a pocket of this shape has only one clearance";
   if (name == "bPocThknsVar" && scene.motion && scene.cage)
-    return "guide faces have separate widths, independent of the wall";
+    return "the widths of the guide faces do not depend on the wall thickness";
   if (name == "bPocClsVar2") return "a pocket of this shape has no clearance II";
   if (starts_with_one_of(name,
                          {"rotLoadRpm", "raceVibFreq", "raceSpeedFreq", "startTime", "endTime"}))
-    return "the law of time of this value has an amplitude of 0 for this race";
+    return "the amplitude of this motion or load is 0 for this race";
   if (name == "cageAngCut" && !scene.segments) return "a one-piece cage has no cut";
   if (scene.motion && is_one_of(name, {"cageGsRadVar3", "raceGsRadVar3"}))
-    return "an ellipse has two half axes and no third value, or no race guides this land";
+    return "an ellipse has no third value, or no race guides this land";
   if (scene.motion && starts_with_one_of(name, {"cageGsRadVar", "raceGsRadVar"}))
     return "no race guides this land";
   if (name == "pocLubFilm") return "pocket hydrodynamics are off (kPocHydro)";
   if (record.starts_with("5G.1D")) return "there are fewer rolling elements";
-  if (name == "kAngVel") return "rollers roll without slip; the geometry gives their axes";
+  if (name == "kAngVel") return "rollers roll without slip about axes that the geometry gives";
   if (starts_with_one_of(name, {"rmsAspHt", "rmsAspSlope", "aspTrac"}))
     return "without a lubricant (kTrac) no film is computed";
-  if (name == "cFlowRate") return "without a coolant (kCoolant) nothing flows";
+  if (name == "cFlowRate") return "there is no coolant (kCoolant)";
   if (is_one_of(name, {"kHTC", "reHTC", "cageHTC", "xMu", "xK"}))
     return scene.convection ? "convection coefficients are given"
                             : "convection coefficients are computed, or no coolant flows";
   if (is_one_of(name, {"aveTime", "skipTime"}))
     return scene.motion ? "the geometry does not change" : "a steady state has no thermal steps";
   if (record == "9.7" || record == "9.8" || record == "3.5" || name == "kTherm")
-    return "no thermal steps are computed: the temperatures of record 9.1.3 apply, and of record "
-           "3.5 only kMatPropMod has an effect";
+    return "no thermal steps are computed: record 9.1.3 gives the temperatures, and only "
+           "kMatPropMod of record 3.5 has an effect";
   if (record == "8.1" || record == "8.2.1" || record == "8.2.2" || record == "8.3" ||
       record == "8.4" || record == "8.5")
     return of_material(name, scene);
   if (name.starts_with("raceCenLen")) return "a raceway without crown (raceCrn = 0) is straight";
   if (record.starts_with("6.2") || (name.starts_with("kRaceIP") && scene.motion))
-    return "record 2.2 (kDCR, kFD, kMD) does not free this race in a direction where it would act";
+    return "record 2.2 (kDCR, kFD, kMD) does not free this race in a direction that needs this "
+           "value";
   if (name == "qFac" && scene.motion) return "modes 1 and 2 keep every element in force balance";
   if (scene.motion) return {};
   // Quasi-static.

@@ -63,8 +63,8 @@ std::string free_text(const bearing::FreeRace& free) {
   };
   add("free along", listed(opposite(free.translation_held)));
   add("free about", listed(opposite(free.rotation_held)));
-  add("held along", listed(free.translation_held));
-  add("held about", listed(free.rotation_held));
+  add("fixed along", listed(free.translation_held));
+  add("fixed about", listed(free.rotation_held));
   return out;
 }
 
@@ -80,13 +80,13 @@ void add_body(const bearing::Bearing& bearing, const bearing::RaceMotions& motio
     plan.bodies.push_back(
         {kRaces[j],
          fmt::format("in force balance along {}, speed {:g} rpm{}", listed(free),
-                     rpm(bearing.speed[j]), driven ? ", turned and otherwise moved by ADRX1" : ""),
+                     rpm(bearing.speed[j]), driven ? ", rotation and other motions by ADRX1" : ""),
          driven ? 11 : 3});
     return;
   }
   const char* place = j == 0 ? "fixed" : "at the static position";
   std::string text = fmt::format("{}, speed {:g} rpm", place, rpm(bearing.speed[j]));
-  if (motions.excited(static_cast<int>(j))) text += ", moved by laws of time";
+  if (motions.excited(static_cast<int>(j))) text += ", with prescribed motion";
   plan.bodies.push_back({kRaces[j], text, 0});
 }
 
@@ -151,8 +151,9 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
     const auto clash = [&](const std::string& name, const std::string& flag, const char* what) {
       if (given_and_not_zero(deck, name))
         add(Severity::Error, name,
-            fmt::format("moves the {} by a law of time, but {} = 0 lets it {} freely there", body,
-                        flag, what),
+            fmt::format("prescribes a motion of the {}, but {} = 0 lets it {} freely in this "
+                        "direction",
+                        body, flag, what),
             fmt::format("set {} to 0, or {} to 1", name, flag));
     };
     for (int axis = 1; axis <= 3; ++axis) {
@@ -165,17 +166,17 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
     }
     if (rotation_free(deck, 1, race)) {
       const std::string flag = fmt::format("kMD1{}", race);
-      clash(fmt::format("raceAngAcc{}", race), flag, "turn");
-      clash(fmt::format("raceSpeedAmp{}", race), flag, "turn");
+      clash(fmt::format("raceAngAcc{}", race), flag, "rotate");
+      clash(fmt::format("raceSpeedAmp{}", race), flag, "rotate");
       add(Severity::Warning, flag,
-          fmt::format("lets the {} turn under moments, but without user routine ADRX1 there is no "
-                      "moment about x: it coasts, and friction slows it down",
+          fmt::format("lets the {} rotate freely about x. Without user routine ADRX1 no moment "
+                      "drives it, so friction slows it down",
                       body),
           fmt::format("set {} to 1 for a constant speed", flag));
     }
   }
   if (deck.integer("kRotFrame") == 1 && deck.has("brgAngVel") && deck.real("brgAngVel") == 0.0)
-    add(Severity::Warning, "brgAngVel", "the base frame of record 9.5 does not turn: no effect",
+    add(Severity::Warning, "brgAngVel", "the base frame of record 9.5 does not rotate: no effect",
         "give the speed of the frame, or set kRotFrame to 0");
   if (deck.integer("kRotFrame") == 1 && deck.integer("kFS2") == 1 && deck.integer("kFS3") == 1)
     for (int race = 1; race <= 2; ++race)
@@ -191,22 +192,24 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
       const std::string share = fmt::format("rotLoadFrac{}", race);
       if (!given_and_not_zero(deck, share) || std::abs(deck.real(share)) <= 1.0) continue;
       add(Severity::Warning, share,
-          fmt::format("is more than 1: the {} moves on a circle larger than the whole radial "
-                      "deflection, or the rotating load exceeds the applied load; contact loads "
+          fmt::format("is above 1 in magnitude: the {} moves on a circle larger than the radial "
+                      "deflection, or the rotating load exceeds the applied load. Contact loads "
                       "may be many times those of the equilibrium",
                       kRaces[static_cast<std::size_t>(race - 1)]),
           "give a fraction between -1 and 1");
     }
   if (deck.integer("mode") > 0 && deck.integer("kDOF") == 5)
     add(Severity::Error, "kDOF",
-        fmt::format("suppresses all motions of the elements, but mode = {} needs their balance",
+        fmt::format("suppresses all motions of the elements, but mode = {} needs their force "
+                    "balance",
                     deck.integer("mode")),
         "set mode to 0, or kDOF to 0 to 4");
   if (deck.integer("mode") == 2) {
     for (int axis = 1; axis <= 3; ++axis) {
       if (rotation_free(deck, axis, 2))
         add(Severity::Error, fmt::format("kMD{}2", axis),
-            "mode = 2 positions the inner race by its force balance, but this value frees it",
+            "mode = 2 positions the inner race by its force balance, but this value lets it "
+            "rotate freely",
             "set it to 1, or mode to 0 or 1");
       const std::string amplitude = fmt::format("raceVibAmp{}2", axis);
       const std::string given = fmt::format("kFS{}", axis);
@@ -214,14 +217,14 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
         add(Severity::Error, amplitude,
             fmt::format("moves the inner race along {}, where mode = 2 positions it by its load",
                         kAxes[static_cast<std::size_t>(axis - 1)]),
-            fmt::format("set it to 0, {} to 1, or mode to 0 or 1", given));
+            fmt::format("set it to 0, or {} to 1, or mode to 0 or 1", given));
     }
     if (given_and_not_zero(deck, "rotLoadFrac2") &&
         (deck.integer("kFS2") == 1 || deck.integer("kFS3") == 1))
       add(Severity::Error, "rotLoadFrac2",
-          "turns a fraction of the radial load of the inner race, which mode = 2 needs along y and "
-          "z, but kFS2 or kFS3 gives its position there",
-          "set it to 0, kFS2 and kFS3 to 0, or mode to 0 or 1");
+          "rotates a fraction of the radial load of the inner race. With it, mode = 2 needs the "
+          "loads along y and z, but kFS2 or kFS3 gives a position",
+          "set it to 0, or kFS2 and kFS3 to 0, or mode to 0 or 1");
     if (deck.integer("kFS1") + deck.integer("kFS2") + deck.integer("kFS3") == 3)
       add(Severity::Error, "kFS1",
           "gives the position of the inner race along x, y and z, so mode = 2 has no load to "
@@ -293,8 +296,9 @@ std::optional<bearing::FrameMotion> frame_motion(const Deck& given) {
   if (deck.integer("kRotFrame") != 1) return std::nullopt;
   for (const char* name : {"brgOrbitRad", "brgAngPos", "brgAngVel", "brgLoadFrac1", "brgLoadFrac2"})
     if (!deck.has(name))
-      throw InputError({deck.issue(Severity::Error, name, "no value, but kRotFrame = 1",
-                                   "enter its value in record 9.5")});
+      throw InputError(
+          {deck.issue(Severity::Error, name, "has no value, but kRotFrame = 1 needs one",
+                      "enter its value in record 9.5")});
   if (deck.real("brgOrbitRad") < 0.0)
     throw InputError({deck.issue(Severity::Error, "brgOrbitRad", "the radius is negative",
                                  "enter 0 or a positive radius")});

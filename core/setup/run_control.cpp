@@ -45,7 +45,7 @@ RunControl build_run_control(const deck::Deck& deck) {
   const int code = static_cast<int>(deck.integer("intMet"));
   out.integrator = integrators::name_of_int_met(code);
   if (out.integrator.empty())
-    throw InputError({deck.issue(Severity::Error, "intMet", "is not an integrator",
+    throw InputError({deck.issue(Severity::Error, "intMet", "is not the code of an integrator",
                                  "use 1-7 (Runge-Kutta-Fehlberg), 11-18 (predictor-corrector), 21, "
                                  "22 (CVODE), 31-33 (ARKODE), 41 (rk4)")});
   out.step_initial = deck.si("stpInit");
@@ -165,8 +165,8 @@ bool parse_automatic(std::string_view text, std::optional<double>& out, double l
 void add_static_options(std::vector<Option>& table) {
   table.push_back(
       {{"ballFriction", "balance",
-        "balls in mode -1, at the start of a motion and in thermal analyses: balance (spin and "
-        "orbit from friction equilibrium) or spin-rule (kAngVel gives the spin axis)"},
+        "ball speeds in mode -1, at the start of a motion and in thermal analyses: balance (spin "
+        "and orbit from friction equilibrium) or spin-rule (kAngVel gives the spin axis)"},
        [](RunOptions& o, std::string_view v) {
          if (v != "spin-rule" && v != "balance") return false;
          o.rollers.ball_balance = v == "balance";
@@ -188,7 +188,7 @@ void add_thermal_options(std::vector<Option>& table) {
                    }});
   table.push_back(
       {{"thermalBase", "deck",
-        "boundaries of the thermal network: deck (the location of kBaseTemp is kept at baseTemp) "
+        "fixed temperatures of the thermal network: deck (baseTemp at the location of kBaseTemp) "
         "or none (only ambient and coolant; baseTemp is the coolant inlet temperature)"},
        [](RunOptions& o, std::string_view v) {
          if (v != "deck" && v != "none") return false;
@@ -197,17 +197,17 @@ void add_thermal_options(std::vector<Option>& table) {
        }});
   table.push_back({{"thermalTransient", "off",
                     "heat capacities of the thermal network: off (each thermal step of a motion "
-                    "sets the steady-state temperatures) or on (temperatures follow in time, "
-                    "accelerated by thermalAcceleration in a motion; mode -1 also gives a time "
-                    "line from record 9.1.3 to the steady state or to seizure)"},
+                    "sets the steady-state temperatures) or on (temperatures change with time, "
+                    "accelerated by thermalAcceleration in a motion; mode -1 also computes them "
+                    "over time, from record 9.1.3 to the steady state or to seizure)"},
                    [](RunOptions& o, std::string_view v) {
                      if (v != "on" && v != "off") return false;
                      o.thermal_transient = v == "on";
                      return true;
                    }});
   table.push_back({{"thermalAcceleration", "1",
-                    "thermal time over the time of the motion with thermalTransient=on, 1 to "
-                    "1000000000: with 1000 a run of 0.1 s shows 100 s of warm-up"},
+                    "thermal time divided by the time of the motion, for thermalTransient=on, 1 "
+                    "to 1000000000: with 1000 a run of 0.1 s shows 100 s of warm-up"},
                    [](RunOptions& o, std::string_view v) {
                      constexpr double kFastest = 1e9;
                      return parse(v, o.thermal_acceleration) && o.thermal_acceleration >= 1.0 &&
@@ -226,17 +226,17 @@ void add_thermal_options(std::vector<Option>& table) {
       "(roomTemp)",
       kColdest, kHottest, [](Surroundings& o) -> std::optional<double>& { return o.ambient; });
   add("housingCooling",
-      "conductance from the outside of the housing to ambient [W/K], 0 to 1000000, or auto (ISO "
-      "15312 reference heat flow of the seats; 0 with a liquefied gas as coolant or kBaseTemp 4, "
-      "5)",
+      "thermal conductance from the outside of the housing to ambient [W/K], 0 to 1000000, or "
+      "auto (ISO 15312 reference heat flow of the seats; 0 with a liquefied gas as coolant or "
+      "kBaseTemp 4, 5)",
       0.0, kMost, [](Surroundings& o) -> std::optional<double>& { return o.conductance[0]; });
   add("shaftCooling",
-      "conductance from the shaft at the inner race to ambient [W/K], 0 to 1000000, or auto (as "
-      "housingCooling)",
+      "thermal conductance from the shaft at the inner race to ambient [W/K], 0 to 1000000, or "
+      "auto (as housingCooling)",
       0.0, kMost, [](Surroundings& o) -> std::optional<double>& { return o.conductance[1]; });
   add("coolantInlet",
-      "temperature of the coolant at its inlet [K], 1 to 1000, where baseTemp is that of a race, "
-      "the housing or the shaft (kBaseTemp 0, 1, 4, 5), or auto (baseTemp)",
+      "coolant inlet temperature [K], 1 to 1000, or auto (baseTemp). It is used where baseTemp is "
+      "the temperature of a race, the housing or the shaft (kBaseTemp 0, 1, 4, 5)",
       kColdest, kHottest,
       [](Surroundings& o) -> std::optional<double>& { return o.coolant_inlet; });
 }
@@ -249,13 +249,15 @@ void add_life_options(std::vector<Option>& table) {
                      [set](RunOptions& o, std::string_view v) { return set(o.life, v); }});
   };
   add("sol7Life", "lp",
-      "life model in SOL7, terminal output and sweeps: lp (original Lundberg-Palmgren), or a model "
-      "that this program calibrated on it, lpu, gz or ih (updated Lundberg-Palmgren, "
-      "Gupta-Zaretsky, Ioannides-Harris); alone or with the factors -stle or -tallian",
+      "life model in SOL7, terminal output and sweeps: lp (original Lundberg-Palmgren), or one of "
+      "three models that this program calibrated against it: lpu (updated Lundberg-Palmgren), gz "
+      "(Gupta-Zaretsky) or ih (Ioannides-Harris). Append -stle or -tallian to include these life "
+      "factors",
       parse_stored_life);
   add("lifeElements", "gz",
-      "rolling elements in the life of the bearing: gz (in Gupta-Zaretsky only, not when "
-      "ceramic), all (updated, Gupta-Zaretsky and Ioannides-Harris) or none",
+      "life models whose bearing life includes the rolling elements: gz (Gupta-Zaretsky, except "
+      "for ceramic elements), all (updated Lundberg-Palmgren, Gupta-Zaretsky and "
+      "Ioannides-Harris) or none",
       [](bearing::LifeChoices& o, std::string_view v) {
         using bearing::ElementLife;
         if (v != "gz" && v != "all" && v != "none") return false;
@@ -265,24 +267,24 @@ void add_life_options(std::vector<Option>& table) {
         return true;
       });
   add("lifeElementTracks", "separate",
-      "tracks of both races on a rolling element: separate (different volumes) or shared (one "
-      "volume that both stress, as in rollers)",
+      "stressed volumes of the two race tracks on a rolling element: separate, or shared (both "
+      "races stress the same volume, as in rollers)",
       [](bearing::LifeChoices& o, std::string_view v) {
         if (v != "separate" && v != "shared") return false;
         o.shared_track = v == "shared";
         return true;
       });
   add("lifeLimitForm", "peak",
-      "Ioannides-Harris: peak (largest von Mises stress minus the limit) or integral (orthogonal "
-      "shear above its limit, integrated over depth)",
+      "stress criterion of Ioannides-Harris: peak (largest von Mises stress minus the limit) or "
+      "integral (orthogonal shear above its limit, integrated over depth)",
       [](bearing::LifeChoices& o, std::string_view v) {
         if (v != "peak" && v != "integral") return false;
         o.limit_form = v == "peak" ? bearing::LimitForm::Peak : bearing::LimitForm::Integral;
         return true;
       });
   add("lifeLambda", "none",
-      "film parameter (film thickness over roughness) for the life factors if no film is computed, "
-      "above 0 to 1000, or none",
+      "film parameter (film thickness divided by roughness) for the life factors if no film is "
+      "computed, above 0 to 1000, or none",
       [](bearing::LifeChoices& o, std::string_view v) {
         return parse_optional(v, o.film_parameter, 1e3);
       });
@@ -310,14 +312,14 @@ const std::vector<Option>& options() {
     std::vector<Option> all{
         {{"ellipseMajor", fmt::format("{}", defaults.system.ellipse_major),
           "quadrature nodes along the major axis of the contact ellipse, 10 to 100, rounded up to "
-          "a multiple of 5. Default in oil: 12 (with 4 across), or 16 (with 2) for whole strips "
-          "(kTrac 8 and 12); these nodes are made for films"},
+          "a multiple of 5. Default in oil: 12 nodes with 4 along the minor axis, or 16 with 2 "
+          "for kTrac 8 and 12; the node positions are then those for films"},
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.system.ellipse_major, 10, 100);
          }},
         {{"ellipseMinor", fmt::format("{}", defaults.system.ellipse_minor),
-          "quadrature nodes along the minor axis, 1 to 64. Default 4 if the traction of a film "
-          "depends on pressure (kTrac 1 to 7, 10, 11, 13 to 20)"},
+          "quadrature nodes along the minor axis of the contact ellipse, 1 to 64. Default 4 if "
+          "the traction of a film depends on pressure (kTrac 1 to 7, 10, 11, 13 to 20)"},
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.system.ellipse_minor, 1, 64);
          }},
@@ -330,8 +332,8 @@ const std::vector<Option>& options() {
            return false;
          }},
         {{"hertzConstants", "moving",
-          "for balls in motion: moving with the contact angle, or frozen at the mean angle of the "
-          "equilibrium, which is slightly faster"},
+          "Hertz constants of balls in motion: moving (they follow the contact angle) or frozen "
+          "(at the mean contact angle of the equilibrium, slightly faster)"},
          [](RunOptions& o, std::string_view v) {
            if (v != "moving" && v != "frozen") return false;
            o.system.moving_angle = v == "moving";
@@ -339,11 +341,11 @@ const std::vector<Option>& options() {
          }},
         {{"contactDamping", "material",
           "energy loss of all normal contacts: material (loss factors and impact losses of the "
-          "materials, squeeze of the oil film), 0 (elastic, for conservation studies: contact "
-          "vibrations do not decay), a factor on all of these losses (2x, 0.5x; 0.01x to 100x), or "
-          "the impact loss alpha of all pairs in s/m, above 0 to 100, instead of that of the "
-          "materials; an element that hits a race at a small speed v rebounds at about (1 - alpha "
-          "v) v. Dry steel has 0.08 to 0.32"},
+          "materials, squeeze of the oil film); 0 (elastic, for conservation studies: contact "
+          "vibrations do not decay); a factor on all of these losses (0.01x to 100x, such as 2x); "
+          "or the impact loss alpha of all material pairs in s/m (above 0 to 100). An element "
+          "that hits a race at a small speed v rebounds at about (1 - alpha v) v. Dry steel has "
+          "an alpha of 0.08 to 0.32"},
          [](RunOptions& o, std::string_view v) {
            o.system.damping.impact_loss = 0.0;
            o.system.damping.factor = 1.0;
@@ -359,17 +361,17 @@ const std::vector<Option>& options() {
            return true;
          }},
         {{"filmStress", "surface",
-          "stress of films of kTrac 8 and 11 to 20: surface (interpolated, error set by the run's "
-          "tolerance), or direct (integrated at every evaluation: thousands of times slower for "
-          "kTrac 8 and 12, two to three times for the others)"},
+          "shear stress of films of kTrac 8 and 11 to 20: surface (interpolated; the tolerance of "
+          "the run sets the error) or direct (integrated at every evaluation: thousands of times "
+          "slower for kTrac 8 and 12, two to three times for the others)"},
          [](RunOptions& o, std::string_view v) {
            if (v != "surface" && v != "direct") return false;
            o.direct_strips = v == "direct";
            return true;
          }},
         {{"filmLaw", "code",
-          "traction law of oil films: code (that of kTrac), or recommended (the law that "
-          "lubricants.json recommends for the same oil; the film remains that of kTrac)"},
+          "traction law of oil films: code (the law of kTrac) or recommended (the law that "
+          "lubricants.json recommends for the same oil; kTrac still gives the film thickness)"},
          [](RunOptions& o, std::string_view v) {
            if (v != "code" && v != "recommended") return false;
            o.recommended_law = v == "recommended";
@@ -377,29 +379,29 @@ const std::vector<Option>& options() {
          }},
         {{"filmStressLimit", "on",
           "limiting shear stress of oil films between elements and races, as a fraction of the "
-          "pressure for each lubricant (lubricants.json): on, or off (classic laws; friction "
-          "coefficients far above 0.1 beyond 1 GPa; kTrac 8 and 12 keep their limit). off is "
-          "reported"},
+          "pressure for each lubricant (lubricants.json): on, or off (classic laws, with friction "
+          "coefficients far above 0.1 beyond 1 GPa; kTrac 8 and 12 keep their limit; the run "
+          "warns)"},
          [](RunOptions& o, std::string_view v) {
            if (v != "on" && v != "off") return false;
            o.stress_limit = v == "on";
            return true;
          }},
         {{"lubStressLimit", "none",
-          "limiting shear stress over pressure of the user's lubricant (kTrac 9) at 40 °C, 0.001 "
-          "to 1, or none (0.07 is assumed)"},
+          "limiting shear stress divided by pressure for the user-defined lubricant (kTrac 9) at "
+          "40 °C, 0.001 to 1, or none (0.07 is assumed)"},
          [](RunOptions& o, std::string_view v) {
            return parse_optional(v, o.user_limit, 1.0) && o.user_limit.value_or(1.0) >= 1e-3;
          }},
         {{"lubStressSoftening", fmt::format("{:g}", defaults.user_softening),
-          "relative decrease of that limit per kelvin, 0 to 0.1 [1/K]"},
+          "relative decrease of lubStressLimit per kelvin, 0 to 0.1 [1/K]"},
          [](RunOptions& o, std::string_view v) {
            return parse(v, o.user_softening) && o.user_softening >= 0.0 && o.user_softening <= 0.1;
          }},
         {{"filmPrecision", "single",
           "precision of film points between elements and races (kTrac; not for 12 with iTherm): "
-          "single (relative error of traction 3e-5; used only where tol is 1e-6 or more, the "
-          "method is explicit and no elements are kept in balance), or double"},
+          "single (relative error of traction 3e-5; used only if tol is 1e-6 or more, the method "
+          "is explicit and no elements are quasi-static) or double"},
          [](RunOptions& o, std::string_view v) {
            if (v != "single" && v != "double") return false;
            o.single_films = v == "single";
@@ -445,7 +447,7 @@ const std::vector<Option>& options() {
            return true;
          }},
         {{"effectsOff", "",
-          "effects that the run leaves out, by their names in `adore plan`, separated by commas: "
+          "effects to switch off: names from `adore plan`, separated by commas, such as "
           "gravity,momentum ledger"},
          [](RunOptions& o, std::string_view v) {
            const bool elastic = std::count(o.effects_off.begin(), o.effects_off.end(),
@@ -469,8 +471,8 @@ const std::vector<Option>& options() {
            return parse(v, o.user_timeout) && o.user_timeout > 0.0 && o.user_timeout < 1e6;
          }},
         {{"userSample", fmt::format("{}", defaults.user_sample),
-          "one in this many calls of a user routine of the motion is repeated to find routines "
-          "that are not pure functions; 0: none, at most 1000000000"},
+          "interval of the purity check: one in this many calls of a user routine in motion is "
+          "repeated to find routines that are not pure functions (0: none, at most 1000000000)"},
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.user_sample, 0, 1'000'000'000);
          }},

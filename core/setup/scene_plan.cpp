@@ -43,7 +43,7 @@ std::string film_reason(const bearing::Bearing& bearing) {
   return fmt::format(
       "kTrac = {}, {}; {}{}", lubrication.code, oil.name,
       limit > 0.0
-          ? fmt::format("limiting shear stress {:.3g} of the pressure at {:.4g} K", limit, T)
+          ? fmt::format("limiting shear stress {:.3g} times the pressure at {:.4g} K", limit, T)
           : std::string("no limiting shear stress"),
       lubrication.hot_walls ? "; iTherm = 1: walls have the flash temperature of each strip" : "");
 }
@@ -75,14 +75,14 @@ std::string damping_reason(const scene::ContactDampingOptions& options, const st
   if (options.factor != 1.0) out = fmt::format("run option contactDamping = {:g}x", options.factor);
   const bearing::Material& of_element = bearing.element_material;
   if (all_balanced)
-    out += fmt::format("; none on the races, because {} keeps all {}s in balance there", mode,
+    out += fmt::format("; none at the races, because {} keeps all {}s in force balance", mode,
                        element);
   else
     out += "; " + losses_of("races", of_element, bearing.race_material[1], options) +
            (bearing.lubrication && bearing.lubrication->meniscus > 0.0 ? ", squeeze of the oil film"
                                                                        : "");
   if (light_load_ratio > 0.0)
-    out += fmt::format("; {}s that qFac = {:g} keeps in balance do not vibrate", element,
+    out += fmt::format("; lightly loaded {}s do not vibrate (quasi-static by qFac = {:g})", element,
                        light_load_ratio);
   const bearing::RollerGeometry* rollers = bearing.rollers();
   const bool flanges = rollers != nullptr && (rollers->has_flange(0) || rollers->has_flange(1));
@@ -162,10 +162,10 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
     if (std::erase(left_out, name) > 0) {
       if (!can_be_left_out(plan, id))
         throw InputError(
-            fmt::format("run option effectsOff: {} cannot be left out of this scene separately; it "
-                        "follows from {}",
+            fmt::format("run option effectsOff: {} cannot be switched off separately; it follows "
+                        "from {}",
                         name, because));
-      because += on ? "; left out by run option effectsOff" : "";
+      because += on ? "; switched off by run option effectsOff" : "";
       on = false;
     }
     plan.effects.push_back({id, name, on, std::move(because)});
@@ -175,7 +175,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   effect(Effect::ContactDamping, kContactDamping, !elastic,
          elastic
              ? std::string(
-                   "run option contactDamping = 0, or effectsOff: contacts are elastic; contact "
+                   "run option contactDamping = 0, or effectsOff: elastic contacts. Contact "
                    "vibrations do not decay, so largest loads, life and spectra are not realistic")
              : damping_reason(options.system.damping, element, bearing, mode,
                               deck.integer("mode") > 0, control.light_load_ratio));
@@ -187,7 +187,8 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
     effect(Effect::RollingResistance, element + " / race rolling resistance",
            bearing.lubrication->meniscus > 0.0,
            bearing.lubrication->meniscus > 0.0
-               ? fmt::format("kTrac = {}, oil in the inlets; flanges have traction only",
+               ? fmt::format("kTrac = {}, oil in the inlets; flanges have traction but no rolling "
+                             "resistance",
                              bearing.lubrication->code)
                : std::string("strParam = 0, no oil in the inlets"));
   if (bearing.flange_traction) {
@@ -272,16 +273,16 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   int oriented = static_cast<int>(plan.oriented_elements.size());
   const bool rigid = plan.rollers || plan.rigid_balls;
   effect(Effect::ElementOrientation, element + " orientation", oriented > 0 || rigid,
-         plan.rollers ? std::string("contacts use the axes of all rollers; total rotation of those "
-                                    "in kPltElemInd, kPrtOpt or kAGraf")
+         plan.rollers ? std::string("contacts use the axes of all rollers; total rotation only "
+                                    "for those in kPltElemInd, kPrtOpt or kAGraf")
          : rigid && user != nullptr && user->balls_out_of_round
              ? fmt::format("user routine ADRX5 of {}: contacts of out-of-round balls use their "
-                           "orientation; total rotation of those in kPltElemInd, kPrtOpt or kAGraf",
+                           "orientation; total rotation only for those in kPltElemInd, kPrtOpt or "
+                           "kAGraf",
                            user->source)
-         : rigid
-             ? fmt::format("kReIP = {}: the inertia of balls turns with them; total rotation of "
-                           "those in kPltElemInd, kPrtOpt or kAGraf",
-                           deck.integer("kReIP"))
+         : rigid ? fmt::format("kReIP = {}: the inertia of balls rotates with them; total rotation "
+                               "only for those in kPltElemInd, kPrtOpt or kAGraf",
+                               deck.integer("kReIP"))
          : control.animate
              ? fmt::format("kAGraf = {}: all balls", control.animate_every)
              : fmt::format("{} of {} {}s in kPltElemInd or kPrtOpt", oriented, n, element));
@@ -304,7 +305,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   // held_elements.hpp: nothing balances other rollers along their axes.
   const bool alone = bearing.rollers() != nullptr && bearing.type != bearing::Type::Tapered;
   effect(Effect::ElementBalance, fmt::format("force balance of all {}s", element), code > 0,
-         mode + (code > 0 && alone ? ": in r; along x they move freely" : ""));
+         mode + (code > 0 && alone ? ": radial only, they move freely along x" : ""));
   effect(Effect::RaceBalance, "force balance of the inner race", code == 2, mode);
 
   if (!left_out.empty()) {
@@ -312,8 +313,8 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
     for (const scene::EffectEntry& entry : plan.effects)
       if (can_be_left_out(plan, entry.effect)) names += (names.empty() ? "" : ", ") + entry.name;
     throw InputError(
-        fmt::format("run option effectsOff: this deck has no effect named \"{}\"; effects that can "
-                    "be left out: {}",
+        fmt::format("run option effectsOff: this deck has no effect named \"{}\"; effects that "
+                    "can be switched off: {}",
                     left_out.front(), names));
   }
 

@@ -93,11 +93,12 @@ bearing::TurnSeries taken(const UserHooks& user, int hook, const std::string& bo
       std::max(series.series.largest - series.series.least, std::numeric_limits<double>::min());
   if (series.error > kSeriesError * range + kRounding * largest(values))
     throw InputError(fmt::format(
-        "{}{} jumps somewhere around the turn: 255 waves through 512 places miss it by {:.3g} {} "
-        "between them, of a range of {:.3g} {}; give a surface that closes and has no steps",
+        "{}{} has a step along the circumference: a series of 255 waves through 512 points "
+        "differs by {:.3g} {} between the points, with a range of {:.3g} {}. Return a closed "
+        "surface without steps",
         about(user, hook, body), what, series.error, unit, range, unit));
-  user.document(hook, fmt::format("{}: {} of up to {} waves per turn, {:.6g} to {:.6g} {}, within "
-                                  "{:.2g} {} between the places asked for",
+  user.document(hook, fmt::format("{}: {} with up to {} waves per revolution, {:.6g} to {:.6g} "
+                                  "{}, error between the sampled points {:.2g} {}",
                                   body, what, series.waves, series.series.least,
                                   series.series.largest, unit, series.error, unit));
   return std::move(series.series);
@@ -148,8 +149,9 @@ std::vector<double> unturned(const UserHooks& user, const bearing::UserSurface& 
     const auto [low, high] = std::minmax_element(left.begin(), left.end());
     if (*high - *low > (shape.round ? 0.0 : 0.01 * range) && !same(*low, *high, range))
       throw InputError(fmt::format(
-          "{}at {:.6g} m from its middle the radius over the azimuth is {:.3g} m from a sum of "
-          "f(x) + c(psi) + x t(psi); out-of-roundness may grow evenly along the axis",
+          "{}at {:.6g} m from its middle the radius over the azimuth differs by {:.3g} m from the "
+          "form f(x) + c(psi) + x t(psi). Return an out-of-roundness that is constant or linear "
+          "along the axis",
           about(user, 5, fmt::format("element {}", t.element + 1)), t.axial[k], *high - *low));
     double mean = 0.0;
     for (const double v : left) mean += v / static_cast<double>(azimuths);
@@ -236,16 +238,18 @@ void user_balls(const UserHooks& user, bearing::Bearing& b) {
     least = std::min(least, bottom);
     most = std::max(most, top);
     if (!(R + bottom > 0.0))
-      throw InputError(fmt::format("{}a radius of {:.6g} m less leaves nothing of {:.6g} m",
-                                   about(user, 5, body), -bottom, R));
+      throw InputError(
+          fmt::format("{}a radius reduction of {:.6g} m leaves nothing of the radius "
+                      "of {:.6g} m. Return a smaller reduction",
+                      about(user, 5, body), -bottom, R));
     if (!varies) {
       growth[k] = 2.0 * t.radius.front();
       continue;
     }
     if (top - bottom > 0.01 * R)
       throw InputError(
-          fmt::format("{}the radius varies by {:.3g} m, too much for a ball of radius {:.6g} m; "
-                      "return a variation of at most 1 %",
+          fmt::format("{}the radius varies by {:.3g} m, too much for a ball of radius {:.6g} m. "
+                      "Return a variation of at most 1 %",
                       about(user, 5, body), range, R));
     double mean = 0.0, weight = 0.0;  // over the sphere
     for (std::size_t m = 0; m < kBallAcross; ++m) {
@@ -266,16 +270,17 @@ void user_balls(const UserHooks& user, bearing::Bearing& b) {
     const double error = error_between(user, b, *form, t.element, mean);
     if (error > kSeriesError * range)
       throw InputError(fmt::format(
-          "{}the radius has steps or more than about 60 waves around: a surface through {} x {} "
-          "places misses it by {:.3g} m between them, of a range of {:.3g} m",
+          "{}the radius has steps, or more than about 60 waves per revolution: a surface through "
+          "{} x {} points differs by {:.3g} m between the points, with a range of {:.3g} m. "
+          "Return a smoother surface",
           about(user, 5, body), kBallAround, kBallAcross, error, range));
-    user.document(5, fmt::format("{}: radius {:.6g} to {:.6g} m more than the deck's, mean {:.6g} "
-                                 "m; within {:.2g} m between {} x {} places",
+    user.document(5, fmt::format("{}: radius {:.6g} to {:.6g} m above the value of the deck, mean "
+                                 "{:.6g} m; error {:.2g} m between {} x {} points",
                                  body, bottom, top, mean, error, kBallAround, kBallAcross));
     user.out_of_round(k, std::move(form));
   }
-  user.document(
-      5, fmt::format("elements: radius {:.6g} to {:.6g} m more than the deck's", least, most));
+  user.document(5, fmt::format("elements: radius {:.6g} to {:.6g} m above the value of the deck",
+                               least, most));
   if (std::all_of(growth.begin(), growth.end(), [](double one) { return one == 0.0; })) return;
   b.imperfections.ball_diameter.resize(count, 0.0);
   for (std::size_t k = 0; k < count; ++k) b.imperfections.ball_diameter[k] += growth[k];
@@ -303,13 +308,13 @@ void user_elements(const UserHooks& user, bearing::Bearing& b) {
     const Roundness shape = roundness_of(user, b, t.element, 0.5 * rollers->contact_length());
     if (!shape.round && user.points)
       throw InputError(about(user, 5, fmt::format("element {}", k + 1)) +
-                       "a barrel that touches at points is round; set the run option that cuts it "
-                       "into slices");
+                       "barrel rollers must be round with rollerContact=point. Set run option "
+                       "rollerContact=sliced");
     if (!shape.round && largest(shape.slope) > 0.0 &&
         (rollers->groove_factor[0] > 0.0 || rollers->groove_factor[1] > 0.0))
       throw InputError(about(user, 5, fmt::format("element {}", k + 1)) +
-                       "out-of-roundness of a barrel grows along its axis; let it depend on the "
-                       "azimuth alone");
+                       "the out-of-roundness of a barrel roller must not vary along its axis. Let "
+                       "it depend on the azimuth only");
     if (!shape.round) {
       const std::string name = fmt::format("roller {}", k + 1);
       std::vector<double> angle;
@@ -327,22 +332,24 @@ void user_elements(const UserHooks& user, bearing::Bearing& b) {
     most = std::max(most, top);
     const std::string body = fmt::format("element {}", k + 1);
     if (!(0.5 * b.element_diameter() + bottom > 0.0))
-      throw InputError(fmt::format("{}a radius of {:.6g} m less leaves nothing of {:.6g} m",
-                                   about(user, 5, body), -bottom, 0.5 * b.element_diameter()));
+      throw InputError(
+          fmt::format("{}a radius reduction of {:.6g} m leaves nothing of the radius "
+                      "of {:.6g} m. Return a smaller reduction",
+                      about(user, 5, body), -bottom, 0.5 * b.element_diameter()));
     bearing::RollerDeviation& own = deviation.emplace_back(rollers->deviation_of(k));
     own.diameter += 2.0 * top;
     if (even) continue;
     if (user.points)
       throw InputError(fmt::format(
-          "{}the radius varies by {:.3g} m along a barrel that touches at points; set the run "
-          "option that cuts it into slices, or give one number for each roller",
+          "{}the radius varies by {:.3g} m along a barrel roller, which rollerContact=point does "
+          "not include. Set run option rollerContact=sliced, or return one number for each roller",
           about(user, 5, body), top - bottom));
     for (double& one : radius) one -= top;
     own.form = std::make_shared<const bearing::RollerForm>(
         bearing::RollerForm{std::move(places), std::move(radius)});
   }
-  user.document(
-      5, fmt::format("elements: radius {:.6g} to {:.6g} m more than the deck's", least, most));
+  user.document(5, fmt::format("elements: radius {:.6g} to {:.6g} m above the value of the deck",
+                               least, most));
   if (least == 0.0 && most == 0.0) return;
   rollers->deviation = std::move(deviation);
   if (b.imperfections.elements == bearing::ElementErrors::None)
@@ -436,8 +443,9 @@ std::shared_ptr<bearing::GivenRace> race_by_table(const UserHooks& user, std::si
   const std::string body = kRaceName[race];
   if (user.points)
     throw InputError(about(user, 6, body) +
-                     "the surface varies across or has steps, and a barrel that touches at points "
-                     "does not feel that; set the run option that cuts it into slices");
+                     "the surface varies across the raceway or has steps, which barrel rollers "
+                     "with rollerContact=point do not include. Set run option "
+                     "rollerContact=sliced");
   const bool curves = largest(t.curvature_factor) > 0.0;
   auto given = std::make_shared<bearing::GivenSurface>(surface_table(
       b, race, places, t.radius, curves ? t.curvature_factor : std::vector<double>{}));
@@ -445,7 +453,7 @@ std::shared_ptr<bearing::GivenRace> race_by_table(const UserHooks& user, std::si
   set_range(given->curvature_factor, t.curvature_factor);
   user.document(
       6, fmt::format(
-             "{}: surface of {} x {} places around and across, rolled over by the element; "
+             "{}: table of {} x {} surface points around and across, followed by the elements; "
              "radius {:.6g} to {:.6g} m{}",
              body, kTableAround, places.size(), given->radius.least, given->radius.largest,
              curves ? fmt::format(", curvature factor {:.6g} to {:.6g}",
@@ -469,7 +477,7 @@ void user_race(const UserHooks& user, std::size_t race, bearing::Bearing& b) {
   const bool straight = rollers != nullptr && !(rollers->groove_factor[race] > 0.0);
   if (straight && (given->curvature_factor.least != 0.0 || given->curvature_factor.largest != 0.0))
     throw InputError(about(user, 6, kRaceName[race]) +
-                     "a straight raceway has no groove factor; leave curvature_factor at 0");
+                     "a straight raceway has no groove factor. Leave curvature_factor at 0");
   b.imperfections.race_given[race] = true;
   b.imperfections.race[race].given = std::move(given);
 }

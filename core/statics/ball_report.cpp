@@ -147,7 +147,7 @@ void check_ellipse(const BallSeat& seat, std::size_t j, const StaticBall& s) {
   }
   throw SolverError(fmt::format(
       "bearing equilibrium: a contact load of {:.6g} N at the {} race causes a contact ellipse "
-      "whose half length of {:.4g} m reaches the ball radius of {:.4g} m, because the groove "
+      "whose semi-major axis of {:.4g} m reaches the ball radius of {:.4g} m, because the groove "
       "conforms closely to the ball (groove factor {:.6g}, pressure only {:.3g} Pa). Hertz theory "
       "is not valid for such an ellipse. Enter a larger groove factor or less load",
       s.Q[j], kRaceName[j], s.a[j], radius, seat.groove.groove_radius[j] / (2.0 * radius),

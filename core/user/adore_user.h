@@ -1,34 +1,39 @@
-/* adore_user.h: user routines ADRX0 to ADRX9 of Adore, one C interface for C, C++, Fortran and
- * whatever makes shared objects. This header stands alone: it needs nothing else of Adore.
+/* clang-format off */
+/* adore_user.h: C interface of the user routines ADRX0 to ADRX9 of Adore, for C, C++, Fortran and
+ * other languages that make shared objects. This header needs no other header of Adore.
  *
- * A plug-in is a shared object that exports
- *     int32_t     adore_user_abi(void);        must return ADORE_USER_ABI; without it nothing is
- * loaded const char* adore_user_version(void);    optional: appended to the program's version in
- * every file int32_t     adrx0(adore_adrx0*) ... int32_t adrx9(adore_adrx9*);   any of the ten, at
- * least one and is loaded only with `adore run --user PLUG-IN`. `adore user new adrx7 --lang c`
- * writes a complete one.
+ * A plug-in is a shared object. It is loaded only with `adore run --user PLUG-IN`. It exports
+ *     int32_t     adore_user_abi(void);       required: returns ADORE_USER_ABI
+ *     const char* adore_user_version(void);   optional: appended to the program version in files
+ *     int32_t     adrx0(adore_adrx0*) ... int32_t adrx9(adore_adrx9*);   at least one of the ten
+ * `adore user new adrx7 --lang c` writes a complete example.
  *
- * Units are SI and radians throughout. Axes: x is the bearing axis, z radial up, right-handed; the
- * azimuth theta is a rotation about +x from z, so that an element stands at y = -r sin(theta), z =
- * r cos(theta). Race 0 is the outer race ("1" in decks), race 1 the inner one. Arrays of both races
- * are [race][axis]: six numbers, x y z of the outer race first. Elements count from 0.
+ * All units are SI and radians. Axes: x is the bearing axis, z is radial up, right-handed. The
+ * azimuth theta is a rotation about +x from z: an element is at y = -r sin(theta),
+ * z = r cos(theta).
+ * Race 0 is the outer race ("1" in decks), race 1 the inner race. Arrays of both races are
+ * [race][axis]: six numbers, x y z of the outer race first. Elements count from 0.
  *
- * Every routine is called with call.mode
- *     ADORE_READ    (-1)  once, first, in the order of the routines' numbers: set call.active = 1
- * to be called again; read your lines of records 12.x with services->read_numbers or read_line;
- *     ADORE_START    (0)  once: documentation (services->print goes to the front part of
- * PRINT.txt), constants, initial conditions. ADRX0 and ADRX8 get it before the bearing is built;
- *     ADORE_COMPUTE  (1)  the routine's own work. Of ADRX1 to ADRX4 and ADRX7 at every evaluation
- * of the right-hand side: it must be a pure function of its arguments (steps are tried, rejected
- * and repeated), must not keep anything from call to call, and does no input or output; ADORE_PRINT
- * (2) whenever a step is printed: services->print goes to that page; ADORE_STEP     (3)  at the end
- * of each counted step: services->write goes to SOL9 (ADRX9). It returns 0; 1 when the state is
- * outside of what it knows (the step is tried again, smaller); any other number ends the run (say
- * why with services->fail). Input arrays are read only. Outputs hold neutral values when a call
- * begins (what is built in, or zero); those left alone change nothing. Not-a-number and infinity
- * end the run.
+ * Each routine is called with call.mode
+ *     ADORE_READ    (-1)  once, first, in the order of the routine numbers. Set call.active = 1 to
+ *                         be called again. Read your lines of records 12.x with
+ *                         services->read_numbers or read_line.
+ *     ADORE_START    (0)  once: documentation (services->print writes to the first pages of
+ *                         PRINT.txt), constants, initial conditions. ADRX0 and ADRX8 are called
+ *                         before the bearing is built.
+ *     ADORE_COMPUTE  (1)  the task of the routine. ADRX1 to ADRX4 and ADRX7 are called at each
+ *                         evaluation of the right-hand side. They must be pure functions of their
+ *                         arguments, because steps are tried, rejected and repeated: they keep
+ *                         nothing from call to call, and do no input or output.
+ *     ADORE_PRINT    (2)  when a step is printed: services->print writes to that page.
+ *     ADORE_STEP     (3)  at the end of each counted step: services->write writes to SOL9 (ADRX9).
+ * Return values: 0: success. 1: the state is outside the range of the routine; the step is tried
+ * again with a smaller size. Another number ends the run (give the reason with services->fail).
+ * Input arrays are read-only. Outputs have neutral values when a call begins (the built-in value or
+ * zero); outputs that the routine does not set change nothing. NaN and infinity end the run.
  *
- * Version 1. Later versions only append members; call.size tells how long the structure is. */
+ * Version 1. Later versions only append members; call.size is the size of the structure. */
+/* clang-format on */
 #ifndef ADORE_USER_H
 #define ADORE_USER_H
 
@@ -44,15 +49,15 @@ enum { ADORE_READ = -1, ADORE_START = 0, ADORE_COMPUTE = 1, ADORE_PRINT = 2, ADO
 
 /* What the program does for a routine. `host` is call.host. Texts end with a zero byte. */
 typedef struct adore_services {
-  /* The next `count` numbers of records 12.x as a list-directed read takes them: from as many lines
-   * as it needs, the rest of the last line is skipped. ADORE_READ only. Returns how many there
-   * were. */
+  /* Reads the next `count` numbers of records 12.x like a list-directed read: from as many lines as
+   * needed; the rest of the last line is skipped. ADORE_READ only. Returns the number of values
+   * read. */
   int32_t (*read_numbers)(void* host, double* values, int32_t count);
-  /* The next line as it stands; 0: there is none. ADORE_READ only. */
+  /* Reads the next line unchanged; returns 0 if there is none. ADORE_READ only. */
   int32_t (*read_line)(void* host, char* text, int32_t size);
   void (*print)(void* host, const char* text); /* lines for PRINT.txt: ADORE_START, ADORE_PRINT */
   void (*write)(void* host,
-                const char* text); /* to SOL9 as it is: ADRX9, ADORE_START and ADORE_STEP */
+                const char* text); /* unchanged to SOL9: ADRX9, ADORE_START and ADORE_STEP */
   void (*fail)(void* host, const char* text); /* the reason of a return value other than 0 */
 } adore_services;
 
@@ -69,15 +74,15 @@ typedef struct adore_bearing {
 
 typedef struct adore_call {
   int32_t abi;    /* ADORE_USER_ABI of the program */
-  int32_t size;   /* of the whole structure that begins here [bytes] */
+  int32_t size;   /* size of the whole structure [bytes] */
   int32_t hook;   /* 0 to 9 */
   int32_t mode;   /* ADORE_READ ... */
   int32_t active; /* ADORE_READ: set it to 1 to be called */
   int32_t unused;
   int64_t step; /* counted steps so far */
   double time;  /* [s] */
-  void* user;   /* yours: what you store in ADORE_READ or ADORE_START comes with each call */
-  void* host;   /* of the program, for the services */
+  void* user;   /* free for the routine: a pointer set in ADORE_READ or ADORE_START is passed on */
+  void* host;   /* argument of the services */
   const adore_services* services;
   const adore_bearing* bearing; /* null in ADORE_READ, and for ADRX0 and ADRX8 */
 } adore_call;
@@ -95,7 +100,7 @@ typedef struct adore_adrx0 {
   adore_call call;
   int32_t part; /* ADORE_ELEMENT ... */
   int32_t unused;
-  /* in and out; the program's default of the part when the call begins */
+  /* in and out: the program's default values of the part when the call begins */
   double density;              /* [kg/m^3] */
   double elastic_modulus;      /* [Pa] */
   double poisson_ratio;        /* [-] */
@@ -113,19 +118,19 @@ typedef struct adore_adrx0 {
 typedef struct adore_adrx1 {
   adore_call call;
   /* ADORE_START, out */
-  int32_t drives[2];   /* [race] 1: accelerations of this race are given here: its six velocities
-                          start at those   of the deck plus start_velocity and start_spin, and follow
-                          the accelerations */
+  int32_t drives[2];   /* [race] 1: the routine gives the accelerations of this race: its six
+                          velocities start at those of the deck plus start_velocity and start_spin,
+                          and follow the accelerations */
   int32_t moves_frame; /* 1: frame_acceleration is used */
-  int32_t suppress_element_axial; /* kDOF = 6: 1: accelerations that are zero, see kDOF 1 to 5 */
+  int32_t suppress_element_axial; /* kDOF = 6; 1: these accelerations are zero, see kDOF 1 to 5 */
   int32_t suppress_element_tilt;
   int32_t suppress_element_all;
   int32_t suppress_cage_axial;
   int32_t suppress_cage_tilt;
   double start_velocity[6]; /* [race][axis] [m/s] */
   double start_spin[2];     /* about x, added to the deck's speed [rad/s] */
-  double longest_step;      /* that resolves what is prescribed [s]; 0: no limit */
-  double kinks[8];          /* times at which something jumps: steps end there [s] */
+  double longest_step;      /* longest step that resolves the prescribed motion [s]; 0: no limit */
+  double kinks[8];          /* times of jumps in the loads or motions: steps end there [s] */
   int32_t kink_count;
   int32_t unused;
   /* ADORE_COMPUTE, in */
@@ -133,24 +138,24 @@ typedef struct adore_adrx1 {
                          [race][axis] [m] */
   double velocity[6]; /* [m/s]; 0 along directions in balance (mode 2), which have no inertia */
   double omega[6];    /* angular velocity [rad/s] */
-  double angle[2];    /* turned about its axis since the start [rad] */
+  double angle[2];    /* rotation about its axis since the start [rad] */
   /* ADORE_COMPUTE, out; zero when the call begins */
   double force[6];  /* on the race: moves it where it is free (kDCR = 1, kFD = 0) or in balance
-                       (mode 2); where it is held, its support carries the load [N] */
+                       (mode 2); in fixed directions its support takes the load [N] */
   double moment[6]; /* the same, about the race's centre (kMD = 0) [N m] */
-  double acceleration[6]; /* of the centre of a race that is driven, held directions [m/s^2] */
+  double acceleration[6];         /* of the center of a driven race, in fixed directions [m/s^2] */
   double angular_acceleration[6]; /* the same, about the race's axes at the start [rad/s^2]; of the
                                      inner race in mode 2 about x only */
   double frame_acceleration[3];   /* of the origin of the base frame, in its axes: bodies feel the
                                      opposite [m/s^2] */
-  /* The frame turns (moves_frame): Omega about its own axes and dOmega/dt, which must belong
-     together. Positions, velocities and loads stay those of the moving frame; so does gravity. */
+  /* Rotation of the frame (moves_frame): Omega about its own axes, and dOmega/dt, which must be the
+     derivative of Omega. Positions, velocities, loads and gravity are in the moving frame. */
   double frame_omega[3];                /* [rad/s] */
   double frame_angular_acceleration[3]; /* [rad/s^2] */
 } adore_adrx1;
 
-/* ADRX2 flange, ADRX3 pocket, ADRX4 guide land: normal force over the gap. All contacts of the kind
- * whose gap is negative come in one call; one that is open has no force. */
+/* ADRX2 flange, ADRX3 pocket, ADRX4 guide land: normal force as a function of the gap. One call has
+ * all contacts of the kind with a negative gap; open contacts have no force. */
 typedef struct adore_force {
   adore_call call;
   int64_t n;              /* contacts */
@@ -176,7 +181,7 @@ typedef struct adore_surface {
   double* curvature_factor; /* [n] out, ADRX6 of balls: added to the groove factor [-] */
 } adore_surface;
 
-/* ADRX7: traction coefficient over slip. */
+/* ADRX7: traction coefficient as a function of slip. */
 enum {
   ADORE_ELEMENT_RACE = 0,   /* kTrac = -1 */
   ADORE_ELEMENT_CAGE = 1,   /* kCPTrac = -1 */
@@ -191,13 +196,13 @@ typedef struct adore_adrx7 {
   /* ADORE_START, in and out: once for each kind that the deck asks for */
   double
       slip_scale; /* slip over which kappa rises from 0: integrals are split there [m/s]; 0: none */
-  int32_t wants_points; /* 1: pressure is read; 0: it may be left out (faster) */
+  int32_t wants_points; /* 1: the routine reads pressure; 0: pressure is not computed (faster) */
   int32_t unused;
-  /* ADORE_COMPUTE, in. Contacts lie side by side: point k of contact i is at [k*stride + i] */
+  /* ADORE_COMPUTE, in. Point k of contact i is at [k*stride + i] */
   int64_t n;          /* contacts of this kind, open ones included (load 0) */
   int64_t points;     /* points of each contact area; 1 where slip is taken at one point */
   int64_t stride;     /* >= n */
-  const double* slip; /* [points*stride] size of the slip velocity, > 0 [m/s] */
+  const double* slip; /* [points*stride] magnitude of the slip velocity, > 0 [m/s] */
   const double*
       pressure; /* [points*stride] of the contact at that point [Pa]; null unless wants_points */
   const double* load;          /* [n] Q; of sliced lines per length [N, N/m] */
@@ -207,7 +212,7 @@ typedef struct adore_adrx7 {
   const double*
       entrainment; /* [n] mean velocity of both surfaces along rolling, to the contact [m/s]; with
                       the curvature, loads and widths what film formulas (EHD) need */
-  const double* curvature;   /* [n] of both bodies along rolling, 0 where not known [1/m] */
+  const double* curvature;   /* [n] of both bodies along rolling, 0: not known [1/m] */
   const double* middle_slip; /* [n] slip in the middle [m/s] */
   /* ADORE_COMPUTE, out */
   double* kappa; /* [points*stride] traction over pressure, >= 0 opposes slip [-] */
@@ -239,26 +244,26 @@ typedef struct adore_adrx8 {
   double frame[3];            /* angles from the principal to the geometric axes [rad] */
 } adore_adrx8;
 
-/* ADRX9: what was found, at the end of each counted step (ADORE_STEP): write it to SOL9. */
+/* ADRX9: results at the end of each counted step (ADORE_STEP), to be written to SOL9. */
 typedef struct adore_adrx9 {
   adore_call call;
   double step_size;            /* [s] */
-  double total_heat;           /* all dissipation now: the sum of source_heat [W] */
+  double total_heat;           /* present dissipation: the sum of source_heat [W] */
   int64_t n;                   /* elements */
   const double* x;             /* [n] centre [m] */
   const double* r;             /* [n] [m] */
-  const double* theta;         /* [n] accumulates turns [rad] */
+  const double* theta;         /* [n] includes whole revolutions [rad] */
   const double* load;          /* [2*n] all elements at the outer race, then at the inner one [N] */
   const double* contact_angle; /* [2*n] [rad] */
-  int64_t sources;             /* places where heat arises */
+  int64_t sources;             /* number of heat sources */
   const int32_t*
-      source_kind; /* [sources] kind of contact as for ADRX7; -1: of a whole effect, named below */
+      source_kind; /* [sources] kind of contact as for ADRX7; -1: a whole effect, see source_name */
   const int32_t* source_element; /* [sources] -1: none */
   const int32_t* source_race;    /* [sources] 0, 1; -1: none */
   const double* source_heat;     /* [sources] [W] */
   const double*
-      source_place;          /* [3*sources] x, y, z of source i at [3*i]; 0 of a whole effect [m] */
-  const double* source_size; /* [2*sources] half axes: across and along rolling [m] */
+      source_place; /* [3*sources] x, y, z of source i at [3*i]; 0 for a whole effect [m] */
+  const double* source_size;      /* [2*sources] half axes: across and along rolling [m] */
   const char* const* source_name; /* [sources] "outer race contacts" */
   /* ADORE_START, out */
   int32_t wants_channels; /* 1: the arrays below are filled in ADORE_STEP */

@@ -49,10 +49,10 @@ class Formula {
     } catch (const mu::Parser::exception_type& error) {
       std::string known;
       for (const auto& [name, value] : names.all()) known += (known.empty() ? "" : ", ") + name;
-      throw InputError(fmt::format("{}: {} in \"{}\"; known are {} and pi", where, error.GetMsg(),
-                                   error.GetExpr(), known));
+      throw InputError(fmt::format("{}: {} in \"{}\"; known names: {} and pi", where,
+                                   error.GetMsg(), error.GetExpr(), known));
     } catch (const Json::exception&) {
-      throw InputError(fmt::format("{}: give a formula as a text, or a number", where));
+      throw InputError(fmt::format("{}: give a formula (text) or a number", where));
     }
   }
   [[nodiscard]] double operator()() const {
@@ -81,11 +81,11 @@ struct Section {
       : where(fmt::format("{}, {}", file.string(), hook)),
         folder(file.parent_path()),
         json(std::move(part)) {
-    if (!json.is_object()) throw InputError(where + ": give an object");
+    if (!json.is_object()) throw InputError(where + ": give a JSON object");
     if (const Json list = json.value("read", Json::array()); list.is_array())
       for (const Json& one : list) {
         if (!one.is_string())
-          throw InputError(where + ", read: give the names of numbers of records 12.x");
+          throw InputError(where + ", read: give names for numbers of records 12.x");
         read.push_back(one.get<std::string>());
         (*names)[read.back()] = 0.0;
       }
@@ -113,18 +113,19 @@ struct Section {
       if (used.count(key) == 0) {
         std::string known;
         for (const std::string& one : used) known += (known.empty() ? "" : ", ") + one;
-        throw InputError(fmt::format("{}: \"{}\" is not known; known are {}", where, key, known));
+        throw InputError(
+            fmt::format("{}: \"{}\" is not known; known names: {}", where, key, known));
       }
   }
 };
 
 void check_keys(const Json& object, const std::vector<std::string>& known,
                 const std::string& where) {
-  if (!object.is_object()) throw InputError(where + ": give an object");
+  if (!object.is_object()) throw InputError(where + ": give a JSON object");
   for (const auto& [key, value] : object.items())
     if (std::find(known.begin(), known.end(), key) == known.end())
-      throw InputError(
-          fmt::format("{}: \"{}\" is not known; known are {}", where, key, fmt::join(known, ", ")));
+      throw InputError(fmt::format("{}: \"{}\" is not known; known names: {}", where, key,
+                                   fmt::join(known, ", ")));
 }
 
 /// Modes that all formulas share: reads its numbers, forms its constants. True: nothing is left.
@@ -142,9 +143,10 @@ class Preamble {
       std::vector<double> values(read_.size());
       const auto wanted = static_cast<std::int32_t>(values.size());
       if (wanted > 0 && call.services->read_numbers(call.host, values.data(), wanted) != wanted)
-        throw std::runtime_error(fmt::format("it reads {} ({}), and records 12.x do not have {}",
-                                             counted(wanted, "number"), fmt::join(read_, ", "),
-                                             wanted == 1 ? "it" : "them"));
+        throw std::runtime_error(fmt::format(
+            "it reads {} ({}), but records 12.x do not contain "
+            "{}",
+            counted(wanted, "number"), fmt::join(read_, ", "), wanted == 1 ? "it" : "them"));
       for (std::size_t k = 0; k < read_.size(); ++k) (*names_)[read_[k]] = values[k];
       for (int pass = 0; pass < 2; ++pass)  // a constant may need another one
         for (const auto& [to, formula] : constants_) *to = formula();
@@ -229,7 +231,8 @@ Call motion(Section& section) {
   auto kinks = std::make_shared<std::vector<Formula>>();
   if (const Json* list = section.find("kinks"))
     for (const Json& one : *list) kinks->emplace_back(one, names, section.where + ", kinks");
-  if (kinks->size() > 8) throw InputError(section.where + ", kinks: give at most eight times");
+  if (kinks->size() > 8)
+    throw InputError(section.where + ", kinks: give at most eight points in time");
   auto longest =
       std::make_shared<std::optional<Formula>>(section.formula(section.json, "longest_step", ""));
   section.used.insert("longest_step");
@@ -240,7 +243,7 @@ Call motion(Section& section) {
       const std::vector<std::string> known{"element_axial", "element_tilt", "element_all",
                                            "cage_axial", "cage_tilt"};
       if (std::find(known.begin(), known.end(), suppress->back()) == known.end())
-        throw InputError(fmt::format("{}, suppress: \"{}\" is not known; known are {}",
+        throw InputError(fmt::format("{}, suppress: \"{}\" is not known; known names: {}",
                                      section.where, suppress->back(), fmt::join(known, ", ")));
     }
   section.check_keys();
@@ -404,8 +407,10 @@ Call traction(Section& section) {
     auto& a = reinterpret_cast<adore_adrx7&>(call);
     const Law& law = (*laws)[static_cast<std::size_t>(a.kind)];
     if (!law.formula && !law.table)
-      throw std::runtime_error(fmt::format("the deck needs a law of {}, and the file has none",
-                                           kKinds[static_cast<std::size_t>(a.kind)]));
+      throw std::runtime_error(
+          fmt::format("the deck needs a traction law {}, but the file does "
+                      "not contain it",
+                      kKinds[static_cast<std::size_t>(a.kind)]));
     if (call.mode == ADORE_START) {
       a.wants_points = law.formula ? 1 : 0;
       if (law.scale) a.slip_scale = (*law.scale)();
@@ -568,8 +573,9 @@ Call step_output(Section& section) {
       const auto k = found - a.channel_name;
       if (one.at >= a.channel_size[k])
         throw std::runtime_error(
-            fmt::format("channel {} ends with number {}; number {} does not exist", one.channel,
-                        a.channel_size[k], one.at + 1));
+            fmt::format("channel {} ends with value {}; value {} does not "
+                        "exist",
+                        one.channel, a.channel_size[k], one.at + 1));
       line += fmt::format(" {:.17g}", a.channel_value[a.channel_first[k] + one.at]);
     }
     call.services->write(call.host, (line + '\n').c_str());
@@ -583,7 +589,7 @@ PlugIn load_formulas(const fs::path& file) {
   const Json json = parse_json(read_text_file(file, kMaxHandwrittenBytes), file.string());
   if (!json.is_object())
     throw InputError(file.string() +
-                     ": give an object, e.g. {\"adrx7\": {\"element_race\": {\"formula\": "
+                     ": give a JSON object, e.g. {\"adrx7\": {\"element_race\": {\"formula\": "
                      "\"0.06*tanh(u/0.2)\"}}}");
   PlugIn out;
   out.source = file.string();
@@ -606,13 +612,13 @@ PlugIn load_formulas(const fs::path& file) {
       std::string known = "version";
       for (const auto& [name, maker] : makers) known += ", " + name;
       throw InputError(
-          fmt::format("{}: \"{}\" is not known; known are {}", file.string(), key, known));
+          fmt::format("{}: \"{}\" is not known; known names: {}", file.string(), key, known));
     }
     Section section(file, key, value);
     out.hooks[static_cast<std::size_t>(found->second.first)] = found->second.second(section);
     any = true;
   }
-  if (!any) throw InputError(fmt::format("{}: it contains no routine", file.string()));
+  if (!any) throw InputError(fmt::format("{}: the file contains no routine", file.string()));
   return out;
 }
 

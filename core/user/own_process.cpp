@@ -139,7 +139,7 @@ class Worker {
     void* memory = mmap(nullptr, kArena, PROT_READ | PROT_WRITE,
                         MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (memory == MAP_FAILED)
-      throw SolverError("there is not enough memory to share with a plug-in");
+      throw SolverError("there is not enough memory for the separate process of a plug-in");
     arena_ = static_cast<char*>(memory);
     new (arena_) Mailbox;
   }
@@ -176,12 +176,12 @@ class Worker {
   void start(bool probe) {
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-      throw SolverError("the socket to a plug-in in its own process cannot be created");
+      throw SolverError("the socket to the separate process of a plug-in cannot be created");
     const pid_t parent = getpid();
     child_ = fork();
     if (child_ < 0) {
       close(ends[0]), close(ends[1]);
-      throw SolverError("no process for a plug-in");
+      throw SolverError("the separate process of a plug-in cannot be started");
     }
     if (child_ == 0) {
       close(ends[0]);

@@ -16,9 +16,9 @@ std::string hook_name(int hook) { return fmt::format("ADRX{}", hook); }
 PlugIn load_plug_in(const fs::path& file) {
   std::error_code error;
   if (!fs::exists(file, error))
-    throw InputError(fmt::format(
-        "there is no plug-in {}; `adore user new adrx7 --lang c` writes an example of one",
-        file.string()));
+    throw InputError(
+        fmt::format("there is no plug-in {}; `adore user new adrx7 --lang c` writes an example",
+                    file.string()));
   if (file.extension() == ".json") return load_formulas(file);
   refuse_pipe(file);  // dlopen() would wait for its other end
   const std::string path = fs::absolute(file).string();
@@ -37,8 +37,8 @@ PlugIn load_plug_in(const fs::path& file) {
   const auto abi = reinterpret_cast<std::int32_t (*)()>(dlsym(library, "adore_user_abi"));
   if (abi == nullptr)
     throw InputError(
-        fmt::format("the plug-in {} does not export adore_user_abi(): it is not a user routine of "
-                    "Adore; `adore user new adrx7 --lang c` writes one that has it",
+        fmt::format("the plug-in {} does not export adore_user_abi(), so it is not a user routine "
+                    "of Adore; `adore user new adrx7 --lang c` writes an example that exports it",
                     out.source));
   if (const std::int32_t version = abi(); version != ADORE_USER_ABI)
     throw InputError(

@@ -62,7 +62,8 @@ struct NonFinite {
     for (std::size_t k = 0; k < count; ++k)
       if (!std::isfinite(first[k])) {
         const std::size_t shown = columns > 0 && stride > 0 ? k % stride : k;
-        found = fmt::format("{} {} of its answer is {}", what, shown, first[k]);
+        found =
+            fmt::format("{} {} of its answer is {}, not a finite number", what, shown, first[k]);
         return;
       }
   }
@@ -182,9 +183,9 @@ std::string Routine::ask_again(adore_call& call, const Copies& before) {
     return "called twice with the same arguments, it answered only the first time";
   const Copies second(call);
   if (first.written != second.written || first.self != second.self)
-    return "called twice with the same arguments, its answers differed; routines of the motion "
-           "must be pure functions of their arguments: keep no values between calls, and use no "
-           "random numbers";
+    return "called twice with the same arguments, it gave different answers; routines of the "
+           "motion must be pure functions of their arguments: keep no values between calls, and "
+           "use no random numbers";
   return {};
 }
 

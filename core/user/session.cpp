@@ -215,8 +215,8 @@ bool Session::Impl::evaluate_motion(double t, const std::array<scene::UserMotion
   for (int k = 0; k < 3; ++k)
     if (balanced[static_cast<std::size_t>(k)] && out.acceleration[1][k] != 0.0)
       return wrong(
-          fmt::format("it accelerates the inner race along {} by {:.6g} m/s^2, where mode "
-                      "2 places it by its load; give a force, or set mode to 0 or 1",
+          fmt::format("it accelerates the inner race along {} by {:.6g} m/s^2, but mode 2 "
+                      "positions the race by its load; give a force, or set mode to 0 or 1",
                       "xyz"[k], out.acceleration[1][k]));
   if (out.angular_acceleration[1][1] != 0.0 || out.angular_acceleration[1][2] != 0.0)
     return wrong("it tilts the inner race, whose tilt is fixed in mode 2; set mode to 0 or 1");
@@ -256,7 +256,7 @@ void Session::Impl::start_traction(std::size_t kind) {
   document(7);
   if (!(a.slip_scale >= 0.0))
     throw InputError(fmt::format(
-        "user routine ADRX7 of {}: slip_scale is {}; give a slip above 0, or 0 for none",
+        "user routine ADRX7 of {}: slip_scale is {}; give a slip above 0, or 0 for no slip scale",
         plug_in.source, a.slip_scale));
   t.shown = {&t, &Impl::ask_traction, a.slip_scale, 0.0, a.wants_points != 0};
   // κ at rest decides whether slip is rounded.
@@ -300,8 +300,8 @@ void Session::Impl::start_motion() {
   for (std::size_t k = 0; k < 3; ++k)
     if (balanced[k] && promise.drives[1] && promise.start_velocity[1][static_cast<int>(k)] != 0.0)
       throw InputError(fmt::format(
-          "user routine ADRX1 of {} gives the inner race a start velocity along {}, where mode 2 "
-          "places it by its load; leave start_velocity at 0 there, or set mode to 0 or 1",
+          "user routine ADRX1 of {} gives the inner race a start velocity along {}, but mode 2 "
+          "positions the race by its load; leave start_velocity at 0 there, or set mode to 0 or 1",
           plug_in.source, "xyz"[k]));
 }
 
@@ -325,8 +325,9 @@ Session::Session(PlugIn plug_in, const std::vector<std::string>& lines,
   }
   if (const std::size_t read = s.host.block().line; read < lines.size())
     throw InputError(
-        fmt::format("no user routine read {} of the {} lines of records 12.x; the first one is "
-                    "\"{}\" ({} of {} read in this order); remove them, or let a routine read them",
+        fmt::format("no user routine read {} of the {} lines of records 12.x; the first of them "
+                    "is \"{}\" (routines {} of {} read in this order). Remove these lines, or let "
+                    "a routine read them",
                     lines.size() - read, lines.size(), lines[read], readers, s.plug_in.source));
 }
 Session::~Session() = default;
@@ -362,7 +363,7 @@ bearing::Material Session::material(bearing::Part part, const bearing::Material&
   check("hardness", a.hardness, a.hardness >= 0.0, "0 or more, in Pa");
   bearing::Material out;
   out.code = 2;
-  out.name = "of user routine ADRX0";
+  out.name = "from user routine ADRX0";
   out.density = a.density;
   out.elastic_modulus = a.elastic_modulus;
   out.poisson_ratio = a.poisson_ratio;

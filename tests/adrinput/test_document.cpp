@@ -208,7 +208,7 @@ TEST_CASE("a refusal that names no record marks the deck, and one that does its 
   CHECK(document.deck_state() == DeckState::Unchecked);
   Issue nowhere, start;
   nowhere.message = "the equilibrium is not found";
-  start.message = "puts the cage outside its elements";
+  start.message = "moves the cage away from its elements";
   start.record = "9.6";
   document.set_rehearsal(document.candidate(), {nowhere, start});
   CHECK(document.deck_state() == DeckState::Refused);

@@ -76,7 +76,7 @@ TEST_CASE("accuracy_page: a point for each run that came to its end", "[unit][ad
   const auto rounds = accuracy_pages(path);
   REQUIRE(rounds.size() == 2);
   CHECK(rounds[0].title == "What accuracy costs: 50 turns");
-  CHECK(rounds[1].title == "First round, 1 turn: error against time");
+  CHECK(rounds[1].title == "First round, 1 revolution: error against time");
   CHECK_THAT(rounds[1].note, Catch::Contains("one tolerance (0.0001, 1e-06)"));
   CHECK_THAT(rounds[0].note, Catch::Contains("one tolerance (0.0001)"));
   testing::write_bytes(path, R"({"screening": {}, "finals": 3})");

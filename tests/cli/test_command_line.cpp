@@ -251,8 +251,9 @@ TEST_CASE("adore run: options without effect → reported", "[cli]") {
                                   "ellipseMajor=20 --opt rollerSlices=30");
   INFO(run.out);
   CHECK(run.code == 0);
-  CHECK(contains(run.out, "--until, --integrator, --tol and option ellipseMajor play no part"));
-  CHECK(contains(run.out, "option rollerSlices plays no part, because the bearing has balls"));
+  CHECK(
+      contains(run.out, "--until, --integrator, --tol and option ellipseMajor are without effect"));
+  CHECK(contains(run.out, "option rollerSlices is without effect, because the bearing has balls"));
   CHECK(contains(run.out, "--threads has no effect"));
   CHECK_FALSE(contains(run_as_given("run " + deck).out, "--tol"));
 }

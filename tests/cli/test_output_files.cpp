@@ -100,7 +100,7 @@ TEST_CASE("no output replaces an input or what another program wrote", "[cli]") 
     const Folder folder;
     new_ball_deck(folder);
     fs::create_directory(folder / "MASTER");
-    refused(folder / "DATA.txt", folder, "not a plain file");
+    refused(folder / "DATA.txt", folder, "not a regular file");
   }
 }
 

@@ -153,10 +153,10 @@ TEST_CASE("continued run: changed loads and speeds → reported; other bearing �
       run("--set kIcOpt=1 --set rpm2=9000 --set appLoadX=1200 --set cageGcPos[1]=1e-5");
   INFO(more.out);
   REQUIRE(more.code == 0);
-  CHECK(contains(more.out, "under a changed deck: appLoadX: "));
+  CHECK(contains(more.out, "with a changed deck: appLoadX: "));
   CHECK(contains(more.out, "; rpm2: 10000.0 rpm before, 9000.0 rpm now"));
   CHECK(contains(more.out, "no effect, because the stored state is the start: cageGcPos[1]"));
-  CHECK(contains(read(folder / "PRINT.txt"), "under a changed deck"));
+  CHECK(contains(read(folder / "PRINT.txt"), "with a changed deck"));
   CHECK(contains(read(folder / "RUN.json"), "9000.0 rpm now"));
   // The shaft continues from its angle.
   const auto second = adore::results::read_final(folder / "FINAL");
@@ -173,7 +173,7 @@ TEST_CASE("continued run: changed loads and speeds → reported; other bearing �
   CHECK(contains(fewer.out, "12 rolling elements and a cage, but this deck has 11"));
   const Result smaller = run("--set kIcOpt=-1 --set cageGsCls[2]=2.5e-4 --set rpm2=9000");
   CHECK(smaller.code == 0);
-  CHECK(contains(smaller.out, "starts under a changed deck"));
+  CHECK(contains(smaller.out, "starts with a changed deck"));
 
   // Record 2.3 of the stored deck names the file that holds it.
   for (const char* keeps_files : {"--set kFnOpt=1 --overwrite", "--set kIcOpt=-1 --overwrite"}) {
@@ -327,23 +327,23 @@ TEST_CASE("integrator: steps too long for contact vibrations → reported, limit
   INFO(refused.out);
   CHECK(refused.code == 2);
   CHECK(contains(refused.out,
-                 "rkf1 cannot be used for this deck. Integrators that do not need other steps"));
+                 "rkf1 cannot be used for this deck. Integrators that allow these steps"));
   CHECK_FALSE(fs::exists(folder / "rkf1" / "SOL1"));
 
   const Result held = run("pece4");
   INFO(held.out);
   CHECK(held.code == 0);
   CHECK(contains(held.out, "pece4 with steps of up to"));
-  CHECK(contains(held.out, "it runs with steps of up to"));
+  CHECK(contains(held.out, "The run uses steps of up to"));
   const json summary = json::parse(read(folder / "pece4" / "RUN.json"));
   CHECK(contains(summary.at("plan").at("stability").get<std::string>(), "pece4"));
-  CHECK(contains(read(folder / "pece4" / "PRINT.txt"), "it runs with steps of up to"));
+  CHECK(contains(read(folder / "pece4" / "PRINT.txt"), "The run uses steps of up to"));
 
   CHECK(run("rkf5").code == 0);
   const json kept = json::parse(read(folder / "rkf5" / "RUN.json"));
   CHECK(contains(kept.at("plan").at("stability").get<std::string>(), "keeps contact vibrations"));
   const Result plan = run_adore("plan " + deck + " --set intMet=4");
-  CHECK(contains(plan.out, "it runs with steps of up to"));
+  CHECK(contains(plan.out, "The run uses steps of up to"));
 }
 
 TEST_CASE("the plan promises the steps that a run with a step cap takes", "[cli]") {
@@ -386,7 +386,7 @@ TEST_CASE("cage overlapping elements or lands at the start → rejected with the
                                  (folder / "out").string());
     INFO(run.out);
     CHECK(run.code == 2);
-    CHECK(contains(run.out, "the cage starts"));
+    CHECK(contains(run.out, "the cage overlaps other bodies"));
     CHECK(contains(run.out, "record 9.6"));
     CHECK_FALSE(fs::exists(folder / "out" / "PRINT.txt"));
   }

@@ -291,7 +291,7 @@ TEST_CASE("adore plan, check and new: --until and --set act", "[cli]") {
   const Result plan = run_adore("plan " + deck + " --until 0.02rev");
   CHECK(plan.code == 0);
   CHECK(contains(plan.out, "processor time of the whole run"));
-  CHECK(contains(plan.out, "the pilot reached the end of the run"));
+  CHECK(contains(plan.out, "the pilot run reached the end"));
   CHECK(contains(plan.out, "0.02 revolutions"));
   const json none = json::parse(run_adore("plan " + deck + " --pilot 0 --json").out);
   CHECK_FALSE(none.contains("run_cost"));
@@ -305,7 +305,7 @@ TEST_CASE("adore run --verify: sensitivity of the results to the tolerance repor
                                " --until 0.02rev --verify --out " + (folder / "out").string());
   INFO(run.out);
   REQUIRE(run.code == 0);
-  CHECK(contains(run.out, "verified:  against tol 1e-07"));
+  CHECK(contains(run.out, "verified:  compared with tol 1e-07"));
   CHECK(contains(run.out, "accuracy:  over the 0.02 revolutions of this run, 95 % intervals"));
   const json report = json::parse(read(folder / "out" / "RUN.json"));
   CHECK(report["accuracy"]["quantities"].size() >= 10);
@@ -317,7 +317,7 @@ TEST_CASE("adore run --verify: sensitivity of the results to the tolerance repor
                   " --overwrite --out " + (folder / "again").string());
     INFO(sets << '\n' << again.out);
     CHECK(again.code == 0);
-    CHECK(contains(again.out, "verified:  against tol"));
+    CHECK(contains(again.out, "verified:  compared with tol"));
   }
   CHECK(contains(run.out, "loads"));
   const Result both =

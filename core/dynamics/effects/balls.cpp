@@ -73,7 +73,8 @@ std::string Balls::why_invalid(const Evaluation& e) const {
   for (int i = 0; i < s_[Quantity::R].count; ++i)
     if (!(e.y[s_[Quantity::R].first + i] > 0.0))
       return fmt::format(
-          "element {} has reached the bearing axis; check speeds, loads and the largest step",
+          "element {} has reached the bearing axis; check speeds, loads and the largest step "
+          "(stpMax)",
           i + 1);
   return {};
 }

@@ -29,7 +29,7 @@ constexpr LedgerTerm kWork{
     "load_work",
     "work of the loads on free races",
     {"work of the loads on the outer race", "work of the loads on the inner race"},
-    "of applied and holding forces since the start"};
+    "work of applied forces and of reactions of the supports, since the start"};
 constexpr const LedgerTerm* kTerms[] = {&kWork};
 constexpr LedgerTerm kImpulse{LedgerKind::Work, "", "", {"impulse of the loads on free races"}, ""};
 constexpr LedgerTerm kAngularImpulse{

@@ -6,7 +6,7 @@
 namespace adore::dynamics {
 namespace {
 
-constexpr LedgerTerm kEnergy{LedgerKind::Stored,        "gravity",    "energy in gravity",
+constexpr LedgerTerm kEnergy{LedgerKind::Stored,        "gravity",    "potential energy of gravity",
                              {"energy in gravity now"}, "stored now", "N"};
 constexpr const LedgerTerm* kTerms[] = {&kEnergy};
 

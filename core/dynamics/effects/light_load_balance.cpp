@@ -27,20 +27,21 @@ namespace {
 // The kinetic energy excludes ½m(ẋ² + ṙ²) of held elements.
 constexpr LedgerTerm kSwitches{LedgerKind::Switch,
                                "switches",
-                               "switches of held elements",
+                               "energy of switches to and from quasi-static elements",
                                {"switches of held elements"},
-                               "stored energy after less before, since the start"};
+                               "change of stored energy at each switch (after minus before), "
+                               "total since the start"};
 /// ∫ G·(ẋ, ṙ) dt
 constexpr LedgerTerm kBalance{LedgerKind::Taken,
                               "balance",
-                              "way of held elements to balance",
+                              "energy of quasi-static elements that move to equilibrium",
                               {"taken by held elements' way to balance"},
-                              "taken since the start"};
+                              "energy taken out since the start"};
 constexpr LedgerTerm kLeftOut{LedgerKind::Note,
                               "left_out",
-                              "kinetic energy left out of held elements",
+                              "kinetic energy not counted for quasi-static elements",
                               {"kinetic energy left out of held elements now"},
-                              "for information"};
+                              "for information only, not part of the energy balance"};
 constexpr LedgerTerm kMomentum{
     LedgerKind::Taken, "", "", {"linear momentum taken by held elements"}, ""};
 constexpr LedgerTerm kAngularMomentum{

@@ -200,7 +200,7 @@ class Neighbours final : public SceneEffect, public ElementSupport {
       if (!(pair_contact(e, pair).distance > 0.5 * pair.reach))
         return fmt::format(
             "elements {} and {} overlap by more than their radius; check the number of elements, "
-            "speeds and the largest step",
+            "speeds and the largest step (stpMax)",
             pair.i + 1, pair.other + 1);
     return {};
   }

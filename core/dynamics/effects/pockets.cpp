@@ -403,9 +403,9 @@ std::string PocketContact::why_invalid(const Evaluation&) const {
       if ((*set)->is_inside(i)) continue;
       const Vec3 q = (*set)->centre(i);
       return fmt::format(
-          "the center of element {} is outside its cage pocket (axial {:.4g} m, against the "
-          "rotation {:.4g} m, radial {:.4g} m from the pocket center); check the cage's start "
-          "position, its pocket clearance and the largest step",
+          "the center of element {} is outside its cage pocket (axial {:.4g} m, circumferential "
+          "{:.4g} m, radial {:.4g} m from the pocket center); check the start position of the "
+          "cage, its pocket clearance and the largest step (stpMax)",
           (*set)->element(i) + 1, q[0], q[1], q[2]);
     }
   }

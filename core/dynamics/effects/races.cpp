@@ -522,15 +522,16 @@ std::string Races::why_invalid(const Evaluation& e) const {
       }
       if (sunk)
         return fmt::format(
-            "element {} is pressed into the {} race by more than its own radius; use a "
-            "smaller largest step",
+            "element {} is pressed into the {} race by more than its own radius; use a smaller "
+            "largest step (stpMax)",
             i + 1, j == 0 ? "outer" : "inner");
       if (long_ellipse)
         return fmt::format(
-            "a contact of {:.6g} N between element {} and the {} race makes an ellipse whose half "
-            "length reaches the radius of the element ({:.4g} m), because the groove fits it so "
-            "closely: Hertz's theory ends before that. Give a larger groove factor or less load, "
-            "or, where the load is a peak of the run, a smaller largest step",
+            "a contact load of {:.6g} N between element {} and the {} race makes a contact "
+            "ellipse whose semi-major axis reaches the radius of the element ({:.4g} m), because "
+            "the groove is very close to the element. Hertz theory is not valid there. Give a "
+            "larger groove factor or less load. If the load is a peak of the run, give a smaller "
+            "largest step (stpMax)",
             e.load[j][i], i + 1, j == 0 ? "outer" : "inner", radius);
     }
   return {};

@@ -141,12 +141,14 @@ std::string RigidElements::why_invalid(const Evaluation& e) const {
   for (std::size_t i = 0; i < attitude_.size(); ++i) {
     if (!(e.y[s_.at(Quantity::R, i)] > 0.0))
       return fmt::format(
-          "element {} has reached the bearing axis; check speeds, loads and the largest step",
+          "element {} has reached the bearing axis; check speeds, loads and the largest step "
+          "(stpMax)",
           i + 1);
     if (rollers_ && lies_across(e.attitude[i]))
       return fmt::format(
-          "roller {} has turned across the bearing: its axis is inclined by more than 84 degrees "
-          "to the bearing axis; check its cage pocket and flanges, the loads and the largest step",
+          "roller {} has rotated across the bearing: its axis is inclined by more than 84 degrees "
+          "to the bearing axis; check its cage pocket and flanges, the loads and the largest step "
+          "(stpMax)",
           i + 1);
   }
   return {};

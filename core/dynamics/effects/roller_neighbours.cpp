@@ -239,7 +239,7 @@ class RollerNeighbours final : public SceneEffect, public ElementSupport {
       if (!(-contact_of(e, pair).gap < 0.5 * model_.diameter))
         return fmt::format(
             "rollers {} and {} overlap by more than their radius; check the number of elements, "
-            "speeds and the largest step",
+            "speeds and the largest step (stpMax)",
             pair.i + 1, pair.other + 1);
     return {};
   }

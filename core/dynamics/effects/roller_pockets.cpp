@@ -227,9 +227,9 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
         const RollerPocketSet::Place at = (*set)->locate(e, i);
         if ((*set)->is_inside(i, at.q)) continue;
         return fmt::format(
-            "the middle of roller {} is outside its cage pocket (axial {:.4g} m, against the "
-            "rotation {:.4g} m, radial {:.4g} m from the pocket centre); check the cage's start "
-            "position, its pocket clearance and the largest step",
+            "the center of roller {} is outside its cage pocket (axial {:.4g} m, circumferential "
+            "{:.4g} m, radial {:.4g} m from the pocket center); check the start position of the "
+            "cage, its pocket clearance and the largest step (stpMax)",
             (*set)->element(i) + 1, at.q[0], at.q[1], at.q[2]);
       }
     }

@@ -8,9 +8,10 @@ namespace {
 constexpr LedgerTerm kEnergy{
     LedgerKind::Switch,
     "thermal_steps",
-    "thermal steps",
+    "energy change by thermal steps",
     {"changes of geometry and material by thermal steps"},
-    "change of stored energy at the changes (after minus before), total since the start"};
+    "change of stored energy at each change of geometry or material (after minus before), total "
+    "since the start"};
 constexpr LedgerTerm kMomentum{
     LedgerKind::Switch, "", "", {"linear momentum brought by thermal steps"}, ""};
 constexpr LedgerTerm kAngularMomentum{

@@ -19,7 +19,7 @@ namespace {
 
 constexpr LedgerTerm kEnergy{LedgerKind::Stored,
                              "frame",
-                             "energy in the field of the turning base frame",
+                             "centrifugal potential energy in the rotating base frame",
                              {"energy in the turning base frame now"},
                              "stored now",
                              "N"};

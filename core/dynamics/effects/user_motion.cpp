@@ -15,15 +15,15 @@ constexpr std::string_view kCost = "user routine ADRX1";
 constexpr LedgerTerm kFrameWork{
     LedgerKind::Work,
     "frame_work",
-    "work of the base frame that user routine ADRX1 moves",
+    "work of the base frame moved by user routine ADRX1",
     {"work of the moving base frame"},
-    "inertial forces of the moving frame on all bodies, since the start"};
+    "work of the inertia forces of the moving frame on all bodies, since the start"};
 constexpr LedgerTerm kHeldWork{
     LedgerKind::Work,
     "user_load_work",
-    "work of loads of user routine ADRX1 on held races",
+    "work of the loads of user routine ADRX1 on prescribed directions of races",
     {"work of user loads on held races"},
-    "part of these loads that the supports of the races carry, since the start"};
+    "work of the part of these loads that the supports of the races take, since the start"};
 constexpr const LedgerTerm* kTerms[] = {&kFrameWork, &kHeldWork};
 constexpr LedgerTerm kFrameImpulse{
     LedgerKind::Work, "", "", {"impulse of the moving base frame"}, ""};

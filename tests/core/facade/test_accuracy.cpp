@@ -183,7 +183,7 @@ TEST_CASE("accuracy study: recommendation mentions warnings of its run and irreg
   own.setting.name = "rkf5, tol 1e-06, stpMax 0.5";
   own.setting.own = true;
   own.seconds = 4.0;
-  best.setting.name = "rk4, tol 0.0001, stpMax as stable";
+  best.setting.name = "rk4, tol 0.0001, stpMax as long as stable";
   best.seconds = 1.0;
   best.errors = {0.002, 0.001, 0.003, 0.004};
   study.finals = {own, best};
@@ -192,13 +192,12 @@ TEST_CASE("accuracy study: recommendation mentions warnings of its run and irreg
     study.finals[1].energy_share = share;
     const std::string says = recommendation(study);
     CAPTURE(says);
-    CHECK((says.find("of the exchanged energy, and the run warns of it") != std::string::npos) ==
+    CHECK((says.find("of the exchanged energy, which causes a warning") != std::string::npos) ==
           (share > results::kMovedWarning));
     CHECK((says.find("1.6e-04 of the exchanged energy") != std::string::npos) ==
           (share > results::kMovedWarning));
-    CHECK(says.find(
-              "rk4, tol 0.0001, stpMax as stable: the cheapest within 1 % over 50 revolutions") ==
-          0);
+    CHECK(says.find("rk4, tol 0.0001, stpMax as long as stable: the fastest settings within 1 % "
+                    "over 50 revolutions") == 0);
     CHECK(says.find("the deck's own settings take 4 s") != std::string::npos);
     CHECK(says.find("irregular") == std::string::npos);
   }
@@ -385,7 +384,7 @@ TEST_CASE("accuracy study: growth → of a row that completed both rounds", "[un
   const auto told = [&] { return accuracy_table(study); };
   CHECK(told().find(
             "from 1 to 3 revolutions the error changed from 0.1 % to 0.1 %, the energy residual "
-            "from 1.0e-06 to 4.0e-06 of the exchanged energy, 2 times per revolution.") !=
+            "from 1.0e-06 to 4.0e-06 of the exchanged energy, a factor of 2 per revolution.") !=
         std::string::npos);
   SECTION("a row that was cut has none") {
     study.finals[0].failure = "cut";

@@ -61,11 +61,11 @@ TEST_CASE("check: impossible shapes → error with record, variable and a valid 
     const char* phrase;
   };
   const Bad bad[] = {
-      {"tapered-30208", "bReEndRad1", "0.001", "cannot have such an end radius; give more than"},
-      {"tapered-30208", "bReCrn", "0.001", "cannot have such a crown radius; give more than"},
-      {"tapered-30208", "bReCorRad2", "0.00489", "cannot have such a corner; give less than"},
-      {"cylindrical-nu209", "bReCrn", "0.001", "cannot have such a crown radius; give more than"},
-      {"spherical-22210", "bReCrn", "0.003", "cannot have such a crown radius; give more than"},
+      {"tapered-30208", "bReEndRad1", "0.001", "cannot have this end radius; give more than"},
+      {"tapered-30208", "bReCrn", "0.001", "cannot have this crown radius; give more than"},
+      {"tapered-30208", "bReCorRad2", "0.00489", "cannot have this corner radius; give less than"},
+      {"cylindrical-nu209", "bReCrn", "0.001", "cannot have this crown radius; give more than"},
+      {"spherical-22210", "bReCrn", "0.003", "cannot have this crown radius; give more than"},
   };
   for (const Bad& b : bad) {
     deck::Deck deck = deck::new_deck(b.deck);
@@ -81,7 +81,7 @@ TEST_CASE("check: impossible shapes → error with record, variable and a valid 
     const double limit = std::stod(issue->remedy.substr(issue->remedy.find("than ") + 5));
     const bool more = issue->remedy.find("more") != std::string::npos;
     deck.set(b.variable, fmt::format("{}", limit * (more ? 1.001 : 0.999)));
-    CHECK(find(facade::check_model(deck), Severity::Error, "cannot have such") == nullptr);
+    CHECK(find(facade::check_model(deck), Severity::Error, "cannot have this") == nullptr);
   }
   for (const char* none : {"0.0", "-5.0"}) {  // out of range, yet it is drawn while it is typed
     deck::Deck deck = deck::new_deck("tapered-30208");

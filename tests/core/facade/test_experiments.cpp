@@ -98,7 +98,7 @@ TEST_CASE(
     if (row.what == "exponent n of -dw/dt = K w^n") in_time.push_back(*row.ours);
     // The error of the implicit steps at tol = 1e-8, 4e-8 (1.3e-6 at 1e-7; explicit steps, 500
     // times as many, leave 2e-14).
-    if (row.what == "energy without account") CHECK(*row.ours < 2e-7);
+    if (row.what == "energy residual") CHECK(*row.ours < 2e-7);
     // Torque where the film carries; slower, where asperities do, ours falls short by up to 42 %.
     // Lightly loaded balls of 6.35 mm skid in the friction equilibrium: 26 % less (decision 860).
     if (row.what == "friction torque" && row.condition.ends_with("210 rpm"))
@@ -130,9 +130,9 @@ TEST_CASE(
       CHECK(std::abs(*row.deviation()) < 0.26);
     }
     // The rib slides in an equilibrium as in motion, but for the skew of its rollers.
-    if (row.what == "of it the rib" && !row.condition.ends_with("in motion"))
+    if (row.what == "torque: rib" && !row.condition.ends_with("in motion"))
       ribs[row.condition + ", in motion"] = *row.ours;
-    else if (row.what == "of it the rib")
+    else if (row.what == "motion torque: rib")
       CHECK(*row.ours == Approx(ribs.at(row.condition)).epsilon(0.15));
     if (row.what == "friction torque in motion") {
       ++in_motion;
@@ -141,13 +141,14 @@ TEST_CASE(
       whole = *row.ours;
       parts = 0.0;
     }
-    if (row.condition.ends_with("in motion") && row.what.starts_with("of it ")) parts += *row.ours;
-    if (row.what == "of it the cage") {
+    if (row.condition.ends_with("in motion") && row.what.starts_with("motion torque: "))
+      parts += *row.ours;
+    if (row.what == "motion torque: cage") {
       ++cages;
       CHECK(*row.ours > 0.0);
       CHECK(*row.ours < 0.01 * whole);  // 3 N mm: it "contributes only slightly", says the source
     }
-    if (row.what == "energy without account") CHECK(*row.ours < 1e-6);
+    if (row.what == "energy residual") CHECK(*row.ours < 1e-6);
   }
   CHECK(still == 14);  // with mixed friction at the rib, and with a full film
 
@@ -297,7 +298,7 @@ TEST_CASE("experiments: an outlet hotter than the hottest ring makes inputs doub
     const Experiment one =
         facade::run_experiment(facade::read_experiments(experiment_json(text), "x.json").front());
     REQUIRE(one.rows.size() == 2);
-    CHECK(one.rows.back().what == "outlet temperature of the oil, heat theirs");
+    CHECK(one.rows.back().what == "oil outlet temperature, published heat");
     CHECK(*one.rows.back().ours > 121.0);
     return one.inputs.empty() ? std::string() : one.inputs.front();
   };

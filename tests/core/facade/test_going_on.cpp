@@ -101,7 +101,7 @@ TEST_CASE("continued run: other speed → revolutions count from its start",
   CHECK(on.revolutions == Approx(0.03).epsilon(1e-9));
   CHECK(on.time == Approx(0.02 / (10000.0 / 60.0) + 0.01 / (20000.0 / 60.0)).epsilon(1e-9));
   CHECK_THROWS_WITH(until("0.02rev", "20000"),
-                    Catch::Contains("(0.03 turns)") && Catch::Contains("(0.02 turns)"));
+                    Catch::Contains("(0.03 revolutions)") && Catch::Contains("(0.02 revolutions)"));
 }
 
 TEST_CASE("continued run: constraints of a free race follow its deck",

@@ -43,9 +43,9 @@ TEST_CASE(
   // 300 N: 4.5 times its load is enough, and impacts bring that where vibrations do not decay.
   const Ran ran = run_deck(conformal("300.0"), folder / "300", false, {{"contactDamping", "0"}});
   CHECK(ran.outcome.status == facade::RunStatus::Failed);
-  CHECK_THAT(ran.outcome.message, Catch::Contains("Invalid there"));
+  CHECK_THAT(ran.outcome.message, Catch::Contains("Invalid state ahead"));
   CHECK_THAT(ran.outcome.message,
-             Catch::Contains("an ellipse whose half length reaches the radius of the element"));
+             Catch::Contains("semi-major axis reaches the radius of the element"));
   CHECK_THAT(ran.report.at("notes").dump(),
              Catch::Contains("A dynamic run ends when a contact reaches"));
   // 1 kN keeps all balls in place.

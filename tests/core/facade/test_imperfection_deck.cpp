@@ -149,7 +149,7 @@ TEST_CASE("imperfections: not supported → rejected by name", "[unit][imperfect
   open_in_motion.set("mode", "0");
   open_in_motion.complete();
   CHECK_THROWS_WITH(setup::build_bearing(open_in_motion),
-                    Catch::Contains("rndVar21") && Catch::Contains("no element rolls"));
+                    Catch::Contains("rndVar21") && Catch::Contains("no element can roll"));
   open_in_motion.set("rndVar21", "3");
   CHECK_NOTHROW(setup::build_bearing(open_in_motion));
 }

@@ -167,7 +167,7 @@ TEST_CASE("Step limits: changes are reported with frequency and factor", "[unit]
   INFO(text);
   CHECK(text.find("rkf4") == 0);
   CHECK(text.find("Hz (along)") != std::string::npos);
-  CHECK(text.find("it runs with steps of up to") != std::string::npos);
+  CHECK(text.find("The run uses steps of up to") != std::string::npos);
   const auto keep = methods_that_keep(request);
   CHECK(std::find(keep.begin(), keep.end(), "rkf5") != keep.end());
   CHECK(std::find(keep.begin(), keep.end(), "rkf4") == keep.end());

@@ -44,7 +44,7 @@ TEST_CASE("effectsOff: names of the plan → effects are not built", "[unit][fac
       ball({{"effectsOff", "gravity, momentum ledger,wear and power integrals,ball orientation"}}));
   CHECK(entry(whole, "gravity").on);
   CHECK_FALSE(entry(less, "gravity").on);
-  CHECK(entry(less, "gravity").because.find("left out by run option effectsOff") !=
+  CHECK(entry(less, "gravity").because.find("switched off by run option effectsOff") !=
         std::string::npos);
   CHECK_FALSE(less.plan.has(Effect::MomentumLedger));
   CHECK(less.plan.oriented_elements.empty());
@@ -116,7 +116,7 @@ TEST_CASE("what-if: change and cost of each effect", "[physics][facade]") {
   INFO(cage.failure);
   CHECK(cage.failure.empty());
   CHECK(cage.share < 1.0);
-  CHECK(facade::what_if_text(result).find("a millionth of the load") != std::string::npos);
+  CHECK(facade::what_if_text(result).find("relative load change 1e-6") != std::string::npos);
   const auto json = facade::what_if_json(result);
   CHECK(json.at("rows").size() == result.rows.size());
   request.sets.emplace_back("mode", "-1");
@@ -168,7 +168,7 @@ TEST_CASE("contactDamping: default, a number, 0 and modes in balance → reporte
   // Elements in balance: no part on the races; the run goes on.
   for (const char* mode : {"1", "2"}) {
     CHECK_THAT(reason(prepared("", "mode", mode)),
-               Catch::Contains("none on the races") && Catch::Contains("pockets"));
+               Catch::Contains("none at the races") && Catch::Contains("pockets"));
     CHECK_THAT(notes(prepared("0.2", "mode", mode)), Catch::Contains("no effect at the races"));
   }
   CHECK_THAT(reason(prepared("0.2", "qFac", "0.05")), Catch::Contains("qFac = 0.05"));

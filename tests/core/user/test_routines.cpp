@@ -129,16 +129,16 @@ TEST_CASE("user formula: gives its traction, with numbers of records 12.x", "[us
 
 TEST_CASE("user formulas: error → message with its place in the file", "[user][unit]") {
   CHECK_THAT(problem_of(R"~({"adrx7": {"element_race": {"formula": "0.06*tanh(v1)"}}})~"),
-             Catch::Contains("adrx7, element_race, formula") && Catch::Contains("known are"));
+             Catch::Contains("adrx7, element_race, formula") && Catch::Contains("known names"));
   CHECK_THAT(problem_of(R"~({"adrx7": {"element_rase": {"formula": "1"}}})~"),
              Catch::Contains("element_rase") && Catch::Contains("element_race"));
   CHECK_THAT(problem_of(R"~({"adrx7": {"read": ["u"], "element_race": {"formula": "u"}}})~"),
              Catch::Contains("choose another name"));
   CHECK_THAT(problem_of(R"~({"adrx7": {"element_race": {"table": "nowhere.csv"}}})~"),
              Catch::Contains("nowhere.csv"));
-  CHECK_THAT(problem_of(R"~({"adrx12": {}})~"), Catch::Contains("known are version, adrx0"));
+  CHECK_THAT(problem_of(R"~({"adrx12": {}})~"), Catch::Contains("known names: version, adrx0"));
   CHECK_THAT(problem_of(R"~({"version": "1"})~"), Catch::Contains("no routine"));
-  CHECK_THAT(problem_of("[1]"), Catch::Contains("give an object"));
+  CHECK_THAT(problem_of("[1]"), Catch::Contains("give a JSON object"));
 }
 
 TEST_CASE("plug-in: unusable → error with the reason", "[user][unit]") {
