@@ -207,7 +207,7 @@ TEST_CASE("killed run: steps after its checkpoint → kept for an earlier end", 
       CHECK(refused.code == 2);
       CHECK(contains(in_one_line(refused.out),
                      fmt::format("has stored results up to step {},", step)));
-      CHECK(contains(in_one_line(refused.out), "last checkpoint at step 0,"));
+      CHECK(contains(in_one_line(refused.out), "Its last checkpoint is at step 0,"));
       CHECK(read(file) == before);
     }
     const Result more =

@@ -65,8 +65,8 @@ TEST_CASE("check_likely: probable slips → warning with the probable meaning", 
       {"ball", {{"kUnit", "2"}}, warning, "kUnit", "set kUnit to 1"},
       {"ball-english", {{"kUnit", "1"}}, warning, "kUnit", "set kUnit to 2"},
       {"ball", {{"appLoadX", "0"}, {"appLoadZ", "0"}}, warning, "appLoadX", "no load"},
-      {"ball", {{"rpm2", "0"}}, warning, "rpm2", "no race turns"},
-      {"ball", {{"rpm1", "10000"}}, warning, "rpm2", "both races turn at 10000 rpm"},
+      {"ball", {{"rpm2", "0"}}, warning, "rpm2", "no race rotates"},
+      {"ball", {{"rpm1", "10000"}}, warning, "rpm2", "both races rotate at 10000 rpm"},
       {"deep-groove-6205", {{"rpm2", "0"}}, Severity::Note, "rpm2", "equilibrium at rest"},
   };
   for (const Slip& slip : slips) {

@@ -211,7 +211,7 @@ TEST_CASE("accuracy study: recommendation mentions warnings of its run and irreg
             "pece2, tol 1e-7 is faster (0.5 s), but its energy residual is 3.0e-04") !=
         std::string::npos);
   study.long_reference.noise.heat = 0.04;
-  CHECK(recommendation(study).find("two accurate runs differ by 4 %") != std::string::npos);
+  CHECK(recommendation(study).find("Two accurate runs differ by 4 %") != std::string::npos);
   CHECK(recommendation(study).find("within 1 % (heat within 6 %) over 50 revolutions") !=
         std::string::npos);
   // What the resolution of the contacts changes is no matter of integrators.

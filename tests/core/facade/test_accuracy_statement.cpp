@@ -34,8 +34,8 @@ TEST_CASE("accuracy statement: part of a target, revolutions by the measured fal
   CHECK(statement.needed_turns(0.01) == Approx(250.0));  // 1.5 · 2 · 3⁴ = 243
   statement.quantities[0].fall = 0.5;
   CHECK(statement.numerical() == 0.004);
-  CHECK(statement_text(statement).find("need about 27 revolutions for 1 % (this run: 2;") !=
-        std::string::npos);
+  CHECK(statement_text(statement).find(
+            "need about 27 revolutions for an accuracy of 1 % (this run: 2;") != std::string::npos);
   statement.quantities[0].parting = true;
   CHECK(statement_text(statement).find("need very roughly") != std::string::npos);
   CHECK(statement_json(statement, {}).at("needs_revolutions_rough") == true);

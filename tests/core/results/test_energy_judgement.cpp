@@ -95,7 +95,7 @@ TEST_CASE("Energy residual: warning above 5 % of the heat, for any exchanged ene
   const EnergyJudgement judged = judge_energy(accelerated(6e-6), 1e6);
   CHECK(judged.trust == Trust::Warned);
   CHECK(judged.over_heat == Approx(0.06).epsilon(1e-6));
-  CHECK_THAT(judged.text, Catch::Contains("6 % of the 0.0001 J of heat"));
+  CHECK_THAT(judged.text, Catch::Contains("6 % of the heat (0.0001 J)"));
 }
 
 TEST_CASE("Energy residual: temporary residual → warning", "[unit][results]") {
