@@ -124,7 +124,7 @@ void DeckWindow::askForSweep() {
     const std::string none = facade::why_no_step(document_.deck());
     const QString end = QString::fromStdString(none.substr(0, none.find(' ')));
     if (!none.empty() && !typed.trimmed().startsWith(end))
-      told += tr("\nThe runs have no motion (%1). The table contains static loads, but no mean "
+      told += tr("\nThe runs have no motion (%1). The table contains static loads,\nbut no mean "
                  "values, speed ratios or heat.")
                   .arg(QString::fromStdString(none));
     dialog->setLabelText(tr("Variable, first value, last value, number of runs:\n%1").arg(told));

@@ -25,7 +25,7 @@ constexpr std::pair<std::string_view, std::string_view> kWords[]{
     {", or an end with --until", ""},
     {"; `--until` can set the length", ""},
     {", or --tol)", ")"},
-    {"; --reproducible gives", "; `adore run --reproducible` gives"},
+    {". --reproducible gives", ". `adore run --reproducible` gives"},
     {"adore run --verify estimates", "Accuracy (F9) estimates"},
     {"give only one --set with a range", "give only one"},
     {"; the equilibrium alone: --set mode=-1",

@@ -250,7 +250,7 @@ TEST_CASE("adrinput: header of a deck → result of a run is announced", "[gui][
   says("maxStps", "10", "Ready to run", "");
   says("maxStps", "0", "Ready: no motion", "maxStps is 0");
   says("fTime", "0", "Ready: no motion", "fTime is 0");
-  says("mode", "-1", "Ready: quasi-static", "mode = -1");
+  says("mode", "-1", "Ready: quasi-static", "mode is -1");
 }
 
 TEST_CASE("a number that has an incomplete exponent is told as that", "[gui][adrinput][daily]") {

@@ -157,7 +157,7 @@ TEST_CASE("a study is planned, run, cancelled and resumed from its window, and n
     StudyWindow again;  // as after another start of the program
     again.openFile(bench.path("sweep.json"));
     CHECK_THAT(again.panel().note().toStdString(),
-               Contains(std::to_string(recorded) + " of 120 runs done"));
+               Contains(std::to_string(recorded) + " of 120 runs are done"));
   }
   window.findChild<QPushButton*>("study-run")->click();
   REQUIRE(ended.wait(120000));

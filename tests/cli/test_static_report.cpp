@@ -98,7 +98,7 @@ TEST_CASE("the quasi-static summary fits one page in SI and in English units", "
 TEST_CASE("the datum of displacements is printed, and the 6205 example carries a pure radial load",
           "[cli]") {
   const StaticRun run("deep-groove-6205", "");
-  CHECK(contains(run.print, "x = 0 the planes of the"));
+  CHECK(contains(run.print, "At x = 0, the planes of the"));
   const json summary = json::parse(read(run.folder / "RUN.json")).at("summary");
   CHECK(std::abs(summary.at("load_x_N").get<double>()) < 1e-6 * 1400.0);
   CHECK(summary.at("load_z_N").get<double>() == Approx(1400.0).epsilon(1e-9));
@@ -141,8 +141,8 @@ TEST_CASE("the plan of a quasi-static deck names its unknowns and switches", "[c
     return std::regex_search(text, std::regex(pattern));
   };
   const std::string ball = plan("angular-218", "");
-  CHECK(line(ball, "together +35\n"));  // 16 balls of 2, and x, y, z
-  CHECK(line(ball, "found: x \\(kFS1 = 0\\), y \\(kFS2 = 0\\), z \\(kFS3 = 0\\)"));
+  CHECK(line(ball, "total +35\n"));  // 16 balls of 2, and x, y, z
+  CHECK(line(ball, "unknown: x \\(kFS1 = 0\\), y \\(kFS2 = 0\\), z \\(kFS3 = 0\\)"));
   CHECK(line(ball, "on +ball / race contact"));
   CHECK(line(ball, "on +ball speeds +friction equilibrium .*kAngVel = 1, .*by race control"));
   CHECK(line(plan("angular-218", "--opt ballFriction=spin-rule"),
@@ -151,7 +151,7 @@ TEST_CASE("the plan of a quasi-static deck names its unknowns and switches", "[c
   CHECK(line(ball, "off +fits of the races"));
   CHECK(line(ball, "equilibrium +[0-9.e+-]+ ms, \\d+ iterations"));
   const std::string free = plan("angular-218", "--set kFS4=0 --set kFS5=0 --set raceFit2=1e-6");
-  CHECK(line(free, "together +37\n"));
+  CHECK(line(free, "total +37\n"));
   CHECK(line(free, "on +fits of the races"));
   const std::string roller = plan("cylindrical-nu209", "--opt rollerSlices=15");
   CHECK(line(roller, "on +roller / race contact +.*in 15 slices"));
@@ -173,5 +173,5 @@ TEST_CASE("the stiffness table gives clearance and angle at each speed and warns
                         "--set rpmRange21=0. --set rpmRange12=3000. --set "
                         "rpmRange22=80000.");
   CHECK(contains(tight.print, "Warning: the clearance turns negative"));
-  CHECK(contains(tight.result.out, "stiffness over speed, from 0 and 80000 rpm on: the clearance"));
+  CHECK(contains(tight.result.out, "stiffness over speed, from rpm1 = 0 and rpm2 = 80000 rpm on: the clearance"));
 }

@@ -6,124 +6,126 @@ class DeckVariables:
     """Every variable of all records; a deck has those of its records."""
 
     mode: int
-    """Record 1. Kind of simulation. 0 integrates the motion of every body; 1 and 2 replace fast contact vibration by
-    equilibrium and so allow larger steps; a negative value stops after the static solution."""
+    """Record 1. Kind of simulation. 0 integrates the motion of every body. 1 and 2 replace fast contact vibration by
+    force balance, which allows larger steps. A negative value stops after the static solution."""
     kDCR: int
-    """Record 1. Source of the dynamic constraints of the races. With the built-in ones both races keep the position
-    of the static solution and turn at their given speeds."""
+    """Record 1. Source of the constraints on the motion of the races. With the built-in constraints, both races keep
+    the position of the static solution and rotate at their given speeds."""
     kDOF: int
-    """Record 1. Degrees of freedom suppressed in addition to mode. A suppressed one keeps its initial velocity: its
-    acceleration is zero, and no force balance is solved."""
+    """Record 1. Degrees of freedom that are suppressed in addition to those of mode. A suppressed degree of freedom
+    keeps its initial velocity. Its acceleration is zero, and no force balance is solved for it."""
     kIcOpt: int
-    """Record 1. Initial state of a dynamic run. Use -1 for a new study from an old final state, 1 to continue a
-    stopped run."""
+    """Record 1. Initial state of a dynamic run. Use -1 to start a new run from an earlier final state, and 1 to
+    continue a stopped run."""
     kFnOpt: int
     """Record 1. Names of the data files. The defaults are MASTER, FINAL and SOL1 to SOL8."""
     kPrtOpt: int
-    """Record 1. Contents of each printed step in PRINT.txt. Its sections are 1 rolling elements, 2 races and cage, 3
-    applied parameters, 4 summary of the step."""
+    """Record 1. Contents of each printed step in PRINT.txt. The sections are: 1 rolling elements, 2 races and cage,
+    3 applied parameters, 4 summary of the step."""
     kPrtFreq: int
-    """Record 1. Step interval of printed output; step 0 is time zero."""
+    """Record 1. Interval between printed steps. Step 0 is time zero."""
     kPltFreq: int
-    """Record 1. Step interval at which records are stored in the plot files SOL1 to SOL7."""
+    """Record 1. Interval between the steps that are stored in the plot files SOL1 to SOL7."""
     kAGraf: int
-    """Record 1. Step interval at which animation data are stored in SOL8; 0 stores none."""
+    """Record 1. Interval between the steps that are stored for animation in SOL8. 0 stores no animation."""
     kLifeFreq: int
-    """Record 1. Step interval at which the fatigue life at the present loads is computed for SOL7. The life of the
-    run uses the loads of every step."""
+    """Record 1. Interval between the steps for which SOL7 contains a fatigue life, computed from the loads of that
+    step alone. The life of the whole run uses the loads of every step."""
     kTherm: int
-    """Record 1. Thermal analysis. When on, records 3.5 and 9.7 describe coolant and heat flow, and temperatures
-    follow the heat that the run generates."""
+    """Record 1. Thermal analysis. When it is on, temperatures follow from the heat that the run generates. Records
+    3.5 and 9.7 then specify coolant and heat transfer."""
     maxStps: int
-    """Record 1. Largest number of counted steps; the run ends at this or at fTime, whichever comes first."""
+    """Record 1. Largest number of counted steps. The run ends at this number or at fTime, whichever comes first."""
     nStps: int
-    """Record 1. Integration steps within one counted step; only the last one is counted and stored. With 0 and 1
-    every step counts."""
+    """Record 1. Number of integration steps in one counted step. Only the last of them is counted and stored. With 0
+    or 1, every integration step counts."""
     intMet: int
-    """Record 1. Integration method. Order 5 of the explicit family suits most runs; codes above 18 are extensions
-    that the classic program does not know."""
+    """Record 1. Integration method. The explicit method of order 5 suits most runs. Codes above 18 are extensions,
+    which the classic program does not have."""
     stpInit: float
-    """Record 2.1. First trial step in dimensionless time (multiples of the time scale that PRINT.txt reports). 0 in
-    a continuation reuses the last step kept in MASTER."""
+    """Record 2.1. First trial step in dimensionless time (multiples of the time scale that PRINT.txt reports). In a
+    continuation, 0 reuses the last step size stored in MASTER."""
     stpMin: float
-    """Record 2.1. Smallest step, dimensionless. A step of this size is accepted and counted even if its error is too
-    large; stpMin = stpMax gives a constant step."""
+    """Record 2.1. Smallest step in dimensionless time. A step of this size is accepted and counted even if its error
+    is too large. stpMin = stpMax gives a constant step."""
     stpMax: float
-    """Record 2.1. Largest step, dimensionless. It limits the resolution of plots."""
+    """Record 2.1. Largest step in dimensionless time. It limits the time resolution of plots."""
     fTime: float
-    """Record 2.1. End time, dimensionless."""
+    """Record 2.1. End of the run in dimensionless time."""
     tol: float
-    """Record 2.1. Error allowed per step, relative to the scales of the problem. A smaller value is more accurate
-    and slower."""
+    """Record 2.1. Allowed error per step, relative to the scales of the problem. A smaller value makes the run more
+    accurate and slower."""
     qFac: float
-    """Record 2.1. Ratio of contact load to largest applied load at or below which an element is kept in force
-    balance in mode 0. 0 never does this."""
+    """Record 2.1. Load ratio up to which rolling elements are quasi-static in mode 0. An element is in force balance
+    while its contact load is at most qFac times the largest applied load. With 0, no element is quasi-static."""
     kFD11: int
-    """Record 2.2. Translation constraint of the outer race along x. With 0 the race moves freely under its load."""
+    """Record 2.2. Translation constraint of the outer race along x. With 0, the race moves freely under its load."""
     kFD21: int
-    """Record 2.2. Translation constraint of the outer race along y. With 0 the race moves freely under its load."""
+    """Record 2.2. Translation constraint of the outer race along y. With 0, the race moves freely under its load."""
     kFD31: int
-    """Record 2.2. Translation constraint of the outer race along z. With 0 the race moves freely under its load."""
+    """Record 2.2. Translation constraint of the outer race along z. With 0, the race moves freely under its load."""
     kFD12: int
-    """Record 2.2. Translation constraint of the inner race along x. With 0 the race moves freely under its load."""
+    """Record 2.2. Translation constraint of the inner race along x. With 0, the race moves freely under its load."""
     kFD22: int
-    """Record 2.2. Translation constraint of the inner race along y. With 0 the race moves freely under its load."""
+    """Record 2.2. Translation constraint of the inner race along y. With 0, the race moves freely under its load."""
     kFD32: int
-    """Record 2.2. Translation constraint of the inner race along z. With 0 the race moves freely under its load."""
+    """Record 2.2. Translation constraint of the inner race along z. With 0, the race moves freely under its load."""
     kMD11: int
-    """Record 2.2. Rotation constraint of the outer race about x. With 0 moments turn it; without ADRX1 the external
-    moment is zero."""
+    """Record 2.2. Rotation constraint of the outer race about x. With 0, the moments on the race change its speed;
+    without ADRX1 the external moment is zero."""
     kMD21: int
-    """Record 2.2. Rotation constraint of the outer race about y. With 0 moments turn it; without ADRX1 the external
-    moment is zero."""
+    """Record 2.2. Rotation constraint of the outer race about y. With 0, the moments on the race change its speed;
+    without ADRX1 the external moment is zero."""
     kMD31: int
-    """Record 2.2. Rotation constraint of the outer race about z. With 0 moments turn it; without ADRX1 the external
-    moment is zero."""
+    """Record 2.2. Rotation constraint of the outer race about z. With 0, the moments on the race change its speed;
+    without ADRX1 the external moment is zero."""
     kMD12: int
-    """Record 2.2. Rotation constraint of the inner race about x. With 0 moments turn it; without ADRX1 the external
-    moment is zero."""
+    """Record 2.2. Rotation constraint of the inner race about x. With 0, the moments on the race change its speed;
+    without ADRX1 the external moment is zero."""
     kMD22: int
-    """Record 2.2. Rotation constraint of the inner race about y. With 0 moments turn it; without ADRX1 the external
-    moment is zero."""
+    """Record 2.2. Rotation constraint of the inner race about y. With 0, the moments on the race change its speed;
+    without ADRX1 the external moment is zero."""
     kMD32: int
-    """Record 2.2. Rotation constraint of the inner race about z. With 0 moments turn it; without ADRX1 the external
-    moment is zero."""
+    """Record 2.2. Rotation constraint of the inner race about z. With 0, the moments on the race change its speed;
+    without ADRX1 the external moment is zero."""
     masName: str
-    """Record 2.3. Master file with the bookkeeping of restarts, at most 10 characters."""
+    """Record 2.3. Name of the file with the data for a continuation, at most 10 characters."""
     finName: str
-    """Record 2.3. File of the final state, at most 10 characters; also read as start state."""
+    """Record 2.3. Name of the file of the final state, at most 10 characters. A run can start from this state
+    (kIcOpt)."""
     pltNames1: str
-    """Record 2.3. Plot file of the monitored body 1, at most 10 characters."""
+    """Record 2.3. Name of the plot file of monitored body 1, at most 10 characters."""
     pltNames2: str
-    """Record 2.3. Plot file of the monitored body 2, at most 10 characters."""
+    """Record 2.3. Name of the plot file of monitored body 2, at most 10 characters."""
     pltNames3: str
-    """Record 2.3. Plot file of the monitored body 3, at most 10 characters."""
+    """Record 2.3. Name of the plot file of monitored body 3, at most 10 characters."""
     pltNames4: str
-    """Record 2.3. Plot file of the monitored body 4, at most 10 characters."""
+    """Record 2.3. Name of the plot file of monitored body 4, at most 10 characters."""
     pltNames5: str
-    """Record 2.3. Plot file of the monitored body 5, at most 10 characters."""
+    """Record 2.3. Name of the plot file of monitored body 5, at most 10 characters."""
     pltNames6: str
-    """Record 2.3. Plot file of the monitored body 6, at most 10 characters."""
+    """Record 2.3. Name of the plot file of monitored body 6, at most 10 characters."""
     pltNames7: str
-    """Record 2.3. File of power loss and life, at most 10 characters."""
+    """Record 2.3. Name of the file of power loss and life, at most 10 characters."""
     pltNames8: str
-    """Record 2.3. File of animation data, at most 10 characters."""
+    """Record 2.3. Name of the file of animation data, at most 10 characters."""
     runID: str
-    """Record 3.1. Bearing code or name of the run, at most 36 characters. It is printed on every page, stored in
-    every data file and must match when a run is continued."""
+    """Record 3.1. Bearing code or name of the run, at most 36 characters. It is printed on every page and stored in
+    every data file. It must be the same when a run is continued."""
     kUnit: int
-    """Record 3.2. Unit system of every dimensional value of the deck, also of the output files."""
+    """Record 3.2. Unit system of all dimensional values in the deck and in the output files."""
     kBrg: int
     """Record 3.2. Bearing type. It determines which geometry record (5A to 5E) follows."""
     nRe: int
-    """Record 3.2. Number of rolling elements. The classic limit of 40 does not apply; some classic file formats end
-    at 88."""
+    """Record 3.2. Number of rolling elements. The limit of the classic program, 40, does not apply. Some classic
+    file formats have room for 88 elements only."""
     nCseg: int
-    """Record 3.2. Number of cage segments: 0 no cage, 1 a one-piece cage, n a cage cut into n equal segments."""
+    """Record 3.2. Number of cage segments. 0 is no cage, 1 is a one-piece cage, and n is a cage cut into n equal
+    segments."""
     kRaceFlex: int
     """Record 3.2. Flexibility of the outer race. Only rigid races can be simulated."""
     kReGeoImp: int
-    """Record 3.2. Geometry errors of the rolling elements. A list of diameters has 40 elements."""
+    """Record 3.2. Geometry errors of the rolling elements. A list of diameters always has 40 values."""
     kRaceGeoImp1: int
     """Record 3.2. Geometry errors of the outer race."""
     kRaceGeoImp2: int
@@ -141,41 +143,42 @@ class DeckVariables:
     """Record 3.2. Roller guide flange on the inner race, positive x side. Ball and spherical roller bearings have
     none."""
     kFS1: int
-    """Record 3.3. Given quantity of the static solution: force or displacement along x, the bearing axis (thrust is
-    normally positive)."""
+    """Record 3.3. Force or displacement along x, the bearing axis (thrust is normally positive) as input to the
+    static solution."""
     kFS2: int
-    """Record 3.3. Given quantity of the static solution: force or displacement along y."""
+    """Record 3.3. Force or displacement along y as input to the static solution."""
     kFS3: int
-    """Record 3.3. Given quantity of the static solution: force or displacement along z, the usual radial load axis."""
+    """Record 3.3. Force or displacement along z, the usual radial load axis as input to the static solution."""
     kFS4: int
-    """Record 3.3. Given quantity of the static solution: moment or tilt about y."""
+    """Record 3.3. Moment or misalignment about y as input to the static solution."""
     kFS5: int
-    """Record 3.3. Given quantity of the static solution: moment or tilt about z."""
+    """Record 3.3. Moment or misalignment about z as input to the static solution."""
     kAngVel: int
-    """Record 3.3. Rule for the direction of ball spin in the static solution. Race control suits fast bearings,
-    least heat the others."""
+    """Record 3.3. Rule for the spin axis of balls in the static solution. Race control suits fast bearings, and
+    least heat suits the others. Balls in friction equilibrium use neither."""
     kStif: int
     """Record 3.3. Number of speeds in the table of stiffness against speed; 0 for no table."""
     kChrn: int
-    """Record 3.3. Medium that churns and causes drag on elements and cage."""
+    """Record 3.3. Medium that causes churning drag on rolling elements and cage."""
     kReMat: int
-    """Record 3.3. Material of the rolling elements: 0 the usual one, 1 properties in the deck, or a code of the
-    material table."""
+    """Record 3.3. Material of the rolling elements. 0 is the usual material, and 1 takes the properties from the
+    deck. Other codes are those of the material table."""
     kRaceMat1: int
-    """Record 3.3. Material of the outer race: 0 the usual one, 1 properties in the deck, or a code of the material
-    table."""
+    """Record 3.3. Material of the outer race. 0 is the usual material, and 1 takes the properties from the deck.
+    Other codes are those of the material table."""
     kRaceMat2: int
-    """Record 3.3. Material of the inner race: 0 the usual one, 1 properties in the deck, or a code of the material
-    table."""
+    """Record 3.3. Material of the inner race. 0 is the usual material, and 1 takes the properties from the deck.
+    Other codes are those of the material table."""
     kHsngMat: int
-    """Record 3.3. Material of the housing: 0 the usual one, 1 properties in the deck, or a code of the material
-    table."""
+    """Record 3.3. Material of the housing. 0 is the usual material, and 1 takes the properties from the deck. Other
+    codes are those of the material table."""
     kShftMat: int
-    """Record 3.3. Material of the shaft: 0 the usual one, 1 properties in the deck, or a code of the material table."""
+    """Record 3.3. Material of the shaft. 0 is the usual material, and 1 takes the properties from the deck. Other
+    codes are those of the material table."""
     kLifeCons: int
     """Record 3.3. Source of the constants of the fatigue life models."""
     kVarLoad: int
-    """Record 3.4. How loads vary in time."""
+    """Record 3.4. Variation of loads over time."""
     kVarSpeed: int
     """Record 3.4. Variation of race speeds over time."""
     kRotFrame: int
@@ -187,18 +190,18 @@ class DeckVariables:
     kRaceIP2: int
     """Record 3.4. Source of mass and inertia of the inner race; needed only when that race is free to move."""
     kNumPltElem: int
-    """Record 3.4. Number of bodies whose motion is stored for plots. The classic files SOL1 to SOL6 hold six."""
+    """Record 3.4. Number of bodies whose motion is stored for plots. The classic files SOL1 to SOL6 contain six."""
     kPltElemInd: np.ndarray
-    """Record 3.4. Bodies whose motion is stored, in increasing order: 1 to nRe are rolling elements, followed by the
-    nCseg cage segments, the outer race and the inner race."""
+    """Record 3.4. Numbers of the bodies whose motion is stored, in increasing order. 1 to nRe are rolling elements.
+    The nCseg cage segments, the outer race and the inner race follow."""
     kCoolant: int
     """Record 3.5. Coolant that carries the heat away; 0 for no circulating coolant."""
     kBaseTemp: int
-    """Record 3.5. Location of the reference temperature of record 9.7."""
+    """Record 3.5. Location of the reference temperature baseTemp (record 9.7)."""
     kHTC: int
     """Record 3.5. Source of the convection coefficients of rolling elements and cage."""
     kGeoMod: int
-    """Record 3.5. Frequency of geometry changes by thermal growth."""
+    """Record 3.5. Interval between changes of the geometry by thermal growth."""
     kMatPropMod: int
     """Record 3.5. Temperature dependence of the material properties."""
     brgBore: float
@@ -206,10 +209,11 @@ class DeckVariables:
     brgOD: float
     """Record 4 [m]. Outside diameter of the bearing."""
     shftID: float
-    """Record 4 [m]. Inside diameter of a hollow shaft, 0 for a solid one. Thermal analysis replaces 0 by a small
+    """Record 4 [m]. Inside diameter of a hollow shaft; 0 for a solid shaft. Thermal analysis replaces 0 by a small
     bore and reports it."""
     hsngOD: float
-    """Record 4 [m]. Outside diameter of the housing. It determines how much a fit shrinks the outer race."""
+    """Record 4 [m]. Outside diameter of the housing. It determines how much an interference fit shrinks the outer
+    race."""
     raceWidth1: float
     """Record 4 [m]. Width of the outer race."""
     raceWidth2: float
@@ -219,63 +223,69 @@ class DeckVariables:
     pitchDia: float
     """Record 5A [m]. Pitch diameter: diameter of the circle of ball centers."""
     freeConAng: float
-    """Record 5A [deg]. Free contact angle. If it is above 0, the clearance follows from it; 0 computes it from
-    freeIntCls; 90 is a thrust bearing."""
+    """Record 5A [deg]. Free contact angle. A value above 0 determines the clearance. With 0, the angle is computed
+    from freeIntCls. 90 is a thrust bearing."""
     freeIntCls: float
     """Record 5A [m]. Free internal diametral clearance, used when freeConAng is 0. Negative means interference."""
     raceCurFac1: float
-    """Record 5A. Outer groove radius divided by ball diameter; above 0.5 and below 10, usually 0.515 to 0.53."""
+    """Record 5A. Groove radius of the outer race divided by ball diameter; above 0.5 and below 10, usually 0.515 to
+    0.53."""
     raceCurFac2: float
-    """Record 5A. Inner groove radius divided by ball diameter; above 0.5 and below 10, usually 0.515 to 0.53."""
+    """Record 5A. Groove radius of the inner race divided by ball diameter; above 0.5 and below 10, usually 0.515 to
+    0.53."""
     shoulderDia1: float
-    """Record 5A [m]. Shoulder diameter of the outer race; used only for the distance of the contact from the edge."""
+    """Record 5A [m]. Shoulder diameter of the outer race. It is used only for the distance of the contact from the
+    edge."""
     shoulderDia2: float
-    """Record 5A [m]. Shoulder diameter of the inner race; used only for the distance of the contact from the edge."""
+    """Record 5A [m]. Shoulder diameter of the inner race. It is used only for the distance of the contact from the
+    edge."""
     shimThickness1: float
-    """Record 5A [m]. Grinding shim of a split outer race (gothic arch); 0 when not split."""
+    """Record 5A [m]. Thickness of the grinding shim of a split outer race (gothic arch); 0 if the race is not split."""
     shimThickness2: float
-    """Record 5A [m]. Grinding shim of a split inner race (gothic arch); 0 when not split."""
+    """Record 5A [m]. Thickness of the grinding shim of a split inner race (gothic arch); 0 if the race is not split."""
     rmsAspHt1: float
-    """Record 5A [m]. Composite rms roughness of element and outer race: the root of the sum of both squares. It
-    determines when a film is thin."""
+    """Record 5A [m]. Composite rms roughness of rolling element and outer race: square root of the sum of both
+    squared values. The film parameter is film thickness divided by this value."""
     rmsAspHt2: float
-    """Record 5A [m]. Composite rms roughness of element and inner race: the root of the sum of both squares. It
-    determines when a film is thin."""
+    """Record 5A [m]. Composite rms roughness of rolling element and inner race: square root of the sum of both
+    squared values. The film parameter is film thickness divided by this value."""
     bReCrn: float
-    """Record 5B.1 [m]. Crown radius of the roller profile. 1.0e+10 together with bReCenLen equal to bReLen means no
-    crown."""
+    """Record 5B.1 [m]. Crown radius of the roller profile. For a roller without crown, enter 1.0e+10 here and
+    bReCenLen = bReLen."""
     bReLen: float
     """Record 5B.1 [m]. Roller length from end to end."""
     bReCenLen: float
-    """Record 5B.1 [m]. Length of the uncrowned central land, at most the roller length."""
+    """Record 5B.1 [m]. Length of the central part of the roller that has no crown; at most the roller length."""
     bReCorRad1: float
-    """Record 5B.1 [m]. Corner radius at the negative x end; it shortens the contact length of the roller."""
+    """Record 5B.1 [m]. Corner radius of the roller at the negative x end. It shortens the contact length."""
     bReCorRad2: float
-    """Record 5B.1 [m]. Corner radius at the positive x end; it shortens the contact length of the roller."""
+    """Record 5B.1 [m]. Corner radius of the roller at the positive x end. It shortens the contact length."""
     raceLandLmt1: float
-    """Record 5B.2 [m]. Usable surface width of the outer race along the roller, undercuts excluded."""
+    """Record 5B.2 [m]. Usable width of the outer raceway along the roller, without undercuts."""
     raceCenLen1: float
-    """Record 5B.2 [m]. Width of the flat land in the middle of a crowned outer race; used only with a crown."""
+    """Record 5B.2 [m]. Width of the flat land in the middle of a crowned outer raceway. It is used only with a
+    crown."""
     raceCrn1: float
-    """Record 5B.2 [m]. Radius of the crown of the outer race beyond its flat land, receding from the rollers; 0
-    means no crown."""
+    """Record 5B.2 [m]. Crown radius of the outer raceway on both sides of the flat land; 0 means no crown. The crown
+    curves away from the rollers."""
     raceLandLmt2: float
-    """Record 5B.2 [m]. Usable surface width of the inner race along the roller, undercuts excluded."""
+    """Record 5B.2 [m]. Usable width of the inner raceway along the roller, without undercuts."""
     raceCenLen2: float
-    """Record 5B.2 [m]. Width of the flat land in the middle of a crowned inner race; used only with a crown."""
+    """Record 5B.2 [m]. Width of the flat land in the middle of a crowned inner raceway. It is used only with a
+    crown."""
     raceCrn2: float
-    """Record 5B.2 [m]. Radius of the crown of the inner race beyond its flat land, receding from the rollers; 0
-    means no crown."""
+    """Record 5B.2 [m]. Crown radius of the inner raceway on both sides of the flat land; 0 means no crown. The crown
+    curves away from the rollers."""
     bReEndRad1: float
-    """Record 5D.1 [m]. Sphere radius of the large end of the roller, where it meets a flange."""
+    """Record 5D.1 [m]. Sphere radius of the large end of the roller, which can touch a flange."""
     bReEndRad2: float
-    """Record 5D.1 [m]. Sphere radius of the small end of the roller, where it meets a flange."""
+    """Record 5D.1 [m]. Sphere radius of the small end of the roller, which can touch a flange."""
     raceTaper1: float
-    """Record 5D.1 [deg]. Half cone angle of the outer race. The pitch diameter follows from both cones, which have a
-    common apex."""
+    """Record 5D.1 [deg]. Half cone angle of the outer race. Both cones have a common apex, and the pitch diameter
+    follows from the two angles."""
     raceTaper2: float
-    """Record 5D.1 [deg]. Half cone angle of the inner race. The pitch diameter follows from both cones, which have a
-    common apex."""
+    """Record 5D.1 [deg]. Half cone angle of the inner race. Both cones have a common apex, and the pitch diameter
+    follows from the two angles."""
     flngAng11: float
     """Record 5F [deg]. Layback angle of the flange on the outer race, negative x side; used when kFlngInd11 is 1."""
     flngAng21: float
@@ -389,53 +399,57 @@ class DeckVariables:
     reDiaVar40: float
     """Record 5G.1D.4 [m]. Diameter of rolling element 40 minus the nominal diameter; 0 if there is no such element."""
     rndVar11: float
-    """Record 5G.2.1A [m]. Half major axis minus nominal radius of the outer race."""
+    """Record 5G.2.1A [m]. Semi-major axis minus nominal radius of the outer race."""
     rndVar21: float
-    """Record 5G.2.1A [m]. Half minor axis minus nominal radius of the outer race."""
+    """Record 5G.2.1A [m]. Semi-minor axis minus nominal radius of the outer race."""
     rndVar31: float
     """Record 5G.2.1A [deg]. Angle of the major axis from the race-fixed z axis, positive about x."""
     cFacVar11: float
-    """Record 5G.2.1A. Amplitude a of the curvature factor error, outer race, a sin(w theta + phi)."""
+    """Record 5G.2.1A. Amplitude a of the error of the curvature factor of the outer race, a sin(w theta + phi)."""
     cFacVar21: float
-    """Record 5G.2.1A [cycle/rev]. Waves per revolution w of the curvature factor error, outer race."""
+    """Record 5G.2.1A [cycle/rev]. Number w of waves per revolution of the error of the curvature factor of the outer
+    race."""
     cFacVar31: float
-    """Record 5G.2.1A [deg]. Phase phi of the curvature factor error, outer race."""
+    """Record 5G.2.1A [deg]. Phase phi of the error of the curvature factor of the outer race."""
     rlOffset11: float
-    """Record 5G.2.1C [m]. Amplitude a of the axial offset of the land, outer race, a sin(w theta + phi)."""
+    """Record 5G.2.1C [m]. Amplitude a of the axial offset of the land of the outer race, a sin(w theta + phi)."""
     rlOffset21: float
-    """Record 5G.2.1C [cycle/rev]. Waves per revolution w of the axial offset of the land, outer race."""
+    """Record 5G.2.1C [cycle/rev]. Number w of waves per revolution of the axial offset of the land of the outer
+    race."""
     rlOffset31: float
-    """Record 5G.2.1C [deg]. Phase phi of the axial offset of the land, outer race."""
+    """Record 5G.2.1C [deg]. Phase phi of the axial offset of the land of the outer race."""
     rlTaper11: float
-    """Record 5G.2.1C [rad]. Amplitude a of the taper of the land, outer race, a sin(w theta + phi)."""
+    """Record 5G.2.1C [rad]. Amplitude a of the taper of the land of the outer race, a sin(w theta + phi)."""
     rlTaper21: float
-    """Record 5G.2.1C [cycle/rev]. Waves per revolution w of the taper of the land, outer race."""
+    """Record 5G.2.1C [cycle/rev]. Number w of waves per revolution of the taper of the land of the outer race."""
     rlTaper31: float
-    """Record 5G.2.1C [deg]. Phase phi of the taper of the land, outer race."""
+    """Record 5G.2.1C [deg]. Phase phi of the taper of the land of the outer race."""
     rndVar12: float
-    """Record 5G.2.2A [m]. Half major axis minus nominal radius of the inner race."""
+    """Record 5G.2.2A [m]. Semi-major axis minus nominal radius of the inner race."""
     rndVar22: float
-    """Record 5G.2.2A [m]. Half minor axis minus nominal radius of the inner race."""
+    """Record 5G.2.2A [m]. Semi-minor axis minus nominal radius of the inner race."""
     rndVar32: float
     """Record 5G.2.2A [deg]. Angle of the major axis from the race-fixed z axis, positive about x."""
     cFacVar12: float
-    """Record 5G.2.2A. Amplitude a of the curvature factor error, inner race, a sin(w theta + phi)."""
+    """Record 5G.2.2A. Amplitude a of the error of the curvature factor of the inner race, a sin(w theta + phi)."""
     cFacVar22: float
-    """Record 5G.2.2A [cycle/rev]. Waves per revolution w of the curvature factor error, inner race."""
+    """Record 5G.2.2A [cycle/rev]. Number w of waves per revolution of the error of the curvature factor of the inner
+    race."""
     cFacVar32: float
-    """Record 5G.2.2A [deg]. Phase phi of the curvature factor error, inner race."""
+    """Record 5G.2.2A [deg]. Phase phi of the error of the curvature factor of the inner race."""
     rlOffset12: float
-    """Record 5G.2.2C [m]. Amplitude a of the axial offset of the land, inner race, a sin(w theta + phi)."""
+    """Record 5G.2.2C [m]. Amplitude a of the axial offset of the land of the inner race, a sin(w theta + phi)."""
     rlOffset22: float
-    """Record 5G.2.2C [cycle/rev]. Waves per revolution w of the axial offset of the land, inner race."""
+    """Record 5G.2.2C [cycle/rev]. Number w of waves per revolution of the axial offset of the land of the inner
+    race."""
     rlOffset32: float
-    """Record 5G.2.2C [deg]. Phase phi of the axial offset of the land, inner race."""
+    """Record 5G.2.2C [deg]. Phase phi of the axial offset of the land of the inner race."""
     rlTaper12: float
-    """Record 5G.2.2C [rad]. Amplitude a of the taper of the land, inner race, a sin(w theta + phi)."""
+    """Record 5G.2.2C [rad]. Amplitude a of the taper of the land of the inner race, a sin(w theta + phi)."""
     rlTaper22: float
-    """Record 5G.2.2C [cycle/rev]. Waves per revolution w of the taper of the land, inner race."""
+    """Record 5G.2.2C [cycle/rev]. Number w of waves per revolution of the taper of the land of the inner race."""
     rlTaper32: float
-    """Record 5G.2.2C [deg]. Phase phi of the taper of the land, inner race."""
+    """Record 5G.2.2C [deg]. Phase phi of the taper of the land of the inner race."""
     bReMass: float
     """Record 6.1 [kg]. Mass of the rolling element."""
     bReMIx: float
@@ -454,13 +468,13 @@ class DeckVariables:
     """Record 6.1 [m]. Z component of the vector from the mass center to the geometric center of the rolling element,
     in its geometric frame. Zero for a balanced body."""
     bReFrameX: float
-    """Record 6.1 [deg]. X angle of the rotation from the principal axes of inertia to the geometric frame of the
+    """Record 6.1 [deg]. Rotation angle about X from the principal axes of inertia to the geometric frame of the
     rolling element. Zero when both coincide."""
     bReFrameY: float
-    """Record 6.1 [deg]. Y angle of the rotation from the principal axes of inertia to the geometric frame of the
+    """Record 6.1 [deg]. Rotation angle about Y from the principal axes of inertia to the geometric frame of the
     rolling element. Zero when both coincide."""
     bReFrameZ: float
-    """Record 6.1 [deg]. Z angle of the rotation from the principal axes of inertia to the geometric frame of the
+    """Record 6.1 [deg]. Rotation angle about Z from the principal axes of inertia to the geometric frame of the
     rolling element. Zero when both coincide."""
     raceMass1: float
     """Record 6.2.1 [kg]. Mass of the outer race."""
@@ -480,13 +494,13 @@ class DeckVariables:
     """Record 6.2.1 [m]. Z component of the vector from the mass center to the geometric center of the outer race, in
     the race frame. Zero for a balanced body."""
     raceFrameX1: float
-    """Record 6.2.1 [deg]. X angle of the rotation from the principal axes of inertia to the geometric frame of the
+    """Record 6.2.1 [deg]. Rotation angle about X from the principal axes of inertia to the geometric frame of the
     outer race. Zero when both coincide."""
     raceFrameY1: float
-    """Record 6.2.1 [deg]. Y angle of the rotation from the principal axes of inertia to the geometric frame of the
+    """Record 6.2.1 [deg]. Rotation angle about Y from the principal axes of inertia to the geometric frame of the
     outer race. Zero when both coincide."""
     raceFrameZ1: float
-    """Record 6.2.1 [deg]. Z angle of the rotation from the principal axes of inertia to the geometric frame of the
+    """Record 6.2.1 [deg]. Rotation angle about Z from the principal axes of inertia to the geometric frame of the
     outer race. Zero when both coincide."""
     raceMass2: float
     """Record 6.2.2 [kg]. Mass of the inner race."""
@@ -506,17 +520,17 @@ class DeckVariables:
     """Record 6.2.2 [m]. Z component of the vector from the mass center to the geometric center of the inner race, in
     the race frame. Zero for a balanced body."""
     raceFrameX2: float
-    """Record 6.2.2 [deg]. X angle of the rotation from the principal axes of inertia to the geometric frame of the
+    """Record 6.2.2 [deg]. Rotation angle about X from the principal axes of inertia to the geometric frame of the
     inner race. Zero when both coincide."""
     raceFrameY2: float
-    """Record 6.2.2 [deg]. Y angle of the rotation from the principal axes of inertia to the geometric frame of the
+    """Record 6.2.2 [deg]. Rotation angle about Y from the principal axes of inertia to the geometric frame of the
     inner race. Zero when both coincide."""
     raceFrameZ2: float
-    """Record 6.2.2 [deg]. Z angle of the rotation from the principal axes of inertia to the geometric frame of the
+    """Record 6.2.2 [deg]. Rotation angle about Z from the principal axes of inertia to the geometric frame of the
     inner race. Zero when both coincide."""
     kPocType: int
-    """Record 7.0. Shape of the pockets; the codes depend on kBrg. For rollers a positive value is the number of
-    guide surface pairs on records 7.3.i."""
+    """Record 7.0. Shape of the pockets. The codes depend on the bearing type (kBrg). For rollers, a positive value
+    is the number of guide surface pairs on records 7.3.i."""
     kCagePocImp: int
     """Record 7.0. Geometry errors of the pockets."""
     kCageGsImp: int
@@ -524,11 +538,12 @@ class DeckVariables:
     kRaceGsImp: int
     """Record 7.0. Geometry errors of the guide lands of the race, used when nGL is above 0."""
     kPocHydro: int
-    """Record 7.0. Hydrodynamic film forces in the pockets; not with a segmented cage."""
+    """Record 7.0. Hydrodynamic film forces in the pockets. They are not available with a segmented cage."""
     kGsHydro: int
-    """Record 7.0. Hydrodynamic film forces at the guide lands; not with a segmented cage."""
+    """Record 7.0. Hydrodynamic film forces at the guide lands. They are not available with a segmented cage."""
     kCageMat: int
-    """Record 7.0. Material of the cage: 0 mild steel, 1 properties in the deck, or a code of the material table."""
+    """Record 7.0. Material of the cage. 0 is mild steel, and 1 takes the properties from the deck. Other codes are
+    those of the material table."""
     kCageIP: int
     """Record 7.0. Source of mass and inertia of the cage."""
     nGL: int
@@ -536,8 +551,9 @@ class DeckVariables:
     iCageGuide: np.ndarray
     """Record 7.0. Race that guides each land."""
     lSeg: np.ndarray
-    """Record 7.0.1. Rolling element at the start of each segment. A positive number cuts the cage just before that
-    element, a negative one through its pocket; absolute values increase."""
+    """Record 7.0.1. Number of the rolling element at the start of each segment, in increasing absolute values. A
+    positive number cuts the cage just before the element, a negative number cuts it through the pocket of the
+    element."""
     cageDia1: float
     """Record 7.1 [m]. Outer diameter of the cage."""
     cageDia2: float
@@ -545,18 +561,18 @@ class DeckVariables:
     cageWidth: float
     """Record 7.1 [m]. Width of the cage."""
     cageCls1: float
-    """Record 7.1 [m]. Diametral clearance between cage and outer race outside the guide lands; lands have separate
-    clearances on records 7.2.i."""
+    """Record 7.1 [m]. Diametral clearance between cage and outer race outside the guide lands. The clearances of the
+    lands are on records 7.2.i."""
     cageCls2: float
-    """Record 7.1 [m]. Diametral clearance between cage and inner race outside the guide lands; lands have separate
-    clearances on records 7.2.i."""
+    """Record 7.1 [m]. Diametral clearance between cage and inner race outside the guide lands. The clearances of the
+    lands are on records 7.2.i."""
     bPocCls1: float
-    """Record 7.1 [m]. Pocket clearance I: pocket size minus element diameter around the circumference; axial for
-    elongated ball pockets, inner opening minus ball diameter for conical ones. Unused for rollers with guide
-    surface pairs."""
+    """Record 7.1 [m]. Pocket clearance I: circumferential pocket size minus element diameter. For elongated ball
+    pockets it is the axial clearance, and for conical ball pockets the inner opening minus ball diameter. It is
+    not used for rollers with guide surface pairs."""
     bPocCls2: float
-    """Record 7.1 [m]. Pocket clearance II: center offset of elongated, axial clearance of rectangular, outer opening
-    minus ball diameter of conical ball pockets. Zero for other pockets and for rollers."""
+    """Record 7.1 [m]. Pocket clearance II of ball pockets. Elongated pocket: center offset. Rectangular pocket:
+    axial clearance. Conical pocket: outer opening minus ball diameter. Enter 0 for other pockets and for rollers."""
     cageAngCut: float
     """Record 7.1 [deg]. Angular width of the cut between two segments; 0 for a one-piece cage."""
     cageConeAng: float
@@ -577,22 +593,22 @@ class DeckVariables:
     bPocGsAng3: np.ndarray
     """Record 7.3.i [deg]. Rotation about z from the pocket frame to the frame of the guide surface."""
     bPocGsCen1: np.ndarray
-    """Record 7.3.i [m]. x of the surface center from the pocket center."""
+    """Record 7.3.i [m]. x coordinate of the surface center, measured from the pocket center."""
     bPocGsCen2: np.ndarray
-    """Record 7.3.i [m]. y of the surface center from the pocket center, on the positive side; the second surface is
-    its mirror image in the x-z plane of the pocket."""
+    """Record 7.3.i [m]. y coordinate of the surface center, measured from the pocket center to the positive side.
+    The second surface of the pair is the mirror image in the x-z plane of the pocket."""
     bPocGsCen3: np.ndarray
-    """Record 7.3.i [m]. z of the surface center from the pocket center."""
+    """Record 7.3.i [m]. z coordinate of the surface center, measured from the pocket center."""
     bPocGsLen1: np.ndarray
     """Record 7.3.i [m]. Extent of the surface along z (width)."""
     bPocGsLen2: np.ndarray
     """Record 7.3.i [m]. Extent of the surface along x (length)."""
     bPocClsVar1: float
-    """Record 7.4 [m]. Deviation of pocket clearance I; its rms value when kCagePocImp is 3."""
+    """Record 7.4 [m]. Deviation of pocket clearance I; when kCagePocImp is 3, the rms value of the deviation."""
     bPocClsVar2: float
-    """Record 7.4 [m]. Deviation of pocket clearance II; its rms value when kCagePocImp is 3."""
+    """Record 7.4 [m]. Deviation of pocket clearance II; when kCagePocImp is 3, the rms value of the deviation."""
     bPocThknsVar: float
-    """Record 7.4 [m]. Deviation of the pocket thickness from outer minus inner cage radius."""
+    """Record 7.4 [m]. Deviation of the pocket thickness from the cage thickness (outer minus inner cage radius)."""
     bPocCenVar1: float
     """Record 7.4 [m]. Axial shift of the pocket center."""
     bPocCenVar2: float
@@ -600,25 +616,27 @@ class DeckVariables:
     bPocAngVar1: float
     """Record 7.4 [deg]. Tilt of the pocket frame, first angle (about x)."""
     bPocAngVar2: float
-    """Record 7.4 [deg]. Tilt of the pocket frame, second angle (about the new y)."""
+    """Record 7.4 [deg]. Tilt of the pocket frame, second angle (about the y axis after the first rotation)."""
     bPocAngVar3: float
-    """Record 7.4 [deg]. Tilt of the pocket frame, third angle (about the newest z)."""
+    """Record 7.4 [deg]. Tilt of the pocket frame, third angle (about the z axis after both rotations)."""
     cageGsRadVar1: np.ndarray
-    """Record 7.5.i [m]. Cage land: half y axis minus nominal radius when kCageGsImp is 1, amplitude of the radius
-    wave when it is 2."""
+    """Record 7.5.i [m]. Cage land: semi-axis along y minus nominal radius (kCageGsImp = 1), or amplitude of the
+    radius wave (kCageGsImp = 2)."""
     cageGsRadVar2: np.ndarray
-    """Record 7.5.i [m]. Cage land: half z axis minus nominal radius when kCageGsImp is 1, number of waves per
-    revolution (no unit) when it is 2."""
+    """Record 7.5.i [m]. Cage land: semi-axis along z minus nominal radius (kCageGsImp = 1), or number of waves per
+    revolution, without unit (kCageGsImp = 2)."""
     cageGsRadVar3: np.ndarray
-    """Record 7.5.i [deg]. Cage land: unused (0) when kCageGsImp is 1, phase of the radius wave when it is 2."""
+    """Record 7.5.i [deg]. Cage land: phase of the radius wave (kCageGsImp = 2). With kCageGsImp = 1 the value is not
+    used; enter 0."""
     raceGsRadVar1: np.ndarray
-    """Record 7.6.i [m]. Race land: half y axis minus nominal radius when kRaceGsImp is 1, amplitude of the radius
-    wave when it is 2."""
+    """Record 7.6.i [m]. Race land: semi-axis along y minus nominal radius (kRaceGsImp = 1), or amplitude of the
+    radius wave (kRaceGsImp = 2)."""
     raceGsRadVar2: np.ndarray
-    """Record 7.6.i [m]. Race land: half z axis minus nominal radius when kRaceGsImp is 1, number of waves per
-    revolution (no unit) when it is 2."""
+    """Record 7.6.i [m]. Race land: semi-axis along z minus nominal radius (kRaceGsImp = 1), or number of waves per
+    revolution, without unit (kRaceGsImp = 2)."""
     raceGsRadVar3: np.ndarray
-    """Record 7.6.i [deg]. Race land: unused (0) when kRaceGsImp is 1, phase of the radius wave when it is 2."""
+    """Record 7.6.i [deg]. Race land: phase of the radius wave (kRaceGsImp = 2). With kRaceGsImp = 1 the value is not
+    used; enter 0."""
     cageMass: float
     """Record 7.7 [kg]. Mass of the cage."""
     cageMIx: float
@@ -637,13 +655,13 @@ class DeckVariables:
     """Record 7.7 [m]. Z component of the vector from the mass center to the geometric center of the cage, in the
     cage frame. Zero for a balanced body."""
     cageFrameX: float
-    """Record 7.7 [deg]. X angle of the rotation from the principal axes of inertia to the geometric frame of the
+    """Record 7.7 [deg]. Rotation angle about X from the principal axes of inertia to the geometric frame of the
     cage. Zero when both coincide."""
     cageFrameY: float
-    """Record 7.7 [deg]. Y angle of the rotation from the principal axes of inertia to the geometric frame of the
+    """Record 7.7 [deg]. Rotation angle about Y from the principal axes of inertia to the geometric frame of the
     cage. Zero when both coincide."""
     cageFrameZ: float
-    """Record 7.7 [deg]. Z angle of the rotation from the principal axes of inertia to the geometric frame of the
+    """Record 7.7 [deg]. Rotation angle about Z from the principal axes of inertia to the geometric frame of the
     cage. Zero when both coincide."""
     reDen: float
     """Record 8.1 [kg/m^3]. Density of the rolling elements."""
@@ -660,14 +678,14 @@ class DeckVariables:
     reESL: float
     """Record 8.1. Elastic strain limit of the rolling elements. Larger strains are reported as plastic."""
     reH: float
-    """Record 8.1 [HRC]. Rockwell C hardness of the rolling elements. It becomes the indentation pressure of the wear
-    law."""
+    """Record 8.1 [HRC]. Rockwell C hardness of the rolling elements. It is converted to the indentation pressure of
+    the wear law."""
     reWC: float
-    """Record 8.1. Wear coefficient K of the rolling elements. The worn volume is K times load times sliding distance
-    over hardness."""
+    """Record 8.1. Wear coefficient K of the rolling elements. The worn volume is K times load times sliding
+    distance, divided by hardness."""
     reVM: float
-    """Record 8.1 [N/m^2]. Von Mises fatigue limit stress of the rolling elements. Below it the Ioannides-Harris life
-    is infinite."""
+    """Record 8.1 [N/m^2]. Von Mises fatigue limit stress of the rolling elements. Below this stress the Ioannides-
+    Harris life is infinite."""
     raceDen1: float
     """Record 8.2.1 [kg/m^3]. Density of the outer race."""
     raceEM1: float
@@ -683,14 +701,14 @@ class DeckVariables:
     raceESL1: float
     """Record 8.2.1. Elastic strain limit of the outer race. Larger strains are reported as plastic."""
     raceH1: float
-    """Record 8.2.1 [HRC]. Rockwell C hardness of the outer race. It becomes the indentation pressure of the wear
-    law."""
+    """Record 8.2.1 [HRC]. Rockwell C hardness of the outer race. It is converted to the indentation pressure of the
+    wear law."""
     raceWC1: float
-    """Record 8.2.1. Wear coefficient K of the outer race. The worn volume is K times load times sliding distance
-    over hardness."""
+    """Record 8.2.1. Wear coefficient K of the outer race. The worn volume is K times load times sliding distance,
+    divided by hardness."""
     raceVM1: float
-    """Record 8.2.1 [N/m^2]. Von Mises fatigue limit stress of the outer race. Below it the Ioannides-Harris life is
-    infinite."""
+    """Record 8.2.1 [N/m^2]. Von Mises fatigue limit stress of the outer race. Below this stress the Ioannides-Harris
+    life is infinite."""
     raceDen2: float
     """Record 8.2.2 [kg/m^3]. Density of the inner race."""
     raceEM2: float
@@ -706,14 +724,14 @@ class DeckVariables:
     raceESL2: float
     """Record 8.2.2. Elastic strain limit of the inner race. Larger strains are reported as plastic."""
     raceH2: float
-    """Record 8.2.2 [HRC]. Rockwell C hardness of the inner race. It becomes the indentation pressure of the wear
-    law."""
+    """Record 8.2.2 [HRC]. Rockwell C hardness of the inner race. It is converted to the indentation pressure of the
+    wear law."""
     raceWC2: float
-    """Record 8.2.2. Wear coefficient K of the inner race. The worn volume is K times load times sliding distance
-    over hardness."""
+    """Record 8.2.2. Wear coefficient K of the inner race. The worn volume is K times load times sliding distance,
+    divided by hardness."""
     raceVM2: float
-    """Record 8.2.2 [N/m^2]. Von Mises fatigue limit stress of the inner race. Below it the Ioannides-Harris life is
-    infinite."""
+    """Record 8.2.2 [N/m^2]. Von Mises fatigue limit stress of the inner race. Below this stress the Ioannides-Harris
+    life is infinite."""
     shftDen: float
     """Record 8.3 [kg/m^3]. Density of the shaft."""
     shftEM: float
@@ -749,84 +767,93 @@ class DeckVariables:
     cageESL: float
     """Record 8.5. Elastic strain limit of the cage. Larger strains are reported as plastic."""
     cageH: float
-    """Record 8.5 [HRC]. Rockwell C hardness of the cage. It becomes the indentation pressure of the wear law."""
+    """Record 8.5 [HRC]. Rockwell C hardness of the cage. It is converted to the indentation pressure of the wear
+    law."""
     cageWC: float
-    """Record 8.5. Wear coefficient K of the cage. The worn volume is K times load times sliding distance over
+    """Record 8.5. Wear coefficient K of the cage. The worn volume is K times load times sliding distance, divided by
     hardness."""
     sProb: float
     """Record 8.6.0. Survival probability for which the life is computed; 0.9 gives L10."""
     brgWbDis: float
     """Record 8.6.0. Weibull slope of the bearing as a whole."""
     fco1: float
-    """Record 8.6.1. Multiplier on the original Lundberg-Palmgren constant, outer race. 1 keeps the built-in value."""
+    """Record 8.6.1. Multiplier on the constant of the original Lundberg-Palmgren model, outer race. 1 keeps the
+    built-in value."""
     fcLP1: float
-    """Record 8.6.1. Multiplier on the updated Lundberg-Palmgren constant, outer race. 1 keeps the built-in value."""
+    """Record 8.6.1. Multiplier on the constant of the updated Lundberg-Palmgren model, outer race. 1 keeps the
+    built-in value."""
     shExLP1: float
-    """Record 8.6.1. Shear stress exponent of the updated Lundberg-Palmgren model, outer race. 0 takes the built-in
-    one."""
+    """Record 8.6.1. Shear stress exponent of the updated Lundberg-Palmgren model, outer race. 0 selects the built-in
+    value."""
     depExLP1: float
-    """Record 8.6.1. Depth exponent of the updated Lundberg-Palmgren model, outer race. 0 with a shear stress
-    exponent of 0 takes the built-in one."""
+    """Record 8.6.1. Depth exponent of the updated Lundberg-Palmgren model, outer race. 0 selects the built-in value
+    if the shear stress exponent is also 0."""
     fcGZ1: float
-    """Record 8.6.1. Multiplier on the Gupta-Zaretsky constant, outer race. 1 keeps the built-in value."""
+    """Record 8.6.1. Multiplier on the constant of the Gupta-Zaretsky model, outer race. 1 keeps the built-in value."""
     shExGZ1: float
-    """Record 8.6.1. Shear stress exponent of the Gupta-Zaretsky model, outer race. 0 takes the built-in one."""
+    """Record 8.6.1. Shear stress exponent of the Gupta-Zaretsky model, outer race. 0 selects the built-in value."""
     fcIH1: float
-    """Record 8.6.1. Multiplier on the updated Ioannides-Harris constant, outer race. 1 keeps the built-in value."""
+    """Record 8.6.1. Multiplier on the constant of the updated Ioannides-Harris model, outer race. 1 keeps the built-
+    in value."""
     shExIH1: float
-    """Record 8.6.1. Shear stress exponent of the updated Ioannides-Harris model, outer race. 0 takes the built-in
-    one."""
+    """Record 8.6.1. Shear stress exponent of the updated Ioannides-Harris model, outer race. 0 selects the built-in
+    value."""
     depExIH1: float
-    """Record 8.6.1. Depth exponent of the updated Ioannides-Harris model, outer race. 0 with a shear stress exponent
-    of 0 takes the built-in one."""
+    """Record 8.6.1. Depth exponent of the updated Ioannides-Harris model, outer race. 0 selects the built-in value
+    if the shear stress exponent is also 0."""
     wbDis1: float
     """Record 8.6.1. Weibull slope of the outer race."""
     fco2: float
-    """Record 8.6.2. Multiplier on the original Lundberg-Palmgren constant, inner race. 1 keeps the built-in value."""
+    """Record 8.6.2. Multiplier on the constant of the original Lundberg-Palmgren model, inner race. 1 keeps the
+    built-in value."""
     fcLP2: float
-    """Record 8.6.2. Multiplier on the updated Lundberg-Palmgren constant, inner race. 1 keeps the built-in value."""
+    """Record 8.6.2. Multiplier on the constant of the updated Lundberg-Palmgren model, inner race. 1 keeps the
+    built-in value."""
     shExLP2: float
-    """Record 8.6.2. Shear stress exponent of the updated Lundberg-Palmgren model, inner race. 0 takes the built-in
-    one."""
+    """Record 8.6.2. Shear stress exponent of the updated Lundberg-Palmgren model, inner race. 0 selects the built-in
+    value."""
     depExLP2: float
-    """Record 8.6.2. Depth exponent of the updated Lundberg-Palmgren model, inner race. 0 with a shear stress
-    exponent of 0 takes the built-in one."""
+    """Record 8.6.2. Depth exponent of the updated Lundberg-Palmgren model, inner race. 0 selects the built-in value
+    if the shear stress exponent is also 0."""
     fcGZ2: float
-    """Record 8.6.2. Multiplier on the Gupta-Zaretsky constant, inner race. 1 keeps the built-in value."""
+    """Record 8.6.2. Multiplier on the constant of the Gupta-Zaretsky model, inner race. 1 keeps the built-in value."""
     shExGZ2: float
-    """Record 8.6.2. Shear stress exponent of the Gupta-Zaretsky model, inner race. 0 takes the built-in one."""
+    """Record 8.6.2. Shear stress exponent of the Gupta-Zaretsky model, inner race. 0 selects the built-in value."""
     fcIH2: float
-    """Record 8.6.2. Multiplier on the updated Ioannides-Harris constant, inner race. 1 keeps the built-in value."""
+    """Record 8.6.2. Multiplier on the constant of the updated Ioannides-Harris model, inner race. 1 keeps the built-
+    in value."""
     shExIH2: float
-    """Record 8.6.2. Shear stress exponent of the updated Ioannides-Harris model, inner race. 0 takes the built-in
-    one."""
+    """Record 8.6.2. Shear stress exponent of the updated Ioannides-Harris model, inner race. 0 selects the built-in
+    value."""
     depExIH2: float
-    """Record 8.6.2. Depth exponent of the updated Ioannides-Harris model, inner race. 0 with a shear stress exponent
-    of 0 takes the built-in one."""
+    """Record 8.6.2. Depth exponent of the updated Ioannides-Harris model, inner race. 0 selects the built-in value
+    if the shear stress exponent is also 0."""
     wbDis2: float
     """Record 8.6.2. Weibull slope of the inner race."""
     fcLPre: float
-    """Record 8.6.3. Multiplier on the updated Lundberg-Palmgren constant, rolling elements. 1 keeps the built-in
-    value."""
+    """Record 8.6.3. Multiplier on the constant of the updated Lundberg-Palmgren model, rolling elements. 1 keeps the
+    built-in value."""
     shExLPre: float
-    """Record 8.6.3. Shear stress exponent of the updated Lundberg-Palmgren model, rolling elements. 0 takes the
-    built-in one."""
+    """Record 8.6.3. Shear stress exponent of the updated Lundberg-Palmgren model, rolling elements. 0 selects the
+    built-in value."""
     depExLPre: float
-    """Record 8.6.3. Depth exponent of the updated Lundberg-Palmgren model, rolling elements. 0 with a shear stress
-    exponent of 0 takes the built-in one."""
+    """Record 8.6.3. Depth exponent of the updated Lundberg-Palmgren model, rolling elements. 0 selects the built-in
+    value if the shear stress exponent is also 0."""
     fcGZre: float
-    """Record 8.6.3. Multiplier on the Gupta-Zaretsky constant, rolling elements. 1 keeps the built-in value."""
-    shExGZre: float
-    """Record 8.6.3. Shear stress exponent of the Gupta-Zaretsky model, rolling elements. 0 takes the built-in one."""
-    fcIHre: float
-    """Record 8.6.3. Multiplier on the updated Ioannides-Harris constant, rolling elements. 1 keeps the built-in
+    """Record 8.6.3. Multiplier on the constant of the Gupta-Zaretsky model, rolling elements. 1 keeps the built-in
     value."""
+    shExGZre: float
+    """Record 8.6.3. Shear stress exponent of the Gupta-Zaretsky model, rolling elements. 0 selects the built-in
+    value."""
+    fcIHre: float
+    """Record 8.6.3. Multiplier on the constant of the updated Ioannides-Harris model, rolling elements. 1 keeps the
+    built-in value."""
     shExIHre: float
-    """Record 8.6.3. Shear stress exponent of the updated Ioannides-Harris model, rolling elements. 0 takes the
-    built-in one."""
+    """Record 8.6.3. Shear stress exponent of the updated Ioannides-Harris model, rolling elements. 0 selects the
+    built-in value."""
     depExIHre: float
-    """Record 8.6.3. Depth exponent of the updated Ioannides-Harris model, rolling elements. 0 with a shear stress
-    exponent of 0 takes the built-in one."""
+    """Record 8.6.3. Depth exponent of the updated Ioannides-Harris model, rolling elements. 0 selects the built-in
+    value if the shear stress exponent is also 0."""
     wbDisRe: float
     """Record 8.6.3. Weibull slope of the rolling elements."""
     rmsAspSlope1: float
@@ -834,14 +861,14 @@ class DeckVariables:
     aspTrac1: float
     """Record 8.6.4. Asperity traction coefficient of the outer race contact, for the Tallian factors."""
     facMat1: float
-    """Record 8.6.4. Tallian material factor, outer race. 52100 has 1.197, 8620 1.773, M50 2.267."""
+    """Record 8.6.4. Tallian material factor, outer race. 1.197 for 52100, 1.773 for 8620, 2.267 for M50."""
     facCont1: float
-    """Record 8.6.4. Tallian contamination factor, outer race. 1 is the standard; about 0.25, down to 0.10, for
-    aerospace use of VIMVAR steel."""
+    """Record 8.6.4. Tallian contamination factor, outer race. The standard value is 1. VIMVAR steel in aerospace use
+    has about 0.25, down to 0.10."""
     facProc1: float
-    """Record 8.6.4. Tallian process factor, outer race. CVD steel before 1975 has 2.58, from 1975 on 0.077,
-    carburizing CVD 4.85, VIMVAR 0.0050 down to 0.003. The spread of these published values is suspicious: check
-    before relying on it."""
+    """Record 8.6.4. Tallian process factor, outer race. Published values: 2.58 for CVD steel before 1975, 0.077 for
+    CVD steel since 1975, 4.85 for carburizing CVD steel, 0.0050 down to 0.003 for VIMVAR steel. Their spread is
+    suspicious: check a value before you rely on it."""
     facMatLF1: float
     """Record 8.6.4. STLE material factor, outer race. 1 does not change the life."""
     facProcLF1: float
@@ -853,14 +880,14 @@ class DeckVariables:
     aspTrac2: float
     """Record 8.6.5. Asperity traction coefficient of the inner race contact, for the Tallian factors."""
     facMat2: float
-    """Record 8.6.5. Tallian material factor, inner race. 52100 has 1.197, 8620 1.773, M50 2.267."""
+    """Record 8.6.5. Tallian material factor, inner race. 1.197 for 52100, 1.773 for 8620, 2.267 for M50."""
     facCont2: float
-    """Record 8.6.5. Tallian contamination factor, inner race. 1 is the standard; about 0.25, down to 0.10, for
-    aerospace use of VIMVAR steel."""
+    """Record 8.6.5. Tallian contamination factor, inner race. The standard value is 1. VIMVAR steel in aerospace use
+    has about 0.25, down to 0.10."""
     facProc2: float
-    """Record 8.6.5. Tallian process factor, inner race. CVD steel before 1975 has 2.58, from 1975 on 0.077,
-    carburizing CVD 4.85, VIMVAR 0.0050 down to 0.003. The spread of these published values is suspicious: check
-    before relying on it."""
+    """Record 8.6.5. Tallian process factor, inner race. Published values: 2.58 for CVD steel before 1975, 0.077 for
+    CVD steel since 1975, 4.85 for carburizing CVD steel, 0.0050 down to 0.003 for VIMVAR steel. Their spread is
+    suspicious: check a value before you rely on it."""
     facMatLF2: float
     """Record 8.6.5. STLE material factor, inner race. 1 does not change the life."""
     facProcLF2: float
@@ -868,14 +895,14 @@ class DeckVariables:
     hardnessLF2: float
     """Record 8.6.5. STLE hardness factor, inner race. 1 does not change the life."""
     facMatRe: float
-    """Record 8.6.6. Tallian material factor, rolling elements. 52100 has 1.197, 8620 1.773, M50 2.267."""
+    """Record 8.6.6. Tallian material factor, rolling elements. 1.197 for 52100, 1.773 for 8620, 2.267 for M50."""
     facContRe: float
-    """Record 8.6.6. Tallian contamination factor, rolling elements. 1 is the standard; about 0.25, down to 0.10, for
-    aerospace use of VIMVAR steel."""
+    """Record 8.6.6. Tallian contamination factor, rolling elements. The standard value is 1. VIMVAR steel in
+    aerospace use has about 0.25, down to 0.10."""
     facProcRe: float
-    """Record 8.6.6. Tallian process factor, rolling elements. CVD steel before 1975 has 2.58, from 1975 on 0.077,
-    carburizing CVD 4.85, VIMVAR 0.0050 down to 0.003. The spread of these published values is suspicious: check
-    before relying on it."""
+    """Record 8.6.6. Tallian process factor, rolling elements. Published values: 2.58 for CVD steel before 1975,
+    0.077 for CVD steel since 1975, 4.85 for carburizing CVD steel, 0.0050 down to 0.003 for VIMVAR steel. Their
+    spread is suspicious: check a value before you rely on it."""
     facMatLFre: float
     """Record 8.6.6. STLE material factor, rolling elements. 1 does not change the life."""
     facProcLFre: float
@@ -891,20 +918,21 @@ class DeckVariables:
     """Record 9.0 [m]. Diametral fit of the inner race on the shaft, mounted at room temperature; positive is
     interference."""
     angVelOrient: float
-    """Record 9.0 [deg]. Angle of the ball spin axis from the x axis, relative to the orbit, in the plane through
-    ball and bearing axis; used only when kAngVel is 2. For a positive angle the end of the axis towards -x rises
-    outwards: at the contact angle the ball rolls without spin. If the inner race turns positively, the spin
-    points to -x. The listing gives theta of the whole angular velocity, orbit included, which is slightly below
-    180 degrees minus this angle."""
+    """Record 9.0 [deg]. Angle between the ball spin axis and the x axis, in the plane through ball center and
+    bearing axis, relative to the orbiting ball frame. It is used only when kAngVel is 2. With a positive angle,
+    the end of the axis towards -x is tilted outwards. If the angle equals the contact angle, the ball rolls
+    without spin. If the inner race rotates in the positive direction, the spin vector points to -x. The listing
+    gives theta of the total angular velocity, which includes the orbit. It is slightly below 180 degrees minus
+    this angle."""
     res1: float
-    """Record 9.0 [N/m^2]. Residual stress of the outer race in operation, tension positive; enters the STLE life
-    factor."""
+    """Record 9.0 [N/m^2]. Residual stress of the outer race in operation, positive in tension. It enters the STLE
+    life factor."""
     res2: float
-    """Record 9.0 [N/m^2]. Residual stress of the inner race in operation, tension positive; enters the STLE life
-    factor."""
+    """Record 9.0 [N/m^2]. Residual stress of the inner race in operation, positive in tension. It enters the STLE
+    life factor."""
     facStrLimit: float
-    """Record 9.0. Multiplier on the fatigue limit stress. 1 corresponds to the octahedral shear stress of the von
-    Mises stress of the race material; 1.28 reproduces ISO 281 for AISI 52100."""
+    """Record 9.0. Multiplier on the fatigue limit stress. With 1, the limit is the octahedral shear stress at the
+    von Mises limit stress of the race material. 1.28 reproduces ISO 281 for AISI 52100."""
     appLoadX: float
     """Record 9.1.1 [N]. Force that the shaft applies to the inner race along x, used when kFS1 is 0."""
     appLoadY: float
@@ -912,18 +940,21 @@ class DeckVariables:
     appLoadZ: float
     """Record 9.1.1 [N]. Force that the shaft applies to the inner race along z, used when kFS3 is 0."""
     appDispX: float
-    """Record 9.1.1 [m]. Displacement of the inner race relative to the outer along x when kFS1 is 1; first guess
-    when kFS1 is 0, where 0 selects an estimate. Measured from the position in which all balls (at freeConAng, by
-    +x) or cones just touch, or the mid planes coincide, of the unmounted bearing at room temperature and rest:
-    fits, growth and speed act against it."""
+    """Record 9.1.1 [m]. Displacement of the inner race relative to the outer race along x when kFS1 is 1. When kFS1
+    is 0, it is the first guess, and 0 selects an estimate. Zero is the position of the unmounted bearing, at rest
+    and at room temperature, in which balls at freeConAng (towards +x) or tapered rollers just touch both races,
+    or, in other bearings, the mid planes of the races coincide. Fits, thermal growth and speed do not change this
+    datum."""
     appDispY: float
-    """Record 9.1.1 [m]. Displacement of the inner race relative to the outer along y when kFS2 is 1; first guess
-    when kFS2 is 0, where 0 selects an estimate. Measured from the coaxial position of the unmounted bearing at
-    room temperature and rest: fits, growth and speed act against it."""
+    """Record 9.1.1 [m]. Displacement of the inner race relative to the outer race along y when kFS2 is 1. When kFS2
+    is 0, it is the first guess, and 0 selects an estimate. Zero is the position of the unmounted bearing, at rest
+    and at room temperature, in which the races are coaxial. Fits, thermal growth and speed do not change this
+    datum."""
     appDispZ: float
-    """Record 9.1.1 [m]. Displacement of the inner race relative to the outer along z when kFS3 is 1; first guess
-    when kFS3 is 0, where 0 selects an estimate. Measured from the coaxial position of the unmounted bearing at
-    room temperature and rest: fits, growth and speed act against it."""
+    """Record 9.1.1 [m]. Displacement of the inner race relative to the outer race along z when kFS3 is 1. When kFS3
+    is 0, it is the first guess, and 0 selects an estimate. Zero is the position of the unmounted bearing, at rest
+    and at room temperature, in which the races are coaxial. Fits, thermal growth and speed do not change this
+    datum."""
     appMomY: float
     """Record 9.1.2 [N.m]. Moment that the shaft applies to the inner race about y, used when kFS4 is 0."""
     appMomZ: float
@@ -933,31 +964,33 @@ class DeckVariables:
     appMis21: float
     """Record 9.1.2 [rad]. Misalignment of the reference (outer) race about z."""
     appMis12: float
-    """Record 9.1.2 [rad]. Misalignment of the moving (inner) race about y when kFS4 is 1; otherwise a first guess."""
+    """Record 9.1.2 [rad]. Misalignment of the moving (inner) race about y when kFS4 is 1; otherwise the first guess
+    of the static solution."""
     appMis22: float
-    """Record 9.1.2 [rad]. Misalignment of the moving (inner) race about z when kFS5 is 1; otherwise a first guess."""
+    """Record 9.1.2 [rad]. Misalignment of the moving (inner) race about z when kFS5 is 1; otherwise the first guess
+    of the static solution."""
     rpm1: float
     """Record 9.1.2 [rpm]. Speed of the outer race, positive about x."""
     rpm2: float
     """Record 9.1.2 [rpm]. Speed of the inner race, positive about x."""
     hsngTemp: float
-    """Record 9.1.3 [K]. Temperature (absolute) of the housing; dimensions grow with its difference from room
-    temperature."""
-    shftTemp: float
-    """Record 9.1.3 [K]. Temperature (absolute) of the shaft; dimensions grow with its difference from room
-    temperature."""
-    raceTemp1: float
-    """Record 9.1.3 [K]. Temperature (absolute) of the outer race; dimensions grow with its difference from room
-    temperature."""
-    raceTemp2: float
-    """Record 9.1.3 [K]. Temperature (absolute) of the inner race; dimensions grow with its difference from room
-    temperature."""
-    reTemp: float
-    """Record 9.1.3 [K]. Temperature (absolute) of the rolling elements; dimensions grow with its difference from
+    """Record 9.1.3 [K]. Temperature (absolute) of the housing at the start. Dimensions grow with the difference from
     room temperature."""
+    shftTemp: float
+    """Record 9.1.3 [K]. Temperature (absolute) of the shaft at the start. Dimensions grow with the difference from
+    room temperature."""
+    raceTemp1: float
+    """Record 9.1.3 [K]. Temperature (absolute) of the outer race at the start. Dimensions grow with the difference
+    from room temperature."""
+    raceTemp2: float
+    """Record 9.1.3 [K]. Temperature (absolute) of the inner race at the start. Dimensions grow with the difference
+    from room temperature."""
+    reTemp: float
+    """Record 9.1.3 [K]. Temperature (absolute) of the rolling elements at the start. Dimensions grow with the
+    difference from room temperature."""
     cageTemp: float
-    """Record 9.1.3 [K]. Temperature (absolute) of the cage; dimensions grow with its difference from room
-    temperature."""
+    """Record 9.1.3 [K]. Temperature (absolute) of the cage at the start. Dimensions grow with the difference from
+    room temperature."""
     pctDisp: float
     """Record 9.2 [%]. Displacement increment for the stiffness, in percent of the contact deflection."""
     rpmRange11: float
@@ -973,25 +1006,25 @@ class DeckVariables:
     rotLoadFrac2: float
     """Record 9.3A. Orbit radius of the inner race divided by the relative radial deflection."""
     rotLoadRpm1: float
-    """Record 9.3A [rpm]. Speed of the load that turns with the outer race."""
+    """Record 9.3A [rpm]. Rotational speed of the load that the orbit of the outer race produces."""
     rotLoadRpm2: float
-    """Record 9.3A [rpm]. Speed of the load that turns with the inner race."""
+    """Record 9.3A [rpm]. Rotational speed of the load that the orbit of the inner race produces."""
     raceVibAmp11: float
-    """Record 9.3B [m]. Outer race amplitude along x; the motion is A sin(2 pi f t)."""
+    """Record 9.3B [m]. Outer race: amplitude A of the motion A sin(2 pi f t) along x."""
     raceVibAmp21: float
-    """Record 9.3B [m]. Outer race amplitude along y; the motion is A sin(2 pi f t)."""
+    """Record 9.3B [m]. Outer race: amplitude A of the motion A sin(2 pi f t) along y."""
     raceVibAmp31: float
-    """Record 9.3B [m]. Outer race amplitude along z; the motion is A sin(2 pi f t)."""
+    """Record 9.3B [m]. Outer race: amplitude A of the motion A sin(2 pi f t) along z."""
     raceVibAmp12: float
-    """Record 9.3B [m]. Inner race amplitude along x; the motion is A sin(2 pi f t)."""
+    """Record 9.3B [m]. Inner race: amplitude A of the motion A sin(2 pi f t) along x."""
     raceVibAmp22: float
-    """Record 9.3B [m]. Inner race amplitude along y; the motion is A sin(2 pi f t)."""
+    """Record 9.3B [m]. Inner race: amplitude A of the motion A sin(2 pi f t) along y."""
     raceVibAmp32: float
-    """Record 9.3B [m]. Inner race amplitude along z; the motion is A sin(2 pi f t)."""
+    """Record 9.3B [m]. Inner race: amplitude A of the motion A sin(2 pi f t) along z."""
     raceVibFreq1: float
-    """Record 9.3B [Hz]. Outer race frequency."""
+    """Record 9.3B [Hz]. Outer race: frequency f of the motion."""
     raceVibFreq2: float
-    """Record 9.3B [Hz]. Inner race frequency."""
+    """Record 9.3B [Hz]. Inner race: frequency f of the motion."""
     raceAngAcc1: float
     """Record 9.4A [rpm/s]. Angular acceleration of the outer race."""
     raceAngAcc2: float
@@ -1005,13 +1038,13 @@ class DeckVariables:
     endTime2: float
     """Record 9.4A [s]. Time at which the inner race stops accelerating."""
     raceSpeedAmp1: float
-    """Record 9.4B [rpm]. Amplitude of the outer race speed about rpm1: A sin(2 pi f t)."""
+    """Record 9.4B [rpm]. Amplitude A of the outer race speed, rpm1 + A sin(2 pi f t)."""
     raceSpeedAmp2: float
-    """Record 9.4B [rpm]. Amplitude of the inner race speed about rpm2: A sin(2 pi f t)."""
+    """Record 9.4B [rpm]. Amplitude A of the inner race speed, rpm2 + A sin(2 pi f t)."""
     raceSpeedFreq1: float
-    """Record 9.4B [Hz]. Frequency of the outer race speed."""
+    """Record 9.4B [Hz]. Frequency f of the outer race speed."""
     raceSpeedFreq2: float
-    """Record 9.4B [Hz]. Frequency of the inner race speed."""
+    """Record 9.4B [Hz]. Frequency f of the inner race speed."""
     brgOrbitRad: float
     """Record 9.5 [m]. Orbit radius of the bearing center."""
     brgAngPos: float
@@ -1019,32 +1052,35 @@ class DeckVariables:
     brgAngVel: float
     """Record 9.5 [rpm]. Orbit speed of the bearing center."""
     brgLoadFrac1: float
-    """Record 9.5. Fraction of the outer race's inertia load that the bearing carries."""
+    """Record 9.5. Fraction of the inertia load of the outer race that the bearing carries."""
     brgLoadFrac2: float
-    """Record 9.5. Fraction of the inner race's inertia load that the bearing carries."""
+    """Record 9.5. Fraction of the inertia load of the inner race that the bearing carries."""
     pocLubFilm: float
-    """Record 9.6 [m]. Largest lubricant film in the pockets; the film acts on elements closer than this to the
-    pocket wall."""
+    """Record 9.6 [m]. Largest thickness of the lubricant film in the pockets. The film acts on elements that are
+    closer than this to the pocket wall."""
     wvRatio: float
     """Record 9.6. Whirl speed of the cage mass center at the start, divided by the angular speed of the cage."""
     avRatio: float
-    """Record 9.6. Angular speed of the cage at the start, divided by the epicyclic speed."""
+    """Record 9.6. Angular speed of the cage at the start, divided by the epicyclic speed of the rolling elements."""
     cageGcPos: np.ndarray
-    """Record 9.6 [m]. x, y, z of the cage mass center at the start, from the circle of element centers."""
+    """Record 9.6 [m]. Coordinates x, y, z of the cage mass center at the start, relative to the center of the pitch
+    circle."""
     cageAngPos: np.ndarray
-    """Record 9.6 [deg]. Three transformation angles of the cage from the inertial frame at the start."""
+    """Record 9.6 [deg]. Three angles of the transformation from the inertial frame to the frame of the cage at the
+    start."""
     baseTemp: float
-    """Record 9.7 [K]. Reference temperature (absolute) at the place chosen by kBaseTemp."""
+    """Record 9.7 [K]. Reference temperature (absolute) at the location selected by kBaseTemp."""
     cFlowRate: float
     """Record 9.7 [m^3/s]. Volume flow of the coolant; not used when kCoolant is 0."""
     reHTC: float
-    """Record 9.7 [W/m^2/K]. Convection coefficient of the rolling elements; 0 when computed (kHTC 0)."""
+    """Record 9.7 [W/m^2/K]. Convection coefficient of the rolling elements. Enter 0 when it is computed (kHTC = 0)."""
     cageHTC: float
-    """Record 9.7 [W/m^2/K]. Convection coefficient of the cage; 0 when computed (kHTC 0)."""
+    """Record 9.7 [W/m^2/K]. Convection coefficient of the cage. Enter 0 when it is computed (kHTC = 0)."""
     aveTime: float
-    """Record 9.7 [s]. Real time over which heat is averaged for one thermal step."""
+    """Record 9.7 [s]. Time over which heat is averaged for one thermal step (in seconds, not dimensionless)."""
     skipTime: float
-    """Record 9.7 [s]. Real time at the start without thermal updates of the geometry."""
+    """Record 9.7 [s]. Time at the start of the run without thermal updates of the geometry (in seconds, not
+    dimensionless)."""
     xRo: float
     """Record 9.8 [kg/m^3]. Density of the coolant at base temperature."""
     xMu: float
@@ -1052,12 +1088,12 @@ class DeckVariables:
     xCp: float
     """Record 9.8 [J/kg/K]. Specific heat of the coolant."""
     xK: float
-    """Record 9.8 [N/s/K]. Thermal conductivity of the coolant (the same as W/m/K)."""
+    """Record 9.8 [N/s/K]. Thermal conductivity of the coolant (N/s/K is the same unit as W/m/K)."""
     kTrac: int
     """Record 10.0. Traction model or lubricant between rolling elements and races."""
     kTracType: int
-    """Record 10.0. Form of the hypothetical traction curve, element to race. It is always needed: it applies where
-    the film is thinner than reRaceFilm."""
+    """Record 10.0. Form of the hypothetical traction curve, element to race. The curve is always needed: it applies
+    where the film is thinner than reRaceFilm."""
     kCPTrac: int
     """Record 10.0. Source of the traction coefficient, element to cage."""
     kCPTracType: int
@@ -1071,32 +1107,40 @@ class DeckVariables:
     kRFTracType: int
     """Record 10.0. Form of the hypothetical traction curve, roller to flange."""
     kRRTrac: int
-    """Record 10.0. Source of the traction coefficient, element to element. Used without a cage."""
+    """Record 10.0. Source of the traction coefficient, element to element. Used only without a cage."""
     kRRTracType: int
-    """Record 10.0. Form of the hypothetical traction curve, element to element. Used without a cage."""
+    """Record 10.0. Form of the hypothetical traction curve, element to element. Used only without a cage."""
     iTherm: int
     """Record 10.0. Simplified thermal correction of the visco-elastic model; applies only to kTrac 12."""
     reRaceTC1: float
-    """Record 10.1A. Coefficient A of k = (A + B u) exp(-C u) + D, element to race."""
+    """Record 10.1A. Coefficient A of the traction coefficient (A + B u) exp(-C u) + D at slip speed u, element to
+    race."""
     reRaceTC2: float
-    """Record 10.1A [s/m]. Coefficient B of k = (A + B u) exp(-C u) + D, element to race."""
+    """Record 10.1A [s/m]. Coefficient B of the traction coefficient (A + B u) exp(-C u) + D at slip speed u, element
+    to race."""
     reRaceTC3: float
-    """Record 10.1A [s/m]. Coefficient C of k = (A + B u) exp(-C u) + D, element to race."""
+    """Record 10.1A [s/m]. Coefficient C of the traction coefficient (A + B u) exp(-C u) + D at slip speed u, element
+    to race."""
     reRaceTC4: float
-    """Record 10.1A. Coefficient D of k = (A + B u) exp(-C u) + D: the value at large slip, element to race."""
+    """Record 10.1A. Coefficient D (value at large slip) of the traction coefficient (A + B u) exp(-C u) + D at slip
+    speed u, element to race."""
     reFlngTC1: float
-    """Record 10.2A. Coefficient A of k = (A + B u) exp(-C u) + D, roller to flange."""
+    """Record 10.2A. Coefficient A of the traction coefficient (A + B u) exp(-C u) + D at slip speed u, roller to
+    flange."""
     reFlngTC2: float
-    """Record 10.2A [s/m]. Coefficient B of k = (A + B u) exp(-C u) + D, roller to flange."""
+    """Record 10.2A [s/m]. Coefficient B of the traction coefficient (A + B u) exp(-C u) + D at slip speed u, roller
+    to flange."""
     reFlngTC3: float
-    """Record 10.2A [s/m]. Coefficient C of k = (A + B u) exp(-C u) + D, roller to flange."""
+    """Record 10.2A [s/m]. Coefficient C of the traction coefficient (A + B u) exp(-C u) + D at slip speed u, roller
+    to flange."""
     reFlngTC4: float
-    """Record 10.2A. Coefficient D of k = (A + B u) exp(-C u) + D: the value at large slip, roller to flange."""
+    """Record 10.2A. Coefficient D (value at large slip) of the traction coefficient (A + B u) exp(-C u) + D at slip
+    speed u, roller to flange."""
     reRaceFilm: float
     """Record 10.3 [m]. Film thickness below which the hypothetical curve replaces the lubricant model."""
     strParam: float
-    """Record 10.3. Distance of the oil meniscus from the contact edge divided by the contact half width: 10 or more
-    is flooded, 1 or less heavily starved."""
+    """Record 10.3. Distance of the oil meniscus from the contact edge divided by the contact half width. The contact
+    is flooded at 10 or more, and heavily starved at 1 or less."""
     lubName: str
     """Record 10.4.0. Name of the lubricant, at most 36 characters; for documentation only."""
     refTemp: float
@@ -1106,13 +1150,13 @@ class DeckVariables:
     prVisCoeff: float
     """Record 10.4.1 [m^2/N]. Pressure-viscosity coefficient."""
     tempVisCoeff: float
-    """Record 10.4.1 [K]. Temperature coefficient of viscosity b in the law exp(b (1/T - 1/T0))."""
+    """Record 10.4.1 [K]. Temperature coefficient b of the viscosity, in the law exp(b (1/T - 1/T0))."""
     lubTherCond: float
-    """Record 10.4.1 [W/m/K]. Thermal conductivity (a real, although its name starts with l)."""
+    """Record 10.4.1 [W/m/K]. Thermal conductivity (a real number, not an integer)."""
     lubDen: float
-    """Record 10.4.1 [kg/m^3]. Density (a real, although its name starts with l)."""
+    """Record 10.4.1 [kg/m^3]. Density (a real number, not an integer)."""
     lubSpHeat: float
-    """Record 10.4.1 [J/kg/K]. Specific heat (a real, although its name starts with l)."""
+    """Record 10.4.1 [J/kg/K]. Specific heat (a real number, not an integer)."""
     refTracVis: float
     """Record 10.4.4 [N.s/m^2]. Reference viscosity for traction in the contact."""
     tracVisCoeff1: float
@@ -1120,29 +1164,41 @@ class DeckVariables:
     tracVisCoeff2: float
     """Record 10.4.4 [1/K]. Temperature coefficient b of the law exp(a p + b (T0 - T))."""
     reCageTC1: float
-    """Record 10.5.1A. Coefficient A of k = (A + B u) exp(-C u) + D, element to cage."""
+    """Record 10.5.1A. Coefficient A of the traction coefficient (A + B u) exp(-C u) + D at slip speed u, element to
+    cage."""
     reCageTC2: float
-    """Record 10.5.1A [s/m]. Coefficient B of k = (A + B u) exp(-C u) + D, element to cage."""
+    """Record 10.5.1A [s/m]. Coefficient B of the traction coefficient (A + B u) exp(-C u) + D at slip speed u,
+    element to cage."""
     reCageTC3: float
-    """Record 10.5.1A [s/m]. Coefficient C of k = (A + B u) exp(-C u) + D, element to cage."""
+    """Record 10.5.1A [s/m]. Coefficient C of the traction coefficient (A + B u) exp(-C u) + D at slip speed u,
+    element to cage."""
     reCageTC4: float
-    """Record 10.5.1A. Coefficient D of k = (A + B u) exp(-C u) + D: the value at large slip, element to cage."""
+    """Record 10.5.1A. Coefficient D (value at large slip) of the traction coefficient (A + B u) exp(-C u) + D at
+    slip speed u, element to cage."""
     cageRaceTC1: float
-    """Record 10.5.2A. Coefficient A of k = (A + B u) exp(-C u) + D, cage to race."""
+    """Record 10.5.2A. Coefficient A of the traction coefficient (A + B u) exp(-C u) + D at slip speed u, cage to
+    race."""
     cageRaceTC2: float
-    """Record 10.5.2A [s/m]. Coefficient B of k = (A + B u) exp(-C u) + D, cage to race."""
+    """Record 10.5.2A [s/m]. Coefficient B of the traction coefficient (A + B u) exp(-C u) + D at slip speed u, cage
+    to race."""
     cageRaceTC3: float
-    """Record 10.5.2A [s/m]. Coefficient C of k = (A + B u) exp(-C u) + D, cage to race."""
+    """Record 10.5.2A [s/m]. Coefficient C of the traction coefficient (A + B u) exp(-C u) + D at slip speed u, cage
+    to race."""
     cageRaceTC4: float
-    """Record 10.5.2A. Coefficient D of k = (A + B u) exp(-C u) + D: the value at large slip, cage to race."""
+    """Record 10.5.2A. Coefficient D (value at large slip) of the traction coefficient (A + B u) exp(-C u) + D at
+    slip speed u, cage to race."""
     reReTC1: float
-    """Record 10.5.3A. Coefficient A of k = (A + B u) exp(-C u) + D, element to element."""
+    """Record 10.5.3A. Coefficient A of the traction coefficient (A + B u) exp(-C u) + D at slip speed u, element to
+    element."""
     reReTC2: float
-    """Record 10.5.3A [s/m]. Coefficient B of k = (A + B u) exp(-C u) + D, element to element."""
+    """Record 10.5.3A [s/m]. Coefficient B of the traction coefficient (A + B u) exp(-C u) + D at slip speed u,
+    element to element."""
     reReTC3: float
-    """Record 10.5.3A [s/m]. Coefficient C of k = (A + B u) exp(-C u) + D, element to element."""
+    """Record 10.5.3A [s/m]. Coefficient C of the traction coefficient (A + B u) exp(-C u) + D at slip speed u,
+    element to element."""
     reReTC4: float
-    """Record 10.5.3A. Coefficient D of k = (A + B u) exp(-C u) + D: the value at large slip, element to element."""
+    """Record 10.5.3A. Coefficient D (value at large slip) of the traction coefficient (A + B u) exp(-C u) + D at
+    slip speed u, element to element."""
     pocVis: float
     """Record 10.6 [N.s/m^2]. Effective viscosity of the oil in the pockets."""
     gsVis: float
@@ -1152,12 +1208,14 @@ class DeckVariables:
     chnVis: float
     """Record 10.7A [N.s/m^2]. Effective viscosity of the oil-air mixture that causes drag."""
     denRatio: float
-    """Record 10.7B. Effective density of the medium divided by its built-in value; far below 1 for an oil mist."""
+    """Record 10.7B. Effective density of the medium divided by the built-in value. It is far below 1 for an oil
+    mist."""
     visRatio: float
-    """Record 10.7B. Effective viscosity of the medium divided by its built-in value."""
+    """Record 10.7B. Effective viscosity of the medium divided by the built-in value."""
     gravityVecX: float
     """Record 11 [m/s^2]. Gravity acceleration along x."""
     gravityVecY: float
     """Record 11 [m/s^2]. Gravity acceleration along y."""
     gravityVecZ: float
-    """Record 11 [m/s^2]. Gravity acceleration along z. Negative points away from the usual radial load direction."""
+    """Record 11 [m/s^2]. Gravity acceleration along z. A negative value points away from the usual direction of the
+    radial load."""

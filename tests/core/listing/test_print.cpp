@@ -147,7 +147,7 @@ TEST_CASE("PRINT: edges of the contacts for both races with their limits", "[uni
   check_pages(text);
   CHECK_THAT(line_with(text, "s outer"), Contains("t outer     s inner     t inner"));
   CHECK_THAT(line_with(text, "0.0021"), Contains("0.0011      0.0021      0.0012      0.0022"));
-  CHECK_THAT(text, Contains("shoulder diameter 0.063 m; t above 0.0002 m"));
+  CHECK_THAT(text, Contains("(shoulder diameter 0.063 m); t above 0.0002 m"));
   // Rounding is no spin.
   CHECK_THAT(line_with(text, "0.25"), Contains("           0        0.25"));
 }

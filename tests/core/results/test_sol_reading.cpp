@@ -196,7 +196,7 @@ TEST_CASE("SOL: other files → message", "[unit][sol]") {
   CHECK_THAT(why("  v\n  t$\n     -3     1     1     1     1\n\n"),
              Contains("integer 1") && Contains("-3"));
   CHECK_THAT(why("  v\n  t$\n     33     3     3     1     9\n\n"), Contains("integer"));
-  CHECK_THAT(message_of([&] { read_sol(folder / "missing"); }), Contains("cannot be opened"));
+  CHECK_THAT(message_of([&] { read_sol(folder / "missing"); }), Contains("cannot open the file"));
   CHECK_THAT(message_of([&] { read_sol(folder / "."); }), Contains("folder"));
   Sol8Writer::create(folder / "SOL8", make_bearing(), UnitSystem::SI);
   CHECK_THAT(message_of([&] { read_sol(folder / "SOL8"); }), Contains("animation"));
@@ -253,7 +253,7 @@ TEST_CASE("SOL: continued file = file written in one go", "[unit][sol]") {
              Contains("index"));
   CHECK_THAT(
       message_of([&] { SolWriter::continue_after(folder / "SOL2", header, UnitSystem::SI, 5); }),
-      Contains("cannot be opened"));
+      Contains("cannot open the file"));
   CHECK(message_of([&] { SolWriter::check(folder / "SOL1", header); }) == "no error");
   CHECK_THAT(message_of([&] {
                SolWriter::check(folder / "SOL1", make_sol_header(other, 4, UnitSystem::SI));

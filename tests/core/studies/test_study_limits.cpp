@@ -206,7 +206,7 @@ TEST_CASE("report: runs that are not those of the study → error, no access out
   CHECK_THAT(refused(other), Contains("a.study/tasks.jsonl: line 2, run 2"));
   other.tasks.pop_back();
   other.records.pop_back();
-  CHECK_THAT(refused(other), Contains("it has 2 runs, but the study has 3"));
+  CHECK_THAT(refused(other), Contains("the list has 2 runs, but the study has 3"));
 }
 
 TEST_CASE("study: more runs or memory than the limits → error before memory is taken",
