@@ -210,7 +210,7 @@ TEST_CASE("pages: a waterfall is in units, over its largest or in dB, as the spe
         Approx(-20.0).margin(0.02));
   CHECK(lowest(curves(decibel).back()) == -60.0);
   INFO(decibel.note);
-  CHECK(decibel.note.find("values below −60 dB are not drawn") != std::string::npos);
+  CHECK(decibel.note.find("Values below −60 dB are not drawn") != std::string::npos);
 
   // Each name is next to the panel, where its line begins, and covers nothing.
   for (const auto& page : {units, relative, decibel}) {

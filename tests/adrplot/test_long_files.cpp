@@ -105,7 +105,7 @@ TEST_CASE("accuracy_page: errors within the scatter → shaded band, significant
   testing::write_bytes(path, study(R"("irregular": {"speed": 8e-3, "heat": 1e-3},)"));
   const auto page = accuracy_pages(path).front();
   CHECK_THAT(page.note, Catch::Contains("Errors below 1.2 % (shaded) cannot be distinguished"));
-  CHECK_THAT(page.note, Catch::Contains("For 1 point in it"));  // the heat of "cheap"
+  CHECK_THAT(page.note, Catch::Contains("At 1 point in the shaded area"));  // the heat of "cheap"
   REQUIRE(page.marks.size() == 2);
   CHECK(page.marks[0].x == 0.1);
   CHECK(page.marks[0].label == "recommended");

@@ -196,7 +196,7 @@ TEST_CASE("SOL: other files → message", "[unit][sol]") {
   CHECK_THAT(why("  v\n  t$\n     -3     1     1     1     1\n\n"),
              Contains("integer 1") && Contains("-3"));
   CHECK_THAT(why("  v\n  t$\n     33     3     3     1     9\n\n"), Contains("integer"));
-  CHECK_THAT(message_of([&] { read_sol(folder / "missing"); }), Contains("cannot open the file"));
+  CHECK_THAT(message_of([&] { read_sol(folder / "missing"); }), Contains("cannot be opened"));
   CHECK_THAT(message_of([&] { read_sol(folder / "."); }), Contains("folder"));
   Sol8Writer::create(folder / "SOL8", make_bearing(), UnitSystem::SI);
   CHECK_THAT(message_of([&] { read_sol(folder / "SOL8"); }), Contains("animation"));
