@@ -217,7 +217,7 @@ void check_segments(Checker& c) {
     if (i > 1 && (element != last + share || (*start > 0) != (*first > 0))) {
       c.error(
           "lSeg",
-          fmt::format("the segments must be identical: {} in each, all cut the same way, but "
+          fmt::format("every segment must have {} and the same kind of cut (sign of lSeg), but "
                       "segment {} starts at {}",
                       counted(share, "element"), i, *start),
           fmt::format("enter {} for this segment", *first > 0 ? last + share : -(last + share)));

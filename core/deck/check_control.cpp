@@ -127,9 +127,9 @@ std::string_view name_trouble(const std::string& file) {
   const std::size_t dot = name.rfind('.');
   if (dot != std::string::npos && std::find(std::begin(kPrograms), std::end(kPrograms),
                                             name.substr(dot + 1)) != std::end(kPrograms))
-    return "is a name or ending of programs, scripts, settings or other data";
+    return "has the name or extension of a program, script, settings file or other data";
   if (name == "MAKEFILE" || name == "GNUMAKEFILE" || name == "DOCKERFILE")
-    return "is a name or ending of programs, scripts, settings or other data";
+    return "has the name or extension of a program, script, settings file or other data";
   return {};
 }
 
