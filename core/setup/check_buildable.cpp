@@ -31,7 +31,8 @@ struct Gate {
 
 // A deck with another code parses and checks clean, but cannot run.
 constexpr Gate kAlways[] = {
-    {"kRaceFlex", 0, "a flexible outer race (announced by the classic program, never available)"},
+    {"kRaceFlex", 0,
+     "a flexible outer race (announced for the classic program, but never available)"},
 };
 /// A code that hands a part of the physics to a routine of the user.
 struct Request {
@@ -337,7 +338,7 @@ void check_segments(const Deck& deck, Checker& check) {
     check.error("cageAngCut",
                 "leaves half pockets so narrow that the opening touches the rolling element on "
                 "both sides",
-                fmt::format("{}, or cut between the pockets (a positive angle)",
+                fmt::format("{}, or cut between the pockets (positive numbers in lSeg)",
                             most > 0.0 ? limit : "give more pocket clearance"));
 }
 

@@ -176,7 +176,8 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
     }
   }
   if (deck.integer("kRotFrame") == 1 && deck.has("brgAngVel") && deck.real("brgAngVel") == 0.0)
-    add(Severity::Warning, "brgAngVel", "the base frame of record 9.5 does not rotate: no effect",
+    add(Severity::Warning, "brgAngVel",
+        "the base frame of record 9.5 does not rotate, so kRotFrame has no effect",
         "give the speed of the frame, or set kRotFrame to 0");
   if (deck.integer("kRotFrame") == 1 && deck.integer("kFS2") == 1 && deck.integer("kFS3") == 1)
     for (int race = 1; race <= 2; ++race)
@@ -215,14 +216,15 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
       const std::string given = fmt::format("kFS{}", axis);
       if (given_and_not_zero(deck, amplitude) && deck.integer(given) == 0)
         add(Severity::Error, amplitude,
-            fmt::format("moves the inner race along {}, where mode = 2 positions it by its load",
+            fmt::format("moves the inner race along {}, but mode = 2 computes its position in this "
+                        "direction from the load",
                         kAxes[static_cast<std::size_t>(axis - 1)]),
             fmt::format("set it to 0, or {} to 1, or mode to 0 or 1", given));
     }
     if (given_and_not_zero(deck, "rotLoadFrac2") &&
         (deck.integer("kFS2") == 1 || deck.integer("kFS3") == 1))
       add(Severity::Error, "rotLoadFrac2",
-          "rotates a fraction of the radial load of the inner race. With it, mode = 2 needs the "
+          "rotates a fraction of the radial load of the inner race. In mode 2, this needs given "
           "loads along y and z, but kFS2 or kFS3 gives a position",
           "set it to 0, or kFS2 and kFS3 to 0, or mode to 0 or 1");
     if (deck.integer("kFS1") + deck.integer("kFS2") + deck.integer("kFS3") == 3)
