@@ -296,7 +296,7 @@ RecordSpec statics_and_materials() {
 
 RecordSpec time_variation() {
   return record(
-      "3.4", "Program options 3: time variation, inertia, monitored elements", "mode >= 0",
+      "3.4", "Program options 3: time variation, inertia, monitored bodies", "mode >= 0",
       {choice("kVarLoad",
               {{"0", "steady"},
                {"1", "rotating load by race orbits (record 9.3A)"},

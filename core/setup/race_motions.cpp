@@ -194,8 +194,8 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
       if (!given_and_not_zero(deck, share) || std::abs(deck.real(share)) <= 1.0) continue;
       add(Severity::Warning, share,
           fmt::format("is above 1 in magnitude: the {} moves on a circle larger than the radial "
-                      "deflection, or the rotating load exceeds the applied load. Contact loads "
-                      "may be many times those of the equilibrium",
+                      "deflection between the races, or the rotating load exceeds the applied "
+                      "load. Contact loads may be many times those of the equilibrium",
                       kRaces[static_cast<std::size_t>(race - 1)]),
           "give a fraction between -1 and 1");
     }
@@ -299,7 +299,7 @@ std::optional<bearing::FrameMotion> frame_motion(const Deck& given) {
   for (const char* name : {"brgOrbitRad", "brgAngPos", "brgAngVel", "brgLoadFrac1", "brgLoadFrac2"})
     if (!deck.has(name))
       throw InputError(
-          {deck.issue(Severity::Error, name, "has no value, but kRotFrame = 1 needs one",
+          {deck.issue(Severity::Error, name, "has no value, but kRotFrame = 1 needs it",
                       "enter its value in record 9.5")});
   if (deck.real("brgOrbitRad") < 0.0)
     throw InputError({deck.issue(Severity::Error, "brgOrbitRad", "the radius is negative",

@@ -326,8 +326,10 @@ const std::vector<Option>& options() {
            return parse_count(v, o.system.ellipse_minor, 1, 64);
          }},
         {{"contactSurface", "curved_edge",
-          "height of the contact surface: curved_edge, curved_half, curved_undeformed, "
-          "flat_undeformed, flat_half, flat_edge"},
+          "surface on which the slip in contact ellipses is computed: curved (with the "
+          "slip of Heathcote) or flat, through the ends of the major axis (curved_edge, "
+          "flat_edge), at half the approach (curved_half, flat_half) or on the undeformed ball "
+          "(curved_undeformed, flat_undeformed)"},
          [](RunOptions& o, std::string_view v) {
            for (const auto& [name, surface] : kSurfaces)
              if (name == v) return o.system.surface = surface, true;
@@ -468,7 +470,8 @@ const std::vector<Option>& options() {
            return true;
          }},
         {{"userTimeout", fmt::format("{}", defaults.user_timeout),
-          "time limit for a call of a plug-in in a separate process [s], above 0"},
+          "time limit for a call of a plug-in in a separate process [s], above 0 and below "
+          "1000000"},
          [](RunOptions& o, std::string_view v) {
            return parse(v, o.user_timeout) && o.user_timeout > 0.0 && o.user_timeout < 1e6;
          }},
