@@ -161,7 +161,8 @@ std::vector<std::string> catalogue_story(const CatalogueBearing& bearing) {
     out.push_back(fmt::format(
         "Bearings with a tapered bore (K) have separate clearance groups. The clearance is that of "
         "{} for tapered bores before mounting; mounting on the tapered seat reduces it. The bore "
-        "in the deck is cylindrical: enter its fit, or the remaining clearance.",
+        "in the deck is cylindrical: enter its fit (raceFit2), or the clearance after mounting "
+        "(freeIntCls).",
         bearing.clearance));
   else if (bearing.tapered_bore)
     out.push_back(

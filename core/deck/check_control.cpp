@@ -188,8 +188,9 @@ void check_monitored_bodies(Checker& c) {
     c.error(
         "kPltElemInd",
         fmt::format(
-            "there is no body {}: with {} and {}, the last number is that of the inner race, {}",
-            last, counted(*elements, "element"), counted(*segments, "cage segment"), bodies),
+            "there is no body {}: the highest number is {}, the inner race (after {}, {} and the "
+            "outer race)",
+            last, bodies, counted(*elements, "element"), counted(*segments, "cage segment")),
         fmt::format("enter numbers from 1 to {}", bodies));
 }
 

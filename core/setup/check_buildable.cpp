@@ -50,7 +50,7 @@ constexpr Request kRequests[] = {
     {"kHsngMat", 2, 0, "0, 1 or a code of the material table", false},
     {"kShftMat", 2, 0, "0, 1 or a code of the material table", false},
     {"kCageMat", 2, 0, "0, 1 or a code of the material table", false},
-    {"kDOF", 6, 1, "0 to 5", true},
+    {"kDOF", 6, 1, "a value from 0 to 5", true},
     {"kRaceGeoImp1", 3, 6, "0, 1 or 2", false},
     {"kRaceGeoImp2", 3, 6, "0, 1 or 2", false},
     {"kTrac", -1, 7, "0 or a lubricant", true},

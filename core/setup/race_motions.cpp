@@ -204,7 +204,7 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
         fmt::format("suppresses all motions of the elements, but mode = {} needs their force "
                     "balance",
                     deck.integer("mode")),
-        "set mode to 0, or kDOF to 0 to 4");
+        "set mode to 0, or kDOF to a value from 0 to 4");
   if (deck.integer("mode") == 2) {
     for (int axis = 1; axis <= 3; ++axis) {
       if (rotation_free(deck, axis, 2))

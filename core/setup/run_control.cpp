@@ -46,8 +46,9 @@ RunControl build_run_control(const deck::Deck& deck) {
   out.integrator = integrators::name_of_int_met(code);
   if (out.integrator.empty())
     throw InputError({deck.issue(Severity::Error, "intMet", "is not the code of an integrator",
-                                 "use 1-7 (Runge-Kutta-Fehlberg), 11-18 (predictor-corrector), 21, "
-                                 "22 (CVODE), 31-33 (ARKODE), 41 (rk4)")});
+                                 "use 1 to 7 (Runge-Kutta-Fehlberg), 11 to 18 "
+                                 "(predictor-corrector), 21, 22 (CVODE), 31 to 33 (ARKODE) or 41 "
+                                 "(rk4)")});
   out.step_initial = deck.si("stpInit");
   out.step_minimum = deck.si("stpMin");
   out.step_maximum = deck.si("stpMax");

@@ -94,8 +94,8 @@ bearing::TurnSeries taken(const UserHooks& user, int hook, const std::string& bo
   if (series.error > kSeriesError * range + kRounding * largest(values))
     throw InputError(fmt::format(
         "{}{} has a step along the circumference: a series of 255 waves through 512 points "
-        "differs by {:.3g} {} between the points, with a range of {:.3g} {}. Return a closed "
-        "surface without steps",
+        "differs from the values between the points by {:.3g} {}; the values have a range of "
+        "{:.3g} {}. Return a closed surface without steps",
         about(user, hook, body), what, series.error, unit, range, unit));
   user.document(hook, fmt::format("{}: {} with up to {} waves per revolution, {:.6g} to {:.6g} "
                                   "{}, error between the sampled points {:.2g} {}",
@@ -271,8 +271,8 @@ void user_balls(const UserHooks& user, bearing::Bearing& b) {
     if (error > kSeriesError * range)
       throw InputError(fmt::format(
           "{}the radius has steps, or more than about 60 waves per revolution: a surface through "
-          "{} x {} points differs by {:.3g} m between the points, with a range of {:.3g} m. "
-          "Return a smoother surface",
+          "{} x {} points differs from the values between the points by {:.3g} m; the values have "
+          "a range of {:.3g} m. Return a smoother surface",
           about(user, 5, body), kBallAround, kBallAcross, error, range));
     user.document(5, fmt::format("{}: radius {:.6g} to {:.6g} m above the value of the deck, mean "
                                  "{:.6g} m; error {:.2g} m between {} x {} points",
