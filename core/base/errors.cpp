@@ -43,8 +43,8 @@ InputError::InputError(std::string message)
 
 void demand(bool condition, std::string_view text, std::source_location where) {
   if (condition) return;
-  throw InternalError(
-      fmt::format("{}:{}: {} (this is a bug in Adore)", where.file_name(), where.line(), text));
+  throw InternalError(fmt::format("{}:{}: a check failed (this is a bug in Adore): {}",
+                                  where.file_name(), where.line(), text));
 }
 
 }  // namespace adore

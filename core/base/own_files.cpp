@@ -133,20 +133,20 @@ std::string_view sort_name(FileSort sort) {
 std::string_view sort_use(FileSort sort) {
   switch (sort) {
     case FileSort::Deck:
-      return "`adore check` and `adore run` read it";
+      return "`adore check` and `adore run` read this file";
     case FileSort::Listing:
-      return "read it with a text viewer such as less";
+      return "read this file with a text viewer such as less";
     case FileSort::Plot:
-      return "`adore plot`, `adore show` and `adore convert` read it";
+      return "`adore plot`, `adore show` and `adore convert` read this file";
     case FileSort::Animation:
-      return "`adore animate`, `adore show` and `adore convert` read it";
+      return "`adore animate`, `adore show` and `adore convert` read this file";
     case FileSort::Final:
     case FileSort::Master:
     case FileSort::RunJson:
     case FileSort::ResultsH5:
-      return "`adore show` and `adore convert` read it";
+      return "`adore show` and `adore convert` read this file";
     case FileSort::SweepTable:
-      return "`adore plot` draws it";
+      return "`adore plot` draws this file";
     case FileSort::Json:
       return "`adore calc` and `adore validate` read JSON";
     case FileSort::Unknown:

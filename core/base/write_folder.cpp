@@ -125,7 +125,7 @@ void WriteFolder::demand_own(const std::string& name, int descriptor) const {
   if (::fstat(descriptor, &status) != 0) fail(path_ / name, errno, "examining it");
   if (status.st_uid == ::geteuid() || status.st_uid == owner_) return;
   fail(path_ / name,
-       fmt::format("it belongs to user {}, who is neither you nor the owner of the parent folder",
+       fmt::format("this belongs to user {}, who is neither you nor the owner of the parent folder",
                    status.st_uid),
        "remove it, or choose another folder");
 }

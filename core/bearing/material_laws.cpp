@@ -103,7 +103,7 @@ const std::map<std::string, MaterialSheet>& sheets() {
 void check_temperature(const Material& material, double T) {
   if (!(T > 0.0 && std::isfinite(T)))
     throw InputError(
-        fmt::format("the temperature of a part of {} is {} K; it must be above 0 (absolute)",
+        fmt::format("the temperature of a part made of {} is {} K; it must be above 0 (absolute)",
                     material.name, T));
 }
 
@@ -155,7 +155,7 @@ const MaterialSheet& material_sheet(const std::string& key) {
   std::string keys;
   for (const auto& [name, sheet] : sheets()) keys += (keys.empty() ? "" : ", ") + name;
   throw InputError(
-      fmt::format("material \"{}\" is not in the material table; it contains {}", key, keys));
+      fmt::format("material \"{}\" is not in the material table, which contains {}", key, keys));
 }
 
 double thermal_strain(const Material& material, double T, bool laws) {

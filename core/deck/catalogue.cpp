@@ -165,7 +165,8 @@ std::optional<CatalogueBearing> find_by_size(std::string_view designation) {
   if (!(out.envelope.bore > 0.0) || !(out.envelope.outside > out.envelope.bore) ||
       !(out.envelope.width > 0.0) || out.envelope.outside > 10.0 || out.envelope.width > 5.0)
     fail(designation,
-         "is not a bearing size: the bore must be above 0 and below the outside diameter");
+         "is not a bearing size: the bore must be above 0 and below the outside diameter (at most "
+         "10 m), and the width above 0 (at most 5 m)");
   return out;
 }
 

@@ -88,7 +88,7 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
                              bearing.type == BearingType::Tapered ? "ISO 355" : "ISO 15")
                : std::string("boundary dimensions as given");
   const std::vector<std::string> lines = lines_of(with_deck(text, deck).text);
-  demand(lines.size() == deck.records.size(), "an example has a record a line");
+  demand(lines.size() == deck.records.size(), "each record of an example deck is on one line");
   std::string out;
   for (std::size_t r = 0; r < lines.size(); ++r) {
     const std::string& id = deck.records[r].id;
@@ -153,14 +153,16 @@ std::vector<std::string> catalogue_story(const CatalogueBearing& bearing) {
                   0.5 * (e.bore + e.outside) / kMm, inner.reasons));
   if (!bearing.left_out.empty())
     out.push_back(fmt::format(
-        "Not in the deck: {}. From a designation, the deck takes size and contact angle, and the "
-        "clearance group of deep groove, cylindrical and spherical bearings.",
+        "Not in the deck: {}. These parts of the designation are ignored. The designation sets "
+        "size and contact angle, and the clearance group of deep groove, cylindrical and spherical "
+        "bearings.",
         bearing.left_out));
   if (bearing.tapered_bore && bearing.type == BearingType::Spherical)
     out.push_back(fmt::format(
         "Bearings with a tapered bore (K) have separate clearance groups. The clearance is that of "
         "{} for tapered bores before mounting; mounting on the tapered seat reduces it. The bore "
-        "in the deck is cylindrical: enter its fit, or the remaining clearance.",
+        "in the deck is cylindrical: enter its fit (raceFit2), or the clearance after mounting "
+        "(freeIntCls).",
         bearing.clearance));
   else if (bearing.tapered_bore)
     out.push_back(

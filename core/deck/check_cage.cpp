@@ -217,9 +217,10 @@ void check_segments(Checker& c) {
     if (i > 1 && (element != last + share || (*start > 0) != (*first > 0))) {
       c.error(
           "lSeg",
-          fmt::format("the segments must be identical: {} in each, all cut the same way, but "
-                      "segment {} starts at {}",
-                      counted(share, "element"), i, *start),
+          fmt::format(
+              "the segments must be identical, with {} each and the same kind of cut (sign of "
+              "lSeg), but segment {} starts at {}",
+              counted(share, "element"), i, *start),
           fmt::format("enter {} for this segment", *first > 0 ? last + share : -(last + share)));
       return;
     }

@@ -127,9 +127,9 @@ std::string_view name_trouble(const std::string& file) {
   const std::size_t dot = name.rfind('.');
   if (dot != std::string::npos && std::find(std::begin(kPrograms), std::end(kPrograms),
                                             name.substr(dot + 1)) != std::end(kPrograms))
-    return "is a name or ending of programs, scripts, settings or other data";
+    return "has the name or extension of a program, script, settings file or other data";
   if (name == "MAKEFILE" || name == "GNUMAKEFILE" || name == "DOCKERFILE")
-    return "is a name or ending of programs, scripts, settings or other data";
+    return "has the name or extension of a program, script, settings file or other data";
   return {};
 }
 
@@ -188,8 +188,9 @@ void check_monitored_bodies(Checker& c) {
     c.error(
         "kPltElemInd",
         fmt::format(
-            "there is no body {}: with {} and {}, the last number is that of the inner race, {}",
-            last, counted(*elements, "element"), counted(*segments, "cage segment"), bodies),
+            "there is no body {}: the highest number is {}, the inner race (after {}, {} and the "
+            "outer race)",
+            last, bodies, counted(*elements, "element"), counted(*segments, "cage segment")),
         fmt::format("enter numbers from 1 to {}", bodies));
 }
 

@@ -126,7 +126,8 @@ void check_shims(Checker& c, double diameter) {
     const double widest = (2.0 * *factor - 1.0) * diameter;
     if (*shim >= widest && *shim > 0.0)
       c.error(name,
-              fmt::format("a shim this thick leaves no arch: it must be below (2f - 1) D = {}",
+              fmt::format("a shim this thick leaves no arch: it must be thinner than {}, which is "
+                          "(2 f - 1) D with groove factor f and ball diameter D",
                           c.length(widest)),
               "enter a thinner shim, or 0 for a race that is not split");
   }
@@ -155,17 +156,19 @@ void check_cone_pitch(Checker& c, double pitch, double diameter, double outer, d
   if (!bore || !outside || *bore >= *outside) return;
   constexpr double kDegree = std::numbers::pi / 180.0;
   const auto angle = [&](double rad) { return fmt::format("{:.5g} deg", rad / kDegree); };
-  const std::string formula =
-      fmt::format("the resulting pitch diameter, D sin(mean angle)/tan(half the difference), is {}",
-                  c.length(pitch));
+  const std::string formula = fmt::format(
+      "the resulting pitch diameter, bReDia sin(mean angle) / tan(half the "
+      "difference), is {}",
+      c.length(pitch));
   const bool wide = pitch >= *outside;
   if (wide || pitch <= *bore) {
     const double first = inner_cone_for(*bore + diameter, diameter, outer);
     const double last = inner_cone_for(*outside - diameter, diameter, outer);
     const std::string remedy =
         *bore + diameter < *outside - diameter
-            ? fmt::format("with this outer cone, an inner cone of {} to {} fits; or change both",
-                          angle(first), angle(last))
+            ? fmt::format(
+                  "enter an inner cone angle of {} to {} for this outer cone, or change both",
+                  angle(first), angle(last))
             : "check bReDia, brgBore and brgOD";
     c.error("raceTaper2",
             fmt::format("the cone angles {} (outer, raceTaper1) and {} (inner) are too {}: {}, "

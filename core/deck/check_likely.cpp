@@ -54,7 +54,7 @@ void check_celsius(Checker& c) {
   c.warning(first,
             fmt::format("is {:.0f} deg C, a temperature that only cryogenic bearings have{}",
                         *c.si(first) - kFreezingPoint,
-                        others.empty() ? std::string() : " (so are " + others + ")"),
+                        others.empty() ? std::string() : " (also " + others + ")"),
             fmt::format("temperatures are absolute: for {:g} {} write {:.6g} {}", raw, scale,
                         absolute, english(c) ? "R" : "K"));
 }

@@ -144,7 +144,7 @@ void check_curves(Checker& c) {
     const auto rate = c.raw(fmt::format("{}3", stem));
     if (c.is(type, -1) && rate && *rate < 0.0)
       c.error(fmt::format("{}3", stem),
-              "with a negative C the traction coefficient grows without limit",
+              "with a negative coefficient C the traction coefficient grows without limit",
               "enter a value of at least 0");
   }
 }

@@ -231,7 +231,9 @@ Place locate(Deck& deck, const Target& target, std::string_view name, std::strin
   if (target.indices.size() > used) {
     const int length = is_array ? array_length(deck, place.ref->spec()) : 0;
     if (target.indices[used] > length)
-      fail(name, value, is_array ? "it has " + counted(length, "element") : "it is a single value",
+      fail(name, value,
+           is_array ? "this variable has " + counted(length, "element")
+                    : "this variable is a single value",
            is_array ? "give an index up to this number, or increase the count first"
                     : "omit the index");
     place.element = static_cast<std::size_t>(target.indices[used]) - 1;
@@ -343,11 +345,11 @@ void Deck::set(std::string_view name, std::string_view value) {
   } else {
     const std::vector<std::string_view> parts = split_at_commas(value);
     if (elements.empty())
-      fail(name, value, "this deck has no elements of this variable",
-           fmt::format("{} is the number of elements; increase it first", spec.length));
+      fail(name, value, "this variable has no elements in this deck",
+           fmt::format("increase {} first, which is the number of elements", spec.length));
     if (parts.size() != elements.size())
-      fail(name, value, "it has " + counted(elements.size(), "element"),
-           fmt::format("give {} separated by commas, or a single value as {}[1]",
+      fail(name, value, "this variable has " + counted(elements.size(), "element"),
+           fmt::format("give {} separated by commas, or set one element, such as {}[1]",
                        counted(elements.size(), "value"), target.name));
     for (std::size_t i = 0; i < parts.size(); ++i) elements[i] = parse_value(spec, name, parts[i]);
   }

@@ -157,7 +157,8 @@ class Parser {
     Amount out = sum(0);
     blanks();
     if (at_ < text_.size())
-      fail(fmt::format("is not a valid quantity from '{}' on", text_.substr(at_)), kExample);
+      fail(fmt::format("contains '{}', which is not part of a quantity", text_.substr(at_)),
+           kExample);
     return out;
   }
   Unit unit_alone() {
@@ -210,7 +211,7 @@ class Parser {
       if (out.point || next.point)
         fail("multiplies a temperature in °C or °F, whose zero is not absolute",
              "give one temperature");
-      if (sign < 0 && next.value == 0.0) fail("divides by zero", "give a divisor");
+      if (sign < 0 && next.value == 0.0) fail("divides by zero", "give a divisor other than 0");
       out.value = sign > 0 ? out.value * next.value : out.value / next.value;
       if (next.unit) out.unit = product(out.unit.value_or(Unit{}), *next.unit, sign);
     }
@@ -373,7 +374,7 @@ NumberProblem parse_quantity(std::string_view text, const UnitPair& unit, UnitSy
     if (amount.unit) {
       const Dimension dimension = wanted ? wanted->dimension : kPureNumber;
       if (amount.unit->dimension != dimension)
-        return {"has a unit of another quantity",
+        return {"has a unit of a different quantity",
                 wanted ? fmt::format("give it in {}, or in a unit that can be converted to it",
                                      system == UnitSystem::English ? unit.en : unit.si)
                        : std::string("give a pure number")};

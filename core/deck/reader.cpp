@@ -182,9 +182,10 @@ void Reader::skip_record() {
     state_.report(Severity::Error, line, "", "", "the deck already has this record",
                   "remove one of them");
   else if (is_doubtful(extra.condition))
-    state_.report(Severity::Warning, line, "", "",
-                  "this record is ignored, because errors above leave it open whether it is needed",
-                  "correct the errors above first");
+    state_.report(
+        Severity::Warning, line, "", "",
+        "this record is ignored: because of the errors above it is unknown whether it is needed",
+        "correct the errors above first");
   else if (evaluate(extra.condition, scope_of(state_.deck())))
     state_.report(
         Severity::Warning, line, "", "",
@@ -193,7 +194,8 @@ void Reader::skip_record() {
             : fmt::format(
                   "there are more of these records than `{}` specifies; this one is ignored",
                   extra.repeat),
-        "remove it, or change the options");
+        extra.repeat.empty() ? "put the records in the order that `adore schema` lists"
+                             : "remove it, or change the options");
   else
     needless = true;
   const bool known_before = state_.deck().has_record(extra.id) && extra.repeat.empty();

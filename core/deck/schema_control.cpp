@@ -17,11 +17,11 @@ RecordSpec run_mode() {
   return record(
       "1", "Run mode and output control", "true",
       {choice("mode",
-              {{"-n", "as -1"},
+              {{"-n", "same as -1"},
                {"-1", "quasi-static solution only"},
                {"0", "motion of all bodies in six degrees of freedom"},
                {"1", "elements in radial force balance (balls, tapered rollers: also axial)"},
-               {"2", "same as 1, with the races in force balance"}},
+               {"2", "same as 1, and the inner race in force balance"}},
               "Kind of simulation. 0 integrates the motion of every body. 1 and 2 replace fast "
               "contact vibration by force balance, which allows larger steps. A negative value "
               "stops after the static solution."),
@@ -77,12 +77,13 @@ RecordSpec run_mode() {
        choice("kTherm", {{"0", "off"}, {"1", "on"}},
               "Thermal analysis. When it is on, temperatures follow from the heat that the run "
               "generates. Records 3.5 and 9.7 then specify coolant and heat transfer."),
-       integer("maxStps", kCount,
-               "Largest number of counted steps. The run ends at this number or at fTime, "
-               "whichever comes first."),
+       integer(
+           "maxStps", kCount,
+           "Largest number of counted steps (see nStps). The run ends at this number of steps or "
+           "at fTime, whichever comes first."),
        integer("nStps", kCount,
-               "Number of integration steps in one counted step. Only the last of them is counted "
-               "and stored. With 0 or 1, every integration step counts."),
+               "Number of integration steps in one counted step. Only the last of these steps is "
+               "counted and stored. With 0 or 1, every integration step is counted."),
        choice("intMet",
               {{"1", "explicit Runge-Kutta-Fehlberg, order 1"},
                {"2", "explicit, order 2"},
@@ -126,7 +127,7 @@ RecordSpec step_control() {
        real("fTime", unit::kPure, range::kNotNegative, "End of the run in dimensionless time.",
             "1000"),
        real("tol", unit::kPure, Range{0.0, 1.0, true},
-            "Allowed error per step, relative to the scales of the problem. A smaller value makes "
+            "Allowed error per step, relative to the scale of each variable. A smaller value makes "
             "the run more accurate and slower.",
             "1.0e-06"),
        real("qFac", unit::kPure, range::kNotNegative,
@@ -144,20 +145,22 @@ RecordSpec race_constraints() {
       spec.variables.push_back(choice(
           keep(fmt::format("kFD{}{}", axis + 1, race)),
           {{"0", "race accelerates under the prescribed force"},
-           {"1", "race position fixed, from equilibrium or from prescribed acceleration"}},
+           {"1", "race position from the static solution or from a prescribed motion"}},
           keep(fmt::format("Translation constraint of the {} race along {}. With 0, the race moves "
                            "freely under its load.",
                            race_name, kAxes[axis])),
           "1"));
+  constexpr std::array<std::string_view, 3> kMoments = {"zero", "appMomY", "appMomZ"};
   for (const auto& [race, race_name] : kRaces)
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
       spec.variables.push_back(choice(
           keep(fmt::format("kMD{}{}", axis + 1, race)),
-          {{"0", "race accelerates under a moment given in ADRX1"},
+          {{"0", "race accelerates under the moments on it"},
            {"1", "fixed speed or prescribed angular acceleration"}},
           keep(fmt::format("Rotation constraint of the {} race about {}. With 0, the moments on "
-                           "the race change its speed; without ADRX1 the external moment is zero.",
-                           race_name, kAxes[axis])),
+                           "the race change its speed; without ADRX1 the external moment is {}{}.",
+                           race_name, kAxes[axis], axis > 0 && race == 1 ? "minus " : "",
+                           kMoments[axis])),
           "1"));
   return spec;
 }
@@ -270,13 +273,13 @@ RecordSpec statics_and_materials() {
        static_constraint("kFS2", "along y", false),
        static_constraint("kFS3", "along z, the usual radial load axis", false),
        static_constraint("kFS4", "about y", true), static_constraint("kFS5", "about z", true),
-       choice(
-           "kAngVel",
-           {{"0", "least frictional heat"},
-            {"1", "race control"},
-            {"2", "spin axis direction from record 9.0"}},
-           "Rule for the spin axis of balls in the static solution. Race control suits fast "
-           "bearings, and least heat suits the others. Balls in friction equilibrium use neither."),
+       choice("kAngVel",
+              {{"0", "least frictional heat"},
+               {"1", "race control"},
+               {"2", "spin axis direction from record 9.0"}},
+              "Rule for the spin axis of balls in the static solution. Race control suits fast "
+              "bearings, and least heat suits the others. Codes 0 and 1 are not used for balls in "
+              "friction equilibrium (run option ballFriction)."),
        counted("kStif", between(0, 10000), {{"0", "none"}, {"n", "number of speed points"}},
                "Number of speeds in the table of stiffness against speed; 0 for no table."),
        with_table(
@@ -293,7 +296,7 @@ RecordSpec statics_and_materials() {
 
 RecordSpec time_variation() {
   return record(
-      "3.4", "Program options 3: time variation, inertia, monitored elements", "mode >= 0",
+      "3.4", "Program options 3: time variation, inertia, monitored bodies", "mode >= 0",
       {choice("kVarLoad",
               {{"0", "steady"},
                {"1", "rotating load by race orbits (record 9.3A)"},
@@ -313,11 +316,11 @@ RecordSpec time_variation() {
                {"2", "record 6.1 for all elements"},
                {"3", "user routine ADRX8"}},
               "Source of mass and inertia of the rolling elements.", "0"),
-       choice("kRaceIP1", {{"0", "standard"}, {"1", "record 6.2.1"}},
+       choice("kRaceIP1", {{"0", "from ideal geometry"}, {"1", "record 6.2.1"}},
               "Source of mass and inertia of the outer race; needed only when that race is free to "
               "move.",
               "0"),
-       choice("kRaceIP2", {{"0", "standard"}, {"1", "record 6.2.2"}},
+       choice("kRaceIP2", {{"0", "from ideal geometry"}, {"1", "record 6.2.2"}},
               "Source of mass and inertia of the inner race; needed only when that race is free to "
               "move.",
               "0"),

@@ -67,10 +67,10 @@ RecordSpec ball_geometry() {
             "usually 0.515 to 0.53."),
        real("shoulderDia1", kLength, kNotNegative,
             "Shoulder diameter of the outer race. It is used only for the distance of the contact "
-            "from the edge."),
+            "from the shoulder edge."),
        real("shoulderDia2", kLength, kNotNegative,
             "Shoulder diameter of the inner race. It is used only for the distance of the contact "
-            "from the edge."),
+            "from the shoulder edge."),
        real("shimThickness1", kLength, kNotNegative,
             "Thickness of the grinding shim of a split outer race (gothic arch); 0 if the race is "
             "not split."),

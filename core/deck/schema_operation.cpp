@@ -39,8 +39,8 @@ RecordSpec room_and_fits() {
             "With a positive angle, the end of the axis towards -x is tilted outwards. If the "
             "angle equals the contact angle, the ball rolls without spin. If the inner race "
             "rotates in the positive direction, the spin vector points to -x. The listing gives "
-            "theta of the total angular velocity, which includes the orbit. It is slightly below "
-            "180 degrees minus this angle."),
+            "theta, the angle of the total angular velocity, which includes the orbit. Theta is "
+            "slightly below 180 degrees minus this angle."),
        real("res1", unit::kStress, kResidual,
             "Residual stress of the outer race in operation, positive in tension. It enters the "
             "STLE life factor."),
@@ -68,13 +68,14 @@ RecordSpec loads() {
         keep(fmt::format("appDisp{}", axis)), kLength, range::kShift,
         keep(fmt::format(
             "Displacement of the inner race relative to the outer race along {1} when kFS{0} is 1. "
-            "When kFS{0} is 0, it is the first guess, and 0 selects an estimate. Zero is the "
-            "position of the unmounted bearing, at rest and at room temperature, in which {2}. "
-            "Fits, thermal growth and speed do not change this datum.",
+            "When kFS{0} is 0, it is the first guess of the static solution, and 0 selects an "
+            "estimate. The displacement is measured from the unmounted bearing at rest and at room "
+            "temperature. {2}. Fits, thermal growth and speed do not change this datum.",
             number, static_cast<char>(axis - 'A' + 'a'),
-            axis == 'X' ? "balls at freeConAng (towards +x) or tapered rollers just touch both "
-                          "races, or, in other bearings, the mid planes of the races coincide"
-                        : "the races are coaxial"))));
+            axis == 'X' ? "At displacement 0, balls at freeConAng (towards +x) and tapered rollers "
+                          "just touch both races; in other bearings, the mid planes of the races "
+                          "coincide"
+                        : "At displacement 0, the races are coaxial"))));
   return spec;
 }
 
@@ -198,16 +199,16 @@ void add_operation_records(std::vector<RecordSpec>& out) {
   out.push_back(moments_and_speeds());
   out.push_back(temperatures());
   out.push_back(stiffness_table());
-  out.push_back(
-      record("9.3A", "Rotating load", "mode >= 0 && kVarLoad == 1",
-             {real("rotLoadFrac1", kPure, kAny,
-                   "Orbit radius of the outer race divided by the relative radial deflection."),
-              real("rotLoadFrac2", kPure, kAny,
-                   "Orbit radius of the inner race divided by the relative radial deflection."),
-              real("rotLoadRpm1", kRotation, kAny,
-                   "Rotational speed of the load that the orbit of the outer race produces."),
-              real("rotLoadRpm2", kRotation, kAny,
-                   "Rotational speed of the load that the orbit of the inner race produces.")}));
+  out.push_back(record(
+      "9.3A", "Rotating load", "mode >= 0 && kVarLoad == 1",
+      {real("rotLoadFrac1", kPure, kAny,
+            "Orbit radius of the outer race divided by the radial deflection between the races."),
+       real("rotLoadFrac2", kPure, kAny,
+            "Orbit radius of the inner race divided by the radial deflection between the races."),
+       real("rotLoadRpm1", kRotation, kAny,
+            "Rotational speed of the load that the orbit of the outer race produces."),
+       real("rotLoadRpm2", kRotation, kAny,
+            "Rotational speed of the load that the orbit of the inner race produces.")}));
   out.push_back(race_vibration());
   out.push_back(record(
       "9.4A", "Constant race acceleration", "mode >= 0 && kVarSpeed == 1",

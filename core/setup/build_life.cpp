@@ -35,9 +35,9 @@ class Reader {
     if (c && h && *c > 0.0 && !(*c - *h + 1.0 > 0.0))
       issues_.push_back(
           deck_.issue(Severity::Error, stress,
-                      "is too small for the depth exponent of the same record: life would "
-                      "increase with load",
-                      "give a value above the depth exponent"));
+                      "is too small for the depth exponent of the same record: life would not "
+                      "decrease with load",
+                      "give a value above (depth exponent minus 1)"));
   }
   void finish() {
     if (!issues_.empty()) throw InputError(std::move(issues_));

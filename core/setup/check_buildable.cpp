@@ -31,7 +31,8 @@ struct Gate {
 
 // A deck with another code parses and checks clean, but cannot run.
 constexpr Gate kAlways[] = {
-    {"kRaceFlex", 0, "a flexible outer race (announced by the classic program, never available)"},
+    {"kRaceFlex", 0,
+     "a flexible outer race (announced for the classic program, but never available)"},
 };
 /// A code that hands a part of the physics to a routine of the user.
 struct Request {
@@ -49,7 +50,7 @@ constexpr Request kRequests[] = {
     {"kHsngMat", 2, 0, "0, 1 or a code of the material table", false},
     {"kShftMat", 2, 0, "0, 1 or a code of the material table", false},
     {"kCageMat", 2, 0, "0, 1 or a code of the material table", false},
-    {"kDOF", 6, 1, "0 to 5", true},
+    {"kDOF", 6, 1, "a value from 0 to 5", true},
     {"kRaceGeoImp1", 3, 6, "0, 1 or 2", false},
     {"kRaceGeoImp2", 3, 6, "0, 1 or 2", false},
     {"kTrac", -1, 7, "0 or a lubricant", true},
@@ -337,7 +338,7 @@ void check_segments(const Deck& deck, Checker& check) {
     check.error("cageAngCut",
                 "leaves half pockets so narrow that the opening touches the rolling element on "
                 "both sides",
-                fmt::format("{}, or cut between the pockets (a positive angle)",
+                fmt::format("{}, or cut between the pockets (positive numbers in lSeg)",
                             most > 0.0 ? limit : "give more pocket clearance"));
 }
 

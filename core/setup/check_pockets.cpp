@@ -65,17 +65,20 @@ class PocketCheck {
     const std::string given = "bPocCls" + which, deviation = "bPocClsVar" + which;
     const bool deviates =
         deck_.has(deviation) && deck_.si(deviation) != 0.0 && (faces || fits(deck_.si(given)));
-    error(deviates ? deviation
-          : faces  ? std::string("bPocGsCen2")
-                   : given,
-          clearance > 0.0 ? fmt::format("makes an opening of {}, wider than the pitch circle",
-                                        length_text(deck_, D + clearance))
-                          : fmt::format("leaves no opening for an element of diameter {}",
-                                        length_text(deck_, D)),
-          faces && !deviates
-              ? std::string("put the guide faces next to the roller, at about half its diameter")
-              : fmt::format("give a clearance between {} and {}, preferably above 0",
-                            length_text(deck_, -D), length_text(deck_, pitch - D)));
+    error(
+        deviates ? deviation
+        : faces  ? std::string("bPocGsCen2")
+                 : given,
+        clearance > 0.0
+            ? fmt::format("makes a pocket opening of {}, wider than the pitch diameter",
+                          length_text(deck_, D + clearance))
+            : fmt::format("leaves no opening for an element of diameter {}", length_text(deck_, D)),
+        faces && !deviates
+            ? std::string(
+                  "place the guide faces about half a roller diameter from the pocket center")
+            : fmt::format("give {} between {} and {}, preferably above 0",
+                          deviates ? "a deviation that leaves a clearance" : "a clearance",
+                          length_text(deck_, -D), length_text(deck_, pitch - D)));
   }
 
   /// A pocket without play presses its element from both sides for good. A cone is exempt: it

@@ -49,12 +49,12 @@ std::string of_material(std::string_view name, const Scene& scene) {
       name.ends_with("SH") || name.ends_with("SH1") || name.ends_with("SH2"))
     return !scene.heat
                ? "no heat flow is computed, so conductivity and specific heat are only printed"
-               : "for the cage only the heat capacity uses it, and only with thermalTransient=on";
+               : "the cage uses this value only for its heat capacity, with thermalTransient=on";
   if (name.starts_with("cage"))
     return scene.motion ? "fatigue of the cage is not computed"
                         : "a quasi-static solution does not move or wear the cage";
   if (name.starts_with("hsng") || name.starts_with("shft"))
-    return "contact stresses of this part are not computed, only its fit";
+    return "only the fit of this part is computed, not its contact stresses";
   if (!scene.motion) return "a quasi-static solution has no sliding and no wear";
   return {};
 }
@@ -67,15 +67,15 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   // Missing parts.
   if (starts_with_one_of(name, {"kFlngInd"})) return "a ball bearing has no roller flanges";
   if (is_one_of(name, {"kRFTrac", "kRFTracType"}) && !scene.flanges)
-    return "no roller meets a flange";
+    return "there is no roller flange";
   if (is_one_of(name, {"kRRTrac", "kRRTracType"}) && scene.cage)
     return "the cage separates the rolling elements";
   if (is_one_of(name, {"kCPTrac", "kCPTracType", "kPocHydro"}) && !scene.cage)
     return "there is no cage";
   if (is_one_of(name, {"kPocHydro", "kGsHydro"}) && scene.segments)
-    return "a segmented cage has no hydrodynamics";
+    return "hydrodynamic forces are not available for a segmented cage";
   if (is_one_of(name, {"kCRTrac", "kCRTracType", "kGsHydro"}) && !scene.guided)
-    return "no land guides a cage";
+    return "no race guides a cage";
   if (record.starts_with("10") && record.ends_with("D") && name.ends_with("TC4"))
     return "the asymptotic traction law has only three coefficients";
   if ((record.starts_with("10.2") || name == "kRFTracType") && scene.flanges && !scene.motion)
@@ -89,7 +89,7 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (record == "5F" && scene.balls) return "a ball bearing has no roller flanges";
   if (name.starts_with("flngCls")) return "this race has no flanges at both ends of the rollers";
   if (record == "5F") return "the race does not have this flange";
-  if (record.starts_with("10.2") && !scene.flanges) return "no roller meets a flange";
+  if (record.starts_with("10.2") && !scene.flanges) return "there is no roller flange";
   // Values that an option fixes or replaces.
   if (is_one_of(name, {"appLoadX", "appLoadY", "appLoadZ", "appMomY", "appMomZ", "appDispX",
                        "appDispY", "appDispZ", "appMis12", "appMis22"}))

@@ -23,6 +23,6 @@ namespace adore::setup {
                                            const deck::Deck& deck, const std::vector<Issue>& said);
 
 /// Text for a value without a rule: a gap in the table of reasons.
-inline constexpr const char* kNoReason = "this version does not use it";
+inline constexpr const char* kNoReason = "this version does not use this value";
 
 }  // namespace adore::setup

@@ -176,7 +176,8 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
     }
   }
   if (deck.integer("kRotFrame") == 1 && deck.has("brgAngVel") && deck.real("brgAngVel") == 0.0)
-    add(Severity::Warning, "brgAngVel", "the base frame of record 9.5 does not rotate: no effect",
+    add(Severity::Warning, "brgAngVel",
+        "the base frame of record 9.5 does not rotate, so kRotFrame has no effect",
         "give the speed of the frame, or set kRotFrame to 0");
   if (deck.integer("kRotFrame") == 1 && deck.integer("kFS2") == 1 && deck.integer("kFS3") == 1)
     for (int race = 1; race <= 2; ++race)
@@ -193,8 +194,8 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
       if (!given_and_not_zero(deck, share) || std::abs(deck.real(share)) <= 1.0) continue;
       add(Severity::Warning, share,
           fmt::format("is above 1 in magnitude: the {} moves on a circle larger than the radial "
-                      "deflection, or the rotating load exceeds the applied load. Contact loads "
-                      "may be many times those of the equilibrium",
+                      "deflection between the races, or the rotating load exceeds the applied "
+                      "load. Contact loads may be many times those of the equilibrium",
                       kRaces[static_cast<std::size_t>(race - 1)]),
           "give a fraction between -1 and 1");
     }
@@ -203,7 +204,7 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
         fmt::format("suppresses all motions of the elements, but mode = {} needs their force "
                     "balance",
                     deck.integer("mode")),
-        "set mode to 0, or kDOF to 0 to 4");
+        "set mode to 0, or kDOF to a value from 0 to 4");
   if (deck.integer("mode") == 2) {
     for (int axis = 1; axis <= 3; ++axis) {
       if (rotation_free(deck, axis, 2))
@@ -215,14 +216,15 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
       const std::string given = fmt::format("kFS{}", axis);
       if (given_and_not_zero(deck, amplitude) && deck.integer(given) == 0)
         add(Severity::Error, amplitude,
-            fmt::format("moves the inner race along {}, where mode = 2 positions it by its load",
+            fmt::format("moves the inner race along {}, but mode = 2 computes its position in this "
+                        "direction from the load",
                         kAxes[static_cast<std::size_t>(axis - 1)]),
             fmt::format("set it to 0, or {} to 1, or mode to 0 or 1", given));
     }
     if (given_and_not_zero(deck, "rotLoadFrac2") &&
         (deck.integer("kFS2") == 1 || deck.integer("kFS3") == 1))
       add(Severity::Error, "rotLoadFrac2",
-          "rotates a fraction of the radial load of the inner race. With it, mode = 2 needs the "
+          "rotates a fraction of the radial load of the inner race. In mode 2, this needs given "
           "loads along y and z, but kFS2 or kFS3 gives a position",
           "set it to 0, or kFS2 and kFS3 to 0, or mode to 0 or 1");
     if (deck.integer("kFS1") + deck.integer("kFS2") + deck.integer("kFS3") == 3)
@@ -297,7 +299,7 @@ std::optional<bearing::FrameMotion> frame_motion(const Deck& given) {
   for (const char* name : {"brgOrbitRad", "brgAngPos", "brgAngVel", "brgLoadFrac1", "brgLoadFrac2"})
     if (!deck.has(name))
       throw InputError(
-          {deck.issue(Severity::Error, name, "has no value, but kRotFrame = 1 needs one",
+          {deck.issue(Severity::Error, name, "has no value, but kRotFrame = 1 needs it",
                       "enter its value in record 9.5")});
   if (deck.real("brgOrbitRad") < 0.0)
     throw InputError({deck.issue(Severity::Error, "brgOrbitRad", "the radius is negative",

@@ -46,8 +46,9 @@ RunControl build_run_control(const deck::Deck& deck) {
   out.integrator = integrators::name_of_int_met(code);
   if (out.integrator.empty())
     throw InputError({deck.issue(Severity::Error, "intMet", "is not the code of an integrator",
-                                 "use 1-7 (Runge-Kutta-Fehlberg), 11-18 (predictor-corrector), 21, "
-                                 "22 (CVODE), 31-33 (ARKODE), 41 (rk4)")});
+                                 "use 1 to 7 (Runge-Kutta-Fehlberg), 11 to 18 "
+                                 "(predictor-corrector), 21, 22 (CVODE), 31 to 33 (ARKODE) or 41 "
+                                 "(rk4)")});
   out.step_initial = deck.si("stpInit");
   out.step_minimum = deck.si("stpMin");
   out.step_maximum = deck.si("stpMax");
@@ -284,23 +285,24 @@ void add_life_options(std::vector<Option>& table) {
       });
   add("lifeLambda", "none",
       "film parameter (film thickness divided by roughness) for the life factors if no film is "
-      "computed, above 0 to 1000, or none",
+      "computed, above 0 and at most 1000; or none",
       [](bearing::LifeChoices& o, std::string_view v) {
         return parse_optional(v, o.film_parameter, 1e3);
       });
   add("lifeFilter", "none",
-      "filter rating in µm at beta 200 (STLE factor), above 0 to 1000, or none",
+      "filter rating in µm at beta 200 (STLE factor), above 0 and at most 1000; or none",
       [](bearing::LifeChoices& o, std::string_view v) { return parse_optional(v, o.filter, 1e3); });
   add("lifeSkip", "0",
       "shaft revolutions at the start of the run that the life of the run excludes, 0 or more",
       [](bearing::LifeChoices& o, std::string_view v) {
         return parse(v, o.skip_turns) && o.skip_turns >= 0.0;
       });
-  add("isoKappa", "none", "viscosity ratio of ISO 281, above 0 to 1000, or none",
+  add("isoKappa", "none", "viscosity ratio of ISO 281, above 0 and at most 1000; or none",
       [](bearing::LifeChoices& o, std::string_view v) {
         return parse_optional(v, o.viscosity_ratio, 1e3);
       });
-  add("isoContamination", "none", "contamination factor e_C of ISO 281, above 0 to 1, or none",
+  add("isoContamination", "none",
+      "contamination factor e_C of ISO 281, above 0 and at most 1; or none",
       [](bearing::LifeChoices& o, std::string_view v) {
         return parse_optional(v, o.contamination, 1.0);
       });
@@ -312,8 +314,9 @@ const std::vector<Option>& options() {
     std::vector<Option> all{
         {{"ellipseMajor", fmt::format("{}", defaults.system.ellipse_major),
           "quadrature nodes along the major axis of the contact ellipse, 10 to 100, rounded up to "
-          "a multiple of 5. Default in oil: 12 nodes with 4 along the minor axis, or 16 with 2 "
-          "for kTrac 8 and 12; the node positions are then those for films"},
+          "a multiple of 5. For balls in oil, if neither ellipseMajor nor ellipseMinor is given, a "
+          "film rule with 12 x 4 nodes (major x minor axis) is used, or with 16 x 2 for kTrac 8 "
+          "and 12"},
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.system.ellipse_major, 10, 100);
          }},
@@ -324,8 +327,10 @@ const std::vector<Option>& options() {
            return parse_count(v, o.system.ellipse_minor, 1, 64);
          }},
         {{"contactSurface", "curved_edge",
-          "height of the contact surface: curved_edge, curved_half, curved_undeformed, "
-          "flat_undeformed, flat_half, flat_edge"},
+          "surface on which the slip in contact ellipses is computed: curved (with the "
+          "slip of Heathcote) or flat, through the ends of the major axis (curved_edge, "
+          "flat_edge), at half the approach (curved_half, flat_half) or on the undeformed ball "
+          "(curved_undeformed, flat_undeformed)"},
          [](RunOptions& o, std::string_view v) {
            for (const auto& [name, surface] : kSurfaces)
              if (name == v) return o.system.surface = surface, true;
@@ -343,7 +348,7 @@ const std::vector<Option>& options() {
           "energy loss of all normal contacts: material (loss factors and impact losses of the "
           "materials, squeeze of the oil film); 0 (elastic, for conservation studies: contact "
           "vibrations do not decay); a factor on all of these losses (0.01x to 100x, such as 2x); "
-          "or the impact loss alpha of all material pairs in s/m (above 0 to 100). An element "
+          "or the impact loss alpha of all material pairs in s/m (at most 100). An element "
           "that hits a race at a small speed v rebounds at about (1 - alpha v) v. Dry steel has "
           "an alpha of 0.08 to 0.32"},
          [](RunOptions& o, std::string_view v) {
@@ -399,7 +404,7 @@ const std::vector<Option>& options() {
            return parse(v, o.user_softening) && o.user_softening >= 0.0 && o.user_softening <= 0.1;
          }},
         {{"filmPrecision", "single",
-          "precision of film points between elements and races (kTrac; not for 12 with iTherm): "
+          "precision of oil films between elements and races (not for kTrac 12 with iTherm): "
           "single (relative error of traction 3e-5; used only if tol is 1e-6 or more, the method "
           "is explicit and no elements are quasi-static) or double"},
          [](RunOptions& o, std::string_view v) {
@@ -466,7 +471,8 @@ const std::vector<Option>& options() {
            return true;
          }},
         {{"userTimeout", fmt::format("{}", defaults.user_timeout),
-          "time limit for a call of a plug-in in a separate process [s], above 0"},
+          "time limit for a call of a plug-in in a separate process [s], above 0 and below "
+          "1000000"},
          [](RunOptions& o, std::string_view v) {
            return parse(v, o.user_timeout) && o.user_timeout > 0.0 && o.user_timeout < 1e6;
          }},

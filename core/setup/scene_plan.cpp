@@ -273,15 +273,15 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   int oriented = static_cast<int>(plan.oriented_elements.size());
   const bool rigid = plan.rollers || plan.rigid_balls;
   effect(Effect::ElementOrientation, element + " orientation", oriented > 0 || rigid,
-         plan.rollers ? std::string("contacts use the axes of all rollers; total rotation only "
-                                    "for those in kPltElemInd, kPrtOpt or kAGraf")
+         plan.rollers ? std::string("contacts use the axes of all rollers; total rotation is "
+                                    "computed only for those in kPltElemInd, kPrtOpt or kAGraf")
          : rigid && user != nullptr && user->balls_out_of_round
              ? fmt::format("user routine ADRX5 of {}: contacts of out-of-round balls use their "
-                           "orientation; total rotation only for those in kPltElemInd, kPrtOpt or "
-                           "kAGraf",
+                           "orientation; total rotation is computed only for those in kPltElemInd, "
+                           "kPrtOpt or kAGraf",
                            user->source)
          : rigid ? fmt::format("kReIP = {}: the inertia of balls rotates with them; total rotation "
-                               "only for those in kPltElemInd, kPrtOpt or kAGraf",
+                               "is computed only for those in kPltElemInd, kPrtOpt or kAGraf",
                                deck.integer("kReIP"))
          : control.animate
              ? fmt::format("kAGraf = {}: all balls", control.animate_every)

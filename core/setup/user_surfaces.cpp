@@ -94,8 +94,8 @@ bearing::TurnSeries taken(const UserHooks& user, int hook, const std::string& bo
   if (series.error > kSeriesError * range + kRounding * largest(values))
     throw InputError(fmt::format(
         "{}{} has a step along the circumference: a series of 255 waves through 512 points "
-        "differs by {:.3g} {} between the points, with a range of {:.3g} {}. Return a closed "
-        "surface without steps",
+        "differs from the values between the points by {:.3g} {}; the values have a range of "
+        "{:.3g} {}. Return a closed surface without steps",
         about(user, hook, body), what, series.error, unit, range, unit));
   user.document(hook, fmt::format("{}: {} with up to {} waves per revolution, {:.6g} to {:.6g} "
                                   "{}, error between the sampled points {:.2g} {}",
@@ -149,7 +149,7 @@ std::vector<double> unturned(const UserHooks& user, const bearing::UserSurface& 
     const auto [low, high] = std::minmax_element(left.begin(), left.end());
     if (*high - *low > (shape.round ? 0.0 : 0.01 * range) && !same(*low, *high, range))
       throw InputError(fmt::format(
-          "{}at {:.6g} m from its middle the radius over the azimuth differs by {:.3g} m from the "
+          "{}at {:.6g} m from mid length, the radius around the axis differs by {:.3g} m from the "
           "form f(x) + c(psi) + x t(psi). Return an out-of-roundness that is constant or linear "
           "along the axis",
           about(user, 5, fmt::format("element {}", t.element + 1)), t.axial[k], *high - *low));
@@ -271,8 +271,8 @@ void user_balls(const UserHooks& user, bearing::Bearing& b) {
     if (error > kSeriesError * range)
       throw InputError(fmt::format(
           "{}the radius has steps, or more than about 60 waves per revolution: a surface through "
-          "{} x {} points differs by {:.3g} m between the points, with a range of {:.3g} m. "
-          "Return a smoother surface",
+          "{} x {} points differs from the values between the points by {:.3g} m; the values have "
+          "a range of {:.3g} m. Return a smoother surface",
           about(user, 5, body), kBallAround, kBallAcross, error, range));
     user.document(5, fmt::format("{}: radius {:.6g} to {:.6g} m above the value of the deck, mean "
                                  "{:.6g} m; error {:.2g} m between {} x {} points",
@@ -320,8 +320,8 @@ void user_elements(const UserHooks& user, bearing::Bearing& b) {
       std::vector<double> angle;
       for (const double slope : shape.slope) angle.push_back(std::atan(slope));
       bearing::GivenRace form;
-      form.radius = taken(user, 5, name, "radius over the azimuth", "m", shape.radius);
-      form.taper = taken(user, 5, name, "taper over the azimuth", "rad", angle);
+      form.radius = taken(user, 5, name, "radius around the axis", "m", shape.radius);
+      form.taper = taken(user, 5, name, "taper around the axis", "rad", angle);
       user.out_of_round(k, std::make_shared<const bearing::GivenRace>(std::move(form)));
     }
     std::vector<double> radius = unturned(user, t, kAzimuths, shape);
@@ -453,7 +453,8 @@ std::shared_ptr<bearing::GivenRace> race_by_table(const UserHooks& user, std::si
   set_range(given->curvature_factor, t.curvature_factor);
   user.document(
       6, fmt::format(
-             "{}: table of {} x {} surface points around and across, followed by the elements; "
+             "{}: table of {} x {} surface points around and across the raceway, which the "
+             "elements follow; "
              "radius {:.6g} to {:.6g} m{}",
              body, kTableAround, places.size(), given->radius.least, given->radius.largest,
              curves ? fmt::format(", curvature factor {:.6g} to {:.6g}",

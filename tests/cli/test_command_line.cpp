@@ -429,10 +429,10 @@ TEST_CASE("a file given to the wrong command is named for what it is", "[cli]") 
         Case{"run MASTER", "this is the bookkeeping of a run"},
         Case{"check RUN.json", "this is the summary of a run"}, Case{"check RESULTS.h5", "HDF5"},
         Case{"show DATA.txt", "this is a deck"},
-        Case{"show PRINT.txt", "read it with a text viewer"},
+        Case{"show PRINT.txt", "read this file with a text viewer"},
         Case{"calc hertz DATA.txt", "is a deck, not JSON"},
         Case{"validate PRINT.txt", "is a listing (PRINT.txt of a run), not JSON"},
-        Case{"convert DATA.txt --to csv", "`adore check` and `adore run` read it"}}) {
+        Case{"convert DATA.txt --to csv", "`adore check` and `adore run` read this file"}}) {
     const Result result = run_as_given(one.arguments, "cd " + out + " &&");
     INFO(one.arguments << '\n' << result.out);
     CHECK(result.code == 2);

@@ -109,8 +109,7 @@ TEST_CASE("set(): impossible change → error with the possible ones", "[unit][d
   CHECK_THAT(failure(deck, "iCageGuide[3]", "1"), Catch::Contains("2 elements"));
   CHECK_THAT(failure(deck, "iCageGuide", "1"), Catch::Contains("give 2 values"));
   CHECK_THAT(failure(new_deck("spherical"), "iCageGuide", "1"),
-             Catch::Contains("this deck has no elements of this variable; nGL is the number"
-                             " of elements"));
+             Catch::Contains("this variable has no elements in this deck; increase nGL first"));
   CHECK_THAT(failure(deck, "cageGsCls", "1"), Catch::Contains("cageGsCls[1]"));
   CHECK_THAT(failure(deck, "cageGsCls[3]", "1"), Catch::Contains("instance 3 of this record"));
   CHECK_THAT(failure(deck, "cageGsCls[0]", "1"), Catch::Contains("counting from 1"));

@@ -42,11 +42,7 @@ TEST_CASE("check_likely: probable slips → warning with the probable meaning", 
   const Severity warning = Severity::Warning;
   const std::vector<Slip> slips = {
       {"ball", {{"roomTemp", "20"}}, warning, "roomTemp", "for 20 deg C write 293.15 K"},
-      {"ball",
-       {{"raceTemp2", "80"}, {"shftTemp", "75"}},
-       warning,
-       "shftTemp",
-       "(so are raceTemp2)"},
+      {"ball", {{"raceTemp2", "80"}, {"shftTemp", "75"}}, warning, "shftTemp", "(also raceTemp2)"},
       {"ball", {{"raceTemp2", "80"}}, warning, "raceTemp2", "for 80 deg C write 353.15 K"},
       {"ball-english", {{"reTemp", "70"}}, warning, "reTemp", "for 70 deg F write 529.67 R"},
       {"ball", {{"gravityVecZ", "-9810"}}, warning, "gravityVecZ", "looks like gravity in mm/s^2"},
