@@ -310,21 +310,21 @@ constexpr auto kTable = std::to_array<Channel>({
     {"cage.axial_acceleration", "axial acceleration", &unit::kAcceleration, "N", false,
      each<Per::Cage, 1>([](const Source& s) { return s.cage_body().acceleration.x(); }),
      "of the cage center; segments: center of the uncut cage"},
-    {"cage.x_over_clearance", "x position over clearance", &unit::kPure, "N", false,
+    {"cage.x_over_clearance", "x position / clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.x() / cage_clearance(s); }),
-     "position divided by the mean radial guide land clearance; without guided lands: by the "
-     "radial pocket clearance I (N71)"},
-    {"cage.y_over_clearance", "y position over clearance", &unit::kPure, "N", false,
+     "position divided by the mean radial guide land clearance; without guided lands, divided by "
+     "the radial pocket clearance I"},
+    {"cage.y_over_clearance", "y position / clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.y() / cage_clearance(s); }),
-     "position divided by the mean radial guide land clearance; without guided lands: by the "
-     "radial pocket clearance I (N71)"},
-    {"cage.z_over_clearance", "z position over clearance", &unit::kPure, "N", false,
+     "position divided by the mean radial guide land clearance; without guided lands, divided by "
+     "the radial pocket clearance I"},
+    {"cage.z_over_clearance", "z position / clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.z() / cage_clearance(s); }),
-     "position divided by the mean radial guide land clearance; without guided lands: by the "
-     "radial pocket clearance I (N71)"},
+     "position divided by the mean radial guide land clearance; without guided lands, divided by "
+     "the radial pocket clearance I"},
     {"cage.orbital_position", "orbital position", &unit::kAngle, "N", true,
      each<Per::Cage, 1>([](const Source& s) { return cage_orbit(s).theta; }),
      "azimuth of the cage center; segments: center of the uncut cage"},
@@ -442,13 +442,13 @@ constexpr auto kTable = std::to_array<Channel>({
      "of the mass center"},
     {"race.x", "x position", &unit::kLength, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().position.x(); }),
-     "displacement of the mass center from its free position"},
+     "displacement of the mass center from its position in the unmounted bearing"},
     {"race.y", "y position", &unit::kLength, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().position.y(); }),
-     "displacement of the mass center from its free position"},
+     "displacement of the mass center from its position in the unmounted bearing"},
     {"race.z", "z position", &unit::kLength, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().position.z(); }),
-     "displacement of the mass center from its free position"},
+     "displacement of the mass center from its position in the unmounted bearing"},
     {"race.orbital_position", "orbital position", &unit::kAngle, "N", true,
      each<Per::Race, 1>([](const Source& s) { return race_orbit(s).theta; }),
      "azimuth of the mass center"},
@@ -603,7 +603,7 @@ ChannelTable::ChannelTable(scene::LedgerTerms energy)
   });
   for (const scene::LedgerTerm* term : energy)
     if (term->kind == LedgerKind::Heat && !term->per_race())
-      add("power", term, unit::kPower, rate, "dissipated now");
+      add("power", term, unit::kPower, rate, "current dissipation");
   for (const scene::LedgerTerm* term : energy)
     add("energy", term, unit::kEnergy, term->per_race() ? of_races : value, term->help);
   channels_.push_back(
