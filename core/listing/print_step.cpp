@@ -86,7 +86,7 @@ void wear(Report& report, const scene::Snapshot& snapshot, std::string_view labe
   if (snapshot.power.integrated)
     mean(report, label, rate, unit::kVolumeFlow, snapshot.time);
   else
-    report.item(label, "not computed");
+    report.item(label, "not computed (wear integrals are off)");
 }
 
 /// Races, and what of it their flanges have.
