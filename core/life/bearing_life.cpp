@@ -58,7 +58,8 @@ void note_shapes(BearingLife& out, std::size_t slices) {
     lines = lines || state.model[0].line[i];
     if (!(share > 0.0)) {
       out.notes.push_back(fmt::format(
-          "{}: line contact, because the rollers are unloaded there or have no crown", name));
+          "{}: line contact, because the rollers are unloaded at this race or have no crown",
+          name));
       continue;
     }
     const std::string ellipse = fmt::format(
@@ -87,10 +88,10 @@ void note_shapes(BearingLife& out, std::size_t slices) {
           text.pop_back();
           return fmt::format("{} in{}", what, text);
         };
-        const std::string point = list(points, "point"), line = list(all, "line");
+        const std::string point = list(points, "point contact"), line = list(all, "line contact");
         out.notes.push_back(
             fmt::format("{}, which is between point and line contact (rule of Harris, quoted from "
-                        "memory), so the shorter of both lives applies: {}{}{}",
+                        "memory), so each model uses the shorter of both lives: {}{}{}",
                         ellipse, point, point.empty() || line.empty() ? "" : "; ", line));
         break;
       }
@@ -321,8 +322,9 @@ LifeState LifeCalculator::evaluate(const BearingContacts& contacts,
   for (const RaceContacts& race : contacts.race) {
     const auto count = static_cast<std::size_t>(geometry_.count);
     demand(contacts.slices > 0 && race.patches.size() == count * contacts.slices,
-           "one patch per element and slice");
-    demand(race.ellipses.empty() || race.ellipses.size() == count, "one ellipse per roller");
+           "the number of contact patches differs from elements times slices");
+    demand(race.ellipses.empty() || race.ellipses.size() == count,
+           "the number of contact ellipses differs from the number of rollers");
   }
   LifeState out;
   set_shapes(contacts, out);
@@ -438,8 +440,8 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
     for (std::size_t i = 0; i < 2; ++i)
       if (films[i] && *films[i] <= scene::kNoFilmLeft)
         out.notes.push_back(
-            fmt::format("{}: there is no film at the most loaded contact; the film factor is that "
-                        "of the thinnest film",
+            fmt::format("{}: there is no film at the most loaded contact; the film factor for the "
+                        "smallest tabulated film parameter is used",
                         parameters_.part[i].name));
       else if (films[i])
         out.notes.push_back(
@@ -448,8 +450,9 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
                         parameters_.part[i].name, *films[i]));
   } else {
     out.notes.push_back(
-        "no lubricant film is computed. As for a full film, the film factor is 1 and the "
-        "Tallian-type factor has no asperity term. Run option lifeLambda sets a film parameter");
+        "no lubricant film is computed, so the lives assume a full film: the film factor is 1, and "
+        "the Tallian-type factor has no asperity term. To assume another film parameter, set the "
+        "run option lifeLambda");
   }
   if (out.state.factors.thin_film)
     out.notes.push_back(

@@ -65,9 +65,9 @@ double line_shear_amplitude(double z) noexcept {
 double depth_integral(double limit_ratio, double c, double h) {
   if (!(limit_ratio >= 0.0) || !(0.5 * c > h - 1.0))
     throw InputError(
-        fmt::format("depth integral of the Ioannides-Harris model: it diverges at the surface with "
-                    "stress exponent {} and depth exponent {}; the stress exponent must be above 2 "
-                    "(depth exponent - 1)",
+        fmt::format("Ioannides-Harris model: the stress exponent {} and the depth exponent {} give "
+                    "an infinite depth integral at the surface; the stress exponent must be above "
+                    "twice (depth exponent minus 1)",
                     c, h));
   double sum = 0.0;
   for (const Node& node : nodes())

@@ -23,7 +23,7 @@ std::vector<double> lamina(const std::vector<double>& loads, std::size_t k, std:
 }  // namespace
 
 double equivalent_load(std::span<const double> loads, bool line, bool rotating) {
-  demand(!loads.empty(), "no contact loads");
+  demand(!loads.empty(), "there are no contact loads");
   const double p = line ? (rotating ? 4.0 : 4.5) : (rotating ? 3.0 : 10.0 / 3.0);
   const double largest = *std::max_element(loads.begin(), loads.end());
   if (!(largest > 0.0)) return 0.0;
@@ -69,7 +69,7 @@ ReferenceLife iso_reference_life_ball(const IsoGeometry& g, double rating,
 }
 
 double lamina_edge_factor(std::size_t k, std::size_t n) {
-  demand(n > 1 && k >= 1 && k <= n, "lamina number");
+  demand(n > 1 && k >= 1 && k <= n, "the lamina number is out of range");
   const double position = std::abs(2.0 * static_cast<double>(k) - static_cast<double>(n) - 1.0) /
                           (2.0 * static_cast<double>(n) - 2.0);
   if (position == 0.0) return 1.0;  // the middle lamina: ln 0, no concentration
@@ -83,7 +83,7 @@ RollerReferenceLife iso_reference_life_roller(const IsoGeometry& g, double ratin
   const LifeConstants& c = constants();
   const std::size_t n = loads.laminae;
   demand(n > 0 && loads.inner.size() % n == 0 && loads.outer.size() == loads.inner.size(),
-         "laminae of every element on both races");
+         "laminae of an element or a race are missing");
   const double gamma = iso_gamma(g);
   const double cosine = std::cos(g.contact_angle), Z = g.count;
   const double T = c.roller_bracket * std::pow((1.0 - gamma) / (1.0 + gamma), 143.0 / 108.0);

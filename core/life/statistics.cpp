@@ -54,7 +54,8 @@ double race_life(std::span<const double> lives, bool rotating, double slope) {
 
 double combined_life(std::span<const double> lives, std::span<const double> slopes,
                      double survival) {
-  demand(lives.size() == slopes.size(), "as many slopes as lives");
+  demand(lives.size() == slopes.size(),
+         "the number of Weibull slopes differs from the number of lives");
   check_survival(survival);
   for (const double slope : slopes) check_slope(slope);
   const double least = shortest(lives);

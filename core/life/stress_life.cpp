@@ -128,10 +128,11 @@ StressLife::StressLife(const StressModel& model) : model_(model) {
                     model.factor));
   const double power = model.hazard_exponent - model.depth_exponent + (model.line ? 1.0 : 2.0);
   if (!(model.hazard_exponent > 0.0 && power > 0.0))
-    throw InputError(fmt::format(
-        "fatigue life: with stress exponent {} and depth exponent {} life would not decrease with "
-        "load; the stress exponent must be above 0 and above the depth exponent - {}",
-        model.hazard_exponent, model.depth_exponent, model.line ? 1 : 2));
+    throw InputError(
+        fmt::format("fatigue life: the stress exponent {} and the depth exponent {} give a life "
+                    "that does not decrease with load; the stress exponent must be above 0 and "
+                    "above (depth exponent minus {})",
+                    model.hazard_exponent, model.depth_exponent, model.line ? 1 : 2));
   n_ = power / model.slope;
   const CalibrationState& at = calibration_state(model.line);
   PeakCache peaks;
@@ -154,7 +155,7 @@ StressLife::Measure StressLife::measure(const ContactPatch& patch, double poisso
     case LifeModel::Original:
       break;
   }
-  throw InternalError("the original theory has no stress measure");
+  throw InternalError("a stress was requested for the original theory, which has none");
 }
 
 double StressLife::log_hazard(const ContactPatch& patch, const Track& track, double poisson,

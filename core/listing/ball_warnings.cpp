@@ -100,10 +100,10 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
       add("statics.shoulder", over, j,
           fmt::format(
               "{}: the contact ellipse at the {} race extends beyond the shoulder by {}. The part "
-              "beyond the shoulder supports {} of the contact load of {} ({:.3g} %; {:.3g} % of "
-              "the load of all such contacts), but a real race has no surface there. The model "
-              "does not truncate the ellipse: displacement, loads and life are optimistic, and the "
-              "pressure at the shoulder edge is not computed",
+              "beyond the shoulder supports {} of the contact load of {} ({:.3g} %; for all these "
+              "balls together {:.3g} %), but a real race has no surface beyond the shoulder. The "
+              "model does not truncate the ellipse: displacement, loads and life are optimistic, "
+              "and the pressure at the shoulder edge is not computed",
               over.text(), kRace[j], quantity(-worst.shoulder_depth[j], unit::kLength, units),
               quantity(worst.beyond[j], unit::kForce, units),
               quantity(worst.Q[j], unit::kForce, units), 100.0 * worst.beyond[j] / worst.Q[j],

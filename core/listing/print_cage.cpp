@@ -83,8 +83,8 @@ void mass(Report& report, const Bearing& bearing, bool given) {
                   solid.mass_centre.x(), unit::kLength);
     if (bearing.rollers())
       report.text(
-          "Shape of a roller pocket: length of the roller; diameter of the roller at mid-length "
-          "plus the pocket clearance.");
+          "The mass assumes roller pockets that have the length of the roller and its diameter at "
+          "mid-length plus the pocket clearance.");
   } catch (const InputError& error) {
     report.text(fmt::format("The mass of the cage is unknown: {}.", error.what()));
   }
@@ -125,7 +125,7 @@ void print_cage_geometry(Report& report, const Bearing& bearing, const deck::Dec
   report.item("Clearance to the outer race, diametral", cage.clearance_outer, unit::kLength);
   report.item("Clearance to the inner race, diametral", cage.clearance_inner, unit::kLength);
   if (cage.segments.several()) {
-    report.item("Number of equal segments (mass and inertia: one segment)",
+    report.item("Number of equal segments (mass and inertia: of one segment)",
                 static_cast<long>(cage.segments.count));
     report.item("Cut", cage.segments.through_pockets
                            ? fmt::format("through the pockets (first: pocket of element {})",
@@ -165,7 +165,7 @@ void print_cage_operation(Report& report, const Bearing& bearing) {
 }
 
 nlohmann::ordered_json cage_json(const Bearing& bearing) {
-  demand(bearing.cage && bearing.operating, "a cage in operation");
+  demand(bearing.cage && bearing.operating, "the bearing has no cage in operation");
   const Cage& cage = *bearing.cage;
   nlohmann::ordered_json out{{"speed [rad/s]", bearing.operating->cage_speed}};
   nlohmann::ordered_json plays = nlohmann::ordered_json::object();

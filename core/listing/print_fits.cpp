@@ -107,9 +107,9 @@ void clearance_table(Report& report, const OperatingFits& fits) {
   if (!(fits.locus[0] > 0.0)) return;  // rollers
   for (std::size_t j = 0; j < 2; ++j) {
     const char* race = j == 0 ? "outer" : "inner";
-    report.item(fmt::format("Radius of the {} circle of curvature centers, cold", race),
+    report.item(fmt::format("Radius of the circle of {} groove centers, cold", race),
                 fits.locus_free[j], unit::kLength);
-    report.item(fmt::format("Radius of the {} circle of curvature centers, in operation", race),
+    report.item(fmt::format("Radius of the circle of {} groove centers, operating", race),
                 fits.locus[j], unit::kLength);
   }
 }
@@ -157,7 +157,8 @@ Json limit_json(double limit) { return limit > 0.0 ? Json(limit) : Json(nullptr)
 }  // namespace
 
 void print_fits(Report& report, const bearing::Bearing& bearing) {
-  demand(bearing.operating.has_value(), "the page of fits needs a bearing in operation");
+  demand(bearing.operating.has_value(),
+         "the page of fits was requested without an operating geometry");
   const OperatingFits& fits = *bearing.operating;
   report.new_page("OPERATING FITS AND CLEARANCES");
   report.text(

@@ -110,7 +110,7 @@ void print_flange_wear(Report& report, const scene::Snapshot& snapshot,
     const scene::FlangeContactSnapshot& flange =
         snapshot.elements.front().flange[j][static_cast<std::size_t>(pair.side)];
     report.heading(fmt::format(
-        "1c. Wear depth per time on the end of roller 1 and on the {} race flange at {}x",
+        "1c. Wear depth per time on the end of roller 1 and on the {} race flange, {}x side",
         j == 0 ? "outer" : "inner", pair.side == 0 ? "-" : "+"));
     const Place place =
         flange.force > 0.0 ? place_of(pair, snapshot, bearing, flange.force) : Place{};

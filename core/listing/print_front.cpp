@@ -64,7 +64,7 @@ void echo(Report& report, const deck::Deck& deck) {
   const deck::Deck shown = deck::with_orbit_records(deck);
   for (const deck::RecordData& record : shown.records) {
     const deck::RecordSpec* spec = deck::find_record(record.id);
-    demand(spec != nullptr, "a deck holds records of the schema only");
+    demand(spec != nullptr, "the deck contains a record that is not in the schema");
     report.heading(fmt::format(
         "Record {}{}: {}", record.id,
         spec->repeat.empty() ? std::string() : fmt::format(" ({})", record.instance), spec->title));
@@ -361,7 +361,7 @@ void output_control(Report& report, const PrintFront& front) {
   const deck::Deck& deck = front.deck;
   if (deck.integer("mode") >= 0) {
     report.heading("Output control");
-    report.item("kPrtOpt, sections printed for each printed step",
+    report.item("kPrtOpt, code for the sections of a printed step",
                 static_cast<long>(deck.integer("kPrtOpt")));
     for (const auto& [name, what] :
          {std::pair{"kPrtFreq", "steps between printed steps"},

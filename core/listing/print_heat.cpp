@@ -169,7 +169,7 @@ void print_steady_state(Report& report, const thermal::SteadyState& steady) {
   report.item("Iterations", static_cast<long>(steady.passes));
   report.item("Largest temperature change in the last iteration", steady.change,
               unit::kTemperature);
-  report.item("Increase of heat / increase of heat removal (unstable above 1)", steady.gain,
+  report.item("Heat per kelvin / heat removal per kelvin (above 1: unstable)", steady.gain,
               unit::kPure);
   if (steady.friction.why_none().empty()) {
     report.item("Power loss", steady.friction.power(), unit::kPower);

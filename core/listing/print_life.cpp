@@ -79,11 +79,12 @@ void lives(Report& report, const BearingLife& life) {
   report.item("Specified survival probability", marked(life.parameters.survival));
   report.item("Weibull slope of the bearing", marked(life.parameters.bearing_slope));
   report.text(
-      "Column \"origin\": model, then + factors. The constant of the original theory is published "
-      "(seen). This program CALIBRATED the constants of the three stress models to that constant, "
-      "at one contact where all models agree. They are not the constants of the authors of the "
-      "models. The STLE tables are quoted from memory of the literature (recalled; film curve +-30 "
-      "%). The asperity term of the Tallian-type factor was derived for this program.");
+      "Column \"origin\": origin of the model constants; with +, origin of the life factors. The "
+      "constant of the original theory is published (seen). This program CALIBRATED the constants "
+      "of the three stress models to that constant, at one contact where all models agree. They "
+      "are not the constants of the authors of the models. The STLE tables are quoted from memory "
+      "of the literature (recalled; film curve +-30 %). The asperity term of the Tallian-type "
+      "factor was derived for this program.");
 }
 
 void races(Report& report, const BearingLife& life) {
@@ -99,7 +100,7 @@ void races(Report& report, const BearingLife& life) {
                   life.race[1].rotating ? "yes" : "no", ""});
   const bool rollers = life.effective_length > 0.0;
   if (rollers) {
-    rows.push_back({"contact type (rule of Harris, recalled)",
+    rows.push_back({"contact type (Harris, from memory)",
                     shape_text(life.state.shape[0], life.race[0].line),
                     shape_text(life.state.shape[1], life.race[1].line), ""});
     row("ellipse of the most loaded roller, 2a", unit::kLength,
@@ -173,8 +174,8 @@ void parameters(Report& report, const BearingLife& life) {
                     rows);
   report.text(fmt::format(
       "Fatigue limit: von Mises limit stress of the material times facStrLimit = {}. ISO 281 "
-      "corresponds to about {} {} (seen). Residual stress: positive in tension (interpretation of "
-      "this program).",
+      "corresponds to about {} {} (from a public source). Residual stress: positive in tension "
+      "(interpretation of this program).",
       Report::number(life.parameters.limit_factor),
       with_unit(report, life::constants().iso_equivalent_limit.value, unit::kPressure), pressure));
   report.item("Form of the Ioannides-Harris model",
@@ -203,7 +204,7 @@ void properties(Report& report, const BearingLife& life) {
           : "The moduli are those at room temperature, because kMatPropMod is not 1.");
   report.text(
       "Poisson's ratio, fatigue limit and life factors are those at room temperature, because the "
-      "material table has no law for them. The hardness factor is that of the deck, at operating "
+      "material table has no law for them. The hardness factor of the deck applies at operating "
       "temperature (default 1).");
 }
 

@@ -91,9 +91,9 @@ void balls(Report& report, const statics::StaticSolution& solution,
                ellipses);
   report.heading("Contact edges in the grooves");
   report.text(
-      "s: depth of the outer edge of the contact below the shoulder (negative: beyond the "
-      "shoulder). t: distance of the inner edge of the contact from the middle plane of the "
-      "groove, where a split race has its gap.");
+      "s: depth of the contact edge next to the shoulder, below the shoulder (negative: beyond the "
+      "shoulder). t: distance of the other contact edge from the middle plane of the groove, where "
+      "a split race has its gap.");
   for (std::size_t race = 0; race < 2; ++race)
     report.text(edge_limits(bearing, race, report.units()));
   report.table("ball",
@@ -136,8 +136,8 @@ void split_races(Report& report, const statics::StaticSolution& solution,
             of_second(second.p_max), of_second(second.a), of_second(second.b)}});
     }
     report.heading(
-        fmt::format("Split {} race: distance of the inner contact edge from the split, gap to the "
-                    "other half, contact with the other half",
+        fmt::format("Split {} race: distance of the nearest contact edge from the split, gap to "
+                    "the other half, contact with the other half",
                     name));
     report.table("ball",
                  {{"azimuth", &unit::kAngle},
@@ -190,7 +190,7 @@ void print_race_equilibrium(Report& report, const statics::RaceResult& solution,
   report.item("Largest contact load", solution.max_load, unit::kForce);
   report.item("Largest contact stiffness", solution.max_stiffness, unit::kStiffness);
   report.item("Iterations", static_cast<long>(solution.iterations));
-  report.item("Largest force residual divided by the load", solution.residual, unit::kPure);
+  report.item("Largest force residual / load", solution.residual, unit::kPure);
 }
 
 /// Entries are force or moment over length or radian.

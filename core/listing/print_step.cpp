@@ -86,7 +86,7 @@ void wear(Report& report, const scene::Snapshot& snapshot, std::string_view labe
   if (snapshot.power.integrated)
     mean(report, label, rate, unit::kVolumeFlow, snapshot.time);
   else
-    report.item(label, "not computed");
+    report.item(label, "not computed (wear integrals are off)");
 }
 
 /// Races, and what of it their flanges have.
@@ -106,7 +106,7 @@ void flanges(Report& report, const scene::Snapshot& snapshot, int interval) {
     for (std::size_t side = 0; side < 2; ++side) {
       if (!snapshot.elements.front().flange[race][side].present) continue;
       report.heading(
-          fmt::format("1b. Roller ends at the {} race flange at {}x (gap: negative in contact)",
+          fmt::format("1b. Roller ends at the {} race flange, {}x side (gap: negative in contact)",
                       race == 0 ? "outer" : "inner", side == 0 ? "-" : "+"));
       std::vector<Report::Row> rows;
       for (std::size_t j = 0; j < snapshot.elements.size();
@@ -178,7 +178,9 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
                  {"ang vel", "element.angular_velocity"},
                  {"theta", "element.angular_velocity_theta"},
                  {"phi", "element.angular_velocity_phi"}});
-  report.heading("Angular position of the principal x axis, and thermal state of the contacts");
+  report.heading(
+      "Angular position of the principal x axis, and thermal state of the contacts (QV: integral "
+      "of load times slip)");
   std::vector<ChannelColumn> thermal{{"theta", "element.theta"},
                                      {"phi", "element.phi"},
                                      {"rotation", "element.rotation"},
@@ -215,7 +217,9 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
                           name)
             : fmt::format(
                   "Contacts with the {} race (a across, b along the rolling direction; edge: {})",
-                  name, race == 0 ? "depth s below the shoulder" : "half chord t"));
+                  name,
+                  race == 0 ? "depth s below the shoulder"
+                            : "distance t from the middle plane of the groove"));
     std::vector<ChannelColumn> columns{{"load", "contact.load", race},
                                        {"angle", "contact.angle", race},
                                        {"a", "contact.half_major", race},
@@ -377,10 +381,9 @@ void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& r
     const bool films = std::any_of(shown.begin(), shown.end(), [](const scene::LandSnapshot& land) {
       return land.film_force > 0.0;
     });
-    report.heading(films ? "Contact and film between cage and race (angle: azimuth of the contact "
-                           "in the cage frame; attitude: from the smallest gap to the film force)"
-                         : "Contact between cage and race (angle: azimuth of the contact in the "
-                           "cage frame; no attitude angle without a film)");
+    report.heading(films ? "Contact and film between cage and race (angle: azimuth in the cage "
+                           "frame; attitude: angle from the smallest gap to the film force)"
+                         : "Contact between cage and race (angle: azimuth in the cage frame)");
     std::vector<Report::Row> lands;
     for (std::size_t k = 0; k < snapshot.cages.size(); ++k) {
       int number = 0;
@@ -498,7 +501,7 @@ void summary(Report& report, const scene::Snapshot& snapshot, const StepRecord& 
   report.item("Power loss, average over time", averages.power_loss, unit::kPower);
   for (const auto& item : snapshot.energy.items())
     if (item.term->kind == scene::LedgerKind::Heat)
-      report.item(fmt::format("    current rate: {}", item.place()), item.rate, unit::kPower);
+      report.item(fmt::format("    current power loss: {}", item.place()), item.rate, unit::kPower);
   report.item("Fraction of the power loss from churning and drag", snapshot.power.churning_fraction,
               unit::kPure);
   wear(report, snapshot, "Average wear rate, rolling element 1",
@@ -509,7 +512,7 @@ void summary(Report& report, const scene::Snapshot& snapshot, const StepRecord& 
     wear(report, snapshot, "Average wear rate, cage", record["power.cage_wear_rate"][0]);
   fatigue_life(report, snapshot, life_step);
   if (snapshot.held_elements)
-    report.item("Quasi-static elements", static_cast<long>(*snapshot.held_elements));
+    report.item("Quasi-static elements, number", static_cast<long>(*snapshot.held_elements));
   report.item("Energy residual", snapshot.energy.residual(), unit::kEnergy);
 }
 
@@ -558,8 +561,8 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
   for (const auto& [name, value] : run.counters)
     report.item(fmt::format("Counter: {}", name), value);
   if (run.error_sum) {
-    report.item("Step error estimates divided by the scales: sum", *run.error_sum, unit::kPure);
-    report.item("Step error estimates divided by the scales: largest", *run.error_largest,
+    report.item("Step error estimates / scales of the variables, sum", *run.error_sum, unit::kPure);
+    report.item("Step error estimates / scales of the variables, largest", *run.error_largest,
                 unit::kPure);
   } else if (!run.integrator.empty()) {
     report.item("Step error estimates", "not computed (not available with this method)");

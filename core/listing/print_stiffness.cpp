@@ -60,7 +60,7 @@ void print_row(Report& report, const statics::StiffnessRow& row) {
   report.text_table(columns, rows);
   report.item("Largest contact load", row.result.max_load, unit::kForce);
   if (differences)
-    report.item("Largest difference / largest entry with the same unit",
+    report.item("Deviation between the two methods / largest entry (same unit)",
                 statics::stiffness_disagreement(row.result.stiffness, *differences), unit::kPure);
   if (!row.operating) return;
   const bearing::OperatingFits& fits = *row.operating;

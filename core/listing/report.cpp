@@ -109,11 +109,12 @@ void Report::item(std::string_view label, std::string_view value) {
 
 void Report::table(std::string_view name_title, const std::vector<Column>& columns,
                    const std::vector<Row>& rows, std::size_t name_width) {
-  demand(2 + name_width + kCell * columns.size() <= kColumns, "a printed table must fit the page");
+  demand(2 + name_width + kCell * columns.size() <= kColumns,
+         "a printed table is wider than the page");
   std::string titles = fmt::format("  {:<{}}", name_title, name_width),
               unit_line(2 + name_width, ' ');
   for (const Column& column : columns) {
-    demand(column.title.size() < kCell, "titles of a printed table must be separated");
+    demand(column.title.size() < kCell, "a column title of a printed table is too long");
     titles += fmt::format("{:>{}}", column.title, kCell);
     const std::string unit = column.unit == nullptr || column.unit == &unit::kPure
                                  ? std::string()
@@ -131,7 +132,8 @@ void Report::table(std::string_view name_title, const std::vector<Column>& colum
       new_page(title_);
       header();
     }
-    demand(row.values.size() == columns.size(), "a printed row has a value for each column");
+    demand(row.values.size() == columns.size(),
+           "the number of values in a printed row differs from the number of columns");
     std::string line = fmt::format("  {:<{}}", row.name, name_width);
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const double value = columns[k].unit == nullptr

@@ -150,7 +150,7 @@ constexpr auto kTable = std::to_array<Channel>({
      "plane"},
     {"contact.slip", "largest slip velocity", &unit::kSpeed, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().max_slip; }),
-     "within the contact ellipse"},
+     "within the contact"},
     {"contact.heat", "contact heat", &unit::kPower, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().heat; }),
      "dissipated in the contact"},
@@ -162,7 +162,7 @@ constexpr auto kTable = std::to_array<Channel>({
      "power dissipated by contact damping"},
     {"contact.film", "film thickness", &unit::kLength, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().film; }),
-     "0 with a hypothetical traction law"},
+     "in the middle of the contact; 0 with a hypothetical traction law"},
     {"contact.least_film", "least film thickness", &unit::kLength, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().least_film; }),
      "minimum over the contact; 0 with a hypothetical traction law"},
@@ -183,13 +183,13 @@ constexpr auto kTable = std::to_array<Channel>({
      "race temperature plus contact temperature rise"},
     {"contact.half_major", "contact half width, transverse", &unit::kLength, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().half_major; }),
-     "half axis a of the ellipse"},
+     "half axis a of the ellipse; rollers: half the contact length"},
     {"contact.half_minor", "contact half width, rolling", &unit::kLength, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().half_minor; }),
-     "half axis b of the ellipse"},
+     "half axis b of the ellipse; rollers: half width of the slice with the largest pressure"},
     {"contact.pressure", "largest contact pressure", &unit::kPressure, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().max_pressure; }),
-     "in the middle of the ellipse"},
+     "at the center of the ellipse; rollers: in the slice with the largest pressure"},
     {"contact.edge", "contact edge position", &unit::kLength, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().edge; }),
      "depth s of the contact edge below the shoulder"},
@@ -219,7 +219,7 @@ constexpr auto kTable = std::to_array<Channel>({
      "half axis b of the whole ellipse"},
     {"second_contact.pressure", "second contact largest pressure", &unit::kPressure, "-", false,
      each<Per::Second, 1>([](const Source& s) { return s.second().max_pressure; }),
-     "in the middle of the whole ellipse"},
+     "at the center of the whole ellipse"},
     // Roller ends at the flanges of the races, -x side then +x side.
     {"flange.force", "flange force", &unit::kForce, "-", false,
      each<Per::Flange, 1>([](const Source& s) { return s.flange().force; }),
@@ -310,21 +310,21 @@ constexpr auto kTable = std::to_array<Channel>({
     {"cage.axial_acceleration", "axial acceleration", &unit::kAcceleration, "N", false,
      each<Per::Cage, 1>([](const Source& s) { return s.cage_body().acceleration.x(); }),
      "of the cage center; segments: center of the uncut cage"},
-    {"cage.x_over_clearance", "x position over clearance", &unit::kPure, "N", false,
+    {"cage.x_over_clearance", "x position / clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.x() / cage_clearance(s); }),
-     "position divided by the mean radial guide land clearance; without guided lands: by the "
-     "radial pocket clearance I (N71)"},
-    {"cage.y_over_clearance", "y position over clearance", &unit::kPure, "N", false,
+     "position divided by the mean radial guide land clearance; without guided lands, divided by "
+     "the radial pocket clearance I"},
+    {"cage.y_over_clearance", "y position / clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.y() / cage_clearance(s); }),
-     "position divided by the mean radial guide land clearance; without guided lands: by the "
-     "radial pocket clearance I (N71)"},
-    {"cage.z_over_clearance", "z position over clearance", &unit::kPure, "N", false,
+     "position divided by the mean radial guide land clearance; without guided lands, divided by "
+     "the radial pocket clearance I"},
+    {"cage.z_over_clearance", "z position / clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.z() / cage_clearance(s); }),
-     "position divided by the mean radial guide land clearance; without guided lands: by the "
-     "radial pocket clearance I (N71)"},
+     "position divided by the mean radial guide land clearance; without guided lands, divided by "
+     "the radial pocket clearance I"},
     {"cage.orbital_position", "orbital position", &unit::kAngle, "N", true,
      each<Per::Cage, 1>([](const Source& s) { return cage_orbit(s).theta; }),
      "azimuth of the cage center; segments: center of the uncut cage"},
@@ -442,13 +442,13 @@ constexpr auto kTable = std::to_array<Channel>({
      "of the mass center"},
     {"race.x", "x position", &unit::kLength, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().position.x(); }),
-     "displacement of the mass center from its free position"},
+     "displacement of the mass center from its position in the unmounted bearing"},
     {"race.y", "y position", &unit::kLength, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().position.y(); }),
-     "displacement of the mass center from its free position"},
+     "displacement of the mass center from its position in the unmounted bearing"},
     {"race.z", "z position", &unit::kLength, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().position.z(); }),
-     "displacement of the mass center from its free position"},
+     "displacement of the mass center from its position in the unmounted bearing"},
     {"race.orbital_position", "orbital position", &unit::kAngle, "N", true,
      each<Per::Race, 1>([](const Source& s) { return race_orbit(s).theta; }),
      "azimuth of the mass center"},
@@ -603,7 +603,7 @@ ChannelTable::ChannelTable(scene::LedgerTerms energy)
   });
   for (const scene::LedgerTerm* term : energy)
     if (term->kind == LedgerKind::Heat && !term->per_race())
-      add("power", term, unit::kPower, rate, "dissipated now");
+      add("power", term, unit::kPower, rate, "current dissipation");
   for (const scene::LedgerTerm* term : energy)
     add("energy", term, unit::kEnergy, term->per_race() ? of_races : value, term->help);
   channels_.push_back(

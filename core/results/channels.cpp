@@ -96,8 +96,7 @@ ChannelRecorder::ChannelRecorder(bearing::Bearing bearing, UnitSystem units, Cha
 }
 
 void ChannelRecorder::set_bearing(bearing::Bearing bearing) {
-  demand(shape_of(bearing) == record_.shape,
-         "a thermal step must not change what the bearing consists of");
+  demand(shape_of(bearing) == record_.shape, "a thermal step changed the parts of the bearing");
   bearing_ = std::move(bearing);
 }
 
@@ -105,25 +104,25 @@ const StepRecord& ChannelRecorder::record(const scene::Snapshot& snapshot, StepB
   const Shape& shape = record_.shape;
   demand(snapshot.elements.size() == static_cast<std::size_t>(shape.elements) &&
              snapshot.cages.size() == static_cast<std::size_t>(shape.cages),
-         "the snapshot is of another bearing");
+         "the snapshot belongs to another bearing");
   for (const scene::ElementSnapshot& element : snapshot.elements)
     demand(shape.cages == 0 ||
                element.pocket.size() == static_cast<std::size_t>(shape.pocket_surfaces),
-           "each element of a snapshot shows every guide surface of its pocket");
+           "an element of the snapshot lacks a contact with a guide surface of its pocket");
   for (const scene::CageSnapshot& cage : snapshot.cages)
     demand(shape.last_halves == 0 ||
                cage.last_half.size() == static_cast<std::size_t>(shape.pocket_surfaces),
-           "each segment of a snapshot shows every guide surface of its last half pocket");
+           "a cage segment of the snapshot lacks a guide surface of its last half pocket");
   for (std::size_t i = 0; i < static_cast<std::size_t>(shape.pairs); ++i)
     demand(snapshot.elements[i].to_next.has_value(),
-           "each element of a snapshot without cage shows the next one");
+           "an element of a snapshot without cage lacks the contact with the next element");
 
   for (const scene::ElementSnapshot& element : snapshot.elements)
     demand(!shape.split || element.second.size() == 2,
-           "each ball of a snapshot shows its contacts with both halves of split races");
+           "a ball of the snapshot lacks the contact with the second half of a split race");
 
   demand(!shape.thermal || snapshot.thermal.has_value(),
-         "a snapshot of a run with a thermal analysis shows its last thermal step");
+         "the snapshot of a run with thermal analysis lacks the last thermal step");
 
   record_.step = snapshot.step;
   record_.time = snapshot.time;

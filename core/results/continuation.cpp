@@ -20,7 +20,7 @@ void compare(const std::filesystem::path& path, std::string_view what, const T& 
              const T& expected) {
   if (found == expected) return;
   throw InputError(
-      fmt::format("{}: the file that this run continues has {} {}, but this run has {}; {}",
+      fmt::format("{}: the file that this run continues has {} = {}, but this run has {}; {}",
                   path.string(), what, found, expected, kRemedy));
 }
 
@@ -41,13 +41,13 @@ void compare_headers(const std::filesystem::path& path, const SolParser& found,
   const SolHeader& a = found.header();
   const SolHeader& b = expected.header();
   check_run_id(path, a.run_id, b.run_id);
-  compare(path, "rolling elements:", a.elements, b.elements);
-  compare(path, "cage segments:", a.segments, b.segments);
-  compare(path, "the index of element", a.index, b.index);
-  compare(path, "values per step:", a.value_count, b.value_count);
+  compare(path, "number of rolling elements", a.elements, b.elements);
+  compare(path, "number of cage segments", a.segments, b.segments);
+  compare(path, "body index", a.index, b.index);
+  compare(path, "values per step", a.value_count, b.value_count);
   compare(path, "bearing type", a.bearing_type, b.bearing_type);
   for (std::size_t k = 0; k < a.units.size(); ++k)
-    compare(path, fmt::format("in unit slot {}", k + 1), a.units[k], b.units[k]);
+    compare(path, fmt::format("unit {}", k + 1), a.units[k], b.units[k]);
 }
 
 }  // namespace

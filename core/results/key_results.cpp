@@ -27,8 +27,8 @@ constexpr KeyResultSpec kSpecs[] = {
     {"life_ih_tallian_hours", "Life, Ioannides-Harris type with Tallian-type factors", "",
      &unit::kLife},
     {"run_life_hours", "Life from the loads of the run", "", &unit::kLife},
-    {"run_life_samples", "Life from the loads of the run", "samples", &unit::kNone},
-    {"run_life_spread", "Life from the loads of the run", "relative spread", &unit::kNone},
+    {"run_life_samples", "Life from the loads of the run", "number of samples", &unit::kNone},
+    {"run_life_spread", "Life from the loads of the run", "relative standard error", &unit::kNone},
     {"life_stored_hours", "Life, model of the plot files", "", &unit::kLife},  // of older tables
 
     // Of the equilibrium.
@@ -70,8 +70,8 @@ constexpr KeyResultSpec kSpecs[] = {
     {"mean_heat_outer_race_W", "Mean heat", "outer race", &unit::kPower},
     {"mean_heat_inner_race_W", "Mean heat", "inner race", &unit::kPower},
     {"mean_heat_elsewhere_W", "Mean heat", "elsewhere", &unit::kPower},
-    {"mean_orbital_ratio", "Mean orbital ratio", "", &unit::kNone},
-    {"mean_cage_ratio", "Mean cage ratio", "", &unit::kNone},
+    {"mean_orbital_ratio", "Mean orbital speed / relative race speed", "", &unit::kNone},
+    {"mean_cage_ratio", "Mean cage speed / relative race speed", "", &unit::kNone},
     {"mean_whirl_ratio", "Mean whirl ratio", "by revolutions", &unit::kNone},
     {"mean_swept_whirl_ratio", "Mean whirl ratio", "by swept area", &unit::kNone},
     {"mean_load_x_N", "Mean load", "x", &unit::kForce},
@@ -79,7 +79,7 @@ constexpr KeyResultSpec kSpecs[] = {
     {"mean_load_z_N", "Mean load", "z", &unit::kForce},
     {"mean_largest_load_N", "Mean of the largest contact load", "", &unit::kForce},
     {"peak_load_N", "Peak contact load", "", &unit::kForce},
-    {"load_departure", "Deviation of the mean load", "", &unit::kNone},
+    {"load_departure", "Deviation of the mean load from the specified load", "", &unit::kNone},
     {"energy_residual_J", "Energy residual", "", &unit::kEnergy},
 };
 

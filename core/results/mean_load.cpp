@@ -123,7 +123,7 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
       "the inner race is fixed at its quasi-static position, where moving elements exert different "
       "forces. ";
   out += scalable ? fmt::format(
-                        "Estimated load for the specified mean load: {}. Or specify the "
+                        "To obtain the specified mean load, enter about {}, or specify the "
                         "displacement (kFS1-3, appDispX to Z)",
                         named(load, instead, units))
                   : "Specify the displacement instead of the load (kFS1-3, appDispX to Z), and "

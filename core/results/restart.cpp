@@ -36,7 +36,8 @@ void append_title(std::string& out, std::string_view kind) {
 }
 
 void append_state(std::string& out, const FinalState& state) {
-  demand(state.components.size() == state.state.size(), "every component of the state has a name");
+  demand(state.components.size() == state.state.size(),
+         "the number of names differs from the number of state components");
   out += fmt::format("version {}\nrun {}\n", state.version, state.run_id);
   out += fmt::format("step {}\ntime {}\nstep_size {}\nshaft_rotation {}\n", state.step, state.time,
                      state.step_size, state.shaft_rotation);

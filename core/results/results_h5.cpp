@@ -142,7 +142,7 @@ std::string_view coherent_unit(const UnitPair& unit) {
   if (&unit == &unit::kAngle) return "rad";
   if (&unit == &unit::kRotation) return "rad/s";
   if (&unit == &unit::kRotationRate) return "rad/s^2";
-  demand(unit.si_factor == 1.0, "a channel's unit has no coherent SI name");
+  demand(unit.si_factor == 1.0, "the unit of a channel has no coherent SI name");
   return unit.si;
 }
 
@@ -557,7 +557,7 @@ H5Writer H5Writer::continue_after(const WritePath& place, const bearing::Bearing
 
 void H5Writer::write(const StepRecord& record) {
   demand(record.shape == impl_->shape && record.values.size() == impl_->channels().size(),
-         "a record must be of the bearing and the channels that the file was made for");
+         "a record has other bodies or channels than the file RESULTS.h5");
   const std::array<double, 4> own{static_cast<double>(record.step), record.time, record.step_size,
                                   record.shaft_rotation};
   std::size_t next = kSeries.size();

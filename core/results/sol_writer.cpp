@@ -74,13 +74,13 @@ void append_sol_step(std::string& out, const SolStep& step) {
 SolHeader make_sol_header(const bearing::Bearing& bearing, int index, UnitSystem units) {
   const Shape shape = shape_of(bearing);
   if (index < 0 || index > shape.elements + shape.cages + 2)
-    throw InputError(fmt::format(
-        "kPltElemInd: element {} cannot be monitored; the bearing has elements 1 to {} ({} rolling "
-        "elements, {}outer race, inner race)",
-        index, shape.elements + shape.cages + 2, shape.elements,
-        shape.cages > 1   ? fmt::format("{} cage segments, ", shape.cages)
-        : shape.cages > 0 ? std::string("cage, ")
-                          : std::string()));
+    throw InputError(
+        fmt::format("kPltElemInd: there is no body {}. The bodies are numbered 1 to {} ({} rolling "
+                    "elements, {}outer race, inner race)",
+                    index, shape.elements + shape.cages + 2, shape.elements,
+                    shape.cages > 1   ? fmt::format("{} cage segments, ", shape.cages)
+                    : shape.cages > 0 ? std::string("cage, ")
+                                      : std::string()));
   SolHeader header;
   header.version = std::string(kFileVersion) + bearing.user_version;
   header.run_id = bearing.run_id;
@@ -118,7 +118,7 @@ SolStep make_sol_step(const SolHeader& header, const std::vector<SolColumn>& col
   step.time = record.time;
   step.values.reserve(columns.size());
   for (const SolColumn& column : columns) {
-    demand(column.channel >= 0, "this program writes only columns that it computes");
+    demand(column.channel >= 0, "a column of a SOL file has no channel");
     step.values.push_back(from_si(
         record.values[static_cast<std::size_t>(column.channel)][column.at], *column.unit, units));
   }

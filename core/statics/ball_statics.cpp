@@ -162,8 +162,8 @@ void settle_race_control(BallModel& m, const RaceTask& task, BallRace& state, Ra
       m.own_speed_share = 1.0;
       state = before;
       notes.push_back(
-          fmt::format("race control: the inner race would control the spin of {}, but this has no "
-                      "equilibrium; outer race control is used",
+          fmt::format("race control: the inner race would control the spin of {}, but the bearing "
+                      "has no equilibrium with inner race control; outer race control is used",
                       ball_numbers(changed)));
       return;
     }

@@ -63,10 +63,11 @@ std::vector<std::string> film_doubts(const LubricantFilms& films, FilmsOf use) {
           ". Until thermal steps have warmed the oil, its heat and all results that depend on the "
           "oil cannot be trusted. Start closer to the expected temperatures (record 9.1.3)");
     } else if (ratio > most("film.thickness"))
-      out.push_back(fmt::format(
-          "{} forms a film of {:.2g} times the radius of the contacting bodies, but film formulas "
-          "are known only up to {:g} times. Films, lambda, friction and heat are rough estimates",
-          oil, ratio, most("film.thickness")));
+      out.push_back(
+          fmt::format("{} forms a film whose thickness is {:.2g} times the radius of the "
+                      "contacting bodies, but film formulas are known only up to {:g} times. "
+                      "Films, lambda, friction and heat are rough estimates",
+                      oil, ratio, most("film.thickness")));
     if (films.viscosity[j] > most("film.viscosity"))
       out.push_back(oil + beyond_measured(films.viscosity[j]));
   }

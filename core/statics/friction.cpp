@@ -52,7 +52,8 @@ FrictionEstimate begin(const Bearing& bearing, const ContactLaws& oil) {
                                         tribology::largest_traction(bearing.race_traction));
   out.oil = oil.given();
   if (out.oil) {
-    out.law = fmt::format("film of {}; below the critical film thickness: {}", oil.name(), curve);
+    out.law =
+        fmt::format("film of {}; for films below the critical thickness: {}", oil.name(), curve);
   } else {
     out.law = curve;
   }

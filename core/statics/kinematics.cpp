@@ -27,9 +27,9 @@ EpicyclicSpeeds epicyclic_speeds(int count, double diameter, double pitch_diamet
                     pitch_diameter, diameter * std::cos(contact_angle), diameter, contact_angle));
   }
   if (!(std::isfinite(outer_speed) && std::isfinite(inner_speed))) {
-    throw InputError(
-        fmt::format("bearing kinematics: the race speeds are {} and {} rad/s; they must be numbers",
-                    outer_speed, inner_speed));
+    throw InputError(fmt::format(
+        "bearing kinematics: the race speeds are {} and {} rad/s; they must be finite numbers",
+        outer_speed, inner_speed));
   }
   constexpr double kTurn = 2.0 * std::numbers::pi;
   EpicyclicSpeeds s;

@@ -131,7 +131,7 @@ void settle_least_heat(const bearing::Bearing& bearing, const BallModel& model,
   state = before;
   solve = first;
   notes.push_back(fmt::format(
-      "minimum-heat spin axis: {}. The spin axes are those for a constant friction coefficient",
+      "minimum-heat spin axis: {}. The spin axes for a constant friction coefficient are used",
       solve.converged ? "spin axes and loads did not converge"
                       : "no equilibrium with the traction law of the deck"));
 }

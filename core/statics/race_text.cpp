@@ -15,7 +15,7 @@ RaceTask race_task(const bearing::StaticConstraints& constraints) {
   for (std::size_t k = 0; k < 5; ++k) {
     if (!std::isfinite(constraints.load[k]) || !std::isfinite(constraints.displacement[k])) {
       throw InputError(fmt::format(
-          "bearing equilibrium: the load {} or displacement {} {} is not a finite number",
+          "bearing equilibrium: the load {} or the displacement {} {} is not a finite number",
           constraints.load[k], constraints.displacement[k], kDirection[k]));
     }
     task.load(static_cast<Eigen::Index>(k)) = constraints.load[k];
@@ -48,7 +48,7 @@ std::vector<std::string> held_notes(const std::vector<int>& held,
   for (const int k : held) {
     const auto i = static_cast<std::size_t>(k);
     notes.push_back(fmt::format(
-        "the inner race has no load and no support {}: the displacement remains {:.6g} {}",
+        "the inner race has no load and no support {}: the displacement remains at {:.6g} {}",
         kDirection[i], displacement[i], k < 3 ? "m" : "rad"));
   }
   return notes;

@@ -48,8 +48,8 @@ void check(const bearing::Bearing& b, const RollerOptions& options) {
     refuse("linear kinematics are not available for crowned raceways");
   }
   if (!(std::isfinite(b.speed[0]) && std::isfinite(b.speed[1]))) {
-    refuse(fmt::format("the race speeds are {} and {} rad/s; they must be numbers", b.speed[0],
-                       b.speed[1]));
+    refuse(fmt::format("the race speeds are {} and {} rad/s; they must be finite numbers",
+                       b.speed[0], b.speed[1]));
   }
   if (!(b.element_inertia.mass > 0.0)) {
     refuse(

@@ -93,8 +93,8 @@ SplitRace split_race(double groove_radius, double ball_diameter, double shim,
   const double sine = shim / chord;
   if (!(sine >= 0.0 && sine < 1.0))
     throw InputError(
-        fmt::format("the shim is {} m in a groove of radius {} m with a ball of {} m; it must not "
-                    "be negative and must be below {} m",
+        fmt::format("the shim is {} m in a groove of radius {} m with a ball of diameter {} m; it "
+                    "must not be negative and must be below {} m",
                     shim, groove_radius, ball_diameter, chord));
   SplitRace out;
   out.shim_angle = std::asin(sine);

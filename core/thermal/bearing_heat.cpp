@@ -31,7 +31,8 @@ Coolant coolant_at(const Bearing& bearing, double T) {
     out = {"coolant of record 9.8", "given",           given.density, given.viscosity,
            given.specific_heat,     given.conductivity};
   } else if (given.coolant == 1) {
-    demand(bearing.lubrication.has_value(), "the lubricant cools, and there is none");
+    demand(bearing.lubrication.has_value(),
+           "cooling by the lubricant was requested, but there is no lubricant");
     const tribology::Lubricant oil = tribology::lubricant_of(*bearing.lubrication);
     out = {oil.name,
            oil.provenance,
@@ -323,17 +324,19 @@ void add_notes(BearingHeat& out, const Bearing& b, double cage_speed) {
   constexpr std::array<const char*, 2> kRing{"outer", "inner"}, kMate{"housing", "shaft"};
   for (std::size_t j = 0; j < 2; ++j)
     if (out.turned_back[j] > 0.0)
-      out.notes.push_back(fmt::format(
-          "ladder: with {:.4g} W through the {} race, the {} would be colder than the coldest "
-          "given temperature. So {:.4g} W flow this way, and the remaining heat is removed by {}",
-          out.flows.race[j] + out.turned_back[j], kRing[j], kMate[j], out.flows.race[j],
-          out.coolant ? "the coolant"
-          : j == 1    ? "the outer race"
-                      : "the inner race"));
+      out.notes.push_back(
+          fmt::format("ladder: with {:.4g} W through the {} race, the {} would be colder than the "
+                      "coldest given temperature. So only {:.4g} W flow through this race, and the "
+                      "remaining heat is removed by {}",
+                      out.flows.race[j] + out.turned_back[j], kRing[j], kMate[j], out.flows.race[j],
+                      out.coolant ? "the coolant"
+                      : j == 1    ? "the outer race"
+                                  : "the inner race"));
   if (out.clamped)
     out.notes.emplace_back(
-        "ladder: housing or shaft would be colder than the coldest given temperature, so that "
-        "temperature is used. With thermalModel=network the heat balance is closed");
+        "ladder: housing or shaft would be colder than the coldest given temperature, so the "
+        "coldest given temperature is used. The heat balance is not closed; thermalModel=network "
+        "closes it");
   const double T_mean = out.temperature.coolant_mean;
   if (out.coolant && out.coolant->outside(T_mean))
     out.notes.push_back(fmt::format(
@@ -376,7 +379,7 @@ void BulkTemperatures::set(Bearing& b) const noexcept {
 
 BearingHeat solve_bearing_heat(const Bearing& b, const HeatSources& sources, double cage_speed,
                                const RaceConductance& contact, const HeatStep* step) {
-  demand(b.thermal.has_value(), "a thermal network without a thermal analysis");
+  demand(b.thermal.has_value(), "a thermal network was requested without thermal analysis");
   const bearing::ThermalInputs& in = *b.thermal;
   const bool flows = in.coolant > 0 && in.flow > 0.0,
              is_ladder = in.model == bearing::ThermalModel::Ladder;

@@ -18,9 +18,9 @@ HeatNetwork::Node HeatNetwork::add(std::string name, double heat, double capacit
 void HeatNetwork::fix(Node node, double temperature) { nodes_[node].given = temperature; }
 
 void HeatNetwork::link(Node a, Node b, double conductance) {
-  demand(a < nodes_.size() && b < nodes_.size() && a != b, "a link between two nodes");
+  demand(a < nodes_.size() && b < nodes_.size() && a != b, "a link does not connect two nodes");
   demand(conductance >= 0.0 && conductance < std::numeric_limits<double>::infinity(),
-         "a conductance is a finite number, 0 or more");
+         "a conductance is negative or not finite");
   if (conductance > 0.0) links_.push_back({a, b, conductance});
 }
 
@@ -40,7 +40,8 @@ std::string HeatNetwork::unconnected() const {
 HeatNetwork::Solution HeatNetwork::solve() const { return solve(nullptr, 0.0); }
 
 HeatNetwork::Solution HeatNetwork::step(const std::vector<double>& before, double time_step) const {
-  demand(before.size() == nodes_.size() && time_step > 0.0, "a step from one temperature a node");
+  demand(before.size() == nodes_.size() && time_step > 0.0,
+         "a thermal step lacks the temperature of a node or a positive length");
   return solve(&before, time_step);
 }
 

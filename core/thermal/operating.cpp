@@ -395,7 +395,7 @@ MountedRings mounted_rings(const Bearing& b, const std::array<double, 2>& racewa
 }
 
 Bearing operating_bearing(const Bearing& free) {
-  demand(!free.operating.has_value(), "the bearing is in operation already");
+  demand(!free.operating.has_value(), "the operating geometry was already computed");
   if (free.rollers()) return operating_roller_bearing_of(free);
   const contact::GrooveGeometry groove = contact::groove_geometry(free.balls());
   const MountedRings rings =

@@ -121,7 +121,8 @@ Bearing bearing_at(const Bearing& as_built, const BulkTemperatures& bulk, bool g
 
 SteadyState solve_steady_state(const Bearing& as_built, const statics::RollerOptions& rollers,
                                const std::function<void()>& each_pass) {
-  demand(as_built.thermal.has_value(), "a steady state of a deck without thermal analysis");
+  demand(as_built.thermal.has_value(),
+         "a thermal steady state was requested for a deck without thermal analysis");
   BulkTemperatures at = BulkTemperatures::in(as_built);
   SteadyState out;
   out.gain = std::numeric_limits<double>::quiet_NaN();

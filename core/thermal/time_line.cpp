@@ -26,7 +26,8 @@ double largest_difference(const BulkTemperatures& a, const BulkTemperatures& b, 
 
 TimeLine solve_time_line(const bearing::Bearing& as_built, const statics::RollerOptions& rollers,
                          const std::function<void()>& each_step, double largest_change) {
-  demand(as_built.thermal.has_value(), "a time line of a deck without thermal analysis");
+  demand(as_built.thermal.has_value(),
+         "a thermal time line was requested for a deck without thermal analysis");
   TimeLine out;
   HeatStep step;
   step.duration = 1.0;

@@ -58,7 +58,8 @@ ChurningMedium churning_medium(const Bearing& bearing) {
     return out;
   }
   if (given.code == 1) {
-    demand(bearing.lubrication.has_value(), "the lubricant churns, and there is none");
+    demand(bearing.lubrication.has_value(),
+           "churning by the lubricant was requested, but there is no lubricant");
     const Lubricant oil = lubricant_of(*bearing.lubrication);
     out.name = oil.name;
     out.provenance = oil.provenance;

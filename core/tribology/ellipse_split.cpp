@@ -208,7 +208,8 @@ class Integral {
 
 EllipseTraction ellipse_traction_split(const TractionLaw& law, const EllipseGeometry& geometry,
                                        const EllipseKinematics& motion, int points) {
-  demand(points >= 4 && points <= 40, "the split ellipse rule has 4 to 40 points per piece");
+  demand(points >= 4 && points <= 40,
+         "the number of points per piece of the split ellipse rule is not 4 to 40");
   if (!(geometry.Q > 0.0) || !(geometry.a > 0.0)) return {};
   const double peak = 1.5 * geometry.Q / (std::numbers::pi * geometry.a * geometry.b);
   const ContactPoint<double> contact{geometry.Q,         peak,

@@ -112,15 +112,13 @@ TractionCurve from_maximum(const std::array<double, 4>& tc) {
   if (!(km > k0)) {
     throw InputError(
         fmt::format("the maximum traction coefficient {} must exceed the one at zero slip {}; "
-                    "raise the maximum or "
-                    "use the asymptotic prescription (type 2)",
+                    "raise the maximum or use the asymptotic law (type 2)",
                     km, k0));
   }
   if (!(km > kinf)) {
     throw InputError(
         fmt::format("the maximum traction coefficient {} must exceed the one at infinite slip {}; "
-                    "raise the maximum "
-                    "or use the asymptotic prescription (type 2)",
+                    "raise the maximum or use the asymptotic law (type 2)",
                     km, kinf));
   }
   const double M = km - kinf;

@@ -241,7 +241,8 @@ double surface_error_of(double tolerance) {
 }
 
 ViscoElasticFilm visco_elastic_direct(const Lubricant& oil, double temperature) {
-  demand(oil.model == LubricantModel::ViscoElastic, "a visco-elastic lubricant");
+  demand(oil.model == LubricantModel::ViscoElastic,
+         "a visco-elastic film was requested for another type of lubricant");
   ViscoElasticFilm out;
   out.liquid = liquid_of(oil, temperature);
   out.integral = integral;
@@ -253,8 +254,10 @@ ViscoElasticFilm visco_elastic_direct(const Lubricant& oil, double temperature) 
 ViscoElasticSurface visco_elastic_surface(const Lubricant& oil, double temperature,
                                           double width_over_pressure, double race_speed,
                                           double wanted) {
-  demand(oil.model == LubricantModel::ViscoElastic, "a visco-elastic lubricant");
-  demand(width_over_pressure > 0.0 && race_speed > 0.0, "a contact that rolls");
+  demand(oil.model == LubricantModel::ViscoElastic,
+         "a visco-elastic film was requested for another type of lubricant");
+  demand(width_over_pressure > 0.0 && race_speed > 0.0,
+         "the contact of a visco-elastic film does not roll");
   const double from = std::log(width_over_pressure / (kLargestSpeed * race_speed)),
                to = std::log(width_over_pressure / (kLeastSpeed * race_speed));
   ViscoElasticSurface out = *surface_of(liquid_of(oil, temperature), kBin * std::floor(from / kBin),

@@ -212,7 +212,7 @@ def _(b):
 
 def wear_table(run):
     """Page 1c of the last step: heights, radii, depths of the flange, distances from the roller axis, depths of the end."""
-    part = run.listing.split("1c. Wear depth per time on the end of roller 1 and on the inner race flange at -x")[-1].splitlines()
+    part = run.listing.split("1c. Wear depth per time on the end of roller 1 and on the inner race flange, -x side")[-1].splitlines()
     rows = [[float(w) for w in line.split()[1:]] for line in part[4:13]]
     return list(zip(*rows))
 

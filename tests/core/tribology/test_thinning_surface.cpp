@@ -78,7 +78,7 @@ TEST_CASE("filmStress: thinning interpolated or solved, and reported", "[unit][f
   const TractionLaw by_surface =
       film_law(traction_curve(1, {0.0, 0.12, 0.08, 0.5}), oil, lubrication, surface);
   lubrication.direct_strips = true;
-  CHECK(strips_of(oil, lubrication, surface) == "stress solved at every point");
+  CHECK(strips_of(oil, lubrication, surface) == "shear stress computed at each integration point");
   const TractionLaw solved =
       film_law(traction_curve(1, {0.0, 0.12, 0.08, 0.5}), oil, lubrication, surface);
   const auto fluid_of = [](const TractionLaw& law) {
