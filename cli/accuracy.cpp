@@ -214,7 +214,7 @@ void add_accuracy(CLI::App& app, int& exit_code) {
           ->capture_default_str();
   command
       ->add_option("--budget", options->budget,
-                   "limit of the processor time of the study [s]; it may reduce the revolutions")
+                   "limit of the processor time of the study [s]; a small limit shortens the runs")
       ->capture_default_str();
   command
       ->add_option("--accuracy", options->accuracy, "target error of speeds, loads, heat and life")
