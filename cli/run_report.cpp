@@ -104,7 +104,7 @@ std::string summary_text(const facade::RunOutcome& outcome, const std::string& c
                         outcome.missed_end);
   if (outcome.energy_scale > 0.0)
     text +=
-        fmt::format("energy residual of {:.3g} J: {:.2g} times the exchanged energy of {:.3g} J\n",
+        fmt::format("energy residual: {:.3g} J, {:.2g} times the exchanged energy of {:.3g} J\n",
                     outcome.energy_residual, outcome.energy_residual / outcome.energy_scale,
                     outcome.energy_scale);
   text += run_life_text(outcome);

@@ -270,7 +270,7 @@ Job read_job(const fs::path& folder) {
       job.decks.push_back(
           {folder / path_inside(deck.at("deck"), file, at), settings_of(deck.at("options"))});
     }
-    if (job.decks.empty()) file.refuse("decks", json.at("decks"), "a job has at least one deck");
+    if (job.decks.empty()) file.refuse("decks", json.at("decks"), "the list of decks is empty");
     job.sets = settings_of(json.at("sets"));
     job.options = settings_of(json.at("options"));
     job.until = json.at("until").get<std::string>();
