@@ -182,7 +182,7 @@ class SlurmEngine {
     job_ = answer->substr(0, answer->find_first_of(";\n"));
     if (!is_slurm_job(job_))
       throw InputError("--engine slurm: sbatch returned no job number: " + *answer);
-    write_study_file(
+    write_into_study(
         place_, kCurrent,
         dump_json(
             Json{{"job", job_}, {"piece", piece_}, {"folder", submission_.filename().string()}}) +
