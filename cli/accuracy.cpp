@@ -231,7 +231,7 @@ void add_accuracy(CLI::App& app, int& exit_code) {
   CLI::Option* out =
       command->add_option("--out", options->out, "folder for ACCURACY.csv, .json and .png")
           ->type_name("DIR")
-          ->default_str("here");
+          ->default_str("current folder");
   command->footer(
       "Examples\n"
       "  adore accuracy DATA.txt --out study\n"

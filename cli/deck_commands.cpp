@@ -1,3 +1,4 @@
+#include "base/counted.hpp"
 #include "base/json_text.hpp"
 #include "base/terminal_text.hpp"
 #include "cli/commands.hpp"
@@ -62,8 +63,8 @@ int check(const DeckOptions& options, bool json) {
       }
     const std::vector<Finding> others = shown_findings(issues);
     for (const Finding& one : others) print("{}\n", one.text());
-    print("{}: {} records, {} error{}, {} other remark{}\n", report.file, report.records, errors,
-          errors == 1 ? "" : "s", others.size(), others.size() == 1 ? "" : "s");
+    print("{}: {} records, {}, {}\n", report.file, report.records, counted(errors, "error"),
+          counted(others.size(), "warning or note", "warnings or notes"));
   }
   return ok ? 0 : 2;
 }

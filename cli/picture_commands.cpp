@@ -49,7 +49,7 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
       {"png", "svg"});
   command->add_option("--out", request->out, "output folder")
       ->type_name("DIR")
-      ->default_str("here");
+      ->default_str("current folder");
   CLI::Option* page =
       command->add_option("--page", request->page, "page number (default: all pages)");
   command->add_option("--from", request->range.from, "first stored step, counted from 1")
@@ -153,7 +153,7 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
           ->excludes(frame);
   command->add_option("--out", request->out, "output folder")
       ->type_name("DIR")
-      ->default_str("here");
+      ->default_str("current folder");
   command_line::one_of(command->add_option("--colour", request->colour, "color elements by")
                            ->capture_default_str()
                            ->type_name("WHAT"),

@@ -74,7 +74,7 @@ auto run_asking(facade::RunRequest& request, Run&& run_it) {
   try {
     return run_it();
   } catch (const facade::ResultsExist& found) {
-    if (!ask(fmt::format("{}\nReplace them?", found.what())).value_or(false)) throw;
+    if (!ask(fmt::format("{}\nReplace these files?", found.what())).value_or(false)) throw;
   }
   request.overwrite = true;
   return run_it();
