@@ -214,7 +214,7 @@ void add_accuracy(CLI::App& app, int& exit_code) {
           ->capture_default_str();
   command
       ->add_option("--budget", options->budget,
-                   "limit of the processor time of the study [s]; it may reduce the revolutions")
+                   "limit of the processor time of the study [s]; a small limit shortens the runs")
       ->capture_default_str();
   command
       ->add_option("--accuracy", options->accuracy, "target error of speeds, loads, heat and life")
@@ -231,7 +231,7 @@ void add_accuracy(CLI::App& app, int& exit_code) {
   CLI::Option* out =
       command->add_option("--out", options->out, "folder for ACCURACY.csv, .json and .png")
           ->type_name("DIR")
-          ->default_str("here");
+          ->default_str("current folder");
   command->footer(
       "Examples\n"
       "  adore accuracy DATA.txt --out study\n"

@@ -1,3 +1,4 @@
+#include "base/counted.hpp"
 #include "base/json_text.hpp"
 #include "base/terminal_text.hpp"
 #include "cli/commands.hpp"
@@ -62,8 +63,8 @@ int check(const DeckOptions& options, bool json) {
       }
     const std::vector<Finding> others = shown_findings(issues);
     for (const Finding& one : others) print("{}\n", one.text());
-    print("{}: {} records, {} error{}, {} other remark{}\n", report.file, report.records, errors,
-          errors == 1 ? "" : "s", others.size(), others.size() == 1 ? "" : "s");
+    print("{}: {} records, {}, {}\n", report.file, report.records, counted(errors, "error"),
+          counted(others.size(), "warning or note", "warnings or notes"));
   }
   return ok ? 0 : 2;
 }
@@ -200,7 +201,9 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
     options->add_to(*command);
     auto codes = std::make_shared<bool>(false);
     command->add_flag("--json", *json, "print as JSON");
-    command->add_flag("--codes", *codes, "list the codes of all findings as Markdown");
+    command->add_flag(
+        "--codes", *codes,
+        "print a reference page (Markdown) of all finding codes of the program; no deck is read");
     command->footer(
         "Examples\n"
         "  adore check DATA.txt\n"
@@ -232,8 +235,8 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     CLI::Option* what_if =
         command->add_flag("--what-if", options->what_if,
-                          "repeat a short run with each effect switched off in turn; show the "
-                          "changes of the results and the share of the computing time");
+                          "repeat a short run with each effect switched off in turn; show how the "
+                          "results and the computing time change");
     command->add_option("--turns", options->turns, "shaft revolutions of each run of --what-if")
         ->needs(what_if)
         ->capture_default_str();

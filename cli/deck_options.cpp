@@ -45,7 +45,7 @@ std::vector<std::string> option_words() {
 void add_deck(CLI::App& command, std::string& deck) {
   command.add_option("deck", deck, "deck file, folder with DATA.txt, or - for standard input")
       ->type_name("DECK")
-      ->default_str("DATA.txt here");
+      ->default_str("DATA.txt in the current folder");
 }
 
 void add_sets(CLI::App& command, std::vector<std::string>& sets) {

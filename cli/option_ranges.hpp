@@ -18,21 +18,21 @@ struct OptionRange {
 inline constexpr std::array kOptionRanges{
     OptionRange{"--threads", 0, 1024, "0: all cores"},
     OptionRange{"--lubricant", 1, 20, "kTrac of record 10.0"},
-    OptionRange{"--temperature", 150, 800, "kelvin"},
+    OptionRange{"--temperature", 150, 800, "in kelvin"},
     OptionRange{"--workers", 0, 1024, "0: as many as cores and memory allow"},
     OptionRange{"--page", 1, 10'000, ""},
-    OptionRange{"--from", 1, 1e15, "steps are counted from 1"},
-    OptionRange{"--to", 1, 1e15, "steps are counted from 1"},
+    OptionRange{"--from", 1, 1e15, "counted from 1"},
+    OptionRange{"--to", 1, 1e15, "counted from 1"},
     OptionRange{"--every", 1, 1e9, ""},
-    OptionRange{"--frame", 1, 1e9, "frames are counted from 1"},
+    OptionRange{"--frame", 1, 1e9, "counted from 1"},
     OptionRange{"--fps", 1, 240, ""},
     OptionRange{"--slow", 1e-12, 1e6, "simulated seconds per second of the movie"},
-    OptionRange{"--element", 1, 10'000, "elements are counted from 1"},
-    OptionRange{"--tols", 1e-14, 0.01, "above 0.01 the motion is not resolved"},
+    OptionRange{"--element", 1, 10'000, "counted from 1"},
+    OptionRange{"--tols", 1e-14, 0.01, "larger tolerances do not resolve the motion"},
     OptionRange{"--turns", 0.01, 1e6, "shaft revolutions"},
     OptionRange{"--pilot", 0, 1e4, "seconds of processor time; 0: no trial run"},
     OptionRange{"--budget", 1, 1e6, "seconds of processor time"},
-    OptionRange{"--accuracy", 1e-6, 0.5, "0.01 or 1%"},
+    OptionRange{"--accuracy", 1e-6, 0.5, "a fraction: 0.01 is 1 %"},
 };
 
 /// @throws InputError "--threads is -3; give a number from 0 to 1024 (0: all cores)"

@@ -49,13 +49,13 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
       {"png", "svg"});
   command->add_option("--out", request->out, "output folder")
       ->type_name("DIR")
-      ->default_str("here");
+      ->default_str("current folder");
   CLI::Option* page =
       command->add_option("--page", request->page, "page number (default: all pages)");
   command->add_option("--from", request->range.from, "first stored step, counted from 1")
       ->capture_default_str();
   CLI::Option* to =
-      command->add_option("--to", request->range.to, "last stored step")->default_str("the last");
+      command->add_option("--to", request->range.to, "last stored step")->default_str("last step");
   command->add_option("--every", request->range.every, "every n-th stored step")
       ->capture_default_str();
   command_line::one_of(command->add_option("--abscissa", request->abscissa, "horizontal axis")
@@ -70,7 +70,7 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
       ->add_option("--curve", request->curve,
                    "curve of the waterfall: its name, part of its name, or its number on the page")
       ->type_name("CURVE")
-      ->default_str("the first one");
+      ->default_str("first curve");
   command->add_flag("--time", *time, "the same as --abscissa time")->group("");
   command->add_flag("--dark", request->dark, "dark theme");
   add_progress(*command, request->progress);
@@ -123,7 +123,8 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
                            ->type_name("RACE"),
                        {"outer", "inner"});
   command
-      ->add_option("--element", request->element, "element or pocket of the single-element views")
+      ->add_option("--element", request->element,
+                   "number of the element or pocket in views that show only one")
       ->capture_default_str();
   CLI::Option* frame = command->add_option("--frame", request->frame,
                                            "frame number, counted from 1 (default: all frames)");
@@ -152,7 +153,7 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
           ->excludes(frame);
   command->add_option("--out", request->out, "output folder")
       ->type_name("DIR")
-      ->default_str("here");
+      ->default_str("current folder");
   command_line::one_of(command->add_option("--colour", request->colour, "color elements by")
                            ->capture_default_str()
                            ->type_name("WHAT"),

@@ -74,7 +74,7 @@ auto run_asking(facade::RunRequest& request, Run&& run_it) {
   try {
     return run_it();
   } catch (const facade::ResultsExist& found) {
-    if (!ask(fmt::format("{}\nReplace them?", found.what())).value_or(false)) throw;
+    if (!ask(fmt::format("{}\nReplace these files?", found.what())).value_or(false)) throw;
   }
   request.overwrite = true;
   return run_it();
@@ -286,8 +286,8 @@ void add_run(CLI::App& app, int& exit_code) {
                  "sweep: run the missing and failed values")
       ->excludes(overwrite);
   command->add_flag("--reproducible", options->reproducible,
-                    "give bit-identical results on all x86-64 processors (without AVX: two to "
-                    "three times slower)");
+                    "give bit-identical results on all x86-64 processors; AVX is not used, so the "
+                    "run takes two to three times longer");
   command->add_flag("--json", options->json, "print the summary as JSON");
   command->add_flag("--quiet", options->quiet, "print neither progress nor summary");
   command->add_flag("--list-options", options->list_options,

@@ -59,10 +59,10 @@ std::string run_life_text(const facade::RunOutcome& outcome) {
   };
   const double life = find("run_life_hours"), spread = find("run_life_spread");
   if (std::isnan(life)) return {};
-  return fmt::format("life of the run {} from {}{}\n",
+  return fmt::format("fatigue life at the loads of the run: {} ({}{})\n",
                      std::isinf(life) ? "infinite" : fmt::format("{:.4g} h", life),
-                     counted(static_cast<long>(find("run_life_samples")), "step"),
-                     std::isnan(spread) ? ", spread not computed (short run)"
+                     counted(static_cast<long>(find("run_life_samples")), "evaluated step"),
+                     std::isnan(spread) ? "; standard error not computed: the run is too short"
                                         : fmt::format(", standard error {:.2g} %", 100.0 * spread));
 }
 
@@ -100,11 +100,13 @@ std::string summary_text(const facade::RunOutcome& outcome, const std::string& c
                         counted(fmt::format("{:.4g}", outcome.revolutions), "revolution"),
                         outcome.time, duration_text(outcome.seconds));
   if (outcome.missed_end > 0.0)
-    text += fmt::format("maxStps ended the run before fTime = {:.6g} s\n", outcome.missed_end);
+    text += fmt::format("maxStps ended the run before its end at t = {:.6g} s (fTime)\n",
+                        outcome.missed_end);
   if (outcome.energy_scale > 0.0)
-    text += fmt::format("energy residual {:.3g} J (ratio {:.2g} to the {:.3g} J exchanged)\n",
-                        outcome.energy_residual, outcome.energy_residual / outcome.energy_scale,
-                        outcome.energy_scale);
+    text +=
+        fmt::format("energy residual: {:.3g} J, {:.2g} times the exchanged energy of {:.3g} J\n",
+                    outcome.energy_residual, outcome.energy_residual / outcome.energy_scale,
+                    outcome.energy_scale);
   text += run_life_text(outcome);
   for (const std::filesystem::path& file : outcome.files) text += "  " + file.string() + "\n";
   text += picture_lines(outcome);

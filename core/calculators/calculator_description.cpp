@@ -185,8 +185,9 @@ std::string describe_calculator_text(const CalculatorInfo& info) {
     out += "\nresults\n";
     for (const std::string& name : kind->results)
       if (const SchemaResult* row = find_result(*schema, name))
-        out += fmt::format("  {:<40} {}{}\n", row->name, row->unit,
-                           row->meaning.empty() ? "" : "  " + row->meaning);
+        out += fmt::format(
+            "  {:<40} {}\n", row->name,
+            row->meaning.empty() ? row->unit : fmt::format("{:<10} {}", row->unit, row->meaning));
     out += fmt::format("\nexample\n  {}\n", dump_json(example_of(info, *kind)));
   }
   return out;
@@ -196,10 +197,11 @@ std::string calculators_markdown() {
   std::string out =
       "# Calculators\n\n"
       "`adore calc NAME FILE` reads one JSON object of inputs and prints the results with their "
-      "units. A calculator with several kinds of calculation selects the kind by the inputs, or "
-      "reads `{\"kind\": ..., \"inputs\": {...}}`. Codes are not case-sensitive. Unknown, unused "
-      "and missing inputs and values outside their range are errors. A label describes the case "
-      "and has no effect.\n\n"
+      "units. If a calculator has several kinds of calculation, it finds the kind from the inputs "
+      "that are given. To name the kind, write `{\"kind\": ..., \"inputs\": {...}}`. Upper and "
+      "lower case are equal in text inputs such as material codes. Unknown, unused and missing "
+      "inputs and values outside their range are errors. Inputs of the type `label` are comments "
+      "without effect.\n\n"
       "This page is the output of `adore calc --list --markdown`.\n\n";
   for (const CalculatorInfo& info : calculator_list()) {
     out += fmt::format("## {}\n\n{}\n\n", info.name, info.help);

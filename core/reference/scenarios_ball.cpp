@@ -84,8 +84,9 @@ void check_start(Motion& balls, const std::string& input, double diameter) {
   try {
     (void)balls.evaluate(0.0, balls.start.data());
   } catch (const SolverError& error) {
-    throw InputError(fmt::format("{} or derived: this state is impossible in this bearing: {}",
-                                 input, error.what()));
+    throw InputError(fmt::format(
+        "{}: the start state is impossible in this bearing ({}). Correct {} or the input derived.",
+        input, error.what(), input));
   }
   const dynamics::Evaluation& e = balls.evaluate(0.0, balls.start.data());
   for (const std::size_t j : {0UL, 1UL})

@@ -306,7 +306,8 @@ CaseResult compare_case(const std::string& family, const Json& the_case, const J
   if (out.status == "fail" && the_case.value("provenance", "") == "recalled") {
     out.status = "not_covered";
     out.message = fmt::format(
-        "the expected value is from memory, so a deviation is no failure: {} deviates by {:.3g}",
+        "the expected value is quoted from memory, so a deviation does not count as a failure: {} "
+        "deviates by {:.3g}",
         out.worst_key, out.error);
   }
   return out;

@@ -419,7 +419,7 @@ std::string progress_text(const StudyProgress& p) {
 
 std::string outcome_text(const CampaignOutcome& outcome) {
   return fmt::format(
-      "{}: {} done, {} of them failed; {} computed in {}, {} available from earlier{}{}",
+      "{}: {} done, {} of them failed; {} computed now in {}, {} computed earlier{}{}",
       counted(outcome.runs, "run"), outcome.done, outcome.failed, outcome.computed,
       duration_text(outcome.seconds), outcome.known, outcome.note.empty() ? "" : "; ",
       outcome.note);

@@ -45,7 +45,7 @@ Chart curves_chart(const std::string& name, const TableColumn& x, const TableCol
                    const std::vector<ChartLine>& lines) {
   Chart out{{"kind", "curves"},
             {"name", name},
-            {"title", words_of(y) + " over " + words_of(x)},
+            {"title", words_of(y) + " versus " + words_of(x)},
             {"x_title", words_of(x)},
             {"y_title", words_of(y)},
             {"x_unit", unit(x)},

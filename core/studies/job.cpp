@@ -144,7 +144,7 @@ Json to_json(const Job& job, const fs::path& folder) {
   out["adore_job"] = 1;
   out["program"] = kProgramVersion;
   out["decks"] = Json::array();
-  for (const Job::Base& base : job.decks)
+  for (const Job::BaseDeck& base : job.decks)
     out["decks"].push_back({{"deck", base.deck.lexically_relative(folder).string()},
                             {"options", to_json(base.options)}});
   out["sets"] = to_json(job.sets);
@@ -237,13 +237,13 @@ Job prepare_job(const Study& study, const WriteFolder& folder) {
     const fs::path original = facade::deck_path(study.decks[k]);
     const WriteFolder place = folder.folder(fs::path("decks") / std::to_string(k + 1));
     const std::string name = original.filename().string();
-    Job::Base base;
+    Job::BaseDeck base;
     base.deck = place.path() / name;
     const std::string text = read_text_file(original, kMaxHandwrittenBytes);
     std::error_code error;
     if (!fs::is_regular_file(fs::symlink_status(base.deck, error)) ||
         read_text_file(base.deck) != text)
-      write_study_file(place, name, text);
+      write_into_study(place, name, text);
     for (const auto& [option, value] : facade::options_beside(original))
       base.options.emplace_back(option, value);
     job.decks.push_back(std::move(base));
@@ -255,7 +255,7 @@ Job prepare_job(const Study& study, const WriteFolder& folder) {
   job.tolerance = study.tolerance;
   job.quantities = study.quantities;
   job.keep_files = study.keep_files;
-  write_study_file(folder, "job.json", dump_json(to_json(job, folder.path()), 1) + "\n");
+  write_into_study(folder, "job.json", dump_json(to_json(job, folder.path()), 1) + "\n");
   return job;
 }
 
@@ -270,7 +270,7 @@ Job read_job(const fs::path& folder) {
       job.decks.push_back(
           {folder / path_inside(deck.at("deck"), file, at), settings_of(deck.at("options"))});
     }
-    if (job.decks.empty()) file.refuse("decks", json.at("decks"), "a job has at least one deck");
+    if (job.decks.empty()) file.refuse("decks", json.at("decks"), "the list of decks is empty");
     job.sets = settings_of(json.at("sets"));
     job.options = settings_of(json.at("options"));
     job.until = json.at("until").get<std::string>();
@@ -357,7 +357,7 @@ Task parse_task(const std::string& line, const TaskSource& source) {
 
 void write_tasks(const WriteFolder& folder, const std::string& name,
                  const std::vector<Task>& tasks) {
-  write_study_file(folder, name, [&](const TextSink& sink) {
+  write_into_study(folder, name, [&](const TextSink& sink) {
     for (const Task& task : tasks) sink(task_line(task));
   });
 }
@@ -442,7 +442,7 @@ void write_record(const fs::path& folder, const Record& record) {
                       {"disk_megabytes", record.disk_megabytes},
                       {"host", record.host}};
   json["checksum"] = record_sum(json);
-  write_study_file(open_study_folder(folder).folder(file.parent_path()), file.filename().string(),
+  write_into_study(open_study_folder(folder).folder(file.parent_path()), file.filename().string(),
                    dump_json(json) + "\n");
 }
 

@@ -21,11 +21,11 @@
 namespace adore::studies {
 
 struct Job {
-  struct Base {
+  struct BaseDeck {
     std::filesystem::path deck;  ///< copy in the study's folder
     Settings options;            ///< of the ADORE.json in the folder of the original
   };
-  std::vector<Base> decks;
+  std::vector<BaseDeck> decks;
   Settings sets, options;
   std::string until, integrator;
   std::optional<double> tolerance;

@@ -153,8 +153,8 @@ class LocalEngine {
     }
     if (left_ > 0 && !stop.stop_requested())
       throw InputError(
-          fmt::format("{} no result. The process of each of them was killed {} times, by a user or "
-                      "by the system when memory was short. All other runs are recorded. Continue "
+          fmt::format("{} no result, because the process was killed {} times, by a user or by the "
+                      "system when memory was short. All other runs are recorded. Continue "
                       "with `adore study resume`; if memory is short, with --workers 1",
                       counted(left_, "run has", "runs have"), kKills));
   }
@@ -184,7 +184,7 @@ class LocalEngine {
     std::string note =
         held ? "memory allows " + counted(workers_.size(), "process", "processes") : "";
     if (kills_ > 0)
-      note += fmt::format("{}{} killed and repeated", note.empty() ? "" : ", ", kills_);
+      note += fmt::format("{}{} repeated", note.empty() ? "" : ", ", counted(kills_, "killed run"));
     news_(busy(), note);
   }
 
@@ -264,7 +264,7 @@ class LocalEngine {
     record.values.assign(read_job(work_.folder).quantities.size(),
                          std::numeric_limits<double>::quiet_NaN());
     record.message = fmt::format(
-        "the process of this run ended with {}, {}. This is a bug of the program; repeat the run "
+        "the process of this run ended with {}, {}. This is a bug in Adore. Repeat the run "
         "with --retry-failed",
         signal != 0 ? fmt::format("signal {} ({})", signal, strsignal(signal))
                     : fmt::format("exit code {}", WEXITSTATUS(status)),

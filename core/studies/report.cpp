@@ -208,8 +208,8 @@ Report write_report(const Study& study) {
   const StudyTable table = write_tables(study, results);
   Report report = make_report(study, results, table);
   const WriteFolder folder = open_study_folder(study.folder());
-  write_study_file(folder, "REPORT.txt", report.text);
-  write_study_file(folder, "CHARTS.json", report.charts);
+  write_into_study(folder, "REPORT.txt", report.text);
+  write_into_study(folder, "CHARTS.json", report.charts);
   return report;
 }
 

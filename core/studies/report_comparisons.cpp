@@ -21,7 +21,7 @@ void Reporter::sensitivity(std::size_t deck) {
   }
   const std::vector<BaseValue> bases = base_values(study_, deck);
   text_ += fmt::format("{:<34} {:<14} {:>13} {:>11} {:>13} {:>10} {:>11}\n", "quantity", "variable",
-                       "by difference", "uncertainty", "exact", "difference", "% per %");
+                       "finite diff.", "uncertainty", "exact", "rel. diff.", "% per %");
   for (const TableColumn& quantity : table_.quantities) {
     const double base = quantity.values[from];
     std::vector<Bar> bars;

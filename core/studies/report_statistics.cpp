@@ -12,7 +12,7 @@ namespace adore::studies {
 
 void Reporter::statistics() {
   text_ += fmt::format("{:<34} {:>6} {:>12} {:>12} {:>12} {:>12}", "quantity", "runs", "mean",
-                       "deviation", "least", "largest");
+                       "std. dev.", "least", "largest");
   for (const double percent : study_.percentiles) text_ += fmt::format(" {:>11}%", percent);
   text_ += "\n";
   for (const TableColumn& column : table_.quantities) {

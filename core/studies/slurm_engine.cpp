@@ -101,16 +101,15 @@ class SlurmEngine {
       forget_job();
       if (fruitless_ >= kFruitless)
         throw InputError(fmt::format(
-            "--engine slurm: {} consecutive submissions gave no result; {}; the output of the jobs "
-            "is "
-            "in {}",
+            "--engine slurm: {} consecutive submissions gave no result: {}. The output of the jobs "
+            "is in {}",
             kFruitless, reason_.empty() ? "Slurm gives no reason" : reason_, folder_.string()));
     }
     if (stop_.stop_requested())
       cancel();
     else if (given_up_ > 0)
       throw InputError(
-          fmt::format("{} no result. The process of each of them was killed {} times. All other "
+          fmt::format("{} no result, because the process was killed {} times. All other "
                       "runs are recorded. Continue with `adore study resume --engine slurm`",
                       counted(given_up_, "run has", "runs have"), kKills));
   }
@@ -183,7 +182,7 @@ class SlurmEngine {
     job_ = answer->substr(0, answer->find_first_of(";\n"));
     if (!is_slurm_job(job_))
       throw InputError("--engine slurm: sbatch returned no job number: " + *answer);
-    write_study_file(
+    write_into_study(
         place_, kCurrent,
         dump_json(
             Json{{"job", job_}, {"piece", piece_}, {"folder", submission_.filename().string()}}) +
@@ -221,9 +220,10 @@ class SlurmEngine {
         int running = 0, waiting = 0;
         for (const auto& [state, count] : *queue)
           (state == "RUNNING" || state == "COMPLETING" ? running : waiting) += count;
-        news_(running, waiting > 0 ? fmt::format("job {}, {}", job_,
-                                                 counted(waiting, "piece waits", "pieces wait"))
-                                   : fmt::format("job {}", job_));
+        news_(running, waiting > 0
+                           ? fmt::format("job {}, {}", job_,
+                                         counted(waiting, "array task waits", "array tasks wait"))
+                           : fmt::format("job {}", job_));
       }
       const double looked = std::chrono::duration<double>(Clock::now() - begin).count();
       const auto until = Clock::now() + std::chrono::duration<double>(
@@ -258,7 +258,7 @@ class SlurmEngine {
           break;
         }
       if (culprit == nullptr || end.state == "COMPLETED") continue;
-      reason_ = fmt::format("the state of the last piece of the job is {}", end.state);
+      reason_ = fmt::format("an array task of the job ended in the state {}", end.state);
       if (end.exit_code == kTryAgain) {
         const std::string text = said(element);
         const std::size_t at = text.rfind("halt ");
@@ -323,11 +323,12 @@ class SlurmEngine {
                          std::numeric_limits<double>::quiet_NaN());
     constexpr std::size_t kTail = 200;
     record.message = fmt::format(
-        "the process of this run ended with {} (exit code {}, signal {}), {}; {}; repeat the run "
+        "the process of this run ended with {} (exit code {}, signal {}), {}. {}. Repeat the run "
         "with --retry-failed",
         end.state, end.exit_code, end.signal, counted(deaths_[task.key], "time"),
-        text.empty() ? "it had no output"
-                     : text.substr(text.size() - std::min(kTail, text.size())));
+        text.empty() ? "It had no output"
+                     : "The end of its output is: " +
+                           text.substr(text.size() - std::min(kTail, text.size())));
     write_record(work_.folder, record);
     done_(record);
   }

@@ -61,12 +61,12 @@ bool is_study_file(const std::string& name, std::string_view first_bytes) {
   return first_bytes.starts_with("{\"adore_run\":") || sort_of(first_bytes) == FileSort::Deck;
 }
 
-void write_study_file(const WriteFolder& folder, const std::string& name,
+void write_into_study(const WriteFolder& folder, const std::string& name,
                       std::string_view content) {
-  write_study_file(folder, name, [&](const TextSink& write) { write(content); });
+  write_into_study(folder, name, [&](const TextSink& write) { write(content); });
 }
 
-void write_study_file(const WriteFolder& folder, const std::string& name,
+void write_into_study(const WriteFolder& folder, const std::string& name,
                       const std::function<void(const TextSink&)>& produce) {
   check_own(folder, name);
   write_file_atomically({folder, name}, produce);

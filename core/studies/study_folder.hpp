@@ -19,8 +19,8 @@ namespace adore::studies {
 
 /// Writes a file of the study. @throws WriteError when the name is a link or no regular file, or
 /// when the file there was not written by a study.
-void write_study_file(const WriteFolder& folder, const std::string& name, std::string_view content);
-void write_study_file(const WriteFolder& folder, const std::string& name,
+void write_into_study(const WriteFolder& folder, const std::string& name, std::string_view content);
+void write_into_study(const WriteFolder& folder, const std::string& name,
                       const std::function<void(const TextSink&)>& produce);
 
 }  // namespace adore::studies

@@ -143,9 +143,9 @@ std::string times_csv(const Results& results) {
 StudyTable write_tables(const Study& study, const Results& results) {
   StudyTable table = make_table(study, results);
   const WriteFolder folder = open_study_folder(study.folder());
-  write_study_file(folder, "RUNS.csv", table_csv(table));
-  write_study_file(folder, "TIMES.csv", times_csv(results));
-  write_study_file(folder, "STUDY.h5",
+  write_into_study(folder, "RUNS.csv", table_csv(table));
+  write_into_study(folder, "TIMES.csv", times_csv(results));
+  write_into_study(folder, "STUDY.h5",
                    table_h5(table, kind_name(study.kind), folder.path() / "STUDY.h5"));
   return table;
 }

@@ -110,7 +110,7 @@ std::string table_h5(const StudyTable& table, const std::string& kind,
   file.attribute("study", kind);
   file.attribute("conventions",
                  "one row per run in every dataset; variables in the deck's units, quantities in "
-                 "SI; exit 0 done, 1 crashed, 2 refused, 3 failed, -1 not finished");
+                 "SI; exit 0 done, 1 crashed, 2 input rejected, 3 failed, -1 not finished");
   file.whole("run", table.run);
   file.whole("exit", table.exit);
   for (const TableColumn& column : table.variables)

@@ -123,7 +123,7 @@ StudyTable read_csv(const fs::path& file) {
       no_table(file, fmt::format("line {} does not have {}, as the first line has", out.rows() + 2,
                                  counted(head.size(), "field")));
     if (out.rows() >= static_cast<std::size_t>(kMaxStudyRuns))
-      no_table(file, fmt::format("its runs exceed the limit, {}", kMaxStudyRuns));
+      no_table(file, fmt::format("it has more than {} runs", kMaxStudyRuns));
     const auto whole = [&](const std::string& name, const std::string& field, long least) {
       const long value = whole_of(field);
       if (value < least)
@@ -234,7 +234,7 @@ class H5Table {
     for (const std::string& column : names) {
       const Handle set(H5Dopen2(in, column.c_str(), H5P_DEFAULT));
       if (!set.valid() || rows_of(set) != rows)
-        no_table(column + " has a different number of rows");
+        no_table(column + " has a different number of rows than the dataset run");
       TableColumn next{column, unit_of(set), std::vector<double>(rows)};
       if (rows > 0 &&
           H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, next.values.data()) < 0)

@@ -163,7 +163,7 @@ TEST_CASE("a study is planned, run, cancelled and resumed from its window, and n
   REQUIRE(ended.wait(120000));
   CHECK_THAT(window.panel().note().toStdString(),
              Contains("120 runs: 120 done, 0 of them failed") &&
-                 Contains(std::to_string(recorded) + " available from earlier"));
+                 Contains(std::to_string(recorded) + " computed earlier"));
   CHECK(studies::study_status(study).done == 120);
   window.findChild<QPushButton*>("study-results")->click();
   CHECK(opened == QStringList({"adrplot", "--project", desktop::folder_of(bench.path("sweep.json")),

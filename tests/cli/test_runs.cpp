@@ -423,7 +423,7 @@ TEST_CASE("run ended by maxStps before fTime → reported; plan names the limit"
   const Result cut = run_adore("run " + deck + " --set maxStps=20" + out("cut"));
   INFO(cut.out);
   CHECK(cut.code == 0);
-  CHECK(contains(cut.out, "maxStps ended the run before fTime"));
+  CHECK(contains(cut.out, "maxStps ended the run before its end at t = "));
   const Result whole = run_adore("run " + deck + " --set fTime=20.0" + out("whole"));
   CHECK(whole.code == 0);
   CHECK_FALSE(contains(whole.out, "maxStps ended"));

@@ -64,7 +64,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   refused_or([&] {
     const Job job = read_job(folder.path());
     decks = job.decks.size();
-    for (const Job::Base& base : job.decks)
+    for (const Job::BaseDeck& base : job.decks)
       demand(base.deck.lexically_normal().string().starts_with(
                  folder.path().lexically_normal().string()),
              "a deck of the job is in its folder");

@@ -6,7 +6,7 @@
 >>> round(deck.statics().summary["largest_contact_load_N"])
 398
 >>> run = deck.run(until="0.02rev", progress=False)  # Ctrl-C leaves valid files
->>> run["contact.load"].shape[1:]                    # behind the steps: elements, races [N]
+>>> run["contact.load"].shape[1:]                    # after the step axis: elements, races [N]
 (12, 2)
 
 Decks: :func:`new`, :func:`catalogue`, :func:`read`, :class:`Deck`. Runs: :meth:`Deck.run`, :func:`open_run`. Files: :func:`read_table`.

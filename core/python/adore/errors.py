@@ -6,7 +6,7 @@ code  class                   meaning
 2     :class:`InputError`     the deck, a file or an argument is wrong; ``issues`` has every message 
 3     :class:`SolverError`    no solution, or the result cannot be trusted
 130   :class:`Interrupted`    Ctrl-C; the files are valid and the run can be continued
-1     :class:`InternalError`  a bug of Adore
+1     :class:`InternalError`  a bug in Adore
 ====  ======================  =======================================================================
 """
 
@@ -83,7 +83,7 @@ class UntrustedResult(RunFailed):
 
 
 class InternalError(AdoreError):
-    """An internal check failed: a bug of Adore."""
+    """An internal check failed (this is a bug in Adore)."""
 
 
 class Interrupted(KeyboardInterrupt):

@@ -34,7 +34,7 @@ class Channels(Mapping[str, np.ndarray]):
     """The channels of a RESULTS.h5 by name (SI units and radians). Each array has one row for each stored step.
 
     >>> run = adore.new("ball").run(until="0.02rev", progress=False)
-    >>> run.channels["contact.load"].shape[1:]      # behind the steps: elements, races
+    >>> run.channels["contact.load"].shape[1:]      # after the step axis: elements, races
     (12, 2)
     >>> run.channels.info("contact.load").unit
     'N'
@@ -139,7 +139,7 @@ def read_table(path: PathLike) -> pd.DataFrame:
 
     The columns have the names of ``adore convert``, e.g. "contact.load.outer". ``frame.attrs`` contains the header of the
     file, and "units" and "labels" of the columns. If a file is damaged or incomplete, the frame contains
-    the readable rows, and ``frame.attrs["note"]`` has a note."""
+    the readable rows, and ``frame.attrs["note"]`` states the damage."""
     header, columns, values, note = _core.read_table(os.fspath(path))
     frame = _pandas().DataFrame(values, columns=[c[0] for c in columns])
     frame.attrs.update(

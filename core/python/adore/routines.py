@@ -150,10 +150,10 @@ class Routines:
         calls, seconds = self._core.direct_cost
         if calls == 0:
             return "no Python calls during the run"
-        return f"{calls} Python calls during the run, {1e6 * seconds / calls:.1f} us each, {seconds:.3g} s in total"
+        return f"{calls} Python calls during the run, {1e6 * seconds / calls:.1f} µs each, {seconds:.3g} s in total"
 
     def __repr__(self) -> str:
-        errors = "".join(f"; table of {kind} within {error:.1e}" for kind, error in self.errors.items())
+        errors = "".join(f"; {kind} table: relative error up to {error:.1e}" for kind, error in self.errors.items())
         return f"<adore.Routines {', '.join(self._names) or 'without functions'}{errors}; {self.cost()}>"
 
 

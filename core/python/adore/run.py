@@ -242,7 +242,7 @@ class Run(_Summary):
             o = self._outcome
             lines.append(f"{o.steps} steps, {o.revolutions:.4g} revolutions, t = {o.time:.6g} s, computed in {o.seconds:.2g} s")
             if o.energy_scale > 0.0:
-                lines.append(f"energy residual {o.energy_residual:.3g} J of {o.energy_scale:.3g} J exchanged")
+                lines.append(f"energy residual: {o.energy_residual:.3g} J (exchanged energy: {o.energy_scale:.3g} J)")
         lines += self._outcome.lines if self._outcome is not None else []
         lines += [f"  {label:<36} {value:>12.6g} {unit}".rstrip() for _, label, unit, value in self._results]
         return "\n".join(lines)

@@ -82,7 +82,7 @@ class Traction(unittest.TestCase):
         self.assertEqual(tabulated.cost(), "no Python calls during the run")
         direct = traction()
         deck().run(until="0.05rev", progress=False, user=direct)
-        self.assertRegex(direct.cost(), r"\d+ Python calls during the run, [\d.]+ us each")
+        self.assertRegex(direct.cost(), r"\d+ Python calls during the run, [\d.]+ µs each")
 
     def test_the_version_of_the_user_is_in_the_report(self):
         run = deck().run(until="0.01rev", progress=False, user=traction())

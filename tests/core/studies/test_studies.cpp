@@ -251,7 +251,7 @@ TEST_CASE("study: run whose process is killed repeatedly → computed in the end
     CHECK(engine.done[k].values == std::vector<double>{1.0});
     CHECK(engine.starts(k) == 13);
   }
-  CHECK(engine.note.find("24 killed and repeated") != std::string::npos);
+  CHECK(engine.note.find("24 killed runs repeated") != std::string::npos);
 }
 
 TEST_CASE("study: run whose process is always killed → unfinished, without a record of failure",
