@@ -183,8 +183,8 @@ std::vector<Issue> held_loads(const Prepared& prepared) {
     if (where.empty()) continue;
     out.push_back(
         deck.issue(Severity::Warning, mode == 2 ? "mode" : "kDCR",
-                   fmt::format("fixes the {} race {}, but user routine ADRX1 of {} gives a load "
-                               "in this direction: the support of the race carries this load, "
+                   fmt::format("fixes the {} race {}, but user routine ADRX1 of {} applies a load "
+                               "in this direction. The support of the race carries this load, "
                                "which cannot move the race (reaction in PRINT and SOL, work in "
                                "the ledger)",
                                j == 0 ? "outer" : "inner", where, session.source()),
