@@ -132,7 +132,7 @@ std::vector<std::string> idle_routines(const Prepared& prepared) {
                     session.source(), prepared.bearing.rollers() != nullptr ? "rollers" : "balls"));
   if (!prepared.control.dynamic) {
     for (const int hook : {1, 2, 3, 4, 7, 9})
-      idle(hook, "it acts in motion, and mode = -1 ends with the equilibrium");
+      idle(hook, "it acts only in motion, but mode = -1 computes only the equilibrium");
     return out;
   }
   bool free = false;
