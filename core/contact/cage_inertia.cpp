@@ -327,12 +327,12 @@ void check(const CageSolid& s, const PocketSection& section) {
   if (!(s.inner_diameter > 0.0) || !(s.outer_diameter > s.inner_diameter) || !(s.width > 0.0) ||
       !(s.density > 0.0) || s.pockets < 1 || !(s.element_diameter > 0.0) ||
       !(s.pitch_diameter > 0.0))
-    throw InputError(fmt::format(
-        "cage inertia: outer diameter {} m must exceed inner diameter {} m, and width {} m, "
-        "density {} kg/m^3, element "
-        "diameter {} m, pitch diameter {} m and the number of pockets {} must be positive",
-        s.outer_diameter, s.inner_diameter, s.width, s.density, s.element_diameter,
-        s.pitch_diameter, s.pockets));
+    throw InputError(
+        fmt::format("cage inertia: the outer diameter, {} m, must exceed the inner diameter, {} m. "
+                    "Width {} m, density {} kg/m^3, element diameter {} m, pitch diameter {} m and "
+                    "the number of pockets, {}, must be positive",
+                    s.outer_diameter, s.inner_diameter, s.width, s.density, s.element_diameter,
+                    s.pitch_diameter, s.pockets));
   double widest = 0.0, chord = 0.0;
   for (const double d :
        {s.inner_diameter, std::clamp(s.pitch_diameter, s.inner_diameter, s.outer_diameter),
@@ -408,7 +408,7 @@ SolidInertia cage_solid_inertia(const CageSolid& s) {
 }
 
 CageSolid cage_solid(const bearing::Bearing& bearing) {
-  demand(bearing.cage.has_value(), "a bearing with a cage");
+  demand(bearing.cage.has_value(), "the inertia of a cage needs a bearing with a cage");
   const bearing::Cage& cage = *bearing.cage;
   CageSolid solid;
   solid.pocket = cage.pocket;

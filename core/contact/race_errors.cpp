@@ -54,8 +54,8 @@ void check_whole_waves(const RaceErrors& errors) {
        {radius, errors.land_offset.waves, errors.taper.waves, errors.curvature_factor.waves})
     if (waves != std::round(waves))
       throw InputError(
-          fmt::format("{} waves per revolution of a race cause a step where the wave closes; a "
-                      "moving race needs a whole number of waves",
+          fmt::format("a race has {} waves per revolution, so its profile has a step at the end of "
+                      "the last wave; a rotating race needs a whole number of waves",
                       waves));
 }
 

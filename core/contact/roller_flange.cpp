@@ -463,8 +463,8 @@ Flange placed_flange(Flange flange, const RollerEnd& end, const Vec3& centre, co
     }
   }
   throw InputError(
-      fmt::format("flange: no position on the raceway through ({}, {}) m brings the flange of "
-                  "height {} m into contact with the roller end",
+      fmt::format("flange: no flange position along the raceway through ({}, {}) m lets the roller "
+                  "end touch the flange of height {} m",
                   on_raceway[0], on_raceway[1], flange.height));
 }
 

@@ -26,8 +26,8 @@ double roller_pocket_play(std::span<const RollerPocketFace> faces, const RollerP
   }
   if (!std::isfinite(least))
     throw InputError(
-        "cage pocket: no guide face is next to the roller; the centers bPocGsCen1 and lengths "
-        "bPocGsLen2 must overlap its length");
+        "cage pocket: all guide faces are beyond the ends of the roller; change the centers "
+        "bPocGsCen1 or the lengths bPocGsLen2, so that a face overlaps the roller length");
   return 2.0 * least;
 }
 

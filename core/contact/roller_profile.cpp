@@ -43,8 +43,8 @@ void check_roller_profile(const RollerProfile& p) {
                     p.corner_radius[0], p.corner_radius[1]));
   if (!(effective_length(p) > 0.0))
     throw InputError(
-        fmt::format("roller: the corner radii {} and {} m leave nothing of the length {} m; their "
-                    "sum must be smaller",
+        fmt::format("roller: the corner radii {} and {} m use up the whole length {} m; enter "
+                    "smaller corner radii",
                     p.corner_radius[0], p.corner_radius[1], p.length));
   const bool crowned = p.kind == RollerProfile::Kind::Crowned;
   for (const double s : {-0.5 * p.length, 0.5 * p.length}) {
@@ -122,7 +122,7 @@ Slicing slicing(const RollerProfile& profile, int count) {
   s.effective_length = effective_length(profile);
   if (!(s.effective_length > 0.0))
     throw InputError(fmt::format(
-        "roller: length {} m without the corner radii {} and {} m leaves no length to slice",
+        "roller: the length {} m minus the corner radii {} and {} m leaves no length to slice",
         profile.length, profile.corner_radius[0], profile.corner_radius[1]));
   s.width = s.effective_length / count;
   s.start = -0.5 * profile.length + profile.corner_radius[0];

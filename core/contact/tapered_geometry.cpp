@@ -168,8 +168,8 @@ RibLoads rib_loads(double thrust_per_roller, const std::array<double, 2>& race_a
         outer));
   if (!(across > 1e-6 && std::abs(inner) < 0.5 * kPi))
     throw InputError(
-        fmt::format("tapered bearing: a rib whose normal makes {} rad with the bearing axis cannot "
-                    "guide a roller on an inner race of half angle {} rad",
+        fmt::format("tapered bearing: the rib normal is inclined by {} rad to the bearing axis; "
+                    "such a rib cannot guide a roller on an inner race of half angle {} rad",
                     rib_angle, inner));
   RibLoads q;
   q.outer = thrust_per_roller / std::sin(outer);

@@ -590,7 +590,7 @@ void book_change(System& before, std::span<const double> y_before, System& after
                  std::span<double> y) {
   const Snapshot was = before.snapshot(t, y_before), is = after.snapshot(t, y);
   const auto jump = find(after.layout(), "thermal.jump");
-  demand(jump.has_value(), "a scene without changes of geometry changed its geometry");
+  demand(jump.has_value(), "a scene with fixed geometry changed its geometry");
   component(y, *jump) += is.energy.sum(LedgerKind::Stored) - was.energy.sum(LedgerKind::Stored);
   const auto add = [&](const std::string& name, const Vec3& change) {
     const auto slice = find(after.layout(), name);

@@ -151,8 +151,7 @@ void estimate(ScenePlan& plan, const bearing::Bearing& bearing,
   if (!(plan.fastest_frequency > 0.0)) {
     plan.fastest_frequency = 1.0 / (kTurn * system.scales().time);
     plan.fastest_contact =
-        "estimated for a load of 0.001 times the force scale, because no "
-        "contact is loaded";
+        "no contact is loaded; estimated for a load of 0.001 times the force scale";
   }
   plan.expected_step = kPeriodsPerStep / plan.fastest_frequency;
   const double speed = std::abs(bearing.speed[1] - bearing.speed[0]);

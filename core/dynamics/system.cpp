@@ -119,8 +119,9 @@ std::string System::Impl::what_is_invalid(const double* y) const {
   if (user != nullptr && user->failed()) return "a user routine failed";
   for (const auto& effect : parts.effects)
     if (std::string why = effect->why_invalid(e); !why.empty()) return why;
-  return "an acceleration is not finite. At the start, a number of the deck is far too large. "
-         "Later, a smaller tolerance (tol) or largest step (stpMax) may help";
+  return "an acceleration is not finite. If this happens at the start, reduce the values of the "
+         "deck that are far too large. If it happens later, use a smaller tolerance (tol) or "
+         "largest step (stpMax)";
 }
 
 void System::Impl::throw_invalid(double t, const double* y) const {

@@ -47,7 +47,7 @@ System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
     if (block.phase == Phase::Races) ++race_blocks;
   for (const auto& effect : parts.effects)
     if (effect->has_stiff_part()) {
-      demand(stiff == nullptr, "one effect of a scene may have a stiff part");
+      demand(stiff == nullptr, "only one effect of a scene may have a stiff part");
       stiff = effect.get();
     }
   set_up_border();

@@ -85,7 +85,7 @@ Trial try_setting(const Subject& subject, const AccuracySetting& setting, double
     out.row.evaluations = outcome.evaluations;
     if (run.cut) {
       out.cut_at = std::max(outcome.time, 1e-12);
-      out.row.failure = fmt::format("stopped: takes more than {:.3g} s", most_seconds);
+      out.row.failure = fmt::format("stopped after {:.3g} s (time limit)", most_seconds);
     } else if (outcome.status != RunStatus::Done) {
       out.row.failure = outcome.message;
     } else {

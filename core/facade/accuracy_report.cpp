@@ -30,7 +30,7 @@ std::string table_of(const std::vector<AccuracyRow>& rows) {
   for (const AccuracyRow& row : rows) width = std::max(width, row.setting.name.size() + 2);
   std::string out = fmt::format(
       "  {:<{}}{:>10}{:>9}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>11}{:>7}{:>10}\n", "", width, "s",
-      "error %", "speed", "whirl", "load", "peak", "heat", "life", "steps/turn", "order", "energy");
+      "error %", "speed", "whirl", "load", "peak", "heat", "life", "steps/rev", "order", "energy");
   for (const AccuracyRow& row : rows) {
     const std::string mark = row.front ? "* " : "  ";
     if (!row.failure.empty()) {
@@ -200,13 +200,13 @@ std::string limits_text(const AccuracyStudy& study) {
 std::string irregular_text(const AccuracyStudy& study) {
   if (study.limits().largest() <= study.target) return {};
   return fmt::format(
-      "the motion is irregular: over this span, errors of the means cannot be resolved to this "
-      "accuracy. Two accurate runs differ by {}{}",
+      "the motion is irregular, so the means over this span scatter by more than the target error. "
+      "Two accurate runs differ by {}{}",
       percent(study.long_reference.noise.largest()),
-      study.irregular.largest() > 0.0 ? fmt::format(", two runs with a relative load change of "
-                                                    "1e-6 by up to {}",
-                                                    percent(study.irregular.largest()))
-                                      : std::string());
+      study.irregular.largest() > 0.0
+          ? fmt::format(", and two runs with a relative load change of 1e-6 by up to {}",
+                        percent(study.irregular.largest()))
+          : std::string());
 }
 
 std::string recommendation(const AccuracyStudy& study) {
@@ -214,13 +214,14 @@ std::string recommendation(const AccuracyStudy& study) {
   const AccuracyRow* own = own_row(study);
   std::string out;
   if (study.recommended < 0) {
-    out = fmt::format("No setting stays within {} over {}", limits_text(study),
+    out = fmt::format("No setting has errors within {} over {}", limits_text(study),
                       turns_text(study.long_turns));
   } else {
     const AccuracyRow& best = study.finals[static_cast<std::size_t>(study.recommended)];
-    out = fmt::format("{}: the fastest settings within {} over {}, {:.3g} s ({})",
-                      best.setting.name, limits_text(study), turns_text(study.long_turns),
-                      best.seconds, errors_text(best.errors));
+    out =
+        fmt::format("{}: the fastest settings with errors within {} over {}, {:.3g} s (errors: {})",
+                    best.setting.name, limits_text(study), turns_text(study.long_turns),
+                    best.seconds, errors_text(best.errors));
     if (best.energy_share > results::kMovedWarning)
       out += fmt::format(
           "; the energy residual is {:.1e} of the exchanged energy, which causes a warning",
@@ -233,15 +234,16 @@ std::string recommendation(const AccuracyStudy& study) {
     if (best.setting.own) return out + "; these are the deck's own settings.";
   }
   if (own != nullptr)
-    out += own->failure.empty() ? fmt::format("; the deck's own settings take {:.3g} s ({})",
-                                              own->seconds, errors_text(own->errors))
-                                : fmt::format("; with the deck's own settings: {}", own->failure);
+    out += own->failure.empty()
+               ? fmt::format("; the deck's own settings take {:.3g} s (errors: {})", own->seconds,
+                             errors_text(own->errors))
+               : fmt::format("; with the deck's own settings: {}", own->failure);
   if (const std::string irregular = irregular_text(study); !irregular.empty())
     out += "; " + irregular;
   if (const AccuracyRow* model = other_model(study))
     out += fmt::format(
-        "; these settings cover integrator and steps only: {} changes the results more ({}), and "
-        "`adore run --accuracy {:g}%` also chooses nodes and slices",
+        "; this study covers integrator and steps only: {} changes the results more ({}). `adore "
+        "run --accuracy {:g}%` also chooses nodes and slices",
         model->setting.name, errors_text(model->errors), 100.0 * study.target);
   return out + ".";
 }
@@ -274,7 +276,8 @@ std::string accuracy_table(const AccuracyStudy& study) {
       "Errors: differences of means from a reference ({}).\ns: processor time of the whole run. "
       "In the second round it is the median of three runs, if the budget allows,\nfor the "
       "recommended settings, the deck's own settings and the rows with *.\n*: no other row is "
-      "both faster and as accurate. Each error counts only above its own noise.\nThe whirl speed "
+      "both faster and as accurate. An error counts only if it is larger than the difference of "
+      "two accurate runs.\nThe whirl speed "
       "is computed from the area that the cage center sweeps, not from the windings in PRINT.\n",
       study.reference);
   const auto round = [&](const char* what, double turns, const AccuracyReference& reference,
@@ -287,8 +290,8 @@ std::string accuracy_table(const AccuracyStudy& study) {
   round("First round", study.short_turns, study.short_reference, study.screening);
   round("Second round", study.long_turns, study.long_reference, study.finals);
   if (study.long_turns > 0.0 && study.long_turns < study.asked)
-    out += fmt::format("{} were specified; the budget allows {:.4g}. {}\n", turns_text(study.asked),
-                       study.long_turns, growth_text(study));
+    out += fmt::format("Specified: {}; the time budget allows only {:.4g}. {}\n",
+                       turns_text(study.asked), study.long_turns, growth_text(study));
   if (study.irregular.largest() > 0.0)
     out += fmt::format("A relative load change of 1e-6 changes these means by up to {} ({}; {}).\n",
                        percent(study.irregular.largest()), errors_text(study.irregular),
@@ -296,15 +299,16 @@ std::string accuracy_table(const AccuracyStudy& study) {
   else if (!study.finals.empty() && study.irregular.load < 0.0)
     out +=
         "The effect of a relative load change of 1e-6 was not measured (no loads, no time left, or "
-        "a failed run): only the two references show how regular the motion is.\n";
+        "a failed run). Only the difference of the two references shows how regular the motion "
+        "is.\n";
   if (study.untried > 0)
     out += fmt::format(
         "{} not run: the time budget was used up.\n",
         counted(study.untried, "more setting or model was", "more settings or models were"));
   if (!study.models.empty())
     out += fmt::format(
-        "\nOther models with the deck's own settings, {}. The figures are changes from the "
-        "original model.\n{}",
+        "\nOther models with the deck's own settings, {}. The errors are changes relative to the "
+        "model of the deck.\n{}",
         turns_text(study.short_turns), table_of(study.models));
   return out + "\n" + recommendation(study) + "\n";
 }

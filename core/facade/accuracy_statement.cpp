@@ -220,13 +220,17 @@ std::string statement_text(const AccuracyStatement& statement) {
                        tighter.failure);
   const std::string second =
       statement.twin_failure.empty()
-          ? fmt::format("loads changed by 1e-6 ({:.3g} s, {:.2g} times this run)",
-                        statement.twin_seconds,
-                        statement.twin_seconds / std::max(statement.run_seconds, 1e-9))
-          : fmt::format("no second run with changed loads: {}", statement.twin_failure);
+          ? fmt::format(
+                "a run with loads changed by 1e-6 ({:.3g} s of processor time, {:.2g} times this "
+                "run)",
+                statement.twin_seconds,
+                statement.twin_seconds / std::max(statement.run_seconds, 1e-9))
+          : fmt::format("that run, because there is no run with changed loads: {}",
+                        statement.twin_failure);
   std::string out = fmt::format(
-      "accuracy:  over the {} of this run, 95 % intervals\n  numerical part: compared with {} "
-      "({:.3g} s of processor time)\n  statistical part: batch means of the difference, {}\n  "
+      "accuracy:  over the {} of this run, 95 % intervals\n  numerical part: difference from a run "
+      "with {} ({:.3g} s of processor time)\n  statistical part: batch means of the difference "
+      "from {}\n  "
       "{:<36} {:>14} {:<5} {:>11} {:>12} {:>10}\n",
       counted(fmt::format("{:.4g}", statement.turns), "revolution"), tighter.tighter,
       tighter.seconds, second, "", "value", "", "numerical", "statistical", "interval");
@@ -246,13 +250,14 @@ std::string statement_text(const AccuracyStatement& statement) {
   if (!(turns > 0.0)) return out;
   const std::string needed = counted(fmt::format("{:.3g}", turns), "revolution");
   out += fmt::format(
-      "  The means need {} for an accuracy of {} (this run: {:.4g}; {}). Simulate this length, or "
+      "  The means need {} for an accuracy of {} (this run: {:.4g}; the estimate is {}). Simulate "
+      "this length, or "
       "use `adore run --accuracy ... --extend`.\n",
       (statement.needs_more(statement.target) ? "very roughly " : "about ") + needed,
       percent(statement.target), statement.turns,
       statement.needs_more(statement.target)
-          ? "order of magnitude only, because the two runs still diverge"
-          : fmt::format("within a factor of {:g}", kNeededFactor));
+          ? "an order of magnitude only, because the two runs still diverge"
+          : fmt::format("correct within a factor of {:g}", kNeededFactor));
   return out;
 }
 

@@ -79,25 +79,26 @@ std::optional<Finding> CageState::finding() const {
         .of("cage");
   const results::Whirl whirl = results::judge_whirl(late);
   const double scatter = std::abs(whirl.deviation / whirl.ratio);
-  const std::string orbit = fmt::format("orbit of its center {:.3g} times the clearance ({})",
-                                        whirl.orbit, results::name_of(of_));
-  const std::string span =
-      fmt::format("last {} of the cage", counted(fmt::format("{:.3g}", turns), "revolution"));
+  const std::string orbit =
+      fmt::format("The orbit of its center is {:.3g} times the clearance ({})", whirl.orbit,
+                  results::name_of(of_));
+  const std::string span = fmt::format("Evaluated over the last {} of the cage",
+                                       counted(fmt::format("{:.3g}", turns), "revolution"));
   switch (whirl.of) {
     case results::WhirlClass::Resting:
-      return make_finding("cage.centered",
-                          fmt::format("State of the cage: centered, {}, below {:g}; {}", orbit,
-                                      results::kRestingOrbit, span))
+      return make_finding(
+                 "cage.centered",
+                 fmt::format("State of the cage: centered. {}, below the limit of {:g}. {}", orbit,
+                             results::kRestingOrbit, span))
           .measure(whirl.orbit, results::kRestingOrbit)
           .of("cage");
     case results::WhirlClass::Whirling:
-      return make_finding(
-                 "cage.whirling",
-                 fmt::format(
-                     "State of the cage: whirling at {:.3g} times the cage speed, {}, above {:g}; "
-                     "the relative scatter of the whirl speed is {:.3g}, below {:g}; {}",
-                     whirl.ratio, orbit, results::kRestingOrbit, scatter, results::kSteadyDeviation,
-                     span))
+      return make_finding("cage.whirling",
+                          fmt::format("State of the cage: whirling at {:.3g} times the cage speed. "
+                                      "{}, above the limit of {:g}. The relative scatter of the "
+                                      "whirl speed is {:.3g}, below the limit of {:g}. {}",
+                                      whirl.ratio, orbit, results::kRestingOrbit, scatter,
+                                      results::kSteadyDeviation, span))
           .measure(whirl.orbit, results::kRestingOrbit)
           .of("cage");
     case results::WhirlClass::Irregular:
@@ -105,8 +106,8 @@ std::optional<Finding> CageState::finding() const {
   }
   return make_finding(
              "cage.unstable",
-             fmt::format("State of the cage: unstable, {}, above {:g}; the relative scatter of the "
-                         "whirl speed is {:.3g}, above {:g}; {}",
+             fmt::format("State of the cage: unstable. {}, above the limit of {:g}. The relative "
+                         "scatter of the whirl speed is {:.3g}, above the limit of {:g}. {}",
                          orbit, results::kRestingOrbit, scatter, results::kSteadyDeviation, span))
       .measure(scatter, results::kSteadyDeviation)
       .of("cage");

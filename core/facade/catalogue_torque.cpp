@@ -339,8 +339,9 @@ std::string torque_text(const std::vector<TorqueTable>& tables) {
   std::string out;
   for (const TorqueTable& table : tables) {
     out += fmt::format(
-        "\n{} ({}), {} at 70 degrees Celsius, {:.1f} mm2/s, flooded; torques in N mm; omitted "
-        "points: {} above the limiting speed, {} below the minimum load\n",
+        "\n{} ({}), {} at 70 degrees Celsius, {:.1f} mm2/s, flooded. Torques in N mm. Column "
+        "groups: computed, catalogue formula, computed / formula. Omitted points: {} above the "
+        "limiting speed, {} below the minimum load\n",
         table.bearing, table.deck, table.oil, 1e6 * table.viscosity, table.above_speed,
         table.below_load);
     out += fmt::format(

@@ -26,13 +26,14 @@ std::string specified_jumps(const Prepared& prepared) {
   std::string out;
   const auto add = [&](const std::string& text) { out += (out.empty() ? "" : "; ") + text; };
   for (const double kink : promise.kinks)
-    if (kink > 0.0) add(fmt::format("its loads jump at t = {:.4g} s", kink));
+    if (kink > 0.0) add(fmt::format("the loads jump at t = {:.4g} s", kink));
   for (std::size_t j = 0; j < 2; ++j) {
     const char* const race = j == 0 ? "outer" : "inner";
     if (const double speed = promise.start_velocity[j].norm(); speed > 0.0)
-      add(fmt::format("{} race starts with {:.4g} m/s", race, speed));
+      add(fmt::format("the {} race starts with {:.4g} m/s", race, speed));
     if (promise.start_spin[j] != 0.0)
-      add(fmt::format("{} race starts with {:.4g} rad/s in addition", race, promise.start_spin[j]));
+      add(fmt::format("the {} race starts with an additional speed of {:.4g} rad/s", race,
+                      promise.start_spin[j]));
   }
   return out.empty()
              ? out
@@ -56,7 +57,7 @@ std::string change_remark(const dynamics::NewEquilibrium& change, const std::str
     throw SolverError(text +
                       ": the contact loads after this change are those of an impact. Change the "
                       "bearing in smaller steps, or start from the equilibrium (kIcOpt = 0)");
-  return text + ": loads of the next revolutions contain a vibration";
+  return text + ", so the loads of the next revolutions contain a vibration";
 }
 
 dynamics::MovingScene moving_scene(const Prepared& prepared, dynamics::System& system) {

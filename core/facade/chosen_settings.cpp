@@ -93,7 +93,7 @@ class Choice {
     const Prepared prepared = prepare(request_);
     rows_ = resolutions(prepared);
     if (rows_.empty()) {
-      out_.text += ". The run options set the nodes or slices of the contacts";
+      out_.text += ". Nodes and slices are not chosen, because run options set them";
     } else {
       choose_resolution(prepared);
     }
@@ -234,12 +234,13 @@ class Choice {
     }
     if (out_.resolution < 0) out_.resolution = before;
     const std::string against =
-        fmt::format("against {} over {}", out_.finest,
+        fmt::format("compared with {} over {}", out_.finest,
                     counted(fmt::format("{:.3g}", out_.turns), "revolution"));
     if (out_.resolution < 0) {
       out_.options = finest.options;
-      out_.text += fmt::format(". {}: no coarser setting differs from it by less than {:.2g} %",
-                               out_.finest, 100.0 * limit);
+      out_.text +=
+          fmt::format(". {}: every coarser setting fails or differs from it by more than {:.2g} %",
+                      out_.finest, 100.0 * limit);
       return;
     }
     const ResolutionRow& chosen = out_.rows[static_cast<std::size_t>(out_.resolution)];
@@ -250,7 +251,7 @@ class Choice {
 
   /// Noise below which an error counts as 0.
   [[nodiscard]] static std::string noise_text(const ResolutionRow& row) {
-    return row.hidden ? "; 0 %: no more than the effect of a relative load change of 1e-6" : "";
+    return row.hidden ? "; 0 %: not more than the effect of a relative load change of 1e-6" : "";
   }
 
   const DeckRequest& request_;

@@ -119,7 +119,7 @@ std::vector<Issue> compare_with_stored(const std::string& stored, const deck::De
                         sentence(d)),
             d.variable == "kBrg"
                 ? "start from statics (kIcOpt = 0)"
-                : "restore the old value, or start new files from its last state with kIcOpt = -1",
+                : "restore the old value, or start a new run from the stored state (kIcOpt = -1)",
             d.instance);
         refused.push_back(std::move(issue));
       }
@@ -131,9 +131,10 @@ std::vector<Issue> compare_with_stored(const std::string& stored, const deck::De
     out.push_back(note(file, fmt::format("the run {} with a changed deck: {}",
                                          continues ? "continues" : "starts", accepted)));
   if (!idle.empty())
-    out.push_back(
-        note(file,
-             fmt::format("has no effect, because the run starts from the stored state: {}", idle)));
+    out.push_back(note(
+        file, fmt::format(
+                  "these changes have no effect, because the run starts from the stored state: {}",
+                  idle)));
   return out;
 }
 

@@ -47,8 +47,9 @@ std::vector<EffectCost> effect_costs(const Prepared& prepared) { return measure(
 std::string effect_costs_text(const Prepared& prepared) {
   const Measured found = measure(prepared);
   if (found.shares.empty()) return {};
-  std::string text = fmt::format("cost of the effects at the start state, {:.3g} us in total\n",
-                                 1e6 * found.per_call);
+  std::string text =
+      fmt::format("cost of the effects at the start state: {:.3g} us per evaluation in total\n",
+                  1e6 * found.per_call);
   for (const EffectCost& cost : found.shares)
     if (cost.share >= 5e-4)
       text += fmt::format("  {:<34} {:5.1f} %\n", cost.name, 100.0 * cost.share);

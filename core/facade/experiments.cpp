@@ -30,9 +30,7 @@ double mean_of_balls(const Prepared& p, double (*of)(const statics::StaticBall&)
 
 const statics::FrictionEstimate& friction(const Prepared& p) {
   if (!p.friction)
-    throw InputError(
-        "the friction of the equilibrium is not computed for this "
-        "deck");
+    throw InputError("the friction of the quasi-static solution is not computed for this deck");
   return *p.friction;
 }
 

@@ -22,7 +22,8 @@ double FilmTolerance::wanted(const dynamics::System& system, double now) const {
 std::string film_tolerance_text(double tolerance, double tightest, double share) {
   return fmt::format(
       "films broke down where contacts slid without rolling. For {:.3g} % of the time the run "
-      "used a tolerance down to {:.2g}, because {:g} cannot resolve this",
+      "used a tolerance down to {:.2g}, because the specified tolerance of {:g} cannot resolve "
+      "this",
       100.0 * share, tightest, tolerance);
 }
 

@@ -70,7 +70,7 @@ JudgedSteps judge_steps(const Prepared& prepared, double time_scale) {
       if (splits || name != "arkode-imex") others += (others.empty() ? "" : ", ") + name;
     out.text +=
         fmt::format(". {} cannot be used for this deck. {}", out.request.method,
-                    others.empty() ? "Lower stpMax on record 2.1"
+                    others.empty() ? "Decrease stpMax on record 2.1"
                                    : fmt::format("Integrators that allow these steps: {}", others));
   }
   return out;

@@ -84,7 +84,7 @@ std::vector<std::string> jumps_of_races(const dynamics::PrescribedRaces& before,
         "the {} race jumps at the start of the continuation: it is now {}, as the deck specifies{}",
         kRace[j], what,
         law || spins
-            ? ": the time of records 9.3 and 9.4 counts from the start of the files, so a changed "
+            ? ". The time of records 9.3 and 9.4 counts from the start of the files, so a changed "
               "frequency changes the phase. The first revolutions contain the impact"
             : ". The first revolutions contain the impact"));
   }

@@ -429,7 +429,8 @@ std::vector<validity::Finding> LawRanges::findings() const {
     if (!limit && use.above_limit >= kJudgedShare * use.slip_power) continue;  // said once
     validity::Finding one = found;
     one.detail =
-        fmt::format("above this value for {:.2g} % of load x slip", 100.0 * above / use.slip_power);
+        fmt::format("exceeded in contacts with {:.2g} % of the total load times slip speed",
+                    100.0 * above / use.slip_power);
     out.push_back(std::move(one));
   }
   for (const validity::Finding& before : impl_->others) {
@@ -470,7 +471,7 @@ void LawRanges::restore(const nlohmann::json& outside_validity) {
 std::string LawRanges::given_coefficient() const {
   const Impl& s = *impl_;
   if (!(s.given_largest > registered().coefficient.bounds.most)) return {};
-  return fmt::format("Friction coefficient from the deck or a routine: largest {:.3g}, {}{}.",
+  return fmt::format("Friction coefficient from the deck or a routine: largest {:.3g}, at {}{}.",
                      s.given_largest, s.given_body,
                      std::isnan(s.given_time) ? std::string(", quasi-static solution")
                                               : fmt::format(", t = {:.6g} s", s.given_time));

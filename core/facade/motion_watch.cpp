@@ -214,9 +214,9 @@ std::vector<Finding> MotionWatch::findings(results::UnitSystem units) const {
     const bearing::Cage& cage = *bearing_.cage;
     add("cage.through_race",
         fmt::format(
-            "in {} of the stored steps the cage passes through the {} race: its center is up to "
-            "{} from the axis of the race (t = {:.6g} s), but {} = {} allows only half of that "
-            "clearance. No land guides the cage at this race. Add a guide land (nGL, record 7.2)",
+            "in {} of the stored steps the cage passes through the {} race: its center is up to {} "
+            "from the axis of the race (t = {:.6g} s), more than half the clearance ({} = {}). No "
+            "land guides the cage at this race. Add a guide land (nGL, record 7.2)",
             through.steps, kRace[race], quantity(through.value, results::unit::kLength, units),
             through.time, race == 0 ? "cageCls1" : "cageCls2",
             quantity(race == 0 ? cage.clearance_outer : cage.clearance_inner,
@@ -227,8 +227,9 @@ std::vector<Finding> MotionWatch::findings(results::UnitSystem units) const {
   }
   if (overlap_.steps > 0)
     add("cage.overlap",
-        fmt::format("in {} of the stored steps segments of the cage overlap, most segments {} by "
-                    "{} at t = {:.6g} s. Contact between segments is not modeled. Give a wider "
+        fmt::format("in {} of the stored steps segments of the cage overlap. The largest overlap "
+                    "is between segments {}: {} at t = {:.6g} s. Contact between segments is not "
+                    "modeled. Give a wider "
                     "cut (cageAngCut) or less pocket clearance",
                     overlap_.steps, overlap_.where,
                     quantity(overlap_.value, results::unit::kLength, units), overlap_.time))

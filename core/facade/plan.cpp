@@ -25,7 +25,7 @@ std::string cost_text(const RunCost& cost) {
                                    ? counted(fmt::format("{:.3g}", cost.pilot_turns), "revolution")
                                    : fmt::format("{:.3g} s", cost.pilot_time));
   return fmt::format(
-      "\nprocessor time of the whole run\n  about {} with set-up, output and files, {}\n",
+      "\nprocessor time of the whole run\n  about {} including set-up, output and files; {}\n",
       cost.seconds < 10.0 ? fmt::format("{:.2g} s", cost.seconds) : duration_text(cost.seconds),
       pilot);
 }

@@ -24,7 +24,7 @@ double unloading_force(const RowUnderThrust& row, double preload, double free) {
     force += step;
     if (std::abs(step) < 1e-6 * force) return force;
   }
-  throw SolverError("the force that unloads one row of the pair did not converge");
+  throw SolverError("the search for the force that unloads one row of the pair did not converge");
 }
 
 }  // namespace adore::facade

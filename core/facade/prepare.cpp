@@ -99,14 +99,14 @@ bool leave_out_user_traction(Prepared& out) {
                     code),
         fmt::format("set kTherm to 0, {} to another law, or mode to 0, 1 or 2", code))});
   if (races) out.as_built.race_traction = {};
-  add_remark(out, make_finding("user.idle",
-                               fmt::format("{} = -1: the traction routine ADRX7 acts in motion "
-                                           "only. Mode -1 does not compute friction torque and "
-                                           "heat{}",
-                                           code,
-                                           races && !out.as_built.rollers()
-                                               ? ", and balls follow kAngVel without friction"
-                                               : "")));
+  add_remark(
+      out, make_finding(
+               "user.idle",
+               fmt::format("{} = -1: the traction routine ADRX7 acts in motion only. Mode -1 "
+                           "therefore computes no friction torque and no heat{}",
+                           code,
+                           races && !out.as_built.rollers() ? ", and the ball speeds follow kAngVel"
+                                                            : "")));
   return true;
 }
 
@@ -194,10 +194,10 @@ void set_film_options(Prepared& out) {
   oil.stress_limit = out.options.stress_limit;
   oil.recommended = out.options.recommended_law;
   if (!oil.stress_limit)
-    add_remark(out, make_finding("film.stress_limit_off",
-                                 "run option filmStressLimit = off: oil films have no limiting "
-                                 "shear stress. Friction coefficients above 1 GPa can be far too "
-                                 "large."));
+    add_remark(out, make_finding(
+                        "film.stress_limit_off",
+                        "run option filmStressLimit = off: oil films have no limiting "
+                        "shear stress. Above 1 GPa, friction coefficients can be far too large."));
   if (!oil.user) return;
   oil.user->limit_ratio = out.options.user_limit;
   oil.user->limit_softening = out.options.user_softening;
@@ -333,11 +333,11 @@ void say_damping(Prepared& out) {
                      "contact damping is off: contact vibrations do not decay, so largest loads, "
                      "life and spectra are not realistic. Set contactDamping = material"));
   else if (given != out.input.option_values.end() && out.plan.has(scene::Effect::ElementBalance))
-    add_remark(out, make_finding(
-                        "damping.idle",
-                        fmt::format("contactDamping = {} has no effect at the races, because the "
-                                    "mode of record 2.1 keeps all elements in force balance there",
-                                    given->second)));
+    add_remark(out,
+               make_finding("damping.idle",
+                            fmt::format("contactDamping = {} has no effect at the races, because "
+                                        "mode = {} keeps all elements in force balance there",
+                                        given->second, out.input.deck.integer("mode"))));
 }
 
 /// @throws Interrupted when the preparation is to end.
@@ -464,9 +464,10 @@ Prepared prepare_model(LoadedDeck input) {
             out,
             make_finding(
                 "statics.guide_force",
-                fmt::format("the equilibrium holds each roller along its axis with {:.4g} N, as a "
-                            "guide ring does. In motion only the groove and friction hold it",
-                            out.rollers->guide_force))
+                fmt::format(
+                    "the equilibrium holds each roller along its axis with a force of {:.4g} N, as "
+                    "from a guide ring. In motion, only the groove and friction hold the roller",
+                    out.rollers->guide_force))
                 .measure(out.rollers->guide_force));
     }
     find_left_ranges(out);
@@ -487,17 +488,19 @@ Prepared prepare_model(LoadedDeck input) {
   const bool rolls = !out.control.dynamic || out.plan.has(scene::Effect::RollingResistance);
   if (const double ratio = rolls ? statics::rolling_over_strips(out.bearing, out.statics) : 0.0;
       ratio > validity::range("rolling.strips").bounds.most)
-    add_remark(out, make_finding(
-                        "rolling.thick_oil",
-                        fmt::format(
-                            "rolling resistance of the balls in oil: the law does not include the "
-                            "pressure-viscosity coefficient of the oil. Its result is {:.2g} times "
-                            "that of strips with the line-contact law, which includes this "
-                            "coefficient. Solutions of Reynolds' equation for point contacts are "
-                            "between both (up to 2.5 times). At this viscosity and speed, the "
-                            "resistance and its heat may be about {:.0f} % too large",
-                            ratio, 100.0 * (statics::rolling_excess(ratio) - 1.0)))
-                        .measure(ratio, validity::range("rolling.strips").bounds.most));
+    add_remark(
+        out,
+        make_finding(
+            "rolling.thick_oil",
+            fmt::format(
+                "rolling resistance of the balls in oil: the law does not include the "
+                "pressure-viscosity coefficient of the oil. Its result is {:.2g} times the result "
+                "of the line-contact law for strips of the contact, which includes this "
+                "coefficient. Solutions of Reynolds' equation for point contacts are between the "
+                "two (up to 2.5 times the strips). At this viscosity and speed, the "
+                "resistance and its heat may be about {:.0f} % too large",
+                ratio, 100.0 * (statics::rolling_excess(ratio) - 1.0)))
+            .measure(ratio, validity::range("rolling.strips").bounds.most));
   judge(life::contact_strength(out.bearing, out.statics));
   for (Finding& one : listing::ball_warnings(out.bearing, out.statics,
                                              available_friction(deck, out.bearing), deck.units()))
@@ -715,7 +718,7 @@ std::string end_text(const Prepared& prepared, const scene::ScenePlan& plan) {
   if (by_steps < by_time)
     return fmt::format("about {}, limited by maxStps; fTime would allow {:.4g}",
                        counted(fmt::format("{:.3g}", by_steps), "revolution"), by_time);
-  return counted(fmt::format("{:.4g}", by_time), "revolution") + ", by fTime";
+  return counted(fmt::format("{:.4g}", by_time), "revolution") + ", limited by fTime";
 }
 
 std::string plan_text(const Prepared& prepared, const scene::ScenePlan& plan) {

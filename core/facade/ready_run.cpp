@@ -22,8 +22,8 @@ void warn_of_loose_tolerance(Prepared& prepared) {
       make_finding(
           "run.loose_tolerance",
           fmt::format(
-              "the tolerance of {:g} (tol on record 2.1, or --tol) is loose: errors may be 5 % in "
-              "loads and 20 % in lives even if the energy balance closes. Use {:g} or less for "
+              "the tolerance of {:g} (tol on record 2.1, or --tol) is loose: errors may reach 5 % "
+              "in loads and 20 % in lives even if the energy balance closes. Use {:g} or less for "
               "reliable results; adore run --verify estimates the error of a run's settings",
               control.tolerance, kMissedLimit))
           .measure(control.tolerance, kMissedLimit));
@@ -141,7 +141,8 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const RunPlace
   if (request.go_on && !fs::exists(master))
     throw InputError(fmt::format(
         "{}: there is no run to continue: it was never started here, or ended before its first "
-        "checkpoint; start it again without --continue, with --overwrite if files are left",
+        "checkpoint; start it again without --continue; add --overwrite if the folder still "
+        "contains files of the earlier run",
         master.string()));
   outputs.emplace(prepared, place, request_digest(request, prepared.input), request.overwrite);
   growth.emplace(prepared);

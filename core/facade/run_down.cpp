@@ -52,7 +52,8 @@ double exponent_of(const std::vector<double>& time, const std::vector<double>& s
       wanted *= ratio;
       ++found;
     }
-  if (at.size() < 3) throw SolverError("the disc does not run down");
+  if (at.size() < 3)
+    throw SolverError("the speed of the disc does not decrease enough to compute the exponent");
   return power_of(at, rate);
 }
 

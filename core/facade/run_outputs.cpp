@@ -385,7 +385,8 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
                     fmt::format("continues a run, but neither {} nor {} exists: the run was never "
                                 "started here, or ended before its first checkpoint",
                                 s.path(s.control.master_file).string(), s.control.final_file),
-                    "start it with kIcOpt = 0, and --overwrite if files are left")});
+                    "start it with kIcOpt = 0; add --overwrite if the folder still contains files "
+                    "of the earlier run")});
   if (start == setup::StartState::Continue && !master_exists) {
     s.remark(make_finding("run.no_restart_file",
                           fmt::format("kIcOpt = 1, but there is no {}: a new run starts from {}",
@@ -411,9 +412,11 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
           dynamics::move_to_equilibrium(moving_scene(from.prepared, *from.system), from.time,
                                         from.y, moving_scene(s.prepared, system), out.time, out.y);
     } catch (const InputError& failure) {
-      change.why_not = fmt::format("the model of the stored state is unknown ({})", failure.what());
+      change.why_not =
+          fmt::format("the model of the stored state cannot be built ({})", failure.what());
     } catch (const SolverError& failure) {
-      change.why_not = fmt::format("the model of the stored state is unknown ({})", failure.what());
+      change.why_not =
+          fmt::format("the model of the stored state cannot be built ({})", failure.what());
     }
     if (const std::string text = change_remark(change, "start from " + file.filename().string(),
                                                specified_shocks(s.prepared));

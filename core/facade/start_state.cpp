@@ -86,7 +86,7 @@ StartJudgement judge_start_energy(const Prepared& prepared, dynamics::System& sy
                       ": the contacts start with an impact. Check the clearances and "
                       "displacements of the races" +
                       free_directions(prepared.plan));
-  return {text + ": loads of the first revolutions contain a vibration", Severity::Warning};
+  return {text + ", so the loads of the first revolutions contain a vibration", Severity::Warning};
 }
 
 }  // namespace adore::facade

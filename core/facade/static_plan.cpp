@@ -49,7 +49,7 @@ void contact_model(Entries& out, const Prepared& p) {
                                                                        : "specified angle";
     out.add("ball speeds", true,
             statics::has_friction_balance(b, ball_options(p))
-                ? fmt::format("friction equilibrium (ballFriction); balls without equilibrium: "
+                ? fmt::format("friction equilibrium (ballFriction); for balls without equilibrium: "
                               "{}, spin axis by {}",
                               given(deck, "kAngVel"), rule)
                 : fmt::format("{}: no slip at both contact centers, spin axis by {}",

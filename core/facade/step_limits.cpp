@@ -265,8 +265,8 @@ std::string step_limits_text(const StepRequest& request, const StepLimits& limit
       fmt::format("{:.4g} Hz ({})", limits.frequency / (2.0 * std::numbers::pi), limits.vibration);
   if (limits.action == StepAction::Kept)
     return fmt::format(
-        "{} keeps contact vibrations bounded with {}: the amplitude of the least stable, {}, "
-        "changes by a factor of {:.4g} {}",
+        "{} keeps contact vibrations bounded with {}: the amplitude of the least stable vibration, "
+        "{}, changes by a factor of {:.4g} {}",
         request.method, asked, hertz, limits.growth, counted_over(request));
   const std::string why = fmt::format(
       "{} with {}, as the deck specifies, lets the contact vibration of {} grow {} {}",
@@ -289,7 +289,7 @@ std::string step_limits_text(const StepRequest& request, const StepLimits& limit
           "factor of {:.4g}",
           why, limits.highest_order, now, limits.growth);
     default:
-      return fmt::format("{}. It would need {}; that is {:.2g} per revolution", why, now,
+      return fmt::format("{}. It would need {} (number of steps per revolution: {:.2g})", why, now,
                          request.turn / limits.maximum);
   }
 }

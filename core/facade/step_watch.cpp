@@ -20,14 +20,15 @@ void StepWatch::look(const integrators::Stepper& stepper) {
     since_ = now.steps;
   }
   if (constant_ || now.steps - since_ < kPatience) return;
-  throw SolverError(fmt::format(
-      "at t = {:.9g} s: each of the last {} steps of {} missed the tolerance of {:g} although it "
-      "was the smallest that record 2.1 allows (stpMin {:g}, {:.3g} s), so the error is unknown. A "
-      "process decays or vibrates faster than this step, often a film or friction with a steep "
-      "slope at high pressure. Decrease stpMin; if that takes too long, try an implicit method "
-      "(arkode-dirk, cvode-bdf) or a less steep law",
-      stepper.time(), now.steps - since_, control_.integrator, control_.tolerance,
-      control_.step_minimum, minimum_));
+  throw SolverError(
+      fmt::format("at t = {:.9g} s: each of the last {} steps of {} missed the tolerance of {:g}, "
+                  "although each had the smallest size that record 2.1 allows (stpMin {:g}, {:.3g} "
+                  "s). The error is therefore unknown. A process decays or vibrates faster than "
+                  "this step, often an oil film or a friction law with a steep slope at high "
+                  "pressure. Decrease stpMin; if that takes too long, try an implicit method "
+                  "(arkode-dirk, cvode-bdf) or a less steep law",
+                  stepper.time(), now.steps - since_, control_.integrator, control_.tolerance,
+                  control_.step_minimum, minimum_));
 }
 
 std::string invalid_beyond(dynamics::System& system, double t, std::span<const double> y,

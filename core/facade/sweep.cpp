@@ -169,11 +169,11 @@ std::optional<Finding> nothing_moved(const std::vector<Row>& rows) {
             ? 1
             : 0;
   if (still == 0) return std::nullopt;
-  Finding out = make_finding(
-      "sweep.no_motion", fmt::format("{} of the sweep made no steps, so nothing moved: there the "
-                                     "table contains loads at rest only, without means, ratios or "
-                                     "heat",
-                                     counted(still, "run")));
+  Finding out =
+      make_finding("sweep.no_motion",
+                   fmt::format("{} of the sweep made no steps, so nothing moved. For them, the "
+                               "table contains only loads at rest, without means, ratios or heat",
+                               counted(still, "run")));
   out.record = "1";
   out.variable = "maxStps";
   out.remedy = "give the number of steps, such as maxStps = 2000, or an end with --until";

@@ -188,10 +188,10 @@ ThermalRun::Step ThermalRun::close(const scene::Snapshot& at,
   constexpr double kDrift = 2.0;  // [K]
   settled_ = out.judged.verdict == thermal::StepVerdict::Stable && drift < kDrift;
   if (const std::string cold = thermal::too_cold(out.heat); !cold.empty())
-    throw SolverError(
-        fmt::format("at t = {:.9g} s, thermal step {}: {}. Give more coolant (cFlowRate), a higher "
-                    "baseTemp or another location for it (kBaseTemp), or less load or speed",
-                    at.time, steps_, cold));
+    throw SolverError(fmt::format(
+        "at t = {:.9g} s, thermal step {}: {}. Give more coolant (cFlowRate), a higher baseTemp, "
+        "another location of the base temperature (kBaseTemp), or less load or speed",
+        at.time, steps_, cold));
   const std::string hot = thermal::runaway(now_);
   if (!hot.empty() || out.judged.reason == "limit")
     throw SolverError(fmt::format(

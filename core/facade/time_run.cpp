@@ -407,10 +407,10 @@ RunOutcome TimeRun::run(bool remembers) {
   end.message = message_;
   end.loop_seconds = count_loop();
   if (parts_.thermal != nullptr && parts_.thermal->steps() == 0)
-    parts_.outputs.remark(make_finding(
-        "thermal.no_step",
-        "thermal analysis: the run ended before its first thermal step (aveTime); temperatures "
-        "stayed those of record 9.1.3"));
+    parts_.outputs.remark(
+        make_finding("thermal.no_step",
+                     "thermal analysis: the run ended before its first thermal step (aveTime); "
+                     "temperatures are still those of record 9.1.3"));
   parts_.outputs.finish(system(), end);
   RunOutcome out;
   tell(out, end);

@@ -132,7 +132,7 @@ std::vector<std::string> idle_routines(const Prepared& prepared) {
                     session.source(), prepared.bearing.rollers() != nullptr ? "rollers" : "balls"));
   if (!prepared.control.dynamic) {
     for (const int hook : {1, 2, 3, 4, 7, 9})
-      idle(hook, "it acts in motion, and mode = -1 ends with the equilibrium");
+      idle(hook, "it acts only in motion, but mode = -1 computes only the equilibrium");
     return out;
   }
   bool free = false;
@@ -183,8 +183,8 @@ std::vector<Issue> held_loads(const Prepared& prepared) {
     if (where.empty()) continue;
     out.push_back(
         deck.issue(Severity::Warning, mode == 2 ? "mode" : "kDCR",
-                   fmt::format("fixes the {} race {}, but user routine ADRX1 of {} gives a load "
-                               "in this direction: the support of the race carries this load, "
+                   fmt::format("fixes the {} race {}, but user routine ADRX1 of {} applies a load "
+                               "in this direction. The support of the race carries this load, "
                                "which cannot move the race (reaction in PRINT and SOL, work in "
                                "the ledger)",
                                j == 0 ? "outer" : "inner", where, session.source()),

@@ -180,7 +180,8 @@ std::string what_if_text(const WhatIf& result) {
     return std::isnan(value) ? std::string("none") : fmt::format("{:.{}g}{}", value, digits, unit);
   };
   std::string out = fmt::format(
-      "\nwhat if: each effect switched off for {}; {:.3g} s of processor time with all "
+      "\nwhat if: runs over {} with one effect switched off at a time; {:.3g} s of processor time "
+      "with all "
       "effects\nall effects: cage speed {}, largest load {}, heat {}, life {}\nChanges are in "
       "percent of these values. Changes below those of a relative load change of 1e-6 are not "
       "significant.\nCost is the share of the processor time, with an uncertainty of {:.2g} "

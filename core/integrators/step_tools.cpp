@@ -129,7 +129,7 @@ void throw_failure(const OdeSystem& system, const Diagnosis& d) {
 std::string cause_of(Outcome outcome) {
   switch (outcome) {
     case Outcome::Retry:
-      return "the model is not valid at the stages of the smallest step";
+      return "the model is not valid even within the smallest step";
     case Outcome::Fail:
       return "the right-hand side could not be evaluated";
     case Outcome::NotFinite:

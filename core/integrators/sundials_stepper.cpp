@@ -328,7 +328,7 @@ void SundialsStepper::give_up(Advance advance, double h) const {
     d.cause = "the implicit equations of the step did not converge";
     d.remedy = "Allow a smaller minimum step, or choose an explicit method.";
   } else if (trouble_ == Outcome::Ok) {
-    d.cause = message_.empty() ? "the integrator package stopped without a message" : message_;
+    d.cause = message_.empty() ? "the SUNDIALS library stopped without a message" : message_;
   }
   throw_failure(*system_, d);
 }

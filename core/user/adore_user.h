@@ -68,14 +68,14 @@ typedef struct adore_bearing {
   double element_diameter; /* [m] */
   double pitch_diameter;   /* [m] */
   double element_mass;     /* [kg] */
-  double race_speed[2];    /* constant part of the races' speeds about x, record 9.1.2 [rad/s] */
-  double time_scale;       /* of the deck's dimensionless times [s]; 0 before it is known */
+  double race_speed[2];    /* constant part of the race speeds about x, record 9.1.2 [rad/s] */
+  double time_scale;       /* unit of dimensionless times of the deck [s]; 0: not yet known */
 } adore_bearing;
 
 typedef struct adore_call {
   int32_t abi;    /* ADORE_USER_ABI of the program */
   int32_t size;   /* size of the whole structure [bytes] */
-  int32_t hook;   /* 0 to 9 */
+  int32_t hook;   /* number of the routine, 0 to 9 */
   int32_t mode;   /* ADORE_READ ... */
   int32_t active; /* ADORE_READ: set it to 1 to be called */
   int32_t unused;
@@ -113,7 +113,7 @@ typedef struct adore_adrx0 {
   double fatigue_limit_stress; /* von Mises [Pa] */
 } adore_adrx0;
 
-/* ADRX1: loads, speeds, accelerations and moments that vary, suppressed motions, motion of the
+/* ADRX1: time-dependent loads and motions of the races, suppressed motions, motion of the base
  * frame. */
 typedef struct adore_adrx1 {
   adore_call call;
@@ -122,7 +122,8 @@ typedef struct adore_adrx1 {
                           velocities start at those of the deck plus start_velocity and start_spin,
                           and follow the accelerations */
   int32_t moves_frame; /* 1: frame_acceleration is used */
-  int32_t suppress_element_axial; /* kDOF = 6; 1: these accelerations are zero, see kDOF 1 to 5 */
+  int32_t suppress_element_axial; /* with kDOF = 6: 1 sets these accelerations to zero, as
+                                     kDOF 1 to 5 do */
   int32_t suppress_element_tilt;
   int32_t suppress_element_all;
   int32_t suppress_cage_axial;
@@ -138,16 +139,17 @@ typedef struct adore_adrx1 {
                          [race][axis] [m] */
   double velocity[6]; /* [m/s]; 0 along directions in balance (mode 2), which have no inertia */
   double omega[6];    /* angular velocity [rad/s] */
-  double angle[2];    /* rotation about its axis since the start [rad] */
+  double angle[2];    /* rotation of the race about its axis since the start [rad] */
   /* ADORE_COMPUTE, out; zero when the call begins */
-  double force[6];  /* on the race: moves it where it is free (kDCR = 1, kFD = 0) or in balance
-                       (mode 2); in fixed directions its support takes the load [N] */
-  double moment[6]; /* the same, about the race's centre (kMD = 0) [N m] */
-  double acceleration[6];         /* of the center of a driven race, in fixed directions [m/s^2] */
-  double angular_acceleration[6]; /* the same, about the race's axes at the start [rad/s^2]; of the
-                                     inner race in mode 2 about x only */
-  double frame_acceleration[3];   /* of the origin of the base frame, in its axes: bodies feel the
-                                     opposite [m/s^2] */
+  double force[6];        /* force on the race [N]. It moves the race in free directions (kDCR = 1,
+                             kFD = 0) and in directions of force balance (mode 2). In fixed
+                             directions, the support of the race takes it */
+  double moment[6];       /* moment on the race about its center, likewise (kMD = 0) [N m] */
+  double acceleration[6]; /* of the center of a driven race, in fixed directions [m/s^2] */
+  double angular_acceleration[6]; /* of a driven race, about its axes at the start [rad/s^2]; for
+                                     the inner race in mode 2 about x only */
+  double frame_acceleration[3];   /* of the origin of the base frame, in the axes of the frame;
+                                     inertial forces have the opposite direction [m/s^2] */
   /* Rotation of the frame (moves_frame): Omega about its own axes, and dOmega/dt, which must be the
      derivative of Omega. Positions, velocities, loads and gravity are in the moving frame. */
   double frame_omega[3];                /* [rad/s] */
@@ -158,7 +160,7 @@ typedef struct adore_adrx1 {
  * all contacts of the kind with a negative gap; open contacts have no force. */
 typedef struct adore_force {
   adore_call call;
-  int64_t n;              /* contacts */
+  int64_t n;              /* number of contacts */
   const int32_t* element; /* [n] rolling element; ADRX4: guide land, from 0 */
   const int32_t*
       surface; /* [n] ADRX2: 2*race + side (0 at -x), ADRX3: surface of the pocket, ADRX4: race */
@@ -168,16 +170,16 @@ typedef struct adore_force {
   double* force;          /* [n] out: >= 0 pushes apart; built_in when the call begins [N] */
 } adore_force;
 
-/* ADRX5 roller radius, ADRX6 race radius and groove curvature: deviations from the ideal surface,
- * asked once at set-up over a grid and interpolated afterwards. */
+/* ADRX5 roller radius, ADRX6 race radius and groove curvature: deviations from the ideal surface.
+ * The routine is called once at set-up with a grid of points. The values are interpolated later. */
 typedef struct adore_surface {
   adore_call call;
   int32_t race;             /* ADRX6; -1 for ADRX5 */
   int32_t element;          /* ADRX5; -1 for ADRX6 */
-  int64_t n;                /* places */
+  int64_t n;                /* number of points */
   const double* axial;      /* [n] along the element, from mid length; across the groove [m] */
   const double* azimuth;    /* [n] around the body, from its z axis about +x [rad] */
-  double* radius;           /* [n] out: larger radius of the body [m] */
+  double* radius;           /* [n] out: increase of the radius of the body [m] */
   double* curvature_factor; /* [n] out, ADRX6 of balls: added to the groove factor [-] */
 } adore_surface;
 
@@ -194,8 +196,8 @@ typedef struct adore_adrx7 {
   int32_t kind; /* ADORE_ELEMENT_RACE ... */
   int32_t race; /* of kinds 0, 2 and 3; -1: not known */
   /* ADORE_START, in and out: once for each kind that the deck asks for */
-  double
-      slip_scale; /* slip over which kappa rises from 0: integrals are split there [m/s]; 0: none */
+  double slip_scale; /* slip range over which kappa rises from 0 [m/s]; integrals are split there.
+                        0: none */
   int32_t wants_points; /* 1: the routine reads pressure; 0: pressure is not computed (faster) */
   int32_t unused;
   /* ADORE_COMPUTE, in. Point k of contact i is at [k*stride + i] */
@@ -205,8 +207,8 @@ typedef struct adore_adrx7 {
   const double* slip; /* [points*stride] magnitude of the slip velocity, > 0 [m/s] */
   const double*
       pressure; /* [points*stride] of the contact at that point [Pa]; null unless wants_points */
-  const double* load;          /* [n] Q; of sliced lines per length [N, N/m] */
-  const double* peak_pressure; /* [n] of Hertz [Pa] */
+  const double* load;          /* [n] contact load Q [N]; of roller slices per length [N/m] */
+  const double* peak_pressure; /* [n] Hertz pressure [Pa] */
   const double* half_major;    /* [n] across rolling [m] */
   const double* half_minor;    /* [n] along rolling [m] */
   const double*
@@ -219,15 +221,15 @@ typedef struct adore_adrx7 {
 } adore_adrx7;
 
 /* ADRX8: imperfections of elements (kReGeoImp = 3) and pockets (kCagePocImp = 4), inertia of
- * elements (kReIP = 3). Called once, ADORE_COMPUTE, after the deck is read. Arrays hold zeros, or
- * the ideal inertia, when it begins. */
+ * elements (kReIP = 3). Called once, ADORE_COMPUTE, after the deck is read. When the call
+ * begins, arrays contain zeros or the ideal inertia. */
 typedef struct adore_adrx8 {
   adore_call call;
   int32_t elements_wanted, pockets_wanted,
       inertia_wanted; /* which of the three the deck asks for */
   int32_t unused;
   int64_t n;                  /* elements */
-  double* diameter;           /* [n] larger than nominal [m] */
+  double* diameter;           /* [n] increase over the nominal diameter [m] */
   double* crown_radius;       /* [n] rollers [m] */
   double* length;             /* [n] rollers [m] */
   double* central_length;     /* [n] rollers [m] */
@@ -240,7 +242,7 @@ typedef struct adore_adrx8 {
   double* pocket_tilt;        /* [3*n] about x, y, z; those of pocket i at [3*i] [rad] */
   double mass;                /* of every element [kg] */
   double moments[3];          /* principal [kg m^2] */
-  double geometric_centre[3]; /* from the mass centre [m] */
+  double geometric_centre[3]; /* from the mass center [m] */
   double frame[3];            /* angles from the principal to the geometric axes [rad] */
 } adore_adrx8;
 
@@ -250,9 +252,9 @@ typedef struct adore_adrx9 {
   double step_size;            /* [s] */
   double total_heat;           /* present dissipation: the sum of source_heat [W] */
   int64_t n;                   /* elements */
-  const double* x;             /* [n] centre [m] */
-  const double* r;             /* [n] [m] */
-  const double* theta;         /* [n] includes whole revolutions [rad] */
+  const double* x;             /* [n] axial position of the center [m] */
+  const double* r;             /* [n] radial position of the center [m] */
+  const double* theta;         /* [n] azimuth, including whole revolutions [rad] */
   const double* load;          /* [2*n] all elements at the outer race, then at the inner one [N] */
   const double* contact_angle; /* [2*n] [rad] */
   int64_t sources;             /* number of heat sources */

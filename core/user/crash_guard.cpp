@@ -45,7 +45,7 @@ void on_crash(int signal) {
   say(static_cast<long>(mark->time * 1e9));
   say(" ns (signal ");
   say(signal);
-  say("). The files are valid up to the last stored step. Run it again with --opt userProcess=1, "
+  say("). The files are valid up to the last stored step. Repeat the run with --opt userProcess=1, "
       "which runs the plug-in in a separate process\n");
   _exit(kFailedRun);
 }

@@ -49,8 +49,9 @@ class Formula {
     } catch (const mu::Parser::exception_type& error) {
       std::string known;
       for (const auto& [name, value] : names.all()) known += (known.empty() ? "" : ", ") + name;
-      throw InputError(fmt::format("{}: {} in \"{}\"; known names: {} and pi", where,
-                                   error.GetMsg(), error.GetExpr(), known));
+      throw InputError(
+          fmt::format("{}: the formula is not valid: {} (\"{}\"; known names: {} and pi)", where,
+                      error.GetMsg(), error.GetExpr(), known));
     } catch (const Json::exception&) {
       throw InputError(fmt::format("{}: give a formula (text) or a number", where));
     }
@@ -85,7 +86,8 @@ struct Section {
     if (const Json list = json.value("read", Json::array()); list.is_array())
       for (const Json& one : list) {
         if (!one.is_string())
-          throw InputError(where + ", read: give names for numbers of records 12.x");
+          throw InputError(where +
+                           ", read: give a list of names, one for each number of records 12.x");
         read.push_back(one.get<std::string>());
         (*names)[read.back()] = 0.0;
       }
@@ -408,8 +410,8 @@ Call traction(Section& section) {
     const Law& law = (*laws)[static_cast<std::size_t>(a.kind)];
     if (!law.formula && !law.table)
       throw std::runtime_error(
-          fmt::format("the deck needs a traction law {}, but the file does "
-                      "not contain it",
+          fmt::format("the deck needs the traction law {}, but the file does not contain it; add "
+                      "it to \"adrx7\"",
                       kKinds[static_cast<std::size_t>(a.kind)]));
     if (call.mode == ADORE_START) {
       a.wants_points = law.formula ? 1 : 0;

@@ -161,7 +161,7 @@ class Worker {
   }
   std::int32_t call(adore_call& call) {
     if (child_ == 0) start(false);
-    if (child_ < 0) throw std::runtime_error("its process has ended already");
+    if (child_ < 0) throw std::runtime_error("the separate process ended in an earlier call");
     Parcel parcel(arena_);
     (void)parcel.pack(call);
     const char turn = 1;
@@ -240,8 +240,8 @@ class Worker {
       stop();
       child_ = -1;
       throw std::runtime_error(
-          fmt::format("it did not return from this {} within {:g} s, and its process was ended; "
-                      "allow more time with --opt userTimeout=SECONDS",
+          fmt::format("the {} took more than {:g} s, so the separate process was stopped; allow "
+                      "more time with --opt userTimeout=SECONDS",
                       what, timeout_));
     }
     char turn = 0;
@@ -258,10 +258,10 @@ class Worker {
     socket_ = -1;
     child_ = -1;
     if (found > 0 && WIFSIGNALED(status))
-      throw std::runtime_error(fmt::format("its process crashed in this {} (signal {}: {})", what,
-                                           WTERMSIG(status), strsignal(WTERMSIG(status))));
-    throw std::runtime_error(fmt::format("its process ended in this {} (exit code {})", what,
-                                         found > 0 ? WEXITSTATUS(status) : -1));
+      throw std::runtime_error(fmt::format("the separate process crashed in the {} (signal {}: {})",
+                                           what, WTERMSIG(status), strsignal(WTERMSIG(status))));
+    throw std::runtime_error(fmt::format("the separate process ended in the {} (exit code {})",
+                                         what, found > 0 ? WEXITSTATUS(status) : -1));
   }
 
   void stop() noexcept {

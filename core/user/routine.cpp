@@ -63,7 +63,7 @@ struct NonFinite {
       if (!std::isfinite(first[k])) {
         const std::size_t shown = columns > 0 && stride > 0 ? k % stride : k;
         found =
-            fmt::format("{} {} of its answer is {}, not a finite number", what, shown, first[k]);
+            fmt::format("{} {} of its result is {}, not a finite number", what, shown, first[k]);
         return;
       }
   }
@@ -180,12 +180,13 @@ std::string Routine::ask_again(adore_call& call, const Copies& before) {
   std::memcpy(&call, before.self.data(), before.self.size());
   walk_arguments(call, Restore{before.written});
   if (run(call) != 0)
-    return "called twice with the same arguments, it answered only the first time";
+    return "it was called twice with the same arguments and failed the second time; keep no values "
+           "between calls";
   const Copies second(call);
   if (first.written != second.written || first.self != second.self)
-    return "called twice with the same arguments, it gave different answers; routines of the "
-           "motion must be pure functions of their arguments: keep no values between calls, and "
-           "use no random numbers";
+    return "it was called twice with the same arguments and gave different results. Its results "
+           "must depend on its arguments only: keep no values between calls, and use no random "
+           "numbers";
   return {};
 }
 
@@ -209,7 +210,7 @@ Answer Routine::ask(adore_call& call, std::int32_t size) {
     if (twice) before.emplace(call);
     const std::int32_t result = run(call);
     if (result == 1 && compute) {
-      reason_ = fmt::format("{}: it has no answer for this state", where(call));
+      reason_ = fmt::format("{}: it has no result for this state (it returned 1)", where(call));
       if (std::string why = host_.block().fail.take(); !why.empty()) reason_ += ": " + why;
       return Answer::Refused;
     }
@@ -219,7 +220,7 @@ Answer Routine::ask(adore_call& call, std::int32_t size) {
     }
     if (twice) trouble = ask_again(call, *before);
   } catch (const std::exception& error) {
-    return fail(call, fmt::format("it ended with an exception: {}", error.what()));
+    return fail(call, fmt::format("it failed: {}", error.what()));
   } catch (...) {
     return fail(call, "it threw an exception that is not a std::exception");
   }
@@ -231,7 +232,7 @@ Answer Routine::ask(adore_call& call, std::int32_t size) {
     walk_arguments(call, asked);
     if (asked.finite) return fail(call, answer.found);
     reason_ =
-        fmt::format("{}: it was called with a state that is not a finite number", where(call));
+        fmt::format("{}: the state of the solver contains a value that is not finite", where(call));
     return Answer::Refused;
   }
   if (call.mode == ADORE_READ) active_ = call.active != 0;

@@ -210,16 +210,18 @@ bool Session::Impl::evaluate_motion(double t, const std::array<scene::UserMotion
     return false;
   };
   if (good && !promise.moves_frame && !(out.frame.isZero(0.0) && turn.isZero(0.0)))
-    return wrong("it moves the base frame without moves_frame; set moves_frame = 1 in ADORE_START");
+    return wrong(
+        "it moves the base frame, but moves_frame is 0; set moves_frame = 1 in mode ADORE_START");
   if (!good || !promise.drives[1] || !(balanced[0] || balanced[1] || balanced[2])) return good;
   for (int k = 0; k < 3; ++k)
     if (balanced[static_cast<std::size_t>(k)] && out.acceleration[1][k] != 0.0)
       return wrong(
-          fmt::format("it accelerates the inner race along {} by {:.6g} m/s^2, but mode 2 "
-                      "positions the race by its load; give a force, or set mode to 0 or 1",
+          fmt::format("it accelerates the inner race along {} by {:.6g} m/s^2, but mode = 2 "
+                      "computes the position of the race in this direction from the load; give a "
+                      "force instead, or set mode to 0 or 1",
                       "xyz"[k], out.acceleration[1][k]));
   if (out.angular_acceleration[1][1] != 0.0 || out.angular_acceleration[1][2] != 0.0)
-    return wrong("it tilts the inner race, whose tilt is fixed in mode 2; set mode to 0 or 1");
+    return wrong("it tilts the inner race, but mode = 2 keeps the tilt fixed; set mode to 0 or 1");
   return good;
 }
 
@@ -255,9 +257,10 @@ void Session::Impl::start_traction(std::size_t kind) {
   ask_or_refuse(7, a, ADORE_START);
   document(7);
   if (!(a.slip_scale >= 0.0))
-    throw InputError(fmt::format(
-        "user routine ADRX7 of {}: slip_scale is {}; give a slip above 0, or 0 for no slip scale",
-        plug_in.source, a.slip_scale));
+    throw InputError(
+        fmt::format("user routine ADRX7 of {}: slip_scale is {}; give a slip speed above 0, or 0 "
+                    "for no slip scale",
+                    plug_in.source, a.slip_scale));
   t.shown = {&t, &Impl::ask_traction, a.slip_scale, 0.0, a.wants_points != 0};
   // κ at rest decides whether slip is rounded.
   const double still = 1e-12, load = 1.0, pressure = 1e9, size = 1e-4, none = 0.0;
@@ -280,10 +283,10 @@ void Session::Impl::start_motion() {
     promise.start_spin[j] = a.start_spin[j];
     if (!promise.drives[j] &&
         (!promise.start_velocity[j].isZero(0.0) || promise.start_spin[j] != 0.0))
-      throw InputError(fmt::format(
-          "user routine ADRX1 of {} gives the {} race a start velocity or spin without driving it; "
-          "set drives[{}] = 1",
-          plug_in.source, j == 0 ? "outer" : "inner", j));
+      throw InputError(
+          fmt::format("user routine ADRX1 of {} gives the {} race a start velocity or spin, but "
+                      "does not drive this race; set drives[{}] = 1",
+                      plug_in.source, j == 0 ? "outer" : "inner", j));
   }
   promise.moves_frame = a.moves_frame != 0;
   promise.longest_step = std::max(a.longest_step, 0.0);
@@ -299,10 +302,11 @@ void Session::Impl::start_motion() {
     std::fill_n(three, 3, 0.0);
   for (std::size_t k = 0; k < 3; ++k)
     if (balanced[k] && promise.drives[1] && promise.start_velocity[1][static_cast<int>(k)] != 0.0)
-      throw InputError(fmt::format(
-          "user routine ADRX1 of {} gives the inner race a start velocity along {}, but mode 2 "
-          "positions the race by its load; leave start_velocity at 0 there, or set mode to 0 or 1",
-          plug_in.source, "xyz"[k]));
+      throw InputError(
+          fmt::format("user routine ADRX1 of {} gives the inner race a start velocity along {}, "
+                      "but mode = 2 computes the position of the race in this direction from the "
+                      "load; set this component of start_velocity to 0, or set mode to 0 or 1",
+                      plug_in.source, "xyz"[k]));
 }
 
 Session::Session(PlugIn plug_in, const std::vector<std::string>& lines,
@@ -356,11 +360,11 @@ bearing::Material Session::material(bearing::Part part, const bearing::Material&
           "user routine ADRX0 of {}, part {}: {} = {:g} is not a valid material property; give {}",
           source(), a.part, name, value, valid));
   };
-  check("density", a.density, a.density > 0.0, "more than 0 kg/m^3");
-  check("elastic_modulus", a.elastic_modulus, a.elastic_modulus > 0.0, "more than 0 Pa");
+  check("density", a.density, a.density > 0.0, "a value above 0 kg/m^3");
+  check("elastic_modulus", a.elastic_modulus, a.elastic_modulus > 0.0, "a value above 0 Pa");
   check("poisson_ratio", a.poisson_ratio, a.poisson_ratio >= 0.0 && a.poisson_ratio < 0.5,
-        "0 to less than 0.5");
-  check("hardness", a.hardness, a.hardness >= 0.0, "0 or more, in Pa");
+        "a value of 0 or more and below 0.5");
+  check("hardness", a.hardness, a.hardness >= 0.0, "0 Pa or more");
   bearing::Material out;
   out.code = 2;
   out.name = "from user routine ADRX0";
@@ -566,9 +570,10 @@ std::string Session::step(const scene::Snapshot& snapshot, const Channels& chann
   (void)s.ask(9, a, ADORE_STEP);
   if (!s.failure.empty()) throw SolverError(s.failure);
   if (s.host.block().write.lost)
-    throw SolverError(fmt::format(
-        "user routine ADRX9 of {} wrote more than 1 MiB in the step at t = {:.9g} s; write less",
-        source(), snapshot.time));
+    throw SolverError(
+        fmt::format("user routine ADRX9 of {} wrote more than 1 MiB in the step at t = {:.9g} s; "
+                    "write less in each step",
+                    source(), snapshot.time));
   return s.host.block().write.take();
 }
 

@@ -61,8 +61,9 @@ MonotoneTable read_table(const std::filesystem::path& file) {
           fmt::format("{}:{}: \"{}\" is not a line of two numbers", file.string(), number, line));
     }
     if (!std::isfinite(a) || !std::isfinite(b) || (!x.empty() && !(a > x.back())))
-      throw InputError(fmt::format("{}:{}: the first column must ascend, but {:g} comes after {:g}",
-                                   file.string(), number, a, x.empty() ? 0.0 : x.back()));
+      throw InputError(
+          fmt::format("{}:{}: the first column must increase, but {:g} comes after {:g}",
+                      file.string(), number, a, x.empty() ? 0.0 : x.back()));
     x.push_back(a);
     y.push_back(b);
     if (x.size() > kMaxTableRows)

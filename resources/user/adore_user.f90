@@ -1,4 +1,4 @@
-! Adore's user routines in Fortran: the structures of adore_user.h, and the services by their names.
+! Interface of the user routines of Adore for Fortran: the structures of adore_user.h and the services.
 module adore_user
   use, intrinsic :: iso_c_binding
   implicit none
@@ -97,7 +97,7 @@ contains
     adore_user_abi_version = ADORE_USER_ABI
   end function
 
-  ! The next numbers of records 12.x; how many there were.
+  ! Reads the next numbers of records 12.x; returns the number of values read.
   integer function adore_numbers(call, values)
     type(adore_call), intent(in) :: call
     real(c_double), intent(out) :: values(:)
@@ -139,7 +139,7 @@ contains
     call say(s%write, call, text // achar(10))
   end subroutine
 
-  subroutine adore_fail(call, text) ! why a routine returns what is not 0
+  subroutine adore_fail(call, text) ! reason of a return value other than 0
     type(adore_call), intent(in) :: call
     character(*), intent(in) :: text
     type(adore_services), pointer :: s

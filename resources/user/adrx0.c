@@ -1,6 +1,6 @@
-/* ADRX0 for Adore: materials of your own data base, for parts whose material code is 2. What is
- * left alone keeps the program's default of the part (52100 for races and elements, mild steel for
- * the rest). */
+/* ADRX0 for Adore: materials of your own database, for parts with material code 2. Properties that
+ * the routine does not set keep the default of the part (52100 for races and elements, mild steel
+ * for other parts). */
 #include "adore_user.h"
 
 int32_t adore_user_abi(void) { return ADORE_USER_ABI; }

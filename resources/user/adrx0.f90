@@ -1,4 +1,4 @@
-! ADRX0 for Adore: a material of your own, here silicon nitride for elements whose material code is 2.
+! ADRX0 for Adore: own material: silicon nitride for elements with material code 2.
 module materials
   use adore_user
   implicit none

@@ -1,4 +1,4 @@
-"""ADRX0 for Adore: material of every part with material code 2."""
+"""ADRX0 for Adore: materials of parts with material code 2."""
 
 import sys
 
@@ -9,7 +9,7 @@ routines = adore.Routines("material 1")
 
 @routines.material
 def material(part):
-    """Here silicon nitride, of the rolling elements alone."""
+    """Silicon nitride for the rolling elements; other parts keep their default."""
     if part.part == "element":
         return {"density": 3200.0, "elastic_modulus": 310e9, "poisson_ratio": 0.26}
 

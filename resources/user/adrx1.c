@@ -1,7 +1,7 @@
-/* ADRX1 for Adore, both of the manual's examples: the inner race speeds up evenly from rpm1 at t1
- * to rpm2 at t2, and the housing shakes along z, z = A sin(2 pi f t). Record 12.1 holds t1, t2,
- * rpm1, rpm2 (equal speeds: nothing), record 12.2 A [m] and f [Hz] (A = 0: nothing). rpm1 must be
- * that of record 9.1.2. */
+/* ADRX1 for Adore: the two examples of the manual. The speed of the inner race increases linearly
+ * from rpm1 at t1 to rpm2 at t2, and the housing vibrates along z, z = A sin(2 pi f t). Record 12.1
+ * contains t1, t2 [s], rpm1 and rpm2 [rpm] (equal speeds: no ramp). Record 12.2 contains A [m] and
+ * f [Hz] (A = 0: no vibration). rpm1 must be equal to the inner race speed of record 9.1.2. */
 #include "adore_user.h"
 
 #include <math.h>
@@ -21,12 +21,12 @@ int32_t adrx1(adore_adrx1* a) {
     case ADORE_READ:
       a->call.active = 1;
       if (s->read_numbers(a->call.host, in, 4) != 4) {
-        s->fail(a->call.host, "record 12.1 must hold t1, t2, rpm1 and rpm2");
+        s->fail(a->call.host, "record 12.1 must contain t1, t2, rpm1 and rpm2");
         return 2;
       }
       t1 = in[0], t2 = in[1], rpm1 = in[2], rpm2 = in[3];
       if (s->read_numbers(a->call.host, in, 2) != 2) {
-        s->fail(a->call.host, "record 12.2 must hold the amplitude and frequency of the housing");
+        s->fail(a->call.host, "record 12.2 must contain amplitude and frequency of the housing");
         return 2;
       }
       A = in[0], f = in[1];

@@ -1,4 +1,4 @@
-! ADRX1 for Adore, both of the manual's examples (see adrx1.c): record 12.1 holds t1, t2, rpm1, rpm2 of the inner race,
+! ADRX1 for Adore: the two examples of the manual (see adrx1.c). Record 12.1 contains t1, t2, rpm1, rpm2 of the inner race,
 ! record 12.2 amplitude [m] and frequency [Hz] of the housing along z.
 module motion
   use adore_user
@@ -14,11 +14,11 @@ contains
     case (ADORE_READ)
       a%call%active = 1
       if (adore_numbers(a%call, race) /= 4) then
-        call adore_fail(a%call, 'record 12.1 must hold t1, t2, rpm1 and rpm2')
+        call adore_fail(a%call, 'record 12.1 must contain t1, t2, rpm1 and rpm2')
         adrx1 = 2
       end if
       if (adore_numbers(a%call, shake) /= 2) then
-        call adore_fail(a%call, 'record 12.2 must hold the amplitude and frequency of the housing')
+        call adore_fail(a%call, 'record 12.2 must contain the amplitude and frequency of the housing')
         adrx1 = 2
       end if
     case (ADORE_START)

@@ -1,4 +1,4 @@
-"""ADRX1 for Adore: races that are driven. Record 12.1 holds t1, t2 [s] and two speeds [rpm] of the inner race, record 12.2 the
+"""ADRX1 for Adore: driven races. Record 12.1 contains t1, t2 [s] and two speeds [rpm] of the inner race, record 12.2 the
 amplitude [m] and frequency [Hz] of the housing along z."""
 
 import sys

@@ -1,6 +1,6 @@
-/* ADRX5 for Adore: radius of the rolling elements. Here a crown of rollers: straight over the land
- * of the first number of record 12.1 [m], beyond it circles of the second, the crown radius [m]. Of
- * balls, whose shape stays round, nothing. */
+/* ADRX5 for Adore: radius of the rolling elements. This example gives rollers a crown. The first
+ * number of record 12.1 is the length of the straight land [m], the second the radius of the crown
+ * beyond the land [m]. Balls are not changed, because they must be round. */
 #include "adore_user.h"
 
 #include <math.h>
@@ -15,8 +15,8 @@ int32_t adrx5(adore_surface* a) {
   if (a->call.mode == ADORE_READ) {
     a->call.active = 1;
     if (a->call.services->read_numbers(a->call.host, crown, 2) != 2) {
-      a->call.services->fail(
-          a->call.host, "record 12 must hold the length of the straight land and the crown radius");
+      a->call.services->fail(a->call.host,
+                             "record 12 must contain the length of the land and the crown radius");
       return 2;
     }
   }

@@ -1,5 +1,5 @@
-! ADRX5 for Adore: radius of the rolling elements. Here a crown of rollers: straight over the land of the first number of
-! record 12.1 [m], beyond it circles of the second, the crown radius [m]. Of balls, whose shape stays round, nothing.
+! ADRX5 for Adore: radius of the rolling elements. This example gives rollers a crown. The first number of record 12.1
+! is the length of the straight land [m], the second the radius of the crown beyond it [m]. Balls are not changed.
 module surface_of_elements
   use adore_user
   implicit none
@@ -13,7 +13,7 @@ contains
     if (a%call%mode == ADORE_READ) then
       a%call%active = 1
       if (adore_numbers(a%call, crown) /= 2) then
-        call adore_fail(a%call, 'record 12 must hold the length of the straight land and the crown radius')
+        call adore_fail(a%call, 'record 12 must contain the length of the land and the crown radius')
         adrx5 = 2
       end if
     end if

@@ -1,5 +1,5 @@
-"""ADRX5 for Adore: radius of the rolling elements. Here a crown of rollers: straight over the land of the first number of
-record 12.1 [m], beyond it circles of the second, the crown radius [m]."""
+"""ADRX5 for Adore: radius of the rolling elements. This example gives rollers a crown. The first number of record
+12.1 is the length of the straight land [m], the second the radius of the crown beyond the land [m]."""
 
 import sys
 

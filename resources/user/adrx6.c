@@ -1,5 +1,6 @@
-/* ADRX6 for Adore: surfaces of races (kRaceGeoImp1, kRaceGeoImp2 = 3). Here waves of the inner
- * race's radius; record 12.1 holds their amplitude [m], number and phase [rad]. */
+/* ADRX6 for Adore: surfaces of races (kRaceGeoImp1, kRaceGeoImp2 = 3). In this example,
+ * the radius of the inner race has waves. Record 12.1 contains amplitude [m], number per revolution
+ * and phase [rad]. */
 #include "adore_user.h"
 
 #include <math.h>
@@ -15,7 +16,7 @@ int32_t adrx6(adore_surface* a) {
     a->call.active = 1;
     if (a->call.services->read_numbers(a->call.host, wave, 3) != 3) {
       a->call.services->fail(a->call.host,
-                             "record 12 must hold amplitude, number and phase of the waves");
+                             "record 12 must contain amplitude, number and phase of the waves");
       return 2;
     }
   }

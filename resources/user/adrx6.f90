@@ -1,5 +1,5 @@
-! ADRX6 for Adore: surfaces of races (kRaceGeoImp1, kRaceGeoImp2 = 3). Here waves of the inner race's radius; record 12.1
-! holds their amplitude [m], number and phase [rad].
+! ADRX6 for Adore: surfaces of races (kRaceGeoImp1, kRaceGeoImp2 = 3). In this example, the radius of the inner race has
+! waves. Record 12.1 contains amplitude [m], number per revolution and phase [rad].
 module surface_of_races
   use adore_user
   implicit none
@@ -12,7 +12,7 @@ contains
     if (a%call%mode == ADORE_READ) then
       a%call%active = 1
       if (adore_numbers(a%call, wave) /= 3) then
-        call adore_fail(a%call, 'record 12 must hold amplitude, number and phase of the waves')
+        call adore_fail(a%call, 'record 12 must contain amplitude, number and phase of the waves')
         adrx6 = 2
       end if
     end if

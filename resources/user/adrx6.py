@@ -1,5 +1,5 @@
-"""ADRX6 for Adore: surfaces of races (kRaceGeoImp1, kRaceGeoImp2 = 3). Here waves of the inner race's radius; record 12.1 holds
-their amplitude [m], number and phase [rad]."""
+"""ADRX6 for Adore: surfaces of races (kRaceGeoImp1, kRaceGeoImp2 = 3). In this example, the radius of the inner race
+has waves. Record 12.1 contains amplitude [m], number per revolution and phase [rad]."""
 
 import sys
 

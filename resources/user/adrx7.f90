@@ -1,4 +1,4 @@
-! ADRX7 for Adore: traction over slip, kappa = (A + B u) exp(-C u) + D; A, B, C and D stand in record 12.1.
+! ADRX7 for Adore: traction coefficient as a function of slip, kappa = (A + B u) exp(-C u) + D. Record 12.1 contains A to D.
 module law
   use adore_user
   implicit none
@@ -13,7 +13,7 @@ contains
     case (ADORE_READ)
       a%call%active = 1
       if (adore_numbers(a%call, c) /= 4) then
-        call adore_fail(a%call, 'record 12 must hold A, B, C and D of the traction curve')
+        call adore_fail(a%call, 'record 12 must contain A, B, C and D of the traction curve')
         adrx7 = 2
       end if
     case (ADORE_START)

@@ -1,5 +1,5 @@
-"""ADRX7 for Adore: traction of elements and races over the slip (kTrac = -1), (A + B u) exp(-C u) + D. Through a table that is
-built here, so that a run calls no Python; its error stands in `routines.errors`."""
+"""ADRX7 for Adore: traction coefficient of elements and races as a function of slip u (kTrac = -1), (A + B u) exp(-C u) + D.
+A table is built from the function, so that a run does not call Python. `routines.errors` contains the error of the table."""
 
 import sys
 

@@ -1,5 +1,6 @@
 /* ADRX8 for Adore: imperfections of elements (kReGeoImp = 3) and pockets (kCagePocImp = 4), inertia
- * (kReIP = 3). Here every second element is larger by the number of record 12.1 [m]. */
+ * (kReIP = 3). In this example, record 12.1 contains the increase in diameter of every second
+ * element [m]. */
 #include "adore_user.h"
 
 static double larger;
@@ -12,8 +13,7 @@ int32_t adrx8(adore_adrx8* a) {
   if (a->call.mode == ADORE_READ) {
     a->call.active = 1;
     if (a->call.services->read_numbers(a->call.host, &larger, 1) != 1) {
-      a->call.services->fail(a->call.host,
-                             "record 12 must hold how much larger every second element is");
+      a->call.services->fail(a->call.host, "record 12 must contain the increase in diameter [m]");
       return 2;
     }
   }

@@ -1,4 +1,4 @@
-! ADRX8 for Adore: every second element is larger by the number of record 12.1 [m] (kReGeoImp = 3).
+! ADRX8 for Adore: record 12.1 contains the increase in diameter of every second element [m] (kReGeoImp = 3).
 module imperfections
   use adore_user
   implicit none
@@ -11,7 +11,7 @@ contains
     if (a%call%mode == ADORE_READ) then
       a%call%active = 1
       if (adore_numbers(a%call, larger) /= 1) then
-        call adore_fail(a%call, 'record 12 must hold how much larger every second element is')
+        call adore_fail(a%call, 'record 12 must contain the increase in diameter [m]')
         adrx8 = 2
       end if
     end if

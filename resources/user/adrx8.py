@@ -1,5 +1,5 @@
-"""ADRX8 for Adore: imperfections of elements (kReGeoImp = 3) and pockets (kCagePocImp = 4), inertia (kReIP = 3). Here every
-second element is larger by the number of record 12.1 [m]."""
+"""ADRX8 for Adore: imperfections of elements (kReGeoImp = 3) and pockets (kCagePocImp = 4), inertia (kReIP = 3). In this
+example, record 12.1 contains the increase in diameter of every second element [m]."""
 
 import sys
 

@@ -1,6 +1,6 @@
-/* ADRX9 for Adore, the manual's third example: all local heats with place and size, for a finite
- * element model of races and cage. One line for each source and step in SOL9; their sum at a step
- * is all that is dissipated. */
+/* ADRX9 for Adore: the third example of the manual. It writes all local heat sources with position
+ * and size to SOL9, for a finite element model of races and cage. Each source has one line per
+ * step. The sum of the sources of a step is the total dissipation. */
 #include "adore_user.h"
 
 #include <stdio.h>

@@ -1,4 +1,4 @@
-! ADRX9 for Adore, the manual's third example: all local heats with place and size into SOL9 (see adrx9.c).
+! ADRX9 for Adore: the third example of the manual, all local heat sources with position and size in SOL9 (see adrx9.c).
 module heat_map
   use adore_user
   implicit none

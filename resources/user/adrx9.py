@@ -1,4 +1,4 @@
-"""ADRX9 for Adore: what you like, into SOL9. Here a map of the heat: time, contact, place, half axes and power of every source."""
+"""ADRX9 for Adore: writes to SOL9. This example writes a heat map: time, contact, position, half axes and power of each heat source."""
 
 import sys
 

@@ -1,5 +1,5 @@
-! ADRXN for Adore: normal force between THE_BODIES; the program's own law with damping of the approach, whose time
-! stands in record 12.1 [s].
+! ADRXN for Adore: normal force between THE_BODIES. This example adds damping during approach to the built-in law.
+! Record 12.1 contains the damping time [s].
 module force_law
   use adore_user
   implicit none
@@ -12,7 +12,7 @@ contains
     if (a%call%mode == ADORE_READ) then
       a%call%active = 1
       if (adore_numbers(a%call, damping) /= 1) then
-        call adore_fail(a%call, 'record 12 must hold the damping time of the approach')
+        call adore_fail(a%call, 'record 12 must contain the damping time')
         adrxN = 2
       end if
     end if

@@ -1,5 +1,5 @@
-"""ADRXN for Adore: normal force between THE_BODIES; the built-in law with damping of the approach; record 12.1 has the
-damping time [s]."""
+"""ADRXN for Adore: normal force between THE_BODIES. This example adds damping during approach to the built-in law.
+Record 12.1 contains the damping time [s]."""
 
 import sys
 

@@ -128,7 +128,7 @@ TEST_CASE("examples of user routines run as their last lines say", "[cli]") {
     if (lines != std::string::npos) {
       const Result without = run_adore(run);  // reports the missing part
       CHECK(without.code == 2);
-      CHECK(contains(without.out, "must hold"));
+      CHECK(contains(without.out, "must contain"));
       std::ofstream(folder / "DATA.txt", std::ios::app) << told.substr(told.find('\n', lines) + 1);
     }
     const Result ran = run_adore(run);

@@ -237,7 +237,7 @@ TEST_CASE("adore accuracy studies a deck's own run and puts what it finds into t
   const Result study = run_adore(line);
   INFO(study.out);
   REQUIRE(study.code == 0);
-  CHECK(contains(study.out, "the fastest settings within 50 %"));
+  CHECK(contains(study.out, "the fastest settings with errors within 50 %"));
   const json found = json::parse(read(folder / "study" / "ACCURACY.json"));
   CHECK(found["complete"] == true);
   CHECK(found["finals"].size() >= 2);

@@ -141,7 +141,8 @@ class LandFilm final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
     const bearing::Bearing& bearing = scene.bearing;
-    demand(bearing.cage_films.has_value() && bearing.cage.has_value(), "films without oil or cage");
+    demand(bearing.cage_films.has_value() && bearing.cage.has_value(),
+           "cage films need a cage and oil");
     const bearing::CageFilms& films = *bearing.cage_films;
     const double viscosity = tribology::film_viscosity(bearing, films.land_viscosity);
     heat_.part.assign(bearing.cage->lands.size(), 0.0);
@@ -261,7 +262,7 @@ class PocketFilm final : public SceneEffect, public ElementSupport {
     const bearing::Bearing& bearing = scene.bearing;
     PocketContact* pockets = scene.find<PocketContact>();
     demand(pockets != nullptr && bearing.cage_films.has_value(),
-           "films of pockets without balls in pockets or without oil");
+           "pocket films need balls in cage pockets and oil");
     const bearing::CageFilms& films = *bearing.cage_films;
     const double r = 0.5 * bearing.balls().diameter;
     const double wall = 1.0 / (r + 0.5 * std::max(bearing.cage->pocket_clearance_1, 1e-3 * r));

@@ -357,7 +357,7 @@ void Races::set_up_balls(const SceneBuilder& scene) {
     const auto& growth = scene.bearing.imperfections.ball_diameter;
     set_own_balls(model, scene.bearing.balls(), errors, growth, scene.fixed_angle[j], count);
     if (!model.half.is_split()) continue;
-    demand(!model.wavy, "a split race has no other errors");
+    demand(!model.wavy, "a split race cannot have geometric errors");
     second_[j] = whole;
     second_[j]->half = halves[1];
     set_own_balls(*second_[j], scene.bearing.balls(), errors, growth, scene.fixed_angle[j], count);
@@ -527,11 +527,11 @@ std::string Races::why_invalid(const Evaluation& e) const {
             i + 1, j == 0 ? "outer" : "inner");
       if (long_ellipse)
         return fmt::format(
-            "a contact load of {:.6g} N between element {} and the {} race makes a contact "
-            "ellipse whose semi-major axis reaches the radius of the element ({:.4g} m), because "
-            "the groove is very close to the element. Hertz theory is not valid there. Give a "
-            "larger groove factor or less load. If the load is a peak of the run, give a smaller "
-            "largest step (stpMax)",
+            "a contact load of {:.6g} N between element {} and the {} race makes a contact ellipse "
+            "whose semi-major axis reaches the radius of the element ({:.4g} m), because the "
+            "groove radius is almost equal to the element radius. Hertz theory is not valid there. "
+            "Enter a larger groove factor or a smaller load. If the load is a numerical peak of "
+            "the run, enter a smaller largest step (stpMax)",
             e.load[j][i], i + 1, j == 0 ? "outer" : "inner", radius);
     }
   return {};

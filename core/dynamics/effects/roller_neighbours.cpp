@@ -179,7 +179,7 @@ class RingBlock final : public EffectBlock {
 class RollerNeighbours final : public SceneEffect, public ElementSupport {
  public:
   void declare(SceneBuilder& scene) override {
-    demand(scene.rollers != nullptr, "rollers that touch each other need rollers");
+    demand(scene.rollers != nullptr, "contacts between rollers need a roller bearing");
     const bearing::Bearing& bearing = scene.bearing;
     const bearing::RollerGeometry& rollers = *bearing.rollers();
     model_.diameter = rollers.diameter;

@@ -94,8 +94,8 @@ std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
   if (options.contact != statics::RollerContact::Sliced ||
       options.kinematics != statics::RollerKinematics::Exact)
     throw InputError(
-        "rollers move on sliced contacts with exact kinematics only; point contact and linear "
-        "kinematics are for quasi-static solutions (mode -1)");
+        "a motion of rollers needs sliced contacts with exact kinematics; point contacts and "
+        "linear kinematics are only for the quasi-static solution (mode = -1)");
   const statics::RollerModel model = statics::make_roller_model(scene.bearing, options);
   std::array<RollerRaceModel, 2> out;
   for (std::size_t j = 0; j < 2; ++j) {

@@ -207,7 +207,7 @@ class UserMotion::DrivenRates final : public EffectBlock {
 
 void UserMotion::declare(SceneBuilder& scene) {
   demand(scene.options.user != nullptr && scene.options.user->motion != nullptr,
-         "the plan has routine ADRX1 and the options have no laws of the user");
+         "the plan has routine ADRX1, but the options have no user laws");
   routine_ = scene.options.user->motion;
   const ScenePlan& plan = scene.plan;
   const Races& races = *scene.find<Races>();

@@ -196,8 +196,8 @@ TEST_CASE("accuracy study: recommendation mentions warnings of its run and irreg
           (share > results::kMovedWarning));
     CHECK((says.find("1.6e-04 of the exchanged energy") != std::string::npos) ==
           (share > results::kMovedWarning));
-    CHECK(says.find("rk4, tol 0.0001, stpMax as long as stable: the fastest settings within 1 % "
-                    "over 50 revolutions") == 0);
+    CHECK(says.find("rk4, tol 0.0001, stpMax as long as stable: the fastest settings with errors "
+                    "within 1 % over 50 revolutions") == 0);
     CHECK(says.find("the deck's own settings take 4 s") != std::string::npos);
     CHECK(says.find("irregular") == std::string::npos);
   }
@@ -220,12 +220,13 @@ TEST_CASE("accuracy study: recommendation mentions warnings of its run and irreg
   nodes.setting.name = "ellipse nodes 30 x 8";
   nodes.errors = {0.056, 0.001, 0.002, 0.0};
   study.models = {nodes};
-  CHECK(recommendation(study).find("this covers integrator and steps only: ellipse nodes 30 x 8 "
-                                   "changes the results more (speeds 5.6 %") != std::string::npos);
+  CHECK(
+      recommendation(study).find("this study covers integrator and steps only: ellipse nodes 30 x "
+                                 "8 changes the results more (speeds 5.6 %") != std::string::npos);
   study.short_reference.noise.speed = 0.05;  // no more than accurate runs differ by
   CHECK(recommendation(study).find("integrator and steps only") == std::string::npos);
   study.recommended = -1;
-  CHECK(recommendation(study).find("No setting stays within 1 %") == 0);
+  CHECK(recommendation(study).find("No setting has errors within 1 %") == 0);
 }
 
 TEST_CASE("accuracy study: runs under nearby loads → noise, which hides errors of a method",
@@ -359,7 +360,7 @@ TEST_CASE("accuracy study: budget ends early → growth between its spans is rep
       CHECK(before.energy_share * std::pow(row.growth, row.turns - before.turns) ==
             Approx(row.energy_share).epsilon(1e-6).margin(1e-12));
     }
-  CHECK(accuracy_table(study).find("1000 revolutions were specified; the budget allows") !=
+  CHECK(accuracy_table(study).find("Specified: 1000 revolutions; the time budget allows only") !=
         std::string::npos);
   const AccuracyStudy read = read_accuracy(accuracy_json(study), "ACCURACY.json");
   CHECK(accuracy_table(read) == accuracy_table(study));

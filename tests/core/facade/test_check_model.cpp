@@ -43,13 +43,15 @@ TEST_CASE("check: motion without steps → remark", "[unit][check]") {
   deck::Deck deck = deck::new_deck("ball");
   CHECK(find(facade::check_model(deck), Severity::Note, "maxStps") == nullptr);
   deck.set("maxStps", "0");
-  CHECK(find(facade::check_model(deck), Severity::Note, "maxStps = 0: no step is made") != nullptr);
+  CHECK(find(facade::check_model(deck), Severity::Note, "maxStps = 0: the run makes no steps") !=
+        nullptr);
   deck.set("maxStps", "10");
   deck.set("fTime", "0");
-  CHECK(find(facade::check_model(deck), Severity::Note, "fTime = 0: no step is made") != nullptr);
+  CHECK(find(facade::check_model(deck), Severity::Note, "fTime = 0: the run makes no steps") !=
+        nullptr);
   deck.set("mode", "-1");
   deck.complete();
-  CHECK(find(facade::check_model(deck), Severity::Note, "no step is made") == nullptr);
+  CHECK(find(facade::check_model(deck), Severity::Note, "the run makes no steps") == nullptr);
 }
 
 TEST_CASE("check: impossible shapes → error with record, variable and a valid limit",

@@ -83,7 +83,7 @@ TEST_CASE("ADRX1: accelerated inner race → speed and rotation of the closed fo
   CHECK(difference(ran, by_formula) < 1e-9);
   CHECK_THAT(text_of(by_formula.folder / "RUN.json"),
              Catch::Contains("routine ADRX1 specifies impulses and steps") &&
-                 Catch::Contains("its loads jump at t = 0.0001 s"));
+                 Catch::Contains("the loads jump at t = 0.0001 s"));
 }
 
 TEST_CASE("ADRX1: shaken housing → moves as A sin wt", "[user][physics]") {
