@@ -203,7 +203,7 @@ int main(int argc, char** argv) {
   cli.add_flag("--contacts", request.options.view.contacts,
                "draw arrows of the race loads on all elements");
   cli.add_flag("--trails", request.options.view.trails,
-               "draw the recent path of each element (0.8 of the element spacing)");
+               "draw the recent path of each element (length: 0.8 of the element spacing)");
   cli.add_flag("--follow", request.follow, "reload the files while a run is active")
       ->excludes(folder);
   cli.add_flag("--behind", request.behind, "open in the background without taking focus")
