@@ -50,9 +50,10 @@ QString report(const facade::RunOutcome& outcome) {
   for (const std::string& line : outcome.results) text += line + "\n";
   for (const Finding& one : shown_findings(outcome.warnings)) text += one.text() + "\n";
   if (outcome.energy_scale > 0.0)
-    text += fmt::format("Energy residual: {:.3g} J (ratio {:.2g} to the {:.3g} J exchanged).\n",
-                        outcome.energy_residual, outcome.energy_residual / outcome.energy_scale,
-                        outcome.energy_scale);
+    text +=
+        fmt::format("Energy residual: {:.3g} J ({:.2g} times the exchanged energy of {:.3g} J).\n",
+                    outcome.energy_residual, outcome.energy_residual / outcome.energy_scale,
+                    outcome.energy_scale);
   text += fmt::format("Files in {}:\n ", outcome.folder.string());
   for (const auto& file : outcome.files) text += " " + file.filename().string();
   return from(in_window_words(text));
@@ -73,7 +74,8 @@ QString headline_of(const facade::RunOutcome& outcome) {
       return from(
           "Done: " + (message.empty() ? done : message + ".") +
           (outcome.missed_end > 0.0
-               ? fmt::format(" maxStps ended the run before fTime = {:.6g} s.", outcome.missed_end)
+               ? fmt::format(" The run reached maxStps steps before its end at {:.6g} s (fTime).",
+                             outcome.missed_end)
                : ""));
     case facade::RunStatus::Interrupted:
       return from("Cancelled. The files are valid up to the last stored step. " + done);
