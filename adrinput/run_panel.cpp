@@ -59,6 +59,12 @@ QString report(const facade::RunOutcome& outcome) {
   return from(in_window_words(text));
 }
 
+/// A message with one period at its end.
+std::string sentence(std::string message) {
+  if (!message.empty() && message.back() != '.') message += '.';
+  return message;
+}
+
 QString headline_of(const facade::RunOutcome& outcome) {
   const std::string done =
       outcome.steps > 0
@@ -67,20 +73,22 @@ QString headline_of(const facade::RunOutcome& outcome) {
                         counted(fmt::format("{:.4g}", outcome.revolutions), "revolution"),
                         outcome.time, duration_text(outcome.seconds))
           : fmt::format("Quasi-static solution computed in {}.", duration_text(outcome.seconds));
-  const std::string message = in_window_words(outcome.message);
+  const std::string message = sentence(in_window_words(outcome.message));
   switch (outcome.status) {
     case facade::RunStatus::Done:
       // A message reports that the run was already complete.
       return from(
-          "Done: " + (message.empty() ? done : message + ".") +
+          "Done: " + (message.empty() ? done : message) +
           (outcome.missed_end > 0.0
                ? fmt::format(" The run reached maxStps steps before its end at {:.6g} s (fTime).",
                              outcome.missed_end)
                : ""));
     case facade::RunStatus::Interrupted:
-      return from("Cancelled. The files are valid up to the last stored step. " + done);
+      return from(
+          "Cancelled. The files are valid up to the last stored step. " +
+          (message.empty() ? done : "The results are not reliable: " + message + " " + done));
     case facade::RunStatus::Untrusted:
-      return from("Done, but the results are not reliable: " + message + ". " + done);
+      return from("Done, but the results are not reliable: " + message + " " + done);
     case facade::RunStatus::Failed:
       break;
   }
