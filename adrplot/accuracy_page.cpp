@@ -111,7 +111,7 @@ void add_floor(desktop::ChartPage& page, const std::vector<Point>& points, const
                                     [](const Point& point) { return point.stands_out; });
   if (others > 0)
     page.note +=
-        fmt::format(" At {} in the shaded area, the error of another quantity exceeds the scatter.",
+        fmt::format(" At {} in the shaded area, the error of one quantity exceeds its own scatter.",
                     counted(others, "point"));
 }
 

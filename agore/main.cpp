@@ -166,12 +166,12 @@ int main(int argc, char** argv) {
       command_line::at_least(cli.add_option("--every", request.every, "draw every n-th frame"), 1)
           ->needs(folder)
           ->excludes(frame);
-  auto* movie =
-      cli.add_option("--movie", request.film,
-                     "movie to write in the folder: NAME.avi, NAME.gif, or NAME.mp4 (needs ffmpeg)")
-          ->type_name("FILE")
-          ->needs(folder)
-          ->excludes(frame);
+  auto* movie = cli.add_option("--movie", request.film,
+                               "movie to write in the folder of --render: NAME.avi, NAME.gif, or "
+                               "NAME.mp4 (needs ffmpeg)")
+                    ->type_name("FILE")
+                    ->needs(folder)
+                    ->excludes(frame);
   command_line::at_least(
       cli.add_option("--fps", request.rate, "movie frames per second")->capture_default_str(), 1)
       ->needs(folder);
