@@ -141,8 +141,8 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const RunPlace
   if (request.go_on && !fs::exists(master))
     throw InputError(fmt::format(
         "{}: there is no run to continue: it was never started here, or ended before its first "
-        "checkpoint; start it again without --continue; add --overwrite if the folder contains "
-        "files of an earlier run",
+        "checkpoint; start it again without --continue; add --overwrite if the folder still "
+        "contains files of the earlier run",
         master.string()));
   outputs.emplace(prepared, place, request_digest(request, prepared.input), request.overwrite);
   growth.emplace(prepared);

@@ -385,8 +385,8 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
                     fmt::format("continues a run, but neither {} nor {} exists: the run was never "
                                 "started here, or ended before its first checkpoint",
                                 s.path(s.control.master_file).string(), s.control.final_file),
-                    "start it with kIcOpt = 0; add --overwrite if the folder contains files of an "
-                    "earlier run")});
+                    "start it with kIcOpt = 0; add --overwrite if the folder still contains files "
+                    "of the earlier run")});
   if (start == setup::StartState::Continue && !master_exists) {
     s.remark(make_finding("run.no_restart_file",
                           fmt::format("kIcOpt = 1, but there is no {}: a new run starts from {}",
