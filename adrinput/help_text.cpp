@@ -25,7 +25,7 @@ QString option_rows(std::span<const deck::OptionSpec> options) {
 
 QString variable_help(const deck::Deck& deck, const deck::VariableSpec& variable) {
   QStringList facts;
-  facts << (variable.type == deck::VarType::Integer ? "whole number"
+  facts << (variable.type == deck::VarType::Integer ? "integer"
             : variable.type == deck::VarType::Real  ? "number"
                                                     : "text");
   if (variable.length != "1") facts << QString("array of length %1").arg(escaped(variable.length));

@@ -143,9 +143,14 @@ void Document::find_option_problems() {
     add_problem(issue);
   }
   for (const std::string& name : option_file_.strange()) {
+    const auto& all = facade::run_options();
+    const bool known = std::any_of(all.begin(), all.end(),
+                                   [&name](const auto& option) { return option.name == name; });
     issue.message = fmt::format(
-        "the option file next to the deck contains \"{}\", which is not a run option or has an "
-        "invalid value",
+        fmt::runtime(known ? "the option file next to the deck has a value of \"{}\" that is not a "
+                             "number, a text, true or false"
+                           : "the option file next to the deck contains \"{}\", which is not a run "
+                             "option"),
         name);
     issue.remedy = "correct the file in an editor; until then, runs of this deck are rejected";
     add_problem(issue);

@@ -50,12 +50,19 @@ QString report(const facade::RunOutcome& outcome) {
   for (const std::string& line : outcome.results) text += line + "\n";
   for (const Finding& one : shown_findings(outcome.warnings)) text += one.text() + "\n";
   if (outcome.energy_scale > 0.0)
-    text += fmt::format("Energy residual: {:.3g} J (ratio {:.2g} to the {:.3g} J exchanged).\n",
-                        outcome.energy_residual, outcome.energy_residual / outcome.energy_scale,
-                        outcome.energy_scale);
+    text +=
+        fmt::format("Energy residual: {:.3g} J ({:.2g} times the exchanged energy of {:.3g} J).\n",
+                    outcome.energy_residual, outcome.energy_residual / outcome.energy_scale,
+                    outcome.energy_scale);
   text += fmt::format("Files in {}:\n ", outcome.folder.string());
   for (const auto& file : outcome.files) text += " " + file.filename().string();
   return from(in_window_words(text));
+}
+
+/// A message with one period at its end.
+std::string sentence(std::string message) {
+  if (!message.empty() && message.back() != '.') message += '.';
+  return message;
 }
 
 QString headline_of(const facade::RunOutcome& outcome) {
@@ -66,19 +73,22 @@ QString headline_of(const facade::RunOutcome& outcome) {
                         counted(fmt::format("{:.4g}", outcome.revolutions), "revolution"),
                         outcome.time, duration_text(outcome.seconds))
           : fmt::format("Quasi-static solution computed in {}.", duration_text(outcome.seconds));
-  const std::string message = in_window_words(outcome.message);
+  const std::string message = sentence(in_window_words(outcome.message));
   switch (outcome.status) {
     case facade::RunStatus::Done:
       // A message reports that the run was already complete.
       return from(
-          "Done: " + (message.empty() ? done : message + ".") +
+          "Done: " + (message.empty() ? done : message) +
           (outcome.missed_end > 0.0
-               ? fmt::format(" maxStps ended the run before fTime = {:.6g} s.", outcome.missed_end)
+               ? fmt::format(" The run reached maxStps steps before its end at {:.6g} s (fTime).",
+                             outcome.missed_end)
                : ""));
     case facade::RunStatus::Interrupted:
-      return from("Cancelled. The files are valid up to the last stored step. " + done);
+      return from(
+          "Cancelled. The files are valid up to the last stored step. " +
+          (message.empty() ? done : "The results are not reliable: " + message + " " + done));
     case facade::RunStatus::Untrusted:
-      return from("Done, but the results are not reliable: " + message + ". " + done);
+      return from("Done, but the results are not reliable: " + message + " " + done);
     case facade::RunStatus::Failed:
       break;
   }

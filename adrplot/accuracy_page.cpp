@@ -97,7 +97,7 @@ void add_floor(desktop::ChartPage& page, const std::vector<Point>& points, const
   if (!(chance.largest() > 0.0) || points.empty()) return;
   const double floor = 100.0 * chance.largest();
   desktop::ChartCurve curve;
-  curve.name = "noise level";
+  curve.name = fmt::format("{:g} × statistical scatter", chance.times());
   curve.y.assign(page.x.size(), floor);
   curve.low.assign(page.x.size(), 0.0);
   curve.high = curve.y;
@@ -111,7 +111,7 @@ void add_floor(desktop::ChartPage& page, const std::vector<Point>& points, const
                                     [](const Point& point) { return point.stands_out; });
   if (others > 0)
     page.note +=
-        fmt::format(" At {} in the shaded area, the error of another quantity exceeds the scatter.",
+        fmt::format(" At {} in the shaded area, the error of one quantity exceeds its own scatter.",
                     counted(others, "point"));
 }
 
@@ -121,7 +121,7 @@ void add_marks(desktop::ChartPage& page, const std::vector<Point>& points,
   for (const Point& point : points) {
     const bool best = !recommended.empty() && point.name == recommended;
     if (best || point.own)
-      page.marks.push_back({point.seconds, best && point.own ? "recommended: this deck"
+      page.marks.push_back({point.seconds, best && point.own ? "this deck (recommended)"
                                            : best            ? "recommended"
                                                              : "this deck"});
   }
@@ -174,7 +174,8 @@ desktop::ChartPage page_of(const nlohmann::json& rows, const std::string& title,
     }
     curve->y[i + 1] = 100.0 * points[i].error;
   }
-  if (points.empty()) panel.message = "No completed run of the study has an error above 0.";
+  if (points.empty())
+    panel.message = "Nothing to draw: no completed run has an error above 0 (logarithmic axis).";
   page.panels.push_back(std::move(panel));
   add_floor(page, points, chance);
   add_marks(page, points, recommended);

@@ -146,7 +146,7 @@ std::vector<std::string> remarks_on(const CurvePick& pick, const desktop::ChartP
   for (const std::string& sentence : sentences_of(note)) {
     const auto is = [&](std::string_view begin) { return sentence.starts_with(begin); };
     // A spectrum page has notes on its own frequencies.
-    const bool of_file = is("Aliased: ") || is("These are ") || is("In this file ") ||
+    const bool of_file = is("Aliased: ") || is("Shown: ") || is("In this file ") ||
                          is("In these steps ") || is("The values have ") || is("RESULTS.h5 ");
     if (over_time || of_file) out.push_back(sentence);
   }

@@ -110,11 +110,12 @@ void tell_life(ChartPage& chart, const SolFile& file, const PageSpec& page, cons
     const std::string life = desktop::pretty_quantity(*first, chart.panels[p].unit, 5);
     add_note(chart,
              facts.life_every
-                 ? fmt::format("Fatigue life {} was computed only {} (kLifeFreq = 0); loads of "
-                               "later steps are not included.",
-                               life, start ? "at step 0" : "before the first step shown")
+                 ? fmt::format("Fatigue life {} was computed only {} (kLifeFreq = 0). Loads after "
+                               "that step are not included.",
+                               life, start ? "at step 0" : "at a step before the first step shown")
                  : fmt::format(
-                       "Fatigue life {} is constant in {}; loads of later steps are not included.",
+                       "Fatigue life {} is constant in {}: it was computed once, and loads after "
+                       "that are not included.",
                        life, file.part ? "these steps" : "this file"));
   }
 }
@@ -235,7 +236,7 @@ void tell_of_ratios(ChartPage& chart, const SolFile& file, const PageSpec& page,
     const std::string& column = panel.curves.front().column;
     if (column != "cage.whirl_ratio" && column != "cage.speed_ratio") continue;
     if (turns_back(file)) {
-      add_note(chart, panel.title + ": ratio to the speed of a race, which passes through 0.");
+      add_note(chart, panel.title + ": divided by the speed of a race, which passes through 0.");
       continue;
     }
     const auto speeds = race_speeds(file, context);
@@ -279,7 +280,7 @@ void tell_of_values(ChartPage& chart, const SolFile& file, const PageSpec& page,
   tell_holding(chart, file, page, facts);
   tell_averages(chart, file, page);
   tell_nearest(chart, page);
-  if (has_dots(chart)) add_note(chart, "Dots are single stored values.");
+  if (has_dots(chart)) add_note(chart, "Dots are single values between missing values.");
 }
 
 }  // namespace adore::adrplot

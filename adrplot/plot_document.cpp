@@ -72,11 +72,11 @@ std::string between_steps(const desktop::ChartPage& page, const results::SolFile
 /// Of a range that passes over stored steps.
 std::string left_out(const desktop::ChartPage& page, std::size_t steps, long every) {
   const Unknown unknown = unknown_between(page);
-  return fmt::format("These are {} of the steps in the file (one of every {}){}.", steps, every,
-                     unknown.all ? ": peaks between them are missing"
+  return fmt::format("Shown: {} of the steps in the file (one of every {}){}.", steps, every,
+                     unknown.all ? "; peaks between them are missing"
                      : unknown.titles.empty()
                          ? ""
-                         : ": peaks of " + unknown.titles + " between them are missing");
+                         : "; peaks of " + unknown.titles + " between them are missing");
 }
 
 /// Steps that are drawn from RESULTS.h5.
@@ -179,10 +179,10 @@ class StepPages {
     if (!file_.gaps.empty())
       note((file_.part ? "In these steps " : "In this file ") + file_.gaps + ".");
     if (file_.more)
-      note(fmt::format("These are the stored steps {} to {}; the file contains more steps.",
-                       range_.from, range_.to));
+      note(fmt::format("Shown: stored steps {} to {} (the file contains more steps).", range_.from,
+                       range_.to));
     else if (range_.from > 1)
-      note(fmt::format("These are the stored steps from number {} to the end.", range_.from));
+      note(fmt::format("Shown: stored steps from number {} to the end.", range_.from));
     std::error_code ignored;
     if (digits_.why_not.empty()) {
       if (const std::string whose = whose_pocket(number); !whose.empty()) note(whose);

@@ -225,7 +225,7 @@ void PlotWindow::readAgain(bool asked) {
     reading_.reset();
     if (asked) return desktop::show_message(this, QString::fromUtf8(error.what()), true);
     unreadable_ = true;
-    statusBar()->showMessage(tr("Cannot be read at the moment: %1").arg(error.what()));
+    statusBar()->showMessage(tr("The file cannot be read at the moment: %1").arg(error.what()));
   }
 }
 

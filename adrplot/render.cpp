@@ -25,7 +25,7 @@ void set_domain(PageOptions& view, const std::string& domain, const std::string&
                 : domain == "spectrum" ? Domain::Spectrum
                                        : Domain::History;
   if (!curve.empty() && view.domain != Domain::Waterfall)
-    throw InputError("--curve selects the curve of a waterfall: add --domain waterfall");
+    throw InputError("--curve selects the curve of a waterfall and needs --domain waterfall");
   view.waterfall_of = curve;
 }
 

@@ -63,9 +63,9 @@ std::string orbit_note(const OrbitScale& scale) {
       if (size.empty()) return "";
       return fmt::format(
           fmt::runtime(scale.segment
-                           ? "The orbit of the center of the uncut cage is divided by the radial "
-                             "clearance of the guide lands{}. At 1, the middle of an untilted "
-                             "segment touches the land."
+                           ? "The orbit of the segment origin (center of the cage before it was "
+                             "cut) is divided by the radial clearance of the guide lands{}. At "
+                             "1, the middle of an untilted segment touches the land."
                            : "The orbit is divided by the radial clearance of the guide lands{}. "
                              "At 1, an untilted cage touches the land."),
           size);

@@ -170,10 +170,10 @@ Bridged bridge_gaps(const std::vector<double>& t, const std::vector<double>& val
   const double highest = last_above(spectrum.frequency, spectrum.amplitude, kStrong * largest);
   if (2.0 * longest * highest > 1.0) {
     std::string why = out.why_none;
-    why.replace(
-        why.size() - kSo.size(), kSo.size(),
-        fmt::format(" (gaps up to {}, lines up to {})", desktop::pretty_quantity(longest, "s", 3),
-                    desktop::pretty_quantity(highest, "Hz", 3)));
+    why.replace(why.size() - kSo.size(), kSo.size(),
+                fmt::format(" (gaps up to {} are too long for lines up to {})",
+                            desktop::pretty_quantity(longest, "s", 3),
+                            desktop::pretty_quantity(highest, "Hz", 3)));
     return {{}, {}, why + std::string(kSo)};
   }
   out.why_none.clear();
@@ -344,11 +344,11 @@ void choose_frequency_axis(ChartPage& chart, const std::vector<double>& ends, do
   }
   if (!(most > kSqueezed * least)) return;
   chart.log_x = true;
-  add_note(chart,
-           fmt::format(
-               "Logarithmic frequency axis: lines above {} % of the maximum end at {} to {}.",
-               desktop::pretty_number(100.0 * visible, 2), desktop::pretty_quantity(least, "Hz", 3),
-               desktop::pretty_quantity(most, "Hz", 3)));
+  add_note(chart, fmt::format("Logarithmic frequency axis: one curve has lines above {} % of the "
+                              "maximum up to {}, another up to {}.",
+                              desktop::pretty_number(100.0 * visible, 2),
+                              desktop::pretty_quantity(least, "Hz", 3),
+                              desktop::pretty_quantity(most, "Hz", 3)));
 }
 
 void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
@@ -379,7 +379,7 @@ void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
   }
   if (beyond > 0.0)
     add_note(chart,
-             fmt::format("Lines outside the first view reach at most {} % of the maximum (at {}).",
+             fmt::format("Lines outside the initial view are at most {} % of the maximum (at {}).",
                          desktop::pretty_number(100.0 * beyond, 2),
                          desktop::pretty_quantity(at, "Hz", 3)));
 }

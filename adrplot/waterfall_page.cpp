@@ -223,7 +223,7 @@ void to_waterfall(desktop::ChartPage& page, const RunMotion& motion, const Spect
   // The end of each line is visible.
   page.note = note + (page.log_x ? " Logarithmic frequency axis." : "");
   if (page.view_high < page.x.back())
-    page.note += fmt::format(" Lines outside the first view are below {} % of the maximum.",
+    page.note += fmt::format(" Lines outside the initial view are below {} % of the maximum.",
                              desktop::pretty_number(100.0 * kVisible, 2));
   page.panels.push_back(std::move(panel));
 }

@@ -80,7 +80,7 @@ void flange_view(const Scene& s) {
     key.push_back({drawn ? flange_colour(t) : QColor(),
                    QString::fromStdString(fmt::format(
                        "flange at {}x: {}", side == 0 ? "−" : "+",
-                       s.animation.behind(s.index) ? "unknown: " + s.animation.behind_words()
+                       s.animation.behind(s.index) ? "unknown (" + s.animation.behind_words() + ")"
                        : !near                     ? std::string("roller end far away")
                                                    : fmt::format("{}, {} {}",
                                              force > 0.0 ? desktop::pretty_quantity(

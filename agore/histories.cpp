@@ -217,7 +217,7 @@ History by_differences(const Animation& animation, const std::vector<double>& an
   }
   const double turn = ratio * turns_per_frame(animation);
   if (turn > kMostTurn) {
-    out.unknown = fmt::format("Unknown from SOL8: about {} between frames.",
+    out.unknown = fmt::format("Unknown: about {} between SOL8 frames are too many.",
                               counted(fmt::format("{:.2g}", turn), "revolution"));
     return out;
   }

@@ -166,12 +166,12 @@ int main(int argc, char** argv) {
       command_line::at_least(cli.add_option("--every", request.every, "draw every n-th frame"), 1)
           ->needs(folder)
           ->excludes(frame);
-  auto* movie =
-      cli.add_option("--movie", request.film,
-                     "movie to write in the folder: NAME.avi, NAME.gif, or NAME.mp4 (needs ffmpeg)")
-          ->type_name("FILE")
-          ->needs(folder)
-          ->excludes(frame);
+  auto* movie = cli.add_option("--movie", request.film,
+                               "movie to write in the folder of --render: NAME.avi, NAME.gif, or "
+                               "NAME.mp4 (needs ffmpeg)")
+                    ->type_name("FILE")
+                    ->needs(folder)
+                    ->excludes(frame);
   command_line::at_least(
       cli.add_option("--fps", request.rate, "movie frames per second")->capture_default_str(), 1)
       ->needs(folder);
@@ -203,7 +203,7 @@ int main(int argc, char** argv) {
   cli.add_flag("--contacts", request.options.view.contacts,
                "draw arrows of the race loads on all elements");
   cli.add_flag("--trails", request.options.view.trails,
-               "draw the recent path of each element (0.8 of the element spacing)");
+               "draw the recent path of each element (length: 0.8 of the element spacing)");
   cli.add_flag("--follow", request.follow, "reload the files while a run is active")
       ->excludes(folder);
   cli.add_flag("--behind", request.behind, "open in the background without taking focus")

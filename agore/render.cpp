@@ -81,7 +81,7 @@ std::vector<std::size_t> film_frames(const MotionPicture& picture, int every, in
   if (!(span / step < kMost))
     throw InputError(
         fmt::format("{:g} s need more than {:g} pictures with a slow motion of {:g}; select a "
-                    "faster slow motion (a larger --slow)",
+                    "larger slow-motion value (--slow)",
                     span, kMost, options.slow));
   const auto pictures = static_cast<std::size_t>(std::ceil(span / step * (1.0 - 1e-12)));
   for (std::size_t i = 0; i < pictures; ++i) {

@@ -130,7 +130,7 @@ void AgoreWindow::lookForGrowth() {
   try {
     fresh = open_motion(path, most_frames_);
   } catch (const std::exception& error) {
-    desktop::tell_in_foot(this, tr("Cannot be read at the moment: %1").arg(error.what()));
+    desktop::tell_in_foot(this, tr("The file cannot be read at the moment: %1").arg(error.what()));
     return;
   }
   constexpr int kPatience = 10;

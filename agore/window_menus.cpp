@@ -297,8 +297,8 @@ void AgoreWindow::makeColourMenus(QMenu* menu) {
   scales->setObjectName("scaleMenu");
   auto* scale_group = new QActionGroup(this);
   for (const auto& [kind, name] : {std::pair{ColourScale::Usual, "95 % of the Val&ues"},
-                                   {ColourScale::Run, "Largest of the &Run"},
-                                   {ColourScale::Moment, "Largest of This Fra&me"}}) {
+                                   {ColourScale::Run, "Range of the &Run"},
+                                   {ColourScale::Moment, "Range of This Fra&me"}}) {
     auto* action = scales->addAction(tr(name), this, [this, kind = kind] {
       chooseScale({kind, 0.0, 0.0});
     });

@@ -327,7 +327,7 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
     if (one != nullptr && one->hides) {
       const QString sign = one->alike == Alike::Equal  ? "="
                            : one->alike == Alike::Near ? "≈"
-                                                       : tr("over");
+                                                       : tr("covers");
       if (one->partly)
         return whole ? tr("%1 (partly %2 %3)")
                            .arg(text_of(curve.name), sign, text_of(panel.curves[*one->hides].name))

@@ -64,19 +64,19 @@ std::vector<ChartPage> lubricant_pages(const calculators::LubricantContact& cont
   // Without limiting shear stress laws reach hundreds: a linear scale would hide the rest.
   pages[0].panels[0].log = largest(all.traction) > 1.0;
   if (largest(all.traction) > kMeasured)
-    add_note(
-        pages[0],
-        "coefficients above 0.12 exceed all disc machine measurements (no limiting shear stress)");
+    add_note(pages[0],
+             "traction coefficients above 0.12 exceed all disc machine measurements (no limiting "
+             "shear stress)");
   add_note(pages[0], all.recommended);
   for (const std::size_t page : {std::size_t{0}, std::size_t{1}})
     add_note(pages[page], all.beyond_range);
   constexpr double kNearGlass = 0.99e12;  // tribology/viscosity/glass.hpp
   if (largest(all.viscosity) > kNearGlass)
-    add_note(pages[1], "viscosity limited to 10¹² Pa·s (glass)");
+    add_note(pages[1], "the viscosity is limited to 10¹² Pa·s (glass)");
   if (all.beyond_heating)
     add_note(pages.back(),
-             "inlet heating factor limited to 0.1; films that increase after a minimum are "
-             "extrapolated");
+             "the inlet heating factor is limited to 0.1; an increase of the film thickness after "
+             "a minimum is extrapolated");
   return pages;
 }
 

@@ -392,8 +392,8 @@ std::vector<ChartPage> sweep_pages(const results::SweepTable& sweep) {
     if (panels[i].title.starts_with("Life"))
       pages.back().note =
           (still.empty() ? "" : still + " ") +
-          "Life constants: published (original model) or calibrated to the original model. Life "
-          "factors: quoted from memory (STLE) or derived (Tallian-type).";
+          "The original life model has published constants; the other models are calibrated to "
+          "it. STLE life factors are quoted from memory; Tallian-type factors are derived.";
     pages.back().panels.push_back(std::move(panels[i]));
   }
   return pages;

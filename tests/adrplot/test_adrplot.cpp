@@ -404,7 +404,7 @@ TEST_CASE("render_plots: every page of files on disk becomes a picture with curv
   options.folder = base / "pictures";
   const auto note = [&](long to) { return open_document(files[0], {1, to, 1}).build(1, {}).note; };
   CHECK_THAT(note(299),
-             Catch::Contains("These are the stored steps 1 to 299; the file contains more steps."));
+             Catch::Contains("Shown: stored steps 1 to 299 (the file contains more steps)."));
   CHECK_THAT(note(300), !Catch::Contains("the file contains more steps"));
   options.page = 9;
   CHECK_THROWS_WITH(render_plots({files[0]}, options), Catch::Contains("pages are 1 to 8"));

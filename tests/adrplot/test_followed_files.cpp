@@ -32,7 +32,7 @@ TEST_CASE("plot_window: followed file temporarily invalid → message in the sta
   window.follow(true);
   const auto foot = [&] { return window.statusBar()->currentMessage(); };
   test::write_text(path, "noise, for a moment");
-  CHECK(QTest::qWaitFor([&] { return foot().contains("Cannot be read at the moment"); }, 10'000));
+  CHECK(QTest::qWaitFor([&] { return foot().contains("cannot be read at the moment"); }, 10'000));
   CHECK(window.findChild<QMessageBox*>("message") == nullptr);
   CHECK(window.pageCount() > 0);  // the earlier picture is still shown
   test::write_text(path, sol);

@@ -61,8 +61,8 @@ TEST_CASE("pages: slow and fast lines side by side are drawn over a logarithmic 
     const desktop::ChartPage page = spectra(40.0, 8000.0, scale);
     INFO(page.note);
     CHECK(page.log_x);
-    CHECK(page.note.find("Logarithmic frequency axis: lines above 1 % of the maximum end at 50 Hz "
-                         "to 8.01 kHz.") != std::string::npos);
+    CHECK(page.note.find("Logarithmic frequency axis: one curve has lines above 1 % of the maximum "
+                         "up to 50 Hz, another up to 8.01 kHz.") != std::string::npos);
     // The content of each panel has a tenth of the width at least.
     desktop::ChartScene scene;
     scene.setPageSize({700, 450});
@@ -146,8 +146,9 @@ TEST_CASE("pages: short gaps of a curve are bridged for its spectrum, and said",
   const desktop::ChartPage longer = spectrum(with_gap(1234, 49));
   INFO(longer.panels[1].message);
   CHECK(longer.panels[1].curves[0].y.empty());
-  CHECK(longer.panels[1].message.find("There are no values at 49 of 5000 steps (gaps up to 500 µs, "
-                                      "lines up to 1.02 kHz), so there is no frequency") == 0);
+  CHECK(longer.panels[1].message.find(
+            "There are no values at 49 of 5000 steps (gaps up to 500 µs "
+            "are too long for lines up to 1.02 kHz), so there is no frequency") == 0);
   // More than one in a hundred, however short each gap is.
   std::vector<double> many = whole;
   for (std::size_t i = 50; i < many.size(); i += 90) many[i] = kNone;

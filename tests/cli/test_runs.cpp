@@ -429,7 +429,7 @@ TEST_CASE("run ended by maxStps before fTime → reported; plan names the limit"
   CHECK_FALSE(contains(whole.out, "maxStps ended"));
   const Result asked = run_adore("run " + deck + " --until 0.02rev" + out("asked"));
   CHECK_FALSE(contains(asked.out, "maxStps ended"));
-  CHECK(contains(run_adore("plan " + deck).out, "revolutions, by fTime"));
+  CHECK(contains(run_adore("plan " + deck).out, "revolutions, limited by fTime"));
   CHECK(contains(run_adore("plan " + deck + " --set maxStps=20").out,
                  "revolutions, limited by maxStps"));
 }

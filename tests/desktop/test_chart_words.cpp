@@ -341,11 +341,11 @@ TEST_CASE("chart_scene: texts on covering curves → correct and fast", "[gui]")
     scene.setPage(page);
     return name(scene, "second");
   };
-  CHECK(show(wave, opposite) == "second (over cage y)");
+  CHECK(show(wave, opposite) == "second (covers cage y)");
   CHECK(show(wave, wave) == "second (= cage y)");
   Values late = wave;
   late.back() += 0.1;
-  CHECK(show(wave, late) == "second (over cage y)");
+  CHECK(show(wave, late) == "second (covers cage y)");
   scene.setView(0.0, 1.0);
   CHECK(name(scene, "second") == "second (= cage y)");  // there they are
   late.back() = wave.back() + 1e-4;
@@ -356,7 +356,7 @@ TEST_CASE("chart_scene: texts on covering curves → correct and fast", "[gui]")
   for (double& v : high) v += 1.0;
   for (double& v : higher) v += 2.0;
   CHECK(show(wave, wave, low, high) == "second (= cage y)");
-  CHECK(show(wave, wave, low, high, higher) == "second (over cage y)");
+  CHECK(show(wave, wave, low, high, higher) == "second (covers cage y)");
   // Far beyond a short range nothing is drawn, and stripes are not separate items.
   show(wave, {});
   const auto alone = scene.items().size();
