@@ -347,7 +347,8 @@ TEST_CASE("run panel: disk full during a run → progress reported, stored resul
   }
   const QString said = note(window);
   INFO(said.toStdString());
-  CHECK(said.contains(QRegularExpression("^The run stopped at \\d+ %: .*writing to the file failed")));
+  CHECK(said.contains(
+      QRegularExpression("^The run stopped at \\d+ %: .*writing to the file failed")));
   CHECK(said.contains("can be opened"));
   CHECK(window.findChild<QLabel*>("run-note")->wordWrap());
   CHECK_FALSE(window.findChild<QPlainTextEdit*>("run-text")->isVisible());

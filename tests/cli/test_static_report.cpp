@@ -173,5 +173,6 @@ TEST_CASE("the stiffness table gives clearance and angle at each speed and warns
                         "--set rpmRange21=0. --set rpmRange12=3000. --set "
                         "rpmRange22=80000.");
   CHECK(contains(tight.print, "Warning: the clearance turns negative"));
-  CHECK(contains(tight.result.out, "stiffness over speed, from rpm1 = 0 and rpm2 = 80000 rpm on: the clearance"));
+  CHECK(contains(tight.result.out,
+                 "stiffness over speed, from rpm1 = 0 and rpm2 = 80000 rpm on: the clearance"));
 }
