@@ -67,7 +67,7 @@ TEST_CASE("render: a film in slow motion shows the frames at their own times", "
                                       fmt::format("{}-picture-{:05}.png", stem, number + 1)));
   options.slow = 1e-30;
   CHECK_THROWS_WITH(render_movie(picture, 1, 25, base / "film.gif", options),
-                    Catch::Contains("a larger --slow"));
+                    Catch::Contains("larger slow-motion value (--slow)"));
 }
 
 TEST_CASE("render: movies and numbered pictures → first and last frame as specified", "[gui]") {

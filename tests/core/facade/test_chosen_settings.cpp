@@ -92,5 +92,5 @@ TEST_CASE("chosen settings: resolution given in the request → kept", "[accurac
   const ChosenSettings chosen = choose_settings(request, 0.2, {});
   CHECK(chosen.options.empty());
   CHECK(chosen.rows.empty());
-  CHECK(chosen.text.find("The run options set the nodes") != std::string::npos);
+  CHECK(chosen.text.find("because run options set them") != std::string::npos);
 }
