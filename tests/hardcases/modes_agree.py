@@ -20,9 +20,10 @@ The exit code is 0 when no deck failed and at most 10 % are explained.
 """
 
 import argparse
-import datetime
 import collections
 import concurrent.futures
+import datetime
+import hashlib
 import json
 import math
 import os
@@ -47,7 +48,7 @@ SECONDS = 300.0
 STORED = {True: 40, False: 200}  # steps between stored ones, of balls and rollers: some hundred a revolution; extremes and means between are stored
 OUTPUT = {"kNumPltElem": 1, "kPltElemInd": 1, "nStps": 1, "kAGraf": 0, "kPrtFreq": 10 ** 7, "maxStps": 10 ** 8, "kPrtOpt": 1}
 OPTIONS = {"rollerSlices": 11}  # of the equilibria, too
-LARGE_SKEW = 0.02  # [rad]
+LARGE_SKEW = 0.035  # [rad], of rollers with a tenth of the largest load: range guidance.skew of the program
 TEMPERATURES = ("outer", "inner", "elements", "cage")
 
 
@@ -154,7 +155,7 @@ def findings(deck, windows, still):
     - slip: an element that carries load in the equilibrium orbits or turns about its gyroscopic axis with more than 5 % of its rolling speed;
     - zero load: an element that always carries load in the equilibrium loses its inner race;
     - cage whirl: the cage's centre runs at the limit of its clearance for half of the window;
-    - skew: a roller is skewed by more than LARGE_SKEW, which statics do not know; narrow_windows() confirms it."""
+    - skew: a loaded roller is skewed by more than LARGE_SKEW, which statics do not know; narrow_windows() confirms it."""
     out = []
     shaft = deck["sets"]["rpm2"] * math.pi / 30.0
     diameter, pitch = deck["sets"]["bReDia"], deck["pitch"]
@@ -175,9 +176,12 @@ def findings(deck, windows, still):
                 for size, name in ((lag, "orbital speed off the mean"), (gyroscopic, "gyroscopic slip over rolling speed")):
                     if size > worst[0]:
                         worst = (size, w.columns["time"][k], f"element {i}", name)
-        skew = max(((abs(w.columns[name][k]), w.columns["time"][k], name.split(".")[-1]) for name in w.columns if name.startswith("element.phi.")
-                    for k in w.inside), default=(0.0, 0.0, ""))
-        if deck["type"] != "ball" and skew[0] > LARGE_SKEW:
+        skew = (0.0, 0.0, 0)
+        for k in w.inside if deck["type"] != "ball" else ():
+            loads = [w.columns[f"contact.load.{i}.2"][k] for i in range(1, deck["sets"]["nRe"] + 1)]
+            skew = max([skew] + [(abs(w.columns[f"element.phi.{i}"][k]), w.columns["time"][k], i) for i, load in enumerate(loads, 1)
+                                 if load > 0.1 * max(loads)])
+        if skew[0] > LARGE_SKEW:
             out.append(("skew", f"element {skew[2]}", skew[1], f"skew {1e3 * skew[0]:.0f} mrad", mode))
         if worst[0] > 0.05:
             out.append(("slip", worst[2], worst[1], f"{worst[3]} {100.0 * worst[0]:.1f} %", mode))
@@ -195,19 +199,20 @@ def findings(deck, windows, still):
     return out
 
 
-def narrow_windows(program, deck, options, seconds):
-    """Separate check of the finding "skew": mode 0 with a quarter of the pocket clearance, which is what limits skew. @return departure of the
-    contact load from the equilibrium"""
-    sets = motion_sets(deck, "0")
+def narrow_windows(program, deck, bulk, options, seconds):
+    """Separate check of the finding "skew": mode 0 with a quarter of the pocket clearance, which is what limits skew; of a thermal deck at the
+    temperatures `bulk`. @return departure of the contact load from the equilibrium"""
+    still_sets = at_temperatures(deck, bulk) if deck["thermal"] else deck["sets"]
+    start = displacement_of(equilibrium(program, deck["path"], still_sets, OPTIONS) if deck["thermal"] else deck["start"])
+    sets = motion_sets({**deck, "sets": still_sets}, "0")
     sets.update(kPltFreq=STORED[False], kLifeFreq=STORED[False], bPocCls1=0.25 * deck["sets"]["bPocCls1"])
     motion = Motion(program, deck["path"], f"{deck['folder']}-narrow", sets, options, seconds)
     try:
         first = EARLIEST.get(deck["type"], 0.0)
         motion.extend(first + 1.0)
         window = motion.window(first, first + 1.0)
-        start = displacement_of(deck["start"])
         place = [start[k] + window["position"][k] - window.columns[f"race.{axis}.2"][0] for k, axis in enumerate("xyz")]
-        still = phase_mean(program, deck["path"], deck["sets"], deck["sets"]["nRe"], place, OPTIONS)
+        still = phase_mean(program, deck["path"], still_sets, deck["sets"]["nRe"], place, OPTIONS)
         return relative(window["contact_load"], still["contact_load"])
     finally:
         motion.remove()
@@ -226,7 +231,7 @@ def judge(results):
 def play(program, base, seed, number, settings):
     begin = time.monotonic()
     deck = draw(program, base, seed, number)
-    result = {"number": number, "type": deck["type"], "story": story(deck), "oil": deck["oil"], "thermal": deck["thermal"],
+    result = {"number": number, "state": settings["state"], "type": deck["type"], "story": story(deck), "oil": deck["oil"], "thermal": deck["thermal"],
               "cage": deck["cage"], "failures": [], "differences": [], "findings": [], "settled": {}, "cost": {}}
     if "rejected" in deck:
         result["failures"].append(f"statics: {deck['rejected']}")
@@ -270,10 +275,10 @@ def play(program, base, seed, number, settings):
     by_load = [d for d in result["differences"] if d[0] in ("load", "contact load", "largest load", "life") and d[3] > LIMITS[d[0]]]
     if any(f[0] == "skew" for f in result["findings"]):
         confirmed = None
-        if by_load and deck["cage"] and not deck["thermal"]:
+        if by_load and deck["cage"] and "0" in bulk:
             before = max(d[3] for d in result["differences"] if d[0] == "contact load")
             try:
-                after = narrow_windows(program, deck, {**OPTIONS, **settings["damping"]}, settings["seconds"])
+                after = narrow_windows(program, deck, bulk["0"], {**OPTIONS, **settings["damping"]}, settings["seconds"])
                 confirmed = f"with a quarter of the pocket clearance contact loads depart by {100.0 * after:.1f} % instead of {100.0 * before:.1f} %"
                 confirmed = confirmed if after < 0.5 * before else None
             except RunError:
@@ -325,8 +330,12 @@ def table(results, args):
             chosen = [r for r in results if r["type"] == kind and (r["oil"] > 0) == oil]
             if chosen:
                 lines.append(row(kind, name, chosen))
+    states = collections.defaultdict(list)
+    for r in results:
+        states[r.get("state", "earlier")].append(str(r["number"]))
     thermal = sum(r["thermal"] for r in results)
     lines += [row("all", "", results), "", f"{thermal} of the decks are thermal, {sum(not r['cage'] for r in results)} have no cage.", "",
+              "Decks by program (start of its SHA-256): " + "; ".join(f"{state}: {', '.join(numbers)}" for state, numbers in states.items()) + ".", "",
               "Largest differences by type (in brackets the number of decks above the limit):", "",
               "| quantity | limit | " + " | ".join(TYPES) + " |", "|---|---:|" + "---:|" * len(TYPES)]
     for quantity, limit in LIMITS.items():
@@ -369,6 +378,8 @@ def main():
     program = os.path.abspath(args.program)
     OPTIONS.update(one.split("=", 1) for one in args.opt)
     settings = {"damping": {"contactDamping": args.damping} if args.damping else {}, "seconds": args.seconds, "keep": args.only is not None}
+    with open(program, "rb") as file:
+        settings["state"] = hashlib.file_digest(file, "sha256").hexdigest()[:8]
     base = tempfile.mkdtemp(prefix="modes_agree_")
     end = time.monotonic() + 60.0 * args.minutes
     for kind in TYPES:
