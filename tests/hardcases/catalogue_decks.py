@@ -172,8 +172,8 @@ def draw_deck(dice, example, kind):
         sets[name] = temperature
     if oil:
         sets.update(kTrac=oil, reRaceFilm=1e-8, strParam=10.0)
-    if thermal:  # short means and a cold start, as users have it
-        sets.update(kTherm=1, kCoolant=1 if oil else 0, kBaseTemp=3 if oil else 1, kHTC=0, kGeoMod=1, kMatPropMod=1, baseTemp=temperature,
+    if thermal:  # short means and a cold start, as users have it. No material laws: equilibria at given temperatures have none (decision 872).
+        sets.update(kTherm=1, kCoolant=1 if oil else 0, kBaseTemp=3 if oil else 1, kHTC=0, kGeoMod=1, kMatPropMod=0, baseTemp=temperature,
                     cFlowRate=scale * dice.decades(5e-6, 5e-5), aveTime=12.0 / sets["rpm2"], skipTime=12.0 / sets["rpm2"],
                     shftID=0.5 * sets["brgBore"])
     if not cage:
