@@ -41,7 +41,7 @@ THRUST = ("ball", "tapered", "spherical-tapered")  # types whose inner race is h
 LIMITS = {"load": 0.03, "contact load": 0.03, "largest load": 0.15, "life": 0.20, "race heat": 0.10, "cage speed": 0.01, "temperature": 1.0}
 MOST_EXPLAINED = 0.10
 # Longest run and shortest window [rev]; processor time of one part of a run [s]. Rollers take ten times as long as balls. Race heat of cylindrical
-# rollers scatters (decision 264): their windows are long enough for a standard error, also where shorter ones agree by chance.
+# rollers scatters (decision 264): their windows are long enough for a standard error, also where shorter ones agree accidentally.
 LONGEST = {"ball": (16.0, 1.0), "cylindrical": (12.0, 2.0), "spherical": (8.0, 0.5), "tapered": (6.0, 0.5), "spherical-tapered": (6.0, 0.5)}
 # Revolutions before the first window [rev]. Skew of rollers between flanges, which impacts of pockets wake, is there from revolution 3 on (decision 264).
 EARLIEST = {"cylindrical": 3.0, "spherical": 1.5}
