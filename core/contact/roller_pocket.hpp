@@ -25,8 +25,9 @@
 /// touches beside the direction from the pocket's axis. Without h a roller that leans by λ in a
 /// play e takes Q λ² r/e of force from nowhere.
 /// A slice that reaches over the end of a guide face lies on it with the fraction φ of its width,
-/// and its energy 9/19 Q δ with it: besides -Q m there is -9/19 Q δ φ_x/φ along the face, in h, too
+/// and its energy 9/19 Q δ with it: besides -Q m there is -9/19 Q δ φ_x/φ along the face (`edge`)
 /// [derived, of the line law]; what φ gets from the lean of the slice is left out (λ²/2 of it).
+/// Damped loads scale -Q m and Q h alone: Q edge does not vanish with φ.
 /// Limit: the middle of the roller stays within the pocket.
 namespace adore::contact {
 
@@ -72,6 +73,7 @@ struct PocketSlice {
   Vec3 point = Vec3::Zero();   ///< X
   Vec3 middle = Vec3::Zero();  ///< p
   Vec3 aside = Vec3::Zero();   ///< h
+  Vec3 edge = Vec3::Zero();    ///< of a slice over the end of a face, per elastic load
 };
 
 namespace detail {
@@ -134,7 +136,7 @@ inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u,
     if (out.gap < 0.0 && out.fraction > 0.0 && out.fraction < 1.0) {
       const double way =
           (high < face.half_length ? 1.0 : 0.0) - (low > -face.half_length ? 1.0 : 0.0);
-      out.aside += (9.0 / 19.0 * out.gap * way / (2.0 * half * out.fraction)) * face.along;
+      out.edge = (9.0 / 19.0 * out.gap * way / (2.0 * half * out.fraction)) * face.along;
     }
   }
   return out;

@@ -4,6 +4,7 @@
 #include "bearing/material_laws.hpp"
 #include "contact/groove.hpp"
 #include "contact/roller_shape.hpp"
+#include "contact/slice_contact.hpp"
 #include "life/contact_strength.hpp"
 #include "tribology/lubricant_range.hpp"
 #include "tribology/thermal_reduction.hpp"
@@ -31,7 +32,7 @@ using validity::kNoBound;
 using validity::Range;
 
 constexpr std::array<const char*, 2> kRace{"outer race", "inner race"};
-/// Contacts whose films are judged, over the heaviest load of the instant.
+/// Contacts whose films, and rollers whose skew is judged, over the heaviest load of the instant.
 constexpr double kLoadedShare = 0.1;
 /// Share of load × slip from which a coefficient is judged.
 constexpr double kJudgedShare = 0.01;
@@ -56,7 +57,8 @@ struct Ranges {
               &land_length = validity::range("hydro.length"),
               &ellipse = validity::range("hertz.ellipse"), &width = validity::range("hertz.width"),
               &shoulder = validity::range("hertz.shoulder"),
-              &yield = validity::range("hertz.yield"), &strips = validity::range("rolling.strips"),
+              &yield = validity::range("hertz.yield"), &skew = validity::range("guidance.skew"),
+              &strips = validity::range("rolling.strips"),
               &groove = validity::range("conformity.groove"),
               &material = validity::range("materials.temperature"),
               &tempering = validity::range("materials.tempering"),
@@ -346,6 +348,10 @@ void LawRanges::look(const scene::Snapshot& at) {
         s.coefficient(flange.heat, flange.load_slip, false, at.time,
                       fmt::format("flange of the {}, roller {}", kRace[j], i + 1));
     }
+    if (rollers && one.oriented && one.race[1].load > 0.0 &&
+        one.race[1].load >= kLoadedShare * heaviest)
+      s.watch.offer(registered().skew, std::abs(contact::roller_skew(one.x_axis)), at.time,
+                    [&] { return fmt::format("roller {}", i + 1); });
     s.drag(one.theta_dot, one.r,
            std::hypot(one.omega.x() - s.bearing.speed[0], one.omega.y(), one.omega.z()), i,
            at.time);

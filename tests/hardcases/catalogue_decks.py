@@ -100,7 +100,8 @@ def equivalent_load(kind, angle, axial, radial):
 def draw_deck(dice, example, kind):
     """One proposal: values for --set, and data of the bearing; None when its load is below the minimum."""
     scale = dice.choice(BORES) / EXAMPLE_BORE
-    cage = dice.yes(0.7)
+    # Barrels have no flanges here: without a cage nothing guides them, and they turn out of line by 30° (decision 871).
+    cage = dice.yes(0.7) or kind == "spherical"
     sets = {name: scale * example[record][k] for record, names in LENGTHS.items() if record in example and (cage or record not in CAGE_RECORDS)
             for k, name in names.items()}
     geometry = {"d": sets["bReDia"], "dm": sets.get("pitchDia", 0.0), "length": sets.get("bReLen", 0.0), "f1": 0.52, "f2": 0.52}
@@ -122,8 +123,7 @@ def draw_deck(dice, example, kind):
         angle = sets["freeConAng"] = dice.uniform(6.0, 10.0)
         geometry["f1"], geometry["f2"] = dice.uniform(0.508, 0.52), dice.uniform(0.508, 0.52)
         sets["freeIntCls"] = scale * dice.uniform(0.0, 3e-5)
-        if cage:  # barrels skew between open races as far as their windows let them (decision 261)
-            sets["bPocCls1"] *= dice.decades(0.2, 1.0)
+        sets["bPocCls1"] *= dice.decades(0.2, 1.0)  # barrels skew between open races as far as their windows let them (decision 261)
     elif kind == "cylindrical":
         angle = 0.0
         sets["freeIntCls"] = scale * dice.uniform(5e-6, 4e-5)
@@ -172,8 +172,8 @@ def draw_deck(dice, example, kind):
         sets[name] = temperature
     if oil:
         sets.update(kTrac=oil, reRaceFilm=1e-8, strParam=10.0)
-    if thermal:  # short means and a cold start, as users have it
-        sets.update(kTherm=1, kCoolant=1 if oil else 0, kBaseTemp=3 if oil else 1, kHTC=0, kGeoMod=1, kMatPropMod=1, baseTemp=temperature,
+    if thermal:  # short means and a cold start, as users have it. No material laws: equilibria at given temperatures have none (decision 872).
+        sets.update(kTherm=1, kCoolant=1 if oil else 0, kBaseTemp=3 if oil else 1, kHTC=0, kGeoMod=1, kMatPropMod=0, baseTemp=temperature,
                     cFlowRate=scale * dice.decades(5e-6, 5e-5), aveTime=12.0 / sets["rpm2"], skipTime=12.0 / sets["rpm2"],
                     shftID=0.5 * sets["brgBore"])
     if not cage:

@@ -185,7 +185,7 @@ class Motion:
 
 CHANNELS = re.compile(r"time|shaft_rotation|contact\.load(_high|_mean)?\..*|contact\.slip(_high)?\..*|power\.(life|element_temperature|cage_temperature)|energy\..*|"
                       r"cage\.rotation\.1|cage\.(whirl_ratio|radial_position)\.1|race\.applied_force_[xyz](_mean)?\.2|race\.temperature\..|"
-                      r"thermal\..*|element\.orbital_(position|velocity)\..*|element\.angular_velocity_vector\..*|race\.[xyz]\.2")
+                      r"thermal\..*|element\.orbital_(position|velocity)\..*|element\.phi\..*|element\.angular_velocity_vector\..*|race\.[xyz]\.2")
 
 
 def wanted(name):

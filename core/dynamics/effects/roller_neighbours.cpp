@@ -27,10 +27,11 @@
 ///   friction at the point X = p + (ρ/(ρ + ρ')) d m, where both have their share of the distance: u
 ///   = velocity of the other roller less that of the slice's, its part along m removed; Q κ(s)/s u
 ///   on the slice's roller, the opposite on the other, s the rounded slip.
-/// Heat = friction · u >= 0. Damping (contact_damping.hpp) multiplies all forces of a slice by the
-/// ratio of the total force N to the elastic one; dE/dt over the latter is its rate of approach.
-/// Without friction energy is kept. Limits: ends and corners of rollers
-/// do not touch neighbours; an overlap of a radius is no valid state.
+/// Heat = friction · u >= 0. Damping (contact_damping.hpp) acts along ∂δ/∂p = m + ρ'_t a, with the
+/// rate of approach δ̇. The force -e f_t a of a slice that reaches over the end of the other roller
+/// stays elastic: it does not vanish with f, so that a ratio of damped to elastic load would have
+/// no limit there. Without friction energy is kept. Limits: ends and corners of rollers do not
+/// touch neighbours; an overlap of a radius is no valid state.
 namespace adore::dynamics {
 namespace {
 
@@ -130,17 +131,17 @@ class RingBlock final : public EffectBlock {
           e.valid = e.valid && c.overlap < 0.5 * model_.diameter;
           double N = c.fraction * load;
           if constexpr (!kOnlyNotes<Friction>) e.elastic += c.fraction * energy;
-          Vec3 f = -N * c.m - (N * c.other_slope + energy * c.fraction_slope) * there.a;
+          const Vec3 into = c.m + c.other_slope * there.a;  // ∂δ/∂p
           if (contact::is_damped(model_.damping)) {
             const double elastic = N, k = (10.0 / 9.0) * elastic / c.overlap;
             const Vec3 together = e.element_velocity(i) + e.element_omega(i).cross(p - centre_i) -
                                   e.element_velocity(j) - e.element_omega(j).cross(p - centre_j);
-            const double rate = -f.dot(together) / elastic;
+            const double rate = into.dot(together);
             N = contact::damped_load(model_.damping, elastic, one.slice_width * c.fraction * k,
                                      c.overlap, rate);
-            f *= N / elastic;
             if constexpr (!kOnlyNotes<Friction>) damping_ += (N - elastic) * rate;
           }
+          const Vec3 f = -N * into - energy * c.fraction_slope * there.a;
           normal += N;
           force += f;
           moment_i += (p - centre_i).cross(f);

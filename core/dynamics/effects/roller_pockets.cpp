@@ -62,7 +62,8 @@ class RollerPocketBlock final : public EffectBlock {
                        damping_.slice, width * slice.fraction);
               if constexpr (kOnlyNotes<Friction>) return;
               kept_.add(i, k, N);
-              if (leaning != nullptr) lean(e, i, at, slice, N);
+              if (leaning != nullptr || !slice.edge.isZero(0.0))
+                push_middle(e, i, at, slice.middle, N * slice.aside + load * slice.edge);
             });
       }
       set_.for_ends(i, at, [&](const contact::EndTouch& touch, double load, double energy) {
@@ -85,9 +86,9 @@ class RollerPocketBlock final : public EffectBlock {
   double push(const Friction& friction, Evaluation& e, std::size_t i,
               const RollerPocketSet::Place& at, const Touch& touch,
               const contact::DampingLaw<>& damping, double weight) noexcept;
-  /// What a leaning slice is pushed aside (contact/roller_pocket.hpp).
-  void lean(Evaluation& e, std::size_t i, const RollerPocketSet::Place& at,
-            const contact::PocketSlice& slice, double load) noexcept;
+  /// Forces `aside` and `edge` of a slice, at its middle (contact/roller_pocket.hpp).
+  void push_middle(Evaluation& e, std::size_t i, const RollerPocketSet::Place& at,
+                   const Vec3& middle, const Vec3& force) noexcept;
 
   const RollerPocketSet& set_;
   tribology::TractionLaw law_;
@@ -141,13 +142,12 @@ double RollerPocketBlock<Traction>::push(const Friction& friction, Evaluation& e
 }
 
 template <bool Traction>
-void RollerPocketBlock<Traction>::lean(Evaluation& e, std::size_t i,
-                                       const RollerPocketSet::Place& at,
-                                       const contact::PocketSlice& slice, double load) noexcept {
+void RollerPocketBlock<Traction>::push_middle(Evaluation& e, std::size_t i,
+                                              const RollerPocketSet::Place& at, const Vec3& middle,
+                                              const Vec3& force) noexcept {
   const std::size_t roller = set_.element(i);
-  const Vec3 arm =
-      at.to_base * (slice.middle - at.q) - set_.mass_offset() * e.attitude[roller].col(0);
-  const Vec3 f = at.to_base * (load * slice.aside);
+  const Vec3 arm = at.to_base * (middle - at.q) - set_.mass_offset() * e.attitude[roller].col(0);
+  const Vec3 f = at.to_base * force;
   e.add_force(roller, e.to_cylindrical(roller, f));
   e.add_moment(roller, e.to_cylindrical(roller, arm.cross(f)));
   e.segments[set_.segment(i)].add_force(-f, e.element_centre(roller) + arm);

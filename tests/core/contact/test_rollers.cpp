@@ -1,6 +1,7 @@
 #include "base/errors.hpp"
 #include "contact/line_contact.hpp"
 #include "contact/race_errors.hpp"
+#include "contact/roller_race.hpp"
 #include "contact/slice_contact.hpp"
 #include "contact/slice_traction.hpp"
 #include "contact/sliced_line.hpp"
@@ -489,4 +490,66 @@ TEST_CASE("Race errors move the surface and tilt its normal", "[physics][rollers
   const RaceSurface tapered = race_with_error(cylinder, taper);
   CHECK(race_depth(tapered, Vec3(0.002, 0.0, R)) == Approx(0.0).margin(1e-17));
   CHECK(race_depth(tapered, Vec3(0.003, 0.0, R)) == Approx(-1e-6).epsilon(1e-5));
+}
+
+TEST_CASE("roller between races: normal loads turn barrels in grooves out of line, not cylinders",
+          "[physics][contact][rollers]") {
+  // Curvatures of both bodies about the contact, the roller turned by φ: along the roller the gap
+  // is κ(φ) s²/2 with κ(φ) = κ(0) - A φ², A = g (1 + g/κ'), g the curvature of the race across its
+  // meridian less that along it (concave > 0), κ' of both bodies across the roller. So δ grows by A
+  // φ² s²/2 and M = -dU/dφ = -A φ Σ Q s². On cylinders A = ±1/r_m of the pitch circle: no moment of
+  // both together. On grooves both A add up to about -(1/R_g + 1/R_g'): the moment increases the
+  // skew [derived].
+  constexpr double kPitch = 0.06, kRadius = 0.0105, kLength = 0.022, kCrown = 0.072, kLoad = 5000.0;
+  constexpr int kSlices = 101;
+  constexpr double kWidth = kLength / kSlices;
+  const PowerLaw law{3.6e10};
+  for (const bool groove : {true, false}) {
+    double total = 0.0, size = 0.0;
+    for (const int j : {kOuter, kInner}) {
+      const double sigma = j == kOuter ? 1.0 : -1.0, R = kPitch + sigma * kRadius;
+      const double meridian = j == kOuter ? 0.0742 : 0.0735;
+      const RaceSurface race =
+          groove ? groove_race(j, meridian, 0.0, R - sigma * meridian) : cylinder_race(j, R);
+      std::vector<RollerSlice> slices;
+      for (int k = 0; k < kSlices; ++k) {
+        const double s = (k - 0.5 * (kSlices - 1)) * kWidth;
+        // On cylinders a crown of 18 m keeps the contact within the roller.
+        const double crown = groove ? kCrown : 18.0;
+        slices.push_back({s, kRadius - s * s / (crown + std::sqrt(crown * crown - s * s))});
+      }
+      const RollerRaceSlices sliced = roller_race_slices(race, slices, kWidth, law, 2.2e11);
+      const auto action = [&](double deep, double skew) {
+        const RigidMotion still{};
+        return roller_race_action<double>(sliced, {}, still, Vec3(0.0, 0.0, kPitch + sigma * deep),
+                                          roller_axis(0.0, skew), still, nullptr);
+      };
+      double low = 0.0, high = 1e-4;
+      for (int n = 0; n < 50; ++n) {
+        const double middle = 0.5 * (low + high);
+        (action(middle, 0.0).load > kLoad ? high : low) = middle;
+      }
+      double second = 0.0;  // Σ Q s²
+      for (const RollerSlice& slice : slices) {
+        const double delta =
+            slice_contact(race, Vec3(0.0, 0.0, kPitch + sigma * high), Vec3::UnitX(), slice).delta;
+        if (delta > 0.0) second += slice_load(law, kWidth, delta).load * slice.s * slice.s;
+      }
+      const double g = sigma / R - (groove ? 1.0 / meridian : 0.0);
+      const double A = g * (1.0 + g / (1.0 / kRadius - sigma / R));
+      if (!groove) CHECK(A == Approx(sigma / kPitch));
+      constexpr double kSkew = 1e-3;
+      const double moment = action(high, kSkew).moment.z() / kSkew;
+      CAPTURE(groove, j, second);
+      CHECK(moment == Approx(-A * second).epsilon(0.01));
+      CHECK(action(high, -kSkew).moment.z() == Approx(-kSkew * moment).epsilon(1e-6));
+      total += moment;
+      size += std::abs(moment);
+    }
+    CAPTURE(groove, total, size);
+    if (groove)
+      CHECK(total > 0.9 * size);  // [N m/rad], in the direction of the skew
+    else
+      CHECK(std::abs(total) < 0.05 * size);
+  }
 }

@@ -126,6 +126,41 @@ TEST_CASE("two rollers side by side press on each other by the line law over the
   CHECK(element.to_next->force == Approx(load).epsilon(2e-3));
 }
 
+TEST_CASE(
+    "damping of rollers side by side: slice that barely reaches the other roller → the axial force "
+    "of its edge stays elastic",
+    "[unit][rollers][damping]") {
+  constexpr int kSlices = 15;
+  constexpr double kOverlap = 2e-6, kSpeed = 1.0;
+  bearing::Bearing b = crowded(roller_bearings::cylindrical(3000.0));
+  b.rollers()->crown_radius = 1e10;
+  scene::ScenePlan plan = roller_scene::plan_of({RaceContact, ElementContact, ContactDamping});
+  SystemOptions options;
+  options.damping = {0.3, true};
+  roller_scene::Scene s = roller_scene::scene_of(b, plan, kSlices, 0.0, options);
+  std::vector<double> y = s.system.initial_state();
+  const std::size_t r = place(s.system, "element.r"), theta = place(s.system, "element.theta"),
+                    x = place(s.system, "element.x"), x_dot = place(s.system, "element.x_dot");
+  y[r + 1] = y[r];
+  y[theta + 1] = y[theta] + 2.0 * std::asin((b.element_diameter() - kOverlap) / (2.0 * y[r]));
+  const double width = b.rollers()->contact_length() / kSlices, home = y[x + 1];
+  std::vector<double> dydt(y.size());
+  const auto axial = [&](double fraction, double speed) {
+    y[x + 1] = home + (1.0 - fraction) * width;
+    y[x_dot + 1] = speed;
+    REQUIRE(s.system.rhs(0.0, y.data(), dydt.data()) == RhsStatus::Ok);
+    return dydt[x_dot + 1];
+  };
+  // Along the axes two cylinders do not approach each other.
+  const double still = axial(0.5, 0.0);
+  CHECK(still > 0.0);
+  for (const double fraction : {0.5, 1e-3, 1e-6}) {
+    CAPTURE(fraction);
+    CHECK(axial(fraction, -kSpeed) == Approx(axial(fraction, 0.0)).epsilon(1e-6));
+    CHECK(axial(fraction, -kSpeed) == Approx(still).epsilon(0.01));
+  }
+}
+
 TEST_CASE("rollers without cage conserve energy and momentum through their collisions",
           "[physics][rollers][energy]") {
   for (const bearing::Bearing& b :
