@@ -6,7 +6,7 @@
 #include "adrinput/solution_charts.hpp"
 #include "adrinput/sweep_range.hpp"
 #include "desktop/dialogs.hpp"
-#include "facade/check.hpp"
+#include "facade/unused_request.hpp"
 
 #include <QDockWidget>
 #include <QInputDialog>

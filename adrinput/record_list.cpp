@@ -4,7 +4,7 @@
 #include "adrinput/options_page.hpp"
 #include "adrinput/search.hpp"
 #include "desktop/theme.hpp"
-#include "facade/check.hpp"
+#include "facade/unused_request.hpp"
 
 #include <QIcon>
 #include <QKeyEvent>

@@ -4,7 +4,7 @@
 #include "base/counted.hpp"
 #include "deck/quantity.hpp"
 #include "deck/unit_change.hpp"
-#include "facade/check.hpp"
+#include "facade/unused_request.hpp"
 
 #include <QRegularExpression>
 #include <QSettings>

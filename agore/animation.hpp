@@ -150,9 +150,10 @@ struct History {
 /// Mass center of a race, coordinate 0, 1, 2 = x, y, z.
 [[nodiscard]] History race_position(const Animation& animation, std::size_t race,
                                     std::size_t coordinate);
-/// Load of an element at a race (0 outer, 1 inner).
+/// Load of an element at a race (0 outer, 1 inner); `channel`: that of the other half of a split
+/// race.
 [[nodiscard]] History contact_load(const Animation& animation, std::size_t element,
-                                   std::size_t race);
+                                   std::size_t race, const std::string& channel = "contact.load");
 /// Of one element at one race (0 outer, 1 inner); `what`: "force" or "gap"; side 0 = -x, 1 = +x.
 [[nodiscard]] History flange_history(const Animation& animation, const std::string& what,
                                      std::size_t element, std::size_t race, std::size_t side);

@@ -47,6 +47,13 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
         for (const auto& [race, name] :
              {std::pair<std::size_t, const char*>{0, "outer race"}, {1, "inner race"}}) {
           add(page, "Load", name, contact_load(animation, k, race), exact);
+          const auto* second =
+              animation.motion ? animation.motion->channel("second_contact.load") : nullptr;
+          if (second != nullptr && second->width > 0 &&
+              std::any_of(second->values.begin(), second->values.end(),
+                          [](double load) { return load > 0.0; }))
+            add(page, "Load", fmt::format("{}, other half", name),
+                contact_load(animation, k, race, "second_contact.load"), exact);
         }
         break;
       }

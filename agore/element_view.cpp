@@ -45,6 +45,15 @@ void draw_contact_loads(const Scene& s, std::size_t k, QPointF centre, std::vect
                                          drawn ? "" : kTooSmall,
                                          desktop::even_quantity(contact.slip[j], all.slip_unit, 3))
                            : fmt::format("{}: no contact", names[j]))});
+    // With the other half of a split race: in the same plane through the axis, without an arrow.
+    const double second = s.animation.value("second_contact.load", s.index, 2 * k + j);
+    if (second > 0.0)
+      key.push_back({QColor(), QString::fromStdString(fmt::format(
+                                   "{}, other half: load {}, slip {}", names[j],
+                                   desktop::even_quantity(second, all.load_unit, 4),
+                                   desktop::even_quantity(
+                                       s.animation.value("second_contact.slip", s.index, 2 * k + j),
+                                       all.slip_unit, 3)))});
   }
 }
 

@@ -388,10 +388,11 @@ History race_position(const Animation& animation, std::size_t race, std::size_t 
   });
 }
 
-History contact_load(const Animation& animation, std::size_t element, std::size_t race) {
-  if (!animation.motion || !animation.motion->has("contact.load"))
+History contact_load(const Animation& animation, std::size_t element, std::size_t race,
+                     const std::string& channel) {
+  if (!animation.motion || !animation.motion->has(channel))
     return {{}, {}, "", "Contact loads need RESULTS.h5 in the same folder."};
-  return with_rest(animation, of_motion(animation, "contact.load", 2 * element + race), {});
+  return with_rest(animation, of_motion(animation, channel, 2 * element + race), {});
 }
 
 History flange_history(const Animation& animation, const std::string& what, std::size_t element,

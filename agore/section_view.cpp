@@ -170,6 +170,33 @@ void draw_flange_forces(const Scene& s, const Cut& cut, std::size_t k, std::vect
     }
 }
 
+/// The line of a contact from the center of the element, and its load on the element.
+void draw_contact(const Scene& s, const Cut& cut, std::size_t k, std::size_t race, double load,
+                  const char* angle_channel, const std::string& name, std::vector<KeyEntry>& key) {
+  const auto& t = s.sketch.theme();
+  const auto& e = s.frame.elements.at(k);
+  const double radius = s.geometry().element_radius;
+  const double angle = s.animation.value(angle_channel, s.index, 2 * k + race);
+  const double way = race == 0 ? 1.0 : -1.0;
+  const QPointF u(way * std::sin(angle), way * std::cos(angle));
+  const double part = load / s.animation.contacts->largest_load;
+  const QPointF tip(e.x + u.x() * radius, e.r + u.y() * radius);
+  const QPointF tail = tip + 0.75 * part * radius * u;
+  const std::vector<WayPoint> line{{cut.at(e.x, e.r), false, false},
+                                   {cut.at(tip.x(), tip.y()), true, false}};
+  // Dashes on gray steel are not visible next to a dark edge of the usual width.
+  const double edge = t.kind == desktop::ThemeKind::Dark ? 0.5 * kCasing : kCasing;
+  draw_way(s.sketch.painter(), s.sketch.area(), line, {t.curves[race], 2.4, t.surface, true, edge});
+  const bool drawn =
+      load_arrow(s, cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()), t.curves[race], 3.2);
+  key.push_back({t.curves[race],
+                 QString::fromStdString(fmt::format(
+                     "{}: {} at {}°{}", name,
+                     desktop::even_quantity(load, s.animation.contacts->load_unit, 4),
+                     desktop::tick_text(angle * 180.0 / kPi, 2), drawn ? "" : kTooSmall)),
+                 drawn ? KeyMark::Contact : KeyMark::Dashed});
+}
+
 }  // namespace
 
 double section_picture_radius(const Animation& animation) {
@@ -204,29 +231,15 @@ void section_view(const Scene& s) {
     key.push_back({{}, QString::fromStdString("no race loads: " + s.animation.no_loads(s.index))});
   for (std::size_t j = 0; j < 2 && contacts != nullptr; ++j) {
     const auto& contact = contacts->at(k);
-    const double angle = s.animation.value("contact.angle", s.index, 2 * k + j);
     if (!(contact.load[j] > 0.0)) {
       key.push_back({{}, QString("%1: no contact").arg(names[j])});
       continue;
     }
-    const double way = j == 0 ? 1.0 : -1.0;
-    const QPointF u(way * std::sin(angle), way * std::cos(angle));
-    const double part = contact.load[j] / s.animation.contacts->largest_load;
-    const QPointF tip(e.x + u.x() * g.element_radius, e.r + u.y() * g.element_radius);
-    const QPointF tail = tip + 0.75 * part * g.element_radius * u;
-    const std::vector<WayPoint> line{{cut.at(e.x, e.r), false, false},
-                                     {cut.at(tip.x(), tip.y()), true, false}};
-    // Dashes on gray steel are not visible next to a dark edge of the usual width.
-    const double edge = t.kind == desktop::ThemeKind::Dark ? 0.5 * kCasing : kCasing;
-    draw_way(s.sketch.painter(), s.sketch.area(), line, {t.curves[j], 2.4, t.surface, true, edge});
-    const bool drawn =
-        load_arrow(s, cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()), t.curves[j], 3.2);
-    key.push_back({t.curves[j],
-                   QString::fromStdString(fmt::format(
-                       "{}: {} at {}°{}", names[j],
-                       desktop::even_quantity(contact.load[j], s.animation.contacts->load_unit, 4),
-                       desktop::tick_text(angle * 180.0 / kPi, 2), drawn ? "" : kTooSmall)),
-                   drawn ? KeyMark::Contact : KeyMark::Dashed});
+    const std::string name = names[j];
+    draw_contact(s, cut, k, j, contact.load[j], "contact.angle", name, key);
+    const double second = s.animation.value("second_contact.load", s.index, 2 * k + j);
+    if (second > 0.0)
+      draw_contact(s, cut, k, j, second, "second_contact.angle", name + ", other half", key);
   }
   draw_flange_forces(s, cut, k, key);
   if (s.animation.has_cage) draw_lands(s, cut, k, key);

@@ -179,10 +179,15 @@ std::array<DrawnLines, 2> draw_loads(const Scene& s, const SolidLayer& layer, co
   std::vector<Stub> stubs;
   std::vector<LoadArrow> arrows;
   for (std::size_t k = 0; k < contacts->size(); ++k)
-    for (std::size_t j = 0; j < 2; ++j) {
-      const double part = (*contacts)[k].load[j] / s.animation.contacts->largest_load;
-      const double angle = s.animation.value("contact.angle", s.index, 2 * k + j);
-      if (!(part >= kLeastLoad) || !std::isfinite(angle)) continue;
+    for (const std::size_t c : {0U, 1U, 2U, 3U}) {  // both races, then other halves of split ones
+      const std::size_t j = c % 2;
+      const double load = c < 2 ? (*contacts)[k].load[j]
+                                : s.animation.value("second_contact.load", s.index, 2 * k + j);
+      const double part = load / s.animation.contacts->largest_load;
+      if (!(part >= kLeastLoad)) continue;
+      const double angle =
+          s.animation.value(c < 2 ? "contact.angle" : "second_contact.angle", s.index, 2 * k + j);
+      if (!std::isfinite(angle)) continue;
       const double way = j == 0 ? 1.0 : -1.0;
       const Vec3 u = way * (Vec3(std::sin(angle), 0.0, 0.0) +
                             std::cos(angle) * outwards(s.frame.elements.at(k).theta));

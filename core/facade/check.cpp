@@ -3,6 +3,7 @@
 #include "deck/unit_text.hpp"
 #include "facade/prepare.hpp"
 #include "facade/rehearsal.hpp"
+#include "facade/unused_request.hpp"
 #include "life/parameters.hpp"
 #include "setup/build_bearing.hpp"
 #include "setup/build_life.hpp"
@@ -42,24 +43,6 @@ void check_rest(const deck::Deck& deck, const bearing::Bearing& operating) {
     (void)statics::make_ball_model(operating, {});
 }
 
-/// A motion without steps would show one point in every chart: warn.
-std::optional<Issue> nothing_moves(const deck::Deck& deck) {
-  const std::string why = why_no_step(deck);
-  if (why.empty()) return std::nullopt;
-  const bool steps = why.rfind("maxStps", 0) == 0;
-  Issue out;
-  out.severity = Severity::Note;
-  out.file = deck.file;
-  out.record = steps ? "1" : "2.1";
-  out.variable = steps ? "maxStps" : "fTime";
-  out.value = "0";
-  out.message = "the run makes no steps, so nothing moves";
-  out.remedy = std::string(steps ? "give the number of steps, such as 2000, or an end with --until"
-                                 : "give the end time, such as 1000, or an end with --until") +
-               ". To see the steps, set kPltFreq = 1 and kAGraf = 1";
-  return out;
-}
-
 }  // namespace
 
 namespace {
@@ -77,12 +60,6 @@ std::vector<std::string> effects_to_leave_out(const deck::Deck& deck,
 }
 
 }  // namespace
-
-std::string why_no_step(const deck::Deck& deck) {
-  if (deck.integer("mode") < 0) return {};
-  if (deck.integer("maxStps") == 0) return "maxStps is 0";
-  return deck.real("fTime") == 0.0 ? "fTime is 0" : "";
-}
 
 std::vector<Issue> check_model(const deck::Deck& deck) { return examine_model(deck).issues; }
 

@@ -17,10 +17,6 @@ namespace adore::facade {
 /// @throws SolverError when the operating state of the bearing cannot be found.
 [[nodiscard]] std::vector<Issue> check_model(const deck::Deck& deck);
 
-/// Why a deck that asks for a motion makes no step of it: "maxStps is 0" or "fTime is 0"; empty
-/// when it does, or when it asks for none.
-[[nodiscard]] std::string why_no_step(const deck::Deck& deck);
-
 /// `adore check`: all checks of a deck and its run options.
 struct CheckReport {
   std::string file;               ///< name of the deck in messages

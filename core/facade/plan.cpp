@@ -5,6 +5,7 @@
 #include "facade/disk_use.hpp"
 #include "facade/plan_json.hpp"
 #include "facade/prepare.hpp"
+#include "facade/rehearsal.hpp"
 #include "facade/run_cost.hpp"
 #include "facade/run_span.hpp"
 
@@ -50,8 +51,10 @@ PlanReport plan_of_run(const RunRequest& request, double pilot, double start,
   out.text = plan_text(prepared, scene) + disk_use_text(disk);
   out.json = plan_json(scene, stability_text(prepared));
   out.json["disk"] = disk_use_json(disk);
-  out.remarks = prepared.input.warnings;
-  for (Finding& note : solution_notes(prepared)) out.remarks.push_back(std::move(note));
+  RunRequest beginning = request;
+  beginning.go_on = false;
+  beginning.overwrite = true;
+  out.remarks = findings_before_first_step(beginning, prepared);
   out.json["findings"] = findings_json(out.remarks);
   if (!(pilot > 0.0)) return out;
   if (cost.seconds > 0.0) cost.seconds += start;

@@ -30,6 +30,7 @@
 #include "statics/ball_friction.hpp"
 #include "statics/deck_fault.hpp"
 #include "statics/film_doubts.hpp"
+#include "statics/start_radii.hpp"
 #include "thermal/operating.hpp"
 #include "tribology/bearing_drag.hpp"
 #include "tribology/fluid.hpp"
@@ -340,6 +341,18 @@ void say_damping(Prepared& out) {
                                         given->second, out.input.deck.integer("mode"))));
 }
 
+/// The bearing for the statics of rollers: with the radii of rollers that are not round.
+bearing::Bearing at_start(Prepared& out) {
+  if (!out.user || !out.user->has_out_of_round()) return out.bearing;
+  if (auto changed = statics::with_start_radii(out.bearing, out.user->out_of_round()))
+    return *changed;
+  add_remark(out,
+             make_finding("user.idle",
+                          "ADRX5: the equilibrium uses the mean radius of each roller, because "
+                          "a race has land offsets or a surface over both coordinates"));
+  return out.bearing;
+}
+
 /// @throws Interrupted when the preparation is to end.
 void ask_to_go_on(const LoadedDeck& input) {
   if (input.stop.stop_requested())
@@ -444,7 +457,7 @@ Prepared prepare_model(LoadedDeck input) {
   ask_to_go_on(out.input);
   if (out.bearing.rollers()) {
     out.solve_seconds = timed(
-        [&] { out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers); });
+        [&] { out.rollers = statics::solve_roller_statics(at_start(out), out.options.rollers); });
     if (out.bearing.lubrication)
       out.rollers->films = statics::contact_films(out.bearing, *out.rollers);
     doubt_fluids(out);
@@ -473,11 +486,10 @@ Prepared prepare_model(LoadedDeck input) {
     find_left_ranges(out);
     return out;
   }
-  out.solve_seconds =
-      timed([&] { out.statics = statics::solve_ball_statics(out.bearing, ball_options(out)); });
+  const statics::Forms forms = out.user ? out.user->out_of_round() : statics::Forms();
   statics::FrictionBalance balance;
-  out.solve_seconds +=
-      timed([&] { balance = statics::balance_balls(out.bearing, ball_options(out), out.statics); });
+  out.solve_seconds = timed(
+      [&] { out.statics = statics::solve_balls(out.bearing, ball_options(out), forms, balance); });
   if (const std::string note = balance.note(); !note.empty())
     add_remark(out, make_finding("statics.friction_balance", note));
   if (out.bearing.lubrication) out.statics.films = statics::contact_films(out.bearing, out.statics);
@@ -512,8 +524,8 @@ Prepared prepare_model(LoadedDeck input) {
         out.options.system.moving_angle ? statics::Curvature::Potential : statics::Curvature::Fixed;
     as_in_motion.fixed_angle = out.fixed_angle;
     ask_to_go_on(out.input);
-    out.start = statics::solve_ball_statics(out.bearing, as_in_motion);
-    (void)statics::balance_balls(out.bearing, as_in_motion, out.start);
+    statics::FrictionBalance of_motion;
+    out.start = statics::solve_balls(out.bearing, as_in_motion, forms, of_motion);
     if (out.bearing.lubrication) out.start.films = statics::contact_films(out.bearing, out.start);
   }
   out.life = life::ball_bearing_life(out.bearing, life_inputs,

@@ -2,9 +2,13 @@
 
 #include "base/interrupted.hpp"
 #include "deck/unit_text.hpp"
+#include "facade/law_ranges.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/ready_run.hpp"
+#include "facade/unused_request.hpp"
+#include "facade/user_session.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <utility>
@@ -16,18 +20,25 @@ namespace {
 /// If no file is in the way.
 constexpr const char* kNowhere = "/nonexistent";
 
-/// @param folder of the run's files; empty: none is looked at
-std::vector<Finding> begin_run(LoadedDeck input, const fs::path& folder) {
-  RunRequest request;
-  request.overwrite = true;  // whoever starts the run is asked
-  if (!folder.empty()) check_writable(folder);
-  Prepared prepared = prepare(std::move(input));
-  if (prepared.control.dynamic) {
-    if (folder.empty()) prepared.control.start = setup::StartState::Statics;
-    const ReadyRun ready(request, prepared, RunPlace(folder.empty() ? fs::path(kNowhere) : folder));
-  }
-  for (Finding& note : solution_notes(prepared)) prepared.input.warnings.push_back(std::move(note));
-  return std::move(prepared.input.warnings);
+bool has_code(const std::vector<Finding>& findings, const std::string& code) {
+  return std::any_of(findings.begin(), findings.end(),
+                     [&](const Finding& one) { return one.code == code; });
+}
+
+/// Of a motion: of its start state, and laws that it takes outside their range of validity.
+std::vector<Finding> findings_of_start(const RunRequest& request, Prepared& prepared,
+                                       const fs::path& folder) {
+  if (folder.empty()) prepared.control.start = setup::StartState::Statics;
+  ReadyRun ready(request, prepared, RunPlace(folder.empty() ? fs::path(kNowhere) : folder));
+  std::vector<Finding> out = ready.outputs->remarks();
+  LawRanges ranges(prepared.bearing);
+  ranges.look(ready.system->snapshot(ready.start.time, ready.start.y));
+  for (const validity::Finding& one :
+       without(ranges.findings(), {"hertz.shoulder", "hertz.yield", "cage.yield"}))
+    out.push_back(finding_of_range(one));
+  if (const std::string text = ranges.given_coefficient(); !text.empty())
+    out.push_back(make_finding("friction.coefficient", text));
+  return out;
 }
 
 std::vector<Issue> sentence(const std::string& message) {
@@ -41,7 +52,11 @@ Rehearsal rehearse_in(LoadedDeck input, const fs::path& folder) {
   const deck::UnitSystem units = input.deck.units();
   Rehearsal out;
   try {
-    out.remarks = begin_run(std::move(input), folder);
+    RunRequest request;
+    request.overwrite = true;  // whoever starts the run is asked
+    if (!folder.empty()) check_writable(folder);
+    Prepared prepared = prepare(std::move(input));
+    out.remarks = findings_before_first_step(request, prepared, folder);
   } catch (const Interrupted&) {
     throw;
   } catch (const InputError& error) {
@@ -61,6 +76,22 @@ Rehearsal rehearse_in(LoadedDeck input, const fs::path& folder) {
 }
 
 }  // namespace
+
+std::vector<Finding> findings_before_first_step(const RunRequest& request, Prepared& prepared,
+                                                const fs::path& folder) {
+  for (Issue& note : unused_request(request, prepared)) add_remark(prepared, std::move(note));
+  std::vector<Finding> of_start;
+  try {
+    if (prepared.control.dynamic) of_start = findings_of_start(request, prepared, folder);
+  } catch (const SolverError& error) {
+    throw_start_failure(prepared, error);
+  }
+  std::vector<Finding> out = prepared.input.warnings;
+  for (Finding& note : solution_notes(prepared)) out.push_back(std::move(note));
+  for (Finding& one : of_start)  // once where the statics have it, too
+    if (one.code.starts_with("run.") || !has_code(out, one.code)) out.push_back(std::move(one));
+  return out;
+}
 
 Rehearsal rehearse(LoadedDeck input) { return rehearse_in(std::move(input), {}); }
 

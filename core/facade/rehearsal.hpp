@@ -1,6 +1,7 @@
 #pragma once
 
-#include "facade/deck_request.hpp"
+#include "facade/prepare.hpp"
+#include "facade/run.hpp"
 
 #include <vector>
 
@@ -11,6 +12,13 @@ struct Rehearsal {
   std::vector<Issue> refusals;   ///< errors; empty: the run begins
   std::vector<Finding> remarks;  ///< warnings and notes, those of the reader among them
 };
+
+/// All findings that a run reports before its first step: of deck, statics and scene, then those of
+/// its request, method and start state. Writes nothing.
+/// @param folder of the run's files; empty: no file is looked at
+/// @throws InputError, SolverError as the run
+[[nodiscard]] std::vector<Finding> findings_before_first_step(
+    const RunRequest& request, Prepared& prepared, const std::filesystem::path& folder = {});
 
 /// The checks of the model, the equilibrium, the method and its steps, the start state. Folders,
 /// and files of earlier runs in them, are not looked at. Writes nothing. Takes as long as a run

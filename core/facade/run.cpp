@@ -89,9 +89,7 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const Writ
     throw InputError(
         fmt::format("{}; {}", error.what(), way_on(folder.path() / prepared.control.master_file)));
   } catch (const SolverError& error) {  // before the first step
-    if (!prepared.user) throw;
-    const std::string& failure = prepared.user->failure();
-    throw SolverError(failure.empty() ? user_message(*prepared.user, error.what()) : failure);
+    throw_start_failure(prepared, error);
   }
 }
 

@@ -109,18 +109,19 @@ std::pair<long, double> RunFiles::stored_end(std::uintmax_t print_bytes) const {
 
 bool RunFiles::writes_sol9() const { return prepared_.user && prepared_.user->active(9); }
 
-bool RunFiles::writes_animation() const {
-  return control_.animate &&
-         !results::sol8_refusal(prepared_.bearing.element_count(), cages(prepared_));
-}
+bool RunFiles::writes_animation() const { return control_.animate && !no_animation(); }
 
 void RunFiles::open_listing() {
   written.push_back(path("PRINT.txt"));
   print = listing::PrintFile::create(place("PRINT.txt"), prepared_.bearing.run_id, units_);
 }
 
-std::optional<std::string> RunFiles::open(bool continued, std::uintmax_t print_bytes,
-                                          std::uintmax_t sol9_bytes) {
+std::optional<std::string> RunFiles::no_animation() const {
+  if (!control_.animate) return {};
+  return results::sol8_refusal(prepared_.bearing.element_count(), cages(prepared_));
+}
+
+void RunFiles::open(bool continued, std::uintmax_t print_bytes, std::uintmax_t sol9_bytes) {
   written.push_back(path("PRINT.txt"));
   print = continued
               ? listing::PrintFile::continue_after(place("PRINT.txt"), prepared_.bearing.run_id,
@@ -166,15 +167,12 @@ std::optional<std::string> RunFiles::open(bool continued, std::uintmax_t print_b
                                program_version(prepared_.user.get()).substr(kProgramVersion.size()),
                                prepared_.user->source(), text));
   }
-  if (!control_.animate) return {};
-  if (auto refusal = results::sol8_refusal(prepared_.bearing.element_count(), cages(prepared_)))
-    return refusal;
+  if (!writes_animation()) return;
   written.push_back(sol_path(8));
   animation_ = continued ? results::Sol8Writer::continue_after(sol_place(8), prepared_.bearing,
                                                                units_, steps.animated)
                          : results::Sol8Writer::create(sol_place(8), prepared_.bearing, units_);
   animation_->collect();
-  return {};
 }
 
 RunFiles::Wanted RunFiles::book(long step, bool always) {

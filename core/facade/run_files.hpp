@@ -48,11 +48,11 @@ class RunFiles {
   [[nodiscard]] std::pair<long, double> stored_end(std::uintmax_t print_bytes) const;
   /// The listing alone: of a quasi-static deck.
   void open_listing();
-  /// All of them; continued ones behind `steps` and the listing's `print_bytes`. @return why there
-  /// is no animation although the deck asks for one
+  /// Why there is no animation although the deck asks for one; empty: there is, or none is asked.
+  [[nodiscard]] std::optional<std::string> no_animation() const;
+  /// All of them; continued ones behind `steps` and the listing's `print_bytes`.
   /// @param sol9_bytes likewise
-  std::optional<std::string> open(bool continued, std::uintmax_t print_bytes,
-                                  std::uintmax_t sol9_bytes);
+  void open(bool continued, std::uintmax_t print_bytes, std::uintmax_t sol9_bytes);
 
   /// The files that store a step.
   struct Wanted {

@@ -369,6 +369,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
   StartPoint out;
   std::optional<results::MasterState> kept;
   out.y = system.initial_state();
+  if (const auto why = s.files.no_animation()) s.remark(make_finding("run.no_animation", *why));
   std::error_code error;
   const bool master_exists = fs::exists(s.path(s.control.master_file), error);
   const bool final_exists = fs::exists(s.path(s.control.final_file), error);
@@ -531,8 +532,7 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
     remove_leftovers(s.files.outputs(), s.files.folder());
   else
     s.make_room();
-  if (const auto no_animation = s.files.open(start.continued, s.print_bytes, s.sol9_bytes))
-    s.remark(make_finding("run.no_animation", *no_animation));
+  s.files.open(start.continued, s.print_bytes, s.sol9_bytes);
   if (!start.continued) s.print_front(system.scales());
   for (const dynamics::StateLayout::Group& group : system.layout().groups())
     if (group.name.starts_with("cage") && group.name.ends_with(".position"))

@@ -58,6 +58,32 @@ std::vector<Issue> unused_request(const RunRequest& request, const Prepared& pre
     out.push_back(note(prepared, motion, "mode = -1 gives the quasi-static solution only"));
   if (!balls.empty()) out.push_back(note(prepared, balls, "the bearing has rollers"));
   if (!rollers.empty()) out.push_back(note(prepared, rollers, "the bearing has balls"));
+  if (request.until.empty())
+    if (std::optional<Issue> issue = nothing_moves(prepared.input.deck))
+      out.push_back(std::move(*issue));
+  return out;
+}
+
+std::string why_no_step(const deck::Deck& deck) {
+  if (deck.integer("mode") < 0) return {};
+  if (deck.integer("maxStps") == 0) return "maxStps is 0";
+  return deck.real("fTime") == 0.0 ? "fTime is 0" : "";
+}
+
+std::optional<Issue> nothing_moves(const deck::Deck& deck) {
+  const std::string why = why_no_step(deck);
+  if (why.empty()) return std::nullopt;
+  const bool steps = why.rfind("maxStps", 0) == 0;
+  Issue out;
+  out.severity = Severity::Note;
+  out.file = deck.file;
+  out.record = steps ? "1" : "2.1";
+  out.variable = steps ? "maxStps" : "fTime";
+  out.value = "0";
+  out.message = "no step is made, so that nothing moves; `--until` can set the length";
+  out.remedy = std::string(steps ? "give the number of steps, such as 2000"
+                                 : "give the end time, such as 1000") +
+               ", and kPltFreq = 1 and kAGraf = 1 to see the steps";
   return out;
 }
 

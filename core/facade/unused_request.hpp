@@ -7,9 +7,15 @@
 
 namespace adore::facade {
 
-/// Requests beyond the deck without effect on this run: steps and tolerances of a
-/// quasi-static deck, roller slices of a ball bearing. One note; none when all have an effect.
+/// Requests without effect on this run: steps and tolerances of a quasi-static deck, roller slices
+/// of a ball bearing, a motion without steps.
 [[nodiscard]] std::vector<Issue> unused_request(const RunRequest& request,
                                                 const Prepared& prepared);
+
+/// Why a deck that asks for a motion makes no step of it: "maxStps is 0" or "fTime is 0"; empty
+/// when it does, or when it asks for none.
+[[nodiscard]] std::string why_no_step(const deck::Deck& deck);
+/// The note about that: every chart would show one point.
+[[nodiscard]] std::optional<Issue> nothing_moves(const deck::Deck& deck);
 
 }  // namespace adore::facade

@@ -210,4 +210,10 @@ std::string user_message(const user::Session& session, const std::string& messag
   return message;
 }
 
+void throw_start_failure(const Prepared& prepared, const SolverError& error) {
+  if (!prepared.user) throw error;
+  const std::string& failure = prepared.user->failure();
+  throw SolverError(failure.empty() ? user_message(*prepared.user, error.what()) : failure);
+}
+
 }  // namespace adore::facade

@@ -32,5 +32,7 @@ void start_session(Prepared& prepared, setup::UserHooks& hooks);
 [[nodiscard]] std::string program_version(const user::Session* session);
 /// The message of a run that failed, with what routines said.
 [[nodiscard]] std::string user_message(const user::Session& session, const std::string& message);
+/// Throws the error of a run before its first step again, as the failure of the routine behind it.
+[[noreturn]] void throw_start_failure(const Prepared& prepared, const SolverError& error);
 
 }  // namespace adore::facade

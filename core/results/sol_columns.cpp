@@ -38,6 +38,16 @@ constexpr std::string_view kElementExtension[] = {"contact.load_slip", "contact.
 /// Appended behind those, so that the heat of an element is complete: 34-38 for balls, 46-54 for
 /// rollers, whose last four are of the flanges.
 constexpr std::string_view kElementHeat[] = {"contact.rolling_heat", "contact.damping_heat"};
+/// Appended for balls of a bearing with a split race (39-56): the quantities of 16-33 at the
+/// contacts with the other halves, in the same order.
+constexpr std::string_view kSecondContacts[] = {
+    "second_contact.load",         "second_contact.angle",
+    "second_contact.spin_to_roll", "second_contact.slip",
+    "second_contact.heat",         "second_contact.film",
+    "second_contact.load_slip",    "second_contact.temperature_rise",
+    "second_contact.temperature"};
+constexpr int kBallValues = 38, kRollerValues = 54;
+constexpr int kSplitBallValues = kBallValues + 2 * static_cast<int>(std::size(kSecondContacts));
 constexpr std::string_view kPocket[] = {"pocket.force", "pocket.gap", "pocket.theta", "pocket.phi"};
 constexpr std::string_view kPocketPlace[] = {"pocket.force", "pocket.gap", "pocket.position",
                                              "pocket.phi"};
@@ -173,6 +183,8 @@ void add_element_columns(Columns& columns, const SolHeader& header) {
   if (header.bearing_type != kBall)
     for (std::size_t race = 0; race < 2; ++race)
       add_flange_pair(columns, "flange.damping_heat", element, race);
+  else if (header.value_count == kSplitBallValues)
+    for (std::string_view id : kSecondContacts) columns.add_pair(id, 2 * element);
 }
 
 void add_cage_columns(Columns& columns, const SolHeader& header) {
@@ -244,7 +256,7 @@ std::vector<SolColumn> sol_columns(const SolHeader& header) {
 int sol_value_count(SolKind kind, const Shape& shape) {
   switch (kind) {
     case SolKind::Element:
-      return shape.rollers ? 54 : 38;
+      return shape.rollers ? kRollerValues : shape.split ? kSplitBallValues : kBallValues;
     case SolKind::Cage:
       return 24 + 4 * shape.pocket_surfaces *
                       (shape.elements / std::max(shape.cages, 1) + (shape.last_halves > 0 ? 1 : 0));

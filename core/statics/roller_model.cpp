@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace adore::statics {
 namespace {
@@ -123,11 +124,15 @@ RollerBody body_of(const RollerModel& m, bearing::Type type, const bearing::Impe
     if (table->across != m.slicing.count) {
       refuse("a race surface was given for a different number of slices");
     }
-    std::vector<double> radius;
+    std::vector<double> radius, rise(body.slices.size());
     for (const contact::RollerSlice& slice : body.slices) {
       radius.push_back(slice.radius);
     }
-    contact::recede_slices(*table, m.azimuth[roller], radius.data(), nullptr);
+    contact::recede_slices(*table, m.azimuth[roller], radius.data(), rise.data());
+    if (j == bearing::kInner) {
+      body.inner_slope =
+          std::accumulate(rise.begin(), rise.end(), 0.0) / static_cast<double>(rise.size());
+    }
     body.on_race[j] = body.slices;
     for (std::size_t k = 0; k < radius.size(); ++k) {
       body.on_race[j][k].radius = radius[k];

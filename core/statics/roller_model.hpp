@@ -75,8 +75,9 @@ struct RollerModel {
 
 /// Imperfections: diameter, crown, length and land of each roller (RollerGeometry::deviation);
 /// races with the errors of their own azimuth under each roller (contact/race_errors.hpp), the
-/// inner one with its slope; of tables the slices are less what the race recedes there. Mass, spin
-/// and the places of flanges stay those of the ideal bearing.
+/// inner one with its slope; of tables the slices are less what the race recedes there, and the
+/// slope is the mean of all slices. Mass, spin and the places of flanges stay those of the ideal
+/// bearing.
 /// @throws InputError naming the value that makes no bearing.
 [[nodiscard]] RollerModel make_roller_model(const bearing::Bearing& bearing,
                                             const RollerOptions& options);

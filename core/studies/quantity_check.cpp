@@ -1,6 +1,6 @@
 #include "studies/quantity_check.hpp"
 
-#include "facade/check.hpp"
+#include "facade/unused_request.hpp"
 #include "results/key_results.hpp"
 #include "studies/cage_whirl.hpp"
 

@@ -55,20 +55,28 @@ HeatSources::HeatSources(const scene::Snapshot& snapshot, const Geometry& geomet
     r_.push_back(one.r);
     theta_.push_back(one.theta);
     const double s = std::sin(one.theta), c = std::cos(one.theta);
-    for (std::size_t j = 0; j < 2; ++j) {
-      const scene::RaceContactSnapshot& contact = one.race[j];
-      if (!(contact.load > 0.0)) continue;
+    const auto put = [&](const scene::RaceContactSnapshot& contact, std::size_t j, double rolling,
+                         double damping) {
+      if (!(contact.load > 0.0)) return;
       // One radius from the centre along the contact normal, which both angles measure from the
       // radial plane: positive when the inner race pushes towards +x.
       const double reach = j == 0 ? geometry.element_radius : -geometry.element_radius;
       const double x = one.x + reach * std::sin(contact.angle);
       const double r = one.r + reach * std::cos(contact.angle);
-      const std::array parts{contact.heat, contact.rolling_heat, contact.damping_heat};
+      const std::array parts{contact.heat, rolling, damping};
       add(ADORE_ELEMENT_RACE, static_cast<int>(i), static_cast<int>(j),
           std::accumulate(parts.begin(), parts.end(), 0.0),
           {x, -r * s, r * c, contact.half_major, contact.half_minor},
           j == 0 ? "outer race contact" : "inner race contact");
       for (std::size_t k = 0; k < parts.size(); ++k) of_races[k].sum[j] += parts[k];
+    };
+    for (std::size_t j = 0; j < 2; ++j) {
+      // Rolling and damping of the first contact include those of the second.
+      const scene::RaceContactSnapshot second =
+          one.second.empty() ? scene::RaceContactSnapshot() : one.second[j];
+      put(one.race[j], j, one.race[j].rolling_heat - second.rolling_heat,
+          one.race[j].damping_heat - second.damping_heat);
+      put(second, j, second.rolling_heat, second.damping_heat);
     }
   }
   double of_pockets = 0.0, of_lands = 0.0;

@@ -438,11 +438,19 @@ void Session::surface(const bearing::Bearing& bearing, bearing::UserSurface& pla
 
 void Session::keep_out_of_round(std::size_t k, std::shared_ptr<const bearing::GivenRace> form) {
   auto& all = impl_->out_of_round;
+  if (all.empty())
+    document(5,
+             "out-of-round elements: in equilibria and at the start of a motion the z axis of each "
+             "element points outward");
   if (all.size() <= k) all.resize(k + 1);
   all[k] = std::move(form);
 }
 
 bool Session::has_out_of_round() const noexcept { return !impl_->out_of_round.empty(); }
+
+std::span<const std::shared_ptr<const bearing::GivenRace>> Session::out_of_round() const noexcept {
+  return impl_->out_of_round;
+}
 
 void Session::document(int hook, const std::string& line) {
   impl_->documentation.push_back(fmt::format("{}: {}", hook_name(hook), line));

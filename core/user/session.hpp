@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,8 @@ class Session {
   /// ADRX5: roller k is out of round; the laws show it to the solver.
   void keep_out_of_round(std::size_t k, std::shared_ptr<const bearing::GivenRace> form);
   [[nodiscard]] bool has_out_of_round() const noexcept;
+  [[nodiscard]] std::span<const std::shared_ptr<const bearing::GivenRace>> out_of_round()
+      const noexcept;
   /// A line behind those of the routine's own documentation.
   void document(int hook, const std::string& line);
 

@@ -56,6 +56,7 @@ TEST_CASE("plot_pages: each kind of file has the manual's pages", "[unit]") {
   CHECK(count(SolKind::Element, [](auto& h) {
           h.bearing_type = 2, h.value_count = 45, h.outer_flange = h.inner_flange = true;
         }) == 10);
+  CHECK(count(SolKind::Element, [](auto& h) { h.value_count = 56; }) == 8 + 3 + 1);  // split races
   CHECK(count(SolKind::Race, as_is) == 9);
   CHECK(count(SolKind::Cage, as_is) == 9 + 12);  // N = 9 + n ceil(m/2)
   CHECK(count(SolKind::Cage,
@@ -69,6 +70,7 @@ TEST_CASE("plot_pages: every column of a file is on a page, and no page asks for
     for (const bool spherical : {false, true}) {
       auto header = test::synthetic_header(kind, {});
       header.pocket_type = spherical ? 1 : 0;
+      if (spherical && kind == SolKind::Element) header.value_count = 56;  // and a split race
       const auto pages = plot_pages(kind, header);
       const std::set<std::string> there = stored(header), shown = drawn(pages);
       for (const std::string& column : shown) {

@@ -1,10 +1,13 @@
 #include "agore/made_run.hpp"
 #include "agore/motion_picture.hpp"
+#include "agore/picture_words.hpp"
 #include "agore/render.hpp"
 #include "agore/short_run.hpp"
 #include "agore/view_scene.hpp"
 #include "base/errors.hpp"
 #include "desktop/axis_scale.hpp"
+#include "facade/run.hpp"
+#include "support/paths.hpp"
 #include "support/qt_app.hpp"
 #include "support/result_files.hpp"
 
@@ -94,6 +97,41 @@ TEST_CASE("views: RESULTS.h5 alone shows sections, colors and race loads", "[gui
   options = {};
   options.view = View::Flange;
   CHECK_THROWS_WITH(picture.image({900, 600}, 3, options), Catch::Contains("no flanges"));
+}
+
+TEST_CASE("views: ball on a split race → both contacts have key entries and curves", "[gui][h5]") {
+  test::use_qt();
+  const testing::TemporaryFolder folder;
+  facade::RunRequest request;
+  request.deck = test::source_dir() / "resources/decks/four-point-qj208.txt";
+  request.sets = {{"appLoadX", "0"}, {"appLoadZ", "2000"}};
+  request.out = folder / "run";
+  request.until = "0.02rev";
+  (void)facade::run(request);
+  const Animation a = open_motion(folder / "run/RESULTS.h5");
+  REQUIRE(a.contacts);
+  const std::size_t frame = a.frames() / 2;
+  int element = 0;  // with the largest load on the other half of the inner race
+  double most = 0.0;
+  for (std::size_t k = 0; k < a.contacts_at(frame)->size(); ++k)
+    if (const double load = a.value("second_contact.load", frame, 2 * k + 1); load > most) {
+      most = load;
+      element = static_cast<int>(k) + 1;
+    }
+  REQUIRE(most > 1.0);
+  MotionPicture picture(a);
+  ViewOptions options;
+  options.element = element;
+  for (const View view : {View::Section, View::Element}) {
+    options.view = view;
+    const QString words = test::all_words(picture.svg({1280, 900}, frame, options));
+    INFO(words.toStdString());
+    CHECK(words.contains("inner race, other half: "));
+  }
+  options.view = View::Section;
+  const desktop::ChartPage page = data_page(a, options);
+  CHECK(page.panels.front().curves.size() == 4);
+  CHECK(page.panels.front().curves[3].name == "inner race, other half");
 }
 
 TEST_CASE("views: cage without lands → loads instead of an empty chart", "[gui][h5]") {

@@ -370,6 +370,15 @@ def _(b):
     angle, second = math.radians(radial["inner contact angle [deg]"][0]), math.radians(radial["inner second contact angle [deg]"][0])
     q = [radial[n][0] for n in ("outer load [N]", "inner load [N]", "inner second load [N]")]
     rest_angle = math.asin(0.5 * shim / s)
+    moving = b.run("four-point-qj208", {"appLoadX": 0.0, "appLoadZ": 2000.0}, until="0.01rev")
+    c, sol = b.channels(moving), moving.sol("SOL1")
+    n = len(sol.steps) // 2
+    stored = [("load", 39, 1.0), ("angle", 41, 180 / math.pi), ("spin_to_roll", 43, 1.0), ("slip", 45, 1.0), ("heat", 47, 1.0), ("film", 49, 1.0),
+              ("load_slip", 51, 1.0), ("temperature_rise", 53, 1.0), ("temperature", 55, 1.0)]
+    files = [equal("values of a ball's record with a split race (27 and 29 appended)", sol.integers[0], 56),
+             more("second contact load, inner race [N]", sol.values[n][39], 1.0)] + [
+        close(f"SOL1 value {k + j}, {name} in RESULTS.h5", sol.values[n][k + j - 1], c[f"second_contact.{name}.1.{j + 1}"][n] * factor, 1e-5, 1e-9)
+        for name, k, factor in stored for j in (0, 1)]
     return r.command, [close("end play 2 A sin a0 - g [m]", r.fits["unmounted"]["free end play [m]"], play - shim, 1e-9),
                        close("end play without a shim [m]", play, 2 * a * math.sin(A0), 1e-6),
                        close("largest load under reversed thrust, that under thrust [N]", back.summary["largest_contact_load_N"],
@@ -380,7 +389,7 @@ def _(b):
                        close("ball 1 under radial load: loads of both inner halves [N]", q[2], q[1], 1e-3),
                        close("outer load, that of both inner halves [N]", q[0], 2 * q[1] * math.cos(angle), 5e-3),
                        close("angles of both halves, opposite [rad]", second, -angle, 1e-3),
-                       between("inner angle below the angle of rest without load [rad]", abs(angle), 0.8 * rest_angle, rest_angle)]
+                       between("inner angle below the angle of rest without load [rad]", abs(angle), 0.8 * rest_angle, rest_angle)] + files
 
 
 OIL = {"kTrac": 4, "reRaceFilm": 1e-9, "strParam": 10.0, "hsngTemp": 350.0, "shftTemp": 350.0, "raceTemp1": 350.0, "raceTemp2": 350.0, "reTemp": 350.0,

@@ -8,6 +8,7 @@
 #include "dynamics/roller_start.hpp"
 #include "scene/user_laws.hpp"
 #include "statics/roller_model.hpp"
+#include "statics/start_radii.hpp"
 #include "tribology/film_law.hpp"
 
 #include <algorithm>
@@ -151,9 +152,13 @@ contact::WavyRace lobe_race(const bearing::GivenRace& lobe, std::size_t j,
   const double sign =
       j == 0 ? -1.0 : 1.0;  // a larger roller is a smaller outer, a larger inner race
   auto as_race = std::make_shared<bearing::GivenRace>(lobe);
-  for (bearing::TurnSeries* series : {&as_race->radius, &as_race->taper}) {
-    for (double& one : series->pairs) one *= sign;
-    if (j == 0) series->least = -std::exchange(series->largest, -series->least);
+  const double growth = statics::race_growth(race);
+  for (const auto& [series, factor] :
+       {std::pair{&as_race->radius, sign * growth}, {&as_race->taper, sign}}) {
+    for (double& one : series->pairs) one *= factor;
+    series->least *= factor;
+    series->largest *= factor;
+    if (j == 0) std::swap(series->least, series->largest);
   }
   bearing::RaceErrors errors;
   errors.given = std::move(as_race);

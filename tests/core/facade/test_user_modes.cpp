@@ -237,6 +237,88 @@ TEST_CASE("ADRX9: heat of pockets, lands and flanges is at its place and adds up
   }
 }
 
+TEST_CASE("ADRX5: out-of-round elements: equilibrium and motion at t = 0 have equal loads",
+          "[user][physics]") {
+  const auto loads = [](const char* type, const std::string& radius, bool motion) {
+    auto request =
+        with_formulas("round-start", deck_of(type, {{"mode", motion ? "0" : "-1"}}, ""), "1e-6s",
+                      R"~({"adrx5": {"radius": "i == 0 ? )~" + radius + R"~( : 0"}})~");
+    request.options.emplace_back("contactDamping", "0");  // surfaces move past the contacts
+    const facade::Prepared ready = facade::prepare(request);
+    std::vector<double> out;
+    if (!motion) {
+      if (ready.rollers)
+        for (const auto& one : ready.rollers->rollers) out.push_back(one.race[1].load);
+      else
+        for (const auto& one : ready.statics.balls) out.push_back(one.Q[1]);
+      return out;
+    }
+    dynamics::System system = facade::make_system(ready);
+    const std::vector<double> y = system.initial_state();
+    system.set_start(0.0, y);
+    for (const auto& one : system.snapshot(0.0, y).elements) out.push_back(one.race[1].load);
+    return out;
+  };
+  struct Shape {
+    const char *type, *law, *as;  ///< the same load as round elements of this radius
+  };
+  // On balls lobes that vanish at the poles.
+  for (const Shape& one : {Shape{"cylindrical", "1e-6*cos(2*psi)", "1e-6"},
+                           {"cylindrical", "1e-6*cos(psi)", "0"},
+                           {"cylindrical", "1e-6*cos(2*psi+0.7)", ""},
+                           {"tapered", "1e-6*cos(2*psi)", "1e-6"},
+                           {"tapered", "1e-6*cos(4*psi+0.7)", ""},
+                           {"ball", "1e-6*(1-(x/0.00635)^2)*cos(2*psi)", ""},
+                           {"ball", "1e-6*(1-(x/0.00635)^2)*cos(psi)", "0"}}) {
+    CAPTURE(one.type, one.law);
+    const std::vector<double> still = loads(one.type, one.law, false),
+                              start = loads(one.type, one.law, true),
+                              round = loads(one.type, *one.as == '\0' ? "0" : one.as, false),
+                              ideal = loads(one.type, "0", false);
+    const double largest = *std::max_element(ideal.begin(), ideal.end());
+    const bool ball = std::string(one.type) == "ball";
+    double acts = 0.0;
+    for (std::size_t k = 0; k < ideal.size(); ++k) {
+      CHECK(start[k] == Approx(still[k]).margin((ball ? 3e-3 : 2e-4) * largest));
+      if (*one.as != '\0')
+        CHECK(still[k] == Approx(round[k]).margin((ball ? 0.01 : 1e-3) * largest));
+      acts = std::max(acts, std::abs(still[k] - ideal[k]));
+    }
+    if (std::string(one.as) != "0") CHECK(acts > 0.01 * largest);
+  }
+}
+
+TEST_CASE("ADRX6: table on the race of rollers: equilibrium and motion at t = 0 have equal loads",
+          "[user][physics]") {
+  // Off the load's direction the inner race is displaced along its surface: with 25 waves loads of
+  // light rollers change by up to 5 % there.
+  for (const char* across : {"1+0.001*abs(x)", "1+20*abs(x)"}) {
+    CAPTURE(across);
+    auto request =
+        with_formulas("table-start", deck_of("cylindrical", {{"kRaceGeoImp2", "3"}}, ""), "1e-6s",
+                      R"~({"adrx6": {"inner_race": {"radius": "4e-6*sin(25*psi)*()~" +
+                          std::string(across) + R"~()"}}})~");
+    request.options.emplace_back("contactDamping", "0");  // surfaces move past the contacts
+    facade::Prepared ready = facade::prepare(request);
+    REQUIRE(ready.rollers.has_value());
+    dynamics::System system = facade::make_system(ready);
+    const std::vector<double> y = system.initial_state();
+    system.set_start(0.0, y);
+    const scene::Snapshot s = system.snapshot(0.0, y);
+    double largest = 0.0;
+    int loaded = 0;
+    for (std::size_t i = 0; i < s.elements.size(); ++i) {
+      const double load = ready.rollers->rollers[i].race[1].load;
+      largest = std::max(largest, load);
+      if (!(load > 50.0)) continue;
+      ++loaded;
+      CHECK(s.elements[i].race[1].load == Approx(load).epsilon(1e-3));
+    }
+    CHECK(loaded >= 5);
+    CHECK(largest > 1500.0);
+  }
+}
+
 TEST_CASE("ADRX5: two lobes of a roller: loads follow its turn, energy is conserved",
           "[user][physics]") {
   // Race held: the load is that of a roller whose radius is 1e-6 m cos 2(turn - orbit) larger.

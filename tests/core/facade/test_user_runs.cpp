@@ -210,6 +210,47 @@ TEST_CASE("ADRX9: heat map adds up to the heat of the ledger", "[user][physics]"
   CHECK(first.substr(first.find('\n')) == second.substr(second.find('\n')));
 }
 
+TEST_CASE("ADRX9: both contacts of a ball on a split race are at their places and add up",
+          "[user][physics]") {
+  auto request = request_of(
+      "split-heat",
+      deck_of("four-point-qj208", {{"rpm2", "3000"}, {"appLoadX", "0"}, {"appLoadZ", "2000"}}, ""),
+      "");
+  request.until = "0.02rev";
+  auto watch = std::make_shared<user::PlugIn>();
+  watch->source = "the test";
+  double total = 0.0, heat = 0.0, at_races = 0.0, elsewhere = 0.0;
+  std::array<int, 2> of_ball{};
+  watch->hooks[9] = [&](adore_call& call) {
+    call.active = 1;
+    if (call.mode != ADORE_STEP) return 0;
+    const auto& a = reinterpret_cast<adore_adrx9&>(call);
+    total = a.total_heat;
+    heat = at_races = elsewhere = 0.0;
+    of_ball = {};
+    for (std::int64_t k = 0; k < a.sources; ++k) {
+      heat += a.source_heat[k];
+      const bool race = a.source_kind[k] == ADORE_ELEMENT_RACE;
+      if (race) at_races += a.source_heat[k];
+      if (!race && a.source_race[k] >= 0 && a.source_element[k] < 0) elsewhere += a.source_heat[k];
+      if (!race || a.source_element[k] != 0) continue;
+      const double side = a.source_place[3 * k] - a.x[0];
+      ++of_ball[side > 0.0 ? 1 : 0];
+      const double radius = std::hypot(a.source_place[3 * k + 1], a.source_place[3 * k + 2]);
+      CHECK(std::hypot(side, radius - a.r[0]) == Approx(0.5 * 0.0127).epsilon(1e-3));
+    }
+    return 0;
+  };
+  request.routines = watch;
+  REQUIRE(ran_with(request).outcome.status == facade::RunStatus::Done);
+  CHECK(heat == Approx(total).epsilon(1e-12));
+  CHECK(std::abs(elsewhere) < 1e-9 * total);  // nothing of a race is left without a place
+  CHECK(at_races > 0.5 * total);
+  CHECK(of_ball[0] >= 1);
+  CHECK(of_ball[1] >= 1);
+  CHECK(of_ball[0] + of_ball[1] >= 3);
+}
+
 TEST_CASE("user routines: deck without plug-in → rejected, with instructions", "[user][unit]") {
   for (const auto& [variable, code, routine] : {std::tuple{"kTrac", "-1", "ADRX7"},
                                                 {"kCPTrac", "-1", "ADRX7"},
