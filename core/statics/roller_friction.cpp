@@ -21,14 +21,14 @@ using bearing::Bearing;
 using Mat65 = Eigen::Matrix<double, 6, 5>;
 using Mat56 = Eigen::Matrix<double, 5, 6>;
 
-constexpr int kSteps = 80, kPasses = 8;
+constexpr int kSteps = 80, kCuts = 4, kPasses = 8;
 /// Residuals that the search for one roller may take in all.
 constexpr int kResiduals = 4000;
 /// Rates: where steps end, and what is taken where rounding ends them.
 constexpr double kBalanced = 1e-11, kAccepted = 1e-8;
 /// Differences and longest steps in units of u.
 const Vec6 kDifference = (Vec6() << 1e-8, 1e-8, 1e-7, 1e-7, 2e-8, 2e-8).finished();
-const Vec6 kLongestStep = (Vec6() << 1e-3, 1e-3, 3e-4, 1e-3, 1e-3, 1e-3).finished();
+const Vec6 kLongestStep = (Vec6() << 1e-2, 1e-2, 3e-3, 1e-2, 1e-2, 1e-2).finished();
 constexpr double kRaceDifference = 1e-8;  ///< of q, over the lever of the race [roller radii]
 constexpr double kLightest = 1e-3;        ///< load of a roller in balance over the largest one
 
@@ -94,8 +94,13 @@ bool find_balance(const FrictionSet& set, FrictionRoller& roller, const Races<do
     if (fresh) differentiate(set, roller, races, here, nullptr);
     const auto d = flow_step<6>(roller.J, here.rates, size / first, kLongestStep);
     if (!d) return false;
-    const Vec6 u = roller.u + d->cwiseProduct(set.forces.units());
-    const RollerMotionAction next = evaluate(set, roller, u, races);
+    Vec6 step = d->cwiseProduct(set.forces.units());
+    RollerMotionAction next = evaluate(set, roller, roller.u + step, races);
+    // Traction that saturates: shorter where the rates grow, and on in any case.
+    for (int cut = 0; cut < kCuts && fresh && !(next.rates.norm() < size); ++cut) {
+      step *= 0.5;
+      next = evaluate(set, roller, roller.u + step, races);
+    }
     const double next_size = next.rates.norm();
     if (size <= kRounding && !(next_size < size)) break;
     if (!fresh && !(next_size < kSlow * size)) {  // derivatives of an earlier place
@@ -103,7 +108,7 @@ bool find_balance(const FrictionSet& set, FrictionRoller& roller, const Races<do
       continue;
     }
     roller.known = next_size < kFast * size;
-    roller.u = u;
+    roller.u += step;
     here = next;
     size = next_size;
   }
@@ -137,7 +142,7 @@ bool update_race(const FrictionSet& set, const Vec5& q, FrictionRace& race,
       continue;
     }
     const Vec6 shift = roller.follow * change;
-    if ((shift.array().abs() <= 10.0 * kLongestStep.array() * set.forces.units().array()).all())
+    if ((shift.array().abs() <= kLongestStep.array() * set.forces.units().array()).all())
       roller.u += shift;
     RollerMotionAction at;
     if (!find_balance(set, roller, here, at)) {

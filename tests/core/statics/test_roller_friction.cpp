@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 /// Rollers of an equilibrium in balance of friction (statics/roller_friction.hpp).
 using namespace adore;
@@ -189,6 +190,19 @@ TEST_CASE("roller friction: loads tend to those without friction, in proportion 
   INFO("differences " << far << ", " << near);
   CHECK(far < 0.02);
   CHECK(far > 5.0 * near);
+}
+
+TEST_CASE("roller friction: too little to pass the displaced race → no skew there, with a note",
+          "[physics][rollers][friction]") {
+  const bearing::Bearing b = roller_bearings::tapered(3000.0);
+  const RollerSolution none = solved(b, false), weak = solved(with_friction(b, 1e-5, 1e-5));
+  REQUIRE_FALSE(weak.friction.left.empty());
+  CHECK(weak.friction.note().find("no stable friction equilibrium") != std::string::npos);
+  for (const std::size_t k : weak.friction.left) {
+    CHECK_FALSE(weak.rollers[k].balanced);
+    CHECK(weak.rollers[k].skew == 0.0);
+  }
+  CHECK(difference(none, weak) < 1e-4);
 }
 
 TEST_CASE("roller friction: skew follows the friction of the rib and the sense of rotation",
