@@ -5,8 +5,8 @@
 #include "dynamics/elements.hpp"
 #include "dynamics/race_load.hpp"
 #include "dynamics/state_access.hpp"
+#include "statics/friction_flow.hpp"
 
-#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,16 +20,13 @@ constexpr std::size_t kX = 0, kR = 1, kTilt = 2, kSkew = 3, kSpin = 4;
 using Vec = Eigen::Matrix<double, 5, 1>;
 using Mat = Eigen::Matrix<double, 5, 5>;
 
-constexpr double kLargestSkew = 0.01;  ///< [rad]
-constexpr double kStays = 1e-9;        ///< [rad]
+constexpr double kStays = 1e-9;  ///< [rad]
 constexpr int kMostSteps = 80;
 constexpr double kBalanced = 1e-7;   ///< of the first residual
 constexpr double kRounding = 1e-12;  ///< residuals that a balanced roller keeps are 1e-16 to 1e-13
 /// Differences and longest step of (x, r, φ, ψ, ω_s) in units of half the diameter, 1 and 1/T.
 const Vec kDifference = (Vec() << 1e-8, 1e-8, 1e-7, 1e-7, 1e-7).finished();
 const Vec kLongestStep = (Vec() << 1e-3, 1e-3, 3e-4, 3e-4, 1e-4).finished();
-/// Pseudo time of the first step, in T.
-constexpr double kFirstTime = 1e3;
 
 /// Places of the elements in the state: rollers, or balls without attitude, whose u is (x, r, ω).
 class Elements {
@@ -123,19 +120,7 @@ struct Roller {
 
 /// Does skew leave the balance if the others follow it at once?
 bool runs_away(const Roller& of) {
-  static constexpr std::array kOthers{kX, kR, kTilt, kSpin};
-  Eigen::Matrix4d among;
-  Eigen::Vector4d by_skew, on_skew;
-  for (int a = 0; a < 4; ++a) {
-    const auto row = static_cast<Eigen::Index>(kOthers[static_cast<std::size_t>(a)]);
-    by_skew[a] = of.J(row, kSkew);
-    on_skew[a] = of.J(kSkew, row);
-    for (int b = 0; b < 4; ++b)
-      among(a, b) = of.J(row, static_cast<Eigen::Index>(kOthers[static_cast<std::size_t>(b)]));
-  }
-  const double moved = std::abs(of.u[kSkew] - of.first[kSkew]);
-  return moved > kStays &&
-         of.J(kSkew, kSkew) - on_skew.dot(among.partialPivLu().solve(by_skew)) > 0;
+  return std::abs(of.u[kSkew]) > kStays && statics::slope_with_others<5>(of.J, kSkew) > 0.0;
 }
 
 class Balance {
@@ -208,13 +193,8 @@ bool Balance::measure(bool first) {
 /// One linearly implicit step of du/dτ = F.
 void Balance::step(Roller& of) const {
   if (of.done) return;
-  Mat M = of.J;
-  M.diagonal().array() -= of.size / of.size_at_first / kFirstTime;
-  Vec d = M.partialPivLu().solve(-of.F);
-  const double over = (d.array().abs() / kLongestStep.array()).maxCoeff();
-  if (!std::isfinite(over)) return;
-  if (over > 1.0) d /= over;
-  of.u += d.cwiseProduct(unit_);
+  if (const auto d = statics::flow_step<5>(of.J, of.F, of.size / of.size_at_first, kLongestStep))
+    of.u += d->cwiseProduct(unit_);
 }
 
 FrictionStart Balance::find() {
@@ -238,7 +218,7 @@ FrictionStart Balance::find() {
   for (std::size_t i = 0; i < all_.size(); ++i) {
     const Roller& of = all_[i];
     if (!known || !of.done) continue;
-    if (!balls_ && (std::abs(of.u[kSkew]) > kLargestSkew || runs_away(of))) continue;
+    if (!balls_ && (std::abs(of.u[kSkew]) > statics::kLargestSkew || runs_away(of))) continue;
     rollers_.write(y_, i, of.u);
     ++out.balanced;
     if (!balls_) out.largest_skew = std::max(out.largest_skew, std::abs(of.u[kSkew]));

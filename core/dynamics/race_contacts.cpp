@@ -21,25 +21,6 @@
 namespace adore::dynamics {
 namespace {
 
-constexpr const char* kRequestVariable = "ADORE_ISA";
-constexpr InstructionSet kAllSets[] = {InstructionSet::Avx512, InstructionSet::Avx2,
-                                       InstructionSet::Baseline};
-
-std::optional<InstructionSet> named_instruction_set(std::string_view name) noexcept {
-  for (InstructionSet set : kAllSets) {
-    if (name == instruction_set_name(set)) return set;
-  }
-  return std::nullopt;
-}
-
-InstructionSet choose_instruction_set() noexcept {
-  if (const char* request = std::getenv(kRequestVariable)) {
-    const auto set = named_instruction_set(request);
-    if (set && instruction_set_available(*set)) return *set;
-  }
-  return *std::find_if(std::begin(kAllSets), std::end(kAllSets), instruction_set_available);
-}
-
 RaceKernel kernel_of(InstructionSet set) noexcept {
 #if defined(__x86_64__)
   if (set == InstructionSet::Avx512 && instruction_set_available(set)) return race_kernel_avx512;
@@ -191,11 +172,6 @@ std::array<RaceSums, 2> evaluate_pair_with(RacePairKernel kernel,
 
 }  // namespace
 
-InstructionSet chosen_instruction_set() noexcept {
-  static const InstructionSet set = choose_instruction_set();
-  return set;
-}
-
 Vec3 RaceMotion::zero() const noexcept {
   return std::cos(turn) * z + std::sin(turn) * axis.cross(z);
 }
@@ -332,53 +308,8 @@ void largest_slips(InstructionSet set, const RaceContactModel& model, const Elem
   slip_kernel_of(set)(in);
 }
 
-bool instruction_set_available(InstructionSet set) noexcept {
-#if defined(__x86_64__)
-  if (set == InstructionSet::Avx512) {
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx2") &&
-           __builtin_cpu_supports("fma");
-  }
-  if (set == InstructionSet::Avx2)
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#endif
-  return set == InstructionSet::Baseline;
-}
-
-const char* instruction_set_name(InstructionSet set) noexcept {
-  switch (set) {
-    case InstructionSet::Avx512:
-      return "avx512";
-    case InstructionSet::Avx2:
-      return "avx2";
-    case InstructionSet::Baseline:
-      break;
-  }
-  return "baseline";
-}
-
 const char* race_contact_instruction_set() noexcept {
   return instruction_set_name(chosen_instruction_set());
-}
-
-void check_instruction_set_request() {
-  const char* request = std::getenv(kRequestVariable);
-  if (request == nullptr) return;
-  const auto set = named_instruction_set(request);
-  if (!set) {
-    throw InputError(
-        fmt::format("the environment variable {} = \"{}\" is not an instruction set; use "
-                    "baseline, avx2 or avx512, or unset it",
-                    kRequestVariable, request));
-  }
-  if (!instruction_set_available(*set)) {
-    throw InputError(
-        fmt::format("the environment variable {} requests {}, which this machine does not "
-                    "support; the best supported one is {}",
-                    kRequestVariable, request,
-                    instruction_set_name(*std::find_if(std::begin(kAllSets), std::end(kAllSets),
-                                                       instruction_set_available))));
-  }
 }
 
 }  // namespace adore::dynamics

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/instruction_set.hpp"
 #include "bearing/bearing.hpp"
 #include "contact/angle_law.hpp"
 #include "contact/damping_law.hpp"
@@ -131,7 +132,12 @@ std::array<RaceSums, 2> evaluate_both_races(const std::array<RaceContactModel, 2
                                             const std::array<RaceMotion, 2>& races,
                                             const std::array<ElementForces, 2>& out) noexcept;
 
-enum class InstructionSet : unsigned char { Baseline, Avx2, Avx512 };
+// base/instruction_set.hpp
+using adore::check_instruction_set_request;
+using adore::chosen_instruction_set;
+using adore::instruction_set_available;
+using adore::instruction_set_name;
+using adore::InstructionSet;
 
 /// Everything a report wants of one contact (angles, ellipse, spin-to-roll, largest slip ...); not
 /// for the hot path. Contact angle: outer atan2(n_x', n_r'), inner atan2(-n_x', -n_r') in the
@@ -191,12 +197,6 @@ struct RuleError {
 RuleError measure_rule_error(const RaceContactModel& model, const ElementViews& balls,
                              const RaceMotion& race);
 
-[[nodiscard]] bool instruction_set_available(InstructionSet set) noexcept;
-[[nodiscard]] const char* instruction_set_name(InstructionSet set) noexcept;
-
-/// What evaluate_race_contacts and the kernel of rollers use here.
-[[nodiscard]] InstructionSet chosen_instruction_set() noexcept;
-
 /// The same with a given instruction set, for tests and benchmarks. An unavailable one falls back
 /// to Baseline.
 RaceSums evaluate_race_contacts(InstructionSet set, const RaceContactModel& model,
@@ -223,10 +223,5 @@ RaceSums evaluate_race_rolling(InstructionSet set, const RaceContactModel& model
 
 /// Name of the instruction set that evaluate_race_contacts uses here: "avx512", "avx2", "baseline".
 const char* race_contact_instruction_set() noexcept;
-
-/// Call once at start-up: a wrong ADORE_ISA is the user's error, but the hot path cannot throw (it
-/// then uses the best set).
-/// @throws InputError when ADORE_ISA names no instruction set or one that this machine lacks.
-void check_instruction_set_request();
 
 }  // namespace adore::dynamics

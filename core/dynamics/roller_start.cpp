@@ -10,16 +10,20 @@ std::vector<ElementPose> start_poses(const RollerScene& scene, const bearing::Be
   const double offset = bearing.roller_mass_offset;
   for (const statics::StaticRoller& roller : solution.rollers) {
     ElementPose pose;
-    const double along = std::cos(roller.tilt), outward = std::sin(roller.tilt);
+    // On (e_x, e_r, e_θ): a positive skew moves the +x end against e_θ.
+    const double cosine = std::cos(roller.skew);
+    const Vec3 axis(std::cos(roller.tilt) * cosine, std::sin(roller.tilt) * cosine,
+                    0.0 - std::sin(roller.skew));  // no -0
     pose.azimuth = roller.azimuth;
-    pose.x = roller.x + offset * along;
-    pose.r = roller.r + offset * outward;
-    pose.theta_dot = solution.orbital_speed;
-    pose.omega = solution.spin_speed * Vec3(along, outward, 0.0);
-    pose.omega[0] += solution.orbital_speed;
+    pose.x = roller.x + offset * axis[0];
+    pose.r = roller.r + offset * axis[1];
+    pose.theta_dot = roller.balanced ? roller.orbital_speed : solution.orbital_speed;
+    pose.omega = (roller.balanced ? roller.spin_speed : solution.spin_speed) * axis;
+    pose.omega[0] += pose.theta_dot;
     // A positive tilt lifts the +x end: a rotation about -y.
-    pose.attitude = multiply(quaternion_about(Vec3::UnitX(), roller.azimuth),
-                             quaternion_about(Vec3::UnitY(), -roller.tilt));
+    pose.attitude = multiply(multiply(quaternion_about(Vec3::UnitX(), roller.azimuth),
+                                      quaternion_about(Vec3::UnitY(), -roller.tilt)),
+                             quaternion_about(Vec3::UnitZ(), roller.skew));
     out.push_back(pose);
   }
   return out;

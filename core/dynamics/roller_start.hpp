@@ -7,10 +7,9 @@
 
 #include <vector>
 
-/// Start of rollers: at the positions of the equilibrium without friction
-/// (statics/roller_statics.hpp), with the speeds of pure rolling at nominal geometry and without
-/// skew. Skew follows from friction with misalignment and tilt; it settles within the first
-/// revolutions of a run.
+/// Start of rollers: at the positions of the equilibrium (statics/roller_statics.hpp), with skew
+/// and speeds of its balance of friction; rollers without one without skew and with the speeds of
+/// pure rolling at nominal geometry. friction_start.hpp then balances all effects of the run.
 namespace adore::dynamics {
 
 /// A roller bearing's equilibrium, and the options that it was found with.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/race_kernel.hpp"
-#include "dynamics/roller_kernel.hpp"
+#include "statics/roller_kernel.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -42,7 +42,7 @@ class UserScratch {
   UserPoints view_{};
 };
 
-/// The memory of UserSlices.
+/// The memory of statics::UserSlices.
 class SliceScratch {
  public:
   /// @param slices the most that one roller has
@@ -56,12 +56,12 @@ class SliceScratch {
     vectors_.assign(rollers, 0);
     view_.vectors_of = vectors_.data();
   }
-  [[nodiscard]] const UserSlices* view() const noexcept { return &view_; }
+  [[nodiscard]] const statics::UserSlices* view() const noexcept { return &view_; }
 
  private:
   std::vector<std::vector<double>> memory_;
   std::vector<int> vectors_;
-  UserSlices view_{};
+  statics::UserSlices view_{};
 };
 
 }  // namespace adore::dynamics

@@ -89,7 +89,7 @@ bool leave_out_user_traction(Prepared& out) {
   const deck::Deck& deck = out.input.deck;
   const auto asks = [&](const char* code) { return deck.has(code) && deck.integer(code) == -1; };
   const bool races = asks("kTrac");
-  if (races) out.options.rollers.ball_balance = false;
+  if (races) out.options.rollers.ball_balance = out.options.rollers.friction_balance = false;
   if (deck.integer("mode") >= 0 || (!races && !asks("kRFTrac"))) return false;
   const char* const code = races ? "kTrac" : "kRFTrac";
   if (out.as_built.thermal)
@@ -436,6 +436,8 @@ Prepared prepare_model(LoadedDeck input) {
   out.plan = out.control.dynamic
                  ? setup::make_scene_plan(deck, out.bearing, out.control, out.options, user)
                  : static_plan(out);
+  if (out.control.dynamic && out.plan.suppressed.of_elements())
+    out.options.rollers.friction_balance = false;  // motions that are given, not balanced
   if (out.control.dynamic) say_damping(out);
   out.stiffness_seconds = timed([&] { out.stiffness = stiffness_over_speed(out); });
   // The first speed at which the table's geometry gives way.
@@ -458,6 +460,8 @@ Prepared prepare_model(LoadedDeck input) {
   if (out.bearing.rollers()) {
     out.solve_seconds = timed(
         [&] { out.rollers = statics::solve_roller_statics(at_start(out), out.options.rollers); });
+    if (const std::string note = out.rollers->friction.note(); !note.empty())
+      add_remark(out, make_finding("statics.friction_balance", note));
     if (out.bearing.lubrication)
       out.rollers->films = statics::contact_films(out.bearing, *out.rollers);
     doubt_fluids(out);

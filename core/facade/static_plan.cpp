@@ -3,6 +3,7 @@
 #include "base/counted.hpp"
 #include "setup/no_part.hpp"
 #include "statics/ball_friction.hpp"
+#include "statics/roller_friction.hpp"
 
 #include <fmt/format.h>
 
@@ -67,7 +68,12 @@ void contact_model(Entries& out, const Prepared& p) {
                                p.options.rollers.slices)
                  : fmt::format("{}: one elliptical Hertz contact per race (run option)",
                                given(deck, "kBrg")));
-  out.add("roller speeds", true, "pure rolling at nominal geometry, zero skew");
+  out.add(
+      "roller speeds", true,
+      statics::has_friction_balance(b, p.options.rollers)
+          ? "friction equilibrium with skew (rollerFriction); rollers without it: pure rolling at "
+            "nominal geometry, zero skew"
+          : "pure rolling at nominal geometry, zero skew");
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t side = 0; side < 2; ++side) {
       const std::string name = fmt::format("kFlngInd{}{}", side + 1, j + 1);
@@ -134,7 +140,9 @@ void results(Entries& out, const Prepared& p) {
               std::to_string(deck.integer("nCseg")) + ")");
   out.add(
       "friction torque", true,
-      p.bearing.rollers()
+      statics::has_friction_balance(p.bearing, p.options.rollers)
+          ? "rollers in friction equilibrium under the laws of motion; no cage"
+      : p.bearing.rollers()
           ? "estimated from speeds and loads of the equilibrium, which does not include friction"
       : statics::has_friction_balance(p.bearing, ball_options(p))
           ? "balls in friction equilibrium with the friction laws of motion; no cage"

@@ -7,6 +7,7 @@
 #include "listing/print_file.hpp"
 #include "listing/print_imperfections.hpp"
 #include "statics/ball_friction.hpp"
+#include "statics/roller_friction.hpp"
 #include "tribology/rounded_law.hpp"
 #include "tribology/traction_curve.hpp"
 
@@ -277,12 +278,19 @@ void operation(Report& report, const PrintFront& front) {
                                                                            : "given direction";
   // kAngVel is a rule for balls.
   statics::StaticsOptions statics;
-  for (const auto& [name, value] : front.options)
-    if (name == "ballFriction")
-      statics.friction_balance =
-          value == "balance" && !(front.deck.has("kTrac") && front.deck.integer("kTrac") == -1);
+  statics::RollerOptions rollers;
+  for (const auto& [name, value] : front.options) {
+    const bool asked =
+        value == "balance" && !(front.deck.has("kTrac") && front.deck.integer("kTrac") == -1);
+    if (name == "ballFriction") statics.friction_balance = asked;
+    if (name == "rollerFriction") rollers.friction_balance = asked;
+    if (name == "rollerContact" && value == "point")
+      rollers.contact = statics::RollerContact::Point;
+  }
   report.item("Assumption for the speeds of the rolling elements",
-              bearing.rollers() ? "pure rolling at nominal geometry"
+              statics::has_friction_balance(bearing, rollers)
+                  ? "friction equilibrium (fallback: pure rolling at nominal geometry)"
+              : bearing.rollers() ? "pure rolling at nominal geometry"
               : statics::has_friction_balance(bearing, statics)
                   ? fmt::format("friction equilibrium (fallback: {})", spin)
                   : spin);

@@ -72,7 +72,25 @@ void summary(Report& report, const statics::RollerSolution& s) {
     report.item("Force along the axis of each roller from guide ring or cage", s.guide_force,
                 unit::kForce);
   }
-  report.text("Roller skew is assumed to be zero. " + s.unloaded_rule);
+  std::string skew = "Roller skew is assumed to be zero. ";
+  if (s.friction.computed) {
+    double largest = 0.0, orbit = 0.0;
+    long balanced = 0;
+    for (const statics::StaticRoller& r : s.rollers)
+      if (r.balanced) {
+        largest = std::max(largest, std::abs(r.skew));
+        orbit += r.orbital_speed;
+        ++balanced;
+      }
+    report.item("Rollers in friction equilibrium", balanced);
+    if (balanced > 0) {
+      report.item("Largest skew of a roller", largest, unit::kAngle);
+      report.item("Mean orbital speed of these rollers", orbit / static_cast<double>(balanced),
+                  unit::kRotation);
+    }
+    skew = "Rollers without friction equilibrium have no skew and the speeds of pure rolling. ";
+  }
+  report.text(skew + s.unloaded_rule);
 }
 
 /// Position of the largest pressure: the middle of the neighboring slices that carry it (to 1e-9,
@@ -124,21 +142,23 @@ void positions(Report& report, const statics::RollerSolution& s) {
   std::vector<Report::Row> rows;
   for (std::size_t k = 0; k < s.rollers.size(); ++k) {
     const statics::StaticRoller& r = s.rollers[k];
-    rows.push_back(
-        {std::to_string(k + 1),
-         {r.azimuth, r.x, r.r, r.tilt, r.race[0].load, r.race[1].load, s.centrifugal_force}});
+    Report::Row& row =
+        rows.emplace_back(Report::Row{std::to_string(k + 1), {r.azimuth, r.x, r.r, r.tilt}});
+    if (s.friction.computed) row.values.push_back(r.skew);
+    for (const double load : {r.race[0].load, r.race[1].load, s.centrifugal_force})
+      row.values.push_back(load);
   }
   report.heading(
       "Roller positions (middle of the roller; tilt of the roller axis to the bearing axis)");
-  report.table("roller",
-               {{"azimuth", &unit::kAngle},
-                {"axial", &unit::kLength},
-                {"radial", &unit::kLength},
-                {"tilt", &unit::kAngle},
-                {"Q outer", &unit::kForce},
-                {"Q inner", &unit::kForce},
-                {"centrifugal", &unit::kForce}},
-               rows);
+  std::vector<Report::Column> columns{{"azimuth", &unit::kAngle},
+                                      {"axial", &unit::kLength},
+                                      {"radial", &unit::kLength},
+                                      {"tilt", &unit::kAngle}};
+  if (s.friction.computed) columns.push_back({"skew", &unit::kAngle});
+  columns.insert(
+      columns.end(),
+      {{"Q outer", &unit::kForce}, {"Q inner", &unit::kForce}, {"centrifugal", &unit::kForce}});
+  report.table("roller", columns, rows);
 }
 
 void flange_contacts(Report& report, const statics::RollerSolution& s) {

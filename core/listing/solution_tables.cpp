@@ -119,6 +119,7 @@ StaticTables static_tables(const statics::RollerSolution& solution, const Bearin
   };
   add("azimuth", unit::kAngle, [](const auto& r) { return r.azimuth; });
   add("tilt", unit::kAngle, [&](const auto& r) { return r.tilt + bearing.rollers()->axis_angle; });
+  if (solution.friction.computed) add("skew", unit::kAngle, [](const auto& r) { return r.skew; });
   for (std::size_t j = 0; j < 2; ++j) {
     const std::string race = j == 0 ? "outer " : "inner ";
     add(race + "load", unit::kForce, [&](const auto& r) { return r.race[j].load; });

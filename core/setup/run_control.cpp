@@ -173,6 +173,16 @@ void add_static_options(std::vector<Option>& table) {
          o.rollers.ball_balance = v == "balance";
          return true;
        }});
+  table.push_back(
+      {{"rollerFriction", "none",
+        "rollers in mode -1, at the start of a motion and in thermal analyses: none (no "
+        "skew, pure rolling) or balance (skew, spin, orbit and loads from friction "
+        "equilibrium)"},
+       [](RunOptions& o, std::string_view v) {
+         if (v != "none" && v != "balance") return false;
+         o.rollers.friction_balance = v == "balance";
+         return true;
+       }});
 }
 
 /// Thermal analysis (kTherm): model and surroundings.
@@ -519,6 +529,7 @@ std::vector<std::string> option_choices(std::string_view name) {
   if (name == "thermalBase") return {"deck", "none"};
   if (name == "thermalTransient") return {"off", "on"};
   if (name == "ballFriction") return {"balance", "spin-rule"};
+  if (name == "rollerFriction") return {"none", "balance"};
   if (name == "thermalModel") return {"network", "ladder"};
   for (const char* open : {"ambientTemperature", "housingCooling", "shaftCooling", "coolantInlet"})
     if (name == open) return {"auto"};

@@ -186,10 +186,14 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution&
   // About the roller axis and in the orbiting frame; signs as for balls: against the outer race.
   const double orbit = solution.orbital_speed;
   const double axis_r = std::sin(-rollers.axis_angle), axis_x = std::cos(rollers.axis_angle);
+  double orbits = 0.0, spins = 0.0;
   for (std::size_t i = 0; i < solution.rollers.size(); ++i) {
     const StaticRoller& roller = solution.rollers[i];
+    orbits += roller.balanced ? roller.orbital_speed : orbit;
+    spins += std::abs(roller.balanced ? roller.spin_speed : solution.spin_speed);
     for (std::size_t j = 0; j < 2; ++j) {
       FrictionOfContact& one = out.race[j].emplace_back();
+      if (roller.balanced) out.flange[j] += roller.heat.flange[j];
       const RollerRaceContact& at = roller.race[j];
       if (!(at.load > 0.0) || !(at.length > 0.0)) continue;
       const double side = j == 0 ? 1.0 : -1.0;
@@ -257,11 +261,16 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution&
       EllipseGeometry flat = g;
       flat.rho = 0.0;
       const double flat_heat = heat_of(flat);
-      const double all = heat_of(g);  // last: it leaves the load x slip of the contact
+      double all = heat_of(g);  // last: it leaves the load x slip of the contact
+      if (roller.balanced) {
+        all = roller.heat.traction[j];
+        one.load_slip = roller.heat.load_slip[j];
+      }
       one.spin = std::min(flat_heat, all);
       one.of_oil = is_film(law, film);
       one.sliding = all - one.spin;
-      one.rolling = oil.rolling(j, film, at.length);
+      one.rolling = roller.balanced ? roller.heat.rolling[j] : oil.rolling(j, film, at.length);
+      if (roller.balanced) continue;
       for (std::size_t at_end = 0; at_end < 2; ++at_end) {
         const RollerFlangeContact& flange = roller.flange[j][at_end];
         if (!bearing.flange_traction || !flange.present || !(flange.load > 0.0) ||
@@ -277,7 +286,13 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution&
       }
     }
   }
-  add_drag(bearing, orbit, std::abs(solution.spin_speed), out);
+  const auto count = static_cast<double>(std::max<std::size_t>(solution.rollers.size(), 1));
+  add_drag(bearing, orbits / count, spins / count, out);
+  if (const std::string note = solution.friction.note(); !note.empty())
+    out.notes.push_back(note);
+  else if (solution.friction.computed)
+    out.notes.emplace_back(
+        "roller skew, speeds, loads and heat are calculated from friction equilibrium");
   return out;
 }
 

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-/// Friction of a quasi-static solution: what its speeds and loads dissipate, an estimate: the
-/// equilibrium of rollers knows no friction, that of balls none of the cage. SI.
+/// Friction of a quasi-static solution: what its speeds and loads dissipate, an estimate without
+/// that of the cage. SI.
 ///
-/// Element and race: balls in balance of friction have the slip of that balance
-/// (ball_friction.hpp), others the speeds of the solution (balls: no slip at the contact centres,
-/// spin by kAngVel; rollers: pure rolling). Over each contact the slip of the spin and of the
-/// curved surface (Heathcote),
+/// Element and race: balls and rollers in balance of friction have the slip and heat of that
+/// balance (ball_friction.hpp, roller_friction.hpp; rollers at flanges, too), others the speeds of
+/// the solution (balls: no slip at the contact centres, spin by kAngVel; rollers: pure rolling).
+/// Over each contact the slip of the spin and of the curved surface (Heathcote),
 ///   u_t = u + W_n ξ - W_c h(ξ),   u_c = W_t h(ξ) - W_n η,
 /// acts with the deck's traction law; u is the creep for which the contact carries no force along
 /// the rolling direction, ∫ τ_t dA = 0, as a freely rolling element does. Heat = ∫ τ u dA. Its part

@@ -132,50 +132,62 @@ double reference_stiffness(const RollerModel& m, double load) {
   return load > 0.0 ? 10.0 / 9.0 * load / delta : 0.0;
 }
 
-bool update_race(const RollerModel& m, const Vec5& q, RollerRace& state, double accuracy) {
-  const Races<PlaceDual> held = races_at<PlaceDual>(m, q);
-  const Races<RollerDual> races = races_at<RollerDual>(m, q);
-  const Vec5 change = q - state.q;
-  state.load.setZero();
-  state.stiffness.setZero();
-  state.largest_contact = 0.0;
-  for (RollerState& roller : state.elements) {
-    if (roller.known) {
-      follow_race(m, change, roller);
+HeldRaces held_races(const RollerModel& m, const Vec5& q) {
+  return {q, races_at<PlaceDual>(m, q), races_at<RollerDual>(m, q)};
+}
+
+bool add_roller(const RollerModel& m, const HeldRaces& races, const Vec5& change, double accuracy,
+                RollerState& roller, RaceLoad& sum) {
+  if (roller.known) {
+    follow_race(m, change, roller);
+  }
+  Balance found;
+  if (!solve_roller(m, races.q, races.held, accuracy, roller, found)) {
+    return false;
+  }
+  Contacts& contacts = found.contacts;
+  const auto pose = pose_of(m, roller, races.moved);
+  for (std::size_t j = 0; j < 2; ++j) {
+    if (contacts.flanges[j].total > 0.0) {
+      contacts.flanges[j] =
+          flange_potential(m.body(roller.number), j, pose.seen_from[j].values(), true);
     }
-    Balance found;
-    if (!solve_roller(m, q, held, accuracy, roller, found)) {
+  }
+  const Forces<RollerDual> forces = forces_of(m, roller, pose, contacts);
+  roller.follow = following(m, forces, contacts);
+  roller.e += found.rest;
+  if (contacts.total == 0.0) {
+    return true;
+  }
+  Eigen::Matrix<double, 5, 3> by_roller;
+  for (Eigen::Index i = 0; i < 5; ++i) {
+    const RollerDual& load = forces.load[static_cast<std::size_t>(i)];
+    sum.load(i) += load.v;
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      by_roller(i, k) = load.d[static_cast<std::size_t>(k)];
+    }
+    for (Eigen::Index k = 0; k < 5; ++k) {
+      sum.stiffness(i, k) += load.d[static_cast<std::size_t>(k) + 3];
+    }
+  }
+  sum.load += by_roller * found.rest;
+  sum.stiffness += by_roller * roller.follow;
+  sum.largest_contact = std::max(sum.largest_contact, contacts.largest);
+  return true;
+}
+
+bool update_race(const RollerModel& m, const Vec5& q, RollerRace& state, double accuracy) {
+  const HeldRaces races = held_races(m, q);
+  const Vec5 change = q - state.q;
+  RaceLoad sum;
+  for (RollerState& roller : state.elements) {
+    if (!add_roller(m, races, change, accuracy, roller, sum)) {
       return false;
     }
-    Contacts& contacts = found.contacts;
-    const auto pose = pose_of(m, roller, races);
-    for (std::size_t j = 0; j < 2; ++j) {
-      if (contacts.flanges[j].total > 0.0) {
-        contacts.flanges[j] =
-            flange_potential(m.body(roller.number), j, pose.seen_from[j].values(), true);
-      }
-    }
-    const Forces<RollerDual> forces = forces_of(m, roller, pose, contacts);
-    roller.follow = following(m, forces, contacts);
-    roller.e += found.rest;
-    if (contacts.total == 0.0) {
-      continue;
-    }
-    Eigen::Matrix<double, 5, 3> by_roller;
-    for (Eigen::Index i = 0; i < 5; ++i) {
-      const RollerDual& load = forces.load[static_cast<std::size_t>(i)];
-      state.load(i) += load.v;
-      for (Eigen::Index k = 0; k < 3; ++k) {
-        by_roller(i, k) = load.d[static_cast<std::size_t>(k)];
-      }
-      for (Eigen::Index k = 0; k < 5; ++k) {
-        state.stiffness(i, k) += load.d[static_cast<std::size_t>(k) + 3];
-      }
-    }
-    state.load += by_roller * found.rest;
-    state.stiffness += by_roller * roller.follow;
-    state.largest_contact = std::max(state.largest_contact, contacts.largest);
   }
+  state.load = sum.load;
+  state.stiffness = sum.stiffness;
+  state.largest_contact = sum.largest_contact;
   state.q = q;
   return true;
 }

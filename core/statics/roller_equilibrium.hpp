@@ -13,6 +13,25 @@ namespace adore::statics {
 /// Moves the roller with the inner race, unless that is a long way.
 void follow_race(const RollerModel& model, const Vec5& change, RollerState& state);
 
+/// Both races with the inner one at q: for the search of rollers, and with derivatives.
+struct HeldRaces {
+  Vec5 q;
+  Races<PlaceDual> held;
+  Races<RollerDual> moved;
+};
+[[nodiscard]] HeldRaces held_races(const RollerModel& model, const Vec5& q);
+
+/// Sums over rollers.
+struct RaceLoad {
+  Vec5 load = Vec5::Zero();
+  Mat5 stiffness = Mat5::Zero();
+  double largest_contact = 0.0;
+};
+/// Brings one roller into equilibrium and adds what it hands on; false: there is none.
+/// @param change of q since the roller was in equilibrium
+[[nodiscard]] bool add_roller(const RollerModel& model, const HeldRaces& races, const Vec5& change,
+                              double accuracy, RollerState& roller, RaceLoad& sum);
+
 // The inner race on rollers: what race_equilibrium.hpp asks of an element set.
 using RollerRace = RaceState<RollerState>;
 [[nodiscard]] RaceScales race_scales(const RollerModel& model);

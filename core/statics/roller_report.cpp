@@ -174,6 +174,16 @@ StaticRoller report_roller(const RollerModel& m, const Vec5& q, const RollerStat
   return out;
 }
 
+void fill_summary(RollerSolution& s) {
+  for (const StaticRoller& roller : s.rollers) {
+    for (const RollerRaceContact& c : roller.race) {
+      s.max_load = std::max(s.max_load, c.load);
+      s.max_stiffness = std::max(s.max_stiffness, c.stiffness);
+      s.max_deflection = std::max(s.max_deflection, c.delta);
+    }
+  }
+}
+
 std::string unloaded_rule(const RollerModel& m) {
   if (!m.moving) {
     return "A roller without contact has no unique position at rest. It is placed in the middle "

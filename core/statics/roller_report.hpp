@@ -12,6 +12,9 @@ namespace adore::statics {
 [[nodiscard]] StaticRoller report_roller(const RollerModel& model, const Vec5& q,
                                          const RollerState& roller);
 
+/// Largest load, stiffness and deflection of the rollers.
+void fill_summary(RollerSolution& solution);
+
 /// Notes about the whole solution: rollers without load, contacts that reach the ends or the lands'
 /// edges, flange contacts on lips and corners, contacts too short for the slices.
 [[nodiscard]] std::vector<std::string> roller_notes(const RollerModel& model,

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "statics/missing_thrust.hpp"
 #include "statics/race_text.hpp"
+#include "statics/roller_friction.hpp"
 #include "statics/roller_report.hpp"
 #include "statics/stiffness_difference.hpp"
 
@@ -224,16 +225,6 @@ UnstableMode unstable_at(const RollerModel& m, const RaceTask& task, const Rolle
                                        : ""));
 }
 
-void fill_summary(RollerSolution& s) {
-  for (const StaticRoller& roller : s.rollers) {
-    for (const RollerRaceContact& c : roller.race) {
-      s.max_load = std::max(s.max_load, c.load);
-      s.max_stiffness = std::max(s.max_stiffness, c.stiffness);
-      s.max_deflection = std::max(s.max_deflection, c.delta);
-    }
-  }
-}
-
 }  // namespace
 
 RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const RollerOptions& options) {
@@ -311,7 +302,11 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
   out.roller_mass = model.mass;
   out.mass_offset = model.mass_offset;
   fill_summary(out);
-  if (options.difference_share > 0.0) {
+  bool with_friction = false;
+  if (has_friction_balance(bearing, options)) {
+    with_friction = balance_rollers(bearing, options, model, task, state, out);
+  }
+  if (options.difference_share > 0.0 && !with_friction) {
     add_difference_stiffness(model, state, options.difference_share, out);
   }
   for (std::string& note : held_notes(solve.held, out.displacement)) {

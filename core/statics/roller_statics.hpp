@@ -15,21 +15,23 @@
 /// Quasi-static equilibrium of a roller bearing: every roller between its races and flanges, the
 /// inner race under its loads.
 ///
-/// Freedoms. A roller moves in its azimuth plane: axially, radially, and in tilt. Skew is held at
-/// zero: without friction nothing loads it but what misalignment does in second order. The inner
-/// race has the five freedoms of the ball solution.
-/// Forces. Slices of each roller against each race (contact/slice_contact.hpp) with the power law
-/// of contact/line_contact.hpp, roller ends against flanges (contact/roller_flange.hpp),
-/// centrifugal force and gyroscopic moment of the speeds of pure rolling at nominal geometry, the
-/// same for all rollers: they do not follow the loads, and unloaded rollers orbit with the others.
-/// No friction, but that straight raceways hold their rollers axially (decision 109). All forces,
-/// those at the edge of a land too (contact/land_edge.hpp), derive from a potential, so that line
-/// searches on it converge from anywhere (race_equilibrium.hpp).
-/// Unloaded rollers have no unique place; the rule (decision 124), which the solution carries in
-/// words: at rest they stand in the middle between both races and carry nothing. At speed they rest
-/// on the outer race, cylinders at their nominal axial place or as near to it as flanges allow,
-/// cones against the flange that stops them, barrels in the middle of their groove: what the
-/// centrifugal force of a barrel has along its axis, F_c sin α_o, guide ring or cage hold.
+/// Freedoms. A roller moves in its azimuth plane: axially, radially, and in tilt. Skew is zero:
+/// without friction nothing loads it but what misalignment does in second order. With friction
+/// (RollerOptions::friction_balance) loaded rollers then get skew, spin and orbit from their
+/// balance (roller_friction.hpp), and all else follows. The inner race has the five freedoms of the
+/// ball solution. Forces. Slices of each roller against each race (contact/slice_contact.hpp) with
+/// the power law of contact/line_contact.hpp, roller ends against flanges
+/// (contact/roller_flange.hpp), centrifugal force and gyroscopic moment of the speeds of pure
+/// rolling at nominal geometry, the same for all rollers: they do not follow the loads, and
+/// unloaded rollers orbit with the others. No friction, but that straight raceways hold their
+/// rollers axially (decision 109). All forces, those at the edge of a land too
+/// (contact/land_edge.hpp), derive from a potential, so that line searches on it converge from
+/// anywhere (race_equilibrium.hpp). Unloaded rollers have no unique place; the rule (decision 124),
+/// which the solution carries in words: at rest they stand in the middle between both races and
+/// carry nothing. At speed they rest on the outer race, cylinders at their nominal axial place or
+/// as near to it as flanges allow, cones against the flange that stops them, barrels in the middle
+/// of their groove: what the centrifugal force of a barrel has along its axis, F_c sin α_o, guide
+/// ring or cage hold.
 namespace adore::statics {
 
 enum class RollerContact : unsigned char {
@@ -51,6 +53,7 @@ struct RollerOptions {
   double line_constant = 0.0;  ///< K_l of Q = K_l L^(8/9) δ^(10/9) [N/m²]; 0: of the materials
   std::optional<bearing::FrameMotion> frame;  ///< base frame that turns; speeds relative to it
   bool ball_balance = false;                  ///< of balls: StaticsOptions::friction_balance
+  bool friction_balance = false;              ///< rollers with friction (roller_friction.hpp)
   double first_azimuth = 0.0;                 ///< of roller 1 [rad]
   double difference_share = 0.0;  ///< above 0: stiffness by differences too, displaced by this
                                   ///< share of the largest contact deflection
@@ -94,6 +97,11 @@ struct RollerFlangeContact {
                         ///< Hertzian
 };
 
+/// Power of a roller's friction [W], by race.
+struct RollerHeat {
+  std::array<double, 2> traction{}, rolling{}, load_slip{}, flange{};
+};
+
 struct StaticRoller {
   double azimuth = 0.0;     ///< [rad]
   double x = 0.0, r = 0.0;  ///< middle of the roller: axial from its nominal place, radial [m]
@@ -101,11 +109,27 @@ struct StaticRoller {
   std::array<RollerRaceContact, 2> race;
   std::array<std::array<RollerFlangeContact, 2>, 2> flange;  ///< [race][side: -x, +x]
   bool idle = false;  ///< at rest, touches nothing; placed by rule
+  // Of a roller in balance of friction (roller_friction.hpp).
+  bool balanced = false;
+  double skew = 0.0;  ///< ψ, moves the +x end of the axis towards y = z × x [rad]
+  double spin_speed = 0.0, orbital_speed = 0.0;  ///< as in the solution [rad/s]
+  RollerHeat heat;
   Eigen::Matrix<double, 3, 5> follow =
       Eigen::Matrix<double, 3, 5>::Zero();  ///< d(x, r, tilt)/d(displacement of the inner race)
 };
 
+/// Rollers in balance of friction: which are not.
+struct RollerFriction {
+  bool computed = false;
+  std::string failure;            ///< why it was given up for the whole bearing; empty: it was not
+  std::vector<std::size_t> left;  ///< loaded rollers without a balance, from 0
+
+  /// What outputs report; empty: all loaded rollers are in balance, or nothing was computed.
+  [[nodiscard]] std::string note() const;
+};
+
 struct RollerSolution : RaceResult {
+  RollerFriction friction;
   std::vector<StaticRoller> rollers;
   std::vector<double> slice_position;     ///< s of the slices of a nominal roller [m]
   double slice_width = 0.0;               ///< [m]

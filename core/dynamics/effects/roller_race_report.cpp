@@ -8,22 +8,22 @@
 namespace adore::dynamics {
 namespace {
 
-RollerReportKernel kernel_of(InstructionSet set) noexcept {
+statics::RollerReportKernel kernel_of(InstructionSet set) noexcept {
 #if defined(__x86_64__)
-  if (set == InstructionSet::Avx512) return roller_report_avx512;
-  if (set == InstructionSet::Avx2) return roller_report_avx2;
+  if (set == InstructionSet::Avx512) return statics::roller_report_avx512;
+  if (set == InstructionSet::Avx2) return statics::roller_report_avx2;
 #endif
   (void)set;
-  return roller_report_baseline;
+  return statics::roller_report_baseline;
 }
 
 /// Rows of one roller after another.
 class SliceRows {
  public:
   /// Zeros for so many slices, whole vectors of them.
-  RollerSliceRows fresh(std::size_t slices) {
+  statics::RollerSliceRows fresh(std::size_t slices) {
     memory_.assign(10 * slices, 0.0);
-    RollerSliceRows out{};
+    statics::RollerSliceRows out{};
     std::size_t next = 0;
     for (double** row : {&out.load, &out.width, &out.peak, &out.half_width, &out.curvature,
                          &out.slip, &out.speed, &out.n[0], &out.n[1], &out.n[2]})
@@ -37,7 +37,7 @@ class SliceRows {
 
 RaceContactSnapshot contact_of(const RollerRaceModel& model, const contact::RollerPose& at,
                                const contact::RollerRaceSlices& slices,
-                               const RollerSliceRows& row) {
+                               const statics::RollerSliceRows& row) {
   const bool film = model.traction && model.law.has_film();
   RaceContactSnapshot out;
   out.slice_load.assign(slices.count, 0.0);
@@ -86,7 +86,7 @@ RaceContactSnapshot contact_of(const RollerRaceModel& model, const contact::Roll
 
 std::vector<RaceContactSnapshot> roller_race_report(const RollerRaceModel& model,
                                                     const Evaluation& e) {
-  const RollerReportKernel kernel = kernel_of(chosen_instruction_set());
+  const statics::RollerReportKernel kernel = kernel_of(chosen_instruction_set());
   RollersOnRace rollers(model, e.elements.n);
   rollers.place(e);
   std::vector<RaceContactSnapshot> out;
@@ -95,7 +95,7 @@ std::vector<RaceContactSnapshot> roller_race_report(const RollerRaceModel& model
   for (std::size_t i = 0; i < rollers.count(); ++i) {
     const contact::RollerPose& at = rollers.poses()[i];
     const contact::RaceSlices& slices = rollers.view(i);
-    RollerSliceRows row{};
+    statics::RollerSliceRows row{};
     const contact::RaceSlope* slope = rollers.slopes() ? rollers.slopes() + i : nullptr;
     if (!at.open) kernel({&slices, &at, slope, row = rows.fresh(slices.count)});
     out.push_back(contact_of(model, at, model.of(i), row));

@@ -8,6 +8,7 @@
 #include "dynamics/roller_start.hpp"
 #include "scene/user_laws.hpp"
 #include "statics/roller_model.hpp"
+#include "statics/roller_race_law.hpp"
 #include "statics/start_radii.hpp"
 #include "tribology/film_law.hpp"
 
@@ -18,24 +19,6 @@
 
 namespace adore::dynamics {
 namespace {
-
-RollerKernel kernel_of(InstructionSet set) noexcept {
-#if defined(__x86_64__)
-  if (set == InstructionSet::Avx512) return roller_kernel_avx512;
-  if (set == InstructionSet::Avx2) return roller_kernel_avx2;
-#endif
-  (void)set;
-  return roller_kernel_baseline;
-}
-
-RollerRollingKernel rolling_kernel_of(InstructionSet set) noexcept {
-#if defined(__x86_64__)
-  if (set == InstructionSet::Avx512) return roller_rolling_avx512;
-  if (set == InstructionSet::Avx2) return roller_rolling_avx2;
-#endif
-  (void)set;
-  return roller_rolling_baseline;
-}
 
 contact::RacePose pose_of(const RaceBody& race) { return {race.position, race.to_base}; }
 contact::RigidMotion motion_of(const RaceBody& race) {
@@ -57,35 +40,6 @@ contact::Triple<double> spin_of(const Evaluation& e, std::size_t i, const Roller
                                 const contact::RacePose& pose, const contact::MeridianTurn& turn) {
   const Vec3 spin = pose.direction(roller.motion.omega - Vec3(e.elements.theta_dot[i], 0.0, 0.0));
   return turn.into({spin[0], spin[1], spin[2]});
-}
-
-/// What films of one race read. Inlets and walls have the mean bulk temperature of race and rollers
-/// for the run.
-tribology::FilmSurface film_surface(const bearing::Bearing& bearing, std::size_t race,
-                                    double E_star, bool single) {
-  const bearing::RollerGeometry& g = *bearing.rollers();
-  const double roller = 0.5 * bearing.element_diameter(),
-               of_race = g.race_radius(static_cast<int>(race));
-  tribology::FilmSurface surface;
-  surface.line = true;
-  surface.radius = 1.0 / (1.0 / roller + (race == 0 ? -1.0 : 1.0) / of_race);
-  surface.modulus = 2.0 * E_star;
-  surface.wall_temperature = 0.5 * (bearing.race_temperature[race] + bearing.element_temperature);
-  surface.race_speed = 0.5 * bearing.pitch_diameter() *
-                       std::max(std::abs(bearing.speed[0]), std::abs(bearing.speed[1]));
-  surface.width_over_pressure = 2.0 * surface.radius / E_star;
-  surface.walls = {tribology::film_wall(bearing.race_material[race]),
-                   tribology::film_wall(bearing.element_material)};
-  surface.single = single;
-  return surface;
-}
-
-/// The deck's curve, or its lubricant's film with the curve where it breaks down.
-tribology::TractionLaw law_of(const bearing::Bearing& bearing,
-                              const tribology::FilmSurface& surface) {
-  if (!bearing.lubrication) return bearing.race_traction;
-  return tribology::film_law(bearing.race_traction, tribology::lubricant_of(*bearing.lubrication),
-                             *bearing.lubrication, surface);
 }
 
 }  // namespace
@@ -128,7 +82,7 @@ std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
     of.load_limit = contact::slice_load(model.law[j], model.slicing.effective_length, radius).load;
     of.traction = scene.plan.has(Effect::RaceTraction);
     const tribology::FilmSurface surface =
-        film_surface(scene.bearing, j, model.E_star[j], scene.options.single_films);
+        statics::roller_film_surface(scene.bearing, j, model.E_star[j], scene.options.single_films);
     if (scene.plan.has(Effect::RollingResistance))
       of.rolling = tribology::rolling_resistance(
           tribology::lubricant_of(*scene.bearing.lubrication), *scene.bearing.lubrication, surface);
@@ -138,7 +92,7 @@ std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
     of.law = routine != nullptr
                  ? tribology::TractionLaw(*routine, tribology::TractionKind::ElementRace,
                                           static_cast<int>(j))
-                 : law_of(scene.bearing, surface);
+                 : statics::roller_race_law(scene.bearing, surface);
     if (routine == nullptr && scene.bearing.lubrication)
       of.stated = tribology::strips_of(tribology::lubricant_of(*scene.bearing.lubrication),
                                        *scene.bearing.lubrication, surface);
@@ -303,7 +257,7 @@ RollerRaceBlock::RollerRaceBlock(const RollerRaceModel& model, RollersOnRace& ro
       load_slip_(load_slip),
       fastest_(fastest),
       sums_(sums),
-      kernel_(kernel_of(chosen_instruction_set())),
+      kernel_(statics::roller_kernel()),
       rollers_(rollers),
       actions_(rollers.count()),
       of_lobes_(rollers.own_slopes() != nullptr ? rollers.count() : 0),
@@ -347,7 +301,7 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
   sums_.heat = sums_.load_slip = sums_.damping = 0.0;
   if (!rolled_.empty()) sums_.rolling = 0.0;
   for (std::size_t i = 0; i < actions_.size(); ++i) {
-    const RollerKernelAction& a = actions_[i];
+    const statics::RollerKernelAction& a = actions_[i];
     e.load[j][i] = a.load;
     e.heat[j][i] = a.heat;
     fastest_[i] = a.fastest;
@@ -374,7 +328,7 @@ RollerRaceRolling::RollerRaceRolling(const RollerRaceModel& model, std::size_t r
                                      RaceAccount& sums)
     : model_(model),
       sums_(sums),
-      kernel_(rolling_kernel_of(chosen_instruction_set())),
+      kernel_(statics::roller_rolling_kernel()),
       rollers_(model, rollers),
       actions_(rollers) {
   sums_.rolling_of.assign(rollers, 0.0);

@@ -5,8 +5,8 @@
 #include "contact/roller_race.hpp"
 #include "dynamics/effect.hpp"
 #include "dynamics/effects/race_account.hpp"
-#include "dynamics/roller_kernel.hpp"
 #include "dynamics/user_points.hpp"
+#include "statics/roller_kernel.hpp"
 #include "tribology/laws/rolling_resistance.hpp"
 #include "tribology/traction_law.hpp"
 
@@ -133,7 +133,8 @@ class RollerRaceBlock final : public EffectBlock {
  public:
   /// @param load_slip it is wanted: by the wear integrals, or by elements in balance
   /// @param rolls with the rolling resistance of the oil, of the same films
-  /// @param fastest RollerKernelAction::fastest of each roller, of the evaluation made last
+  /// @param fastest statics::RollerKernelAction::fastest of each roller, of the evaluation made
+  /// last
   RollerRaceBlock(const RollerRaceModel& model, RollersOnRace& rollers, bool load_slip, bool rolls,
                   RaceAccount& sums, std::vector<double>& fastest);
   void apply(Evaluation& e) noexcept override;
@@ -147,11 +148,11 @@ class RollerRaceBlock final : public EffectBlock {
   bool load_slip_;
   std::vector<double>& fastest_;
   RaceAccount& sums_;
-  RollerKernel kernel_;
+  statics::RollerKernel kernel_;
   RollersOnRace& rollers_;
-  std::vector<RollerKernelAction> actions_, of_lobes_;
-  std::vector<RollerRaceAddition> rolled_;  ///< with rolling resistance
-  std::optional<SliceScratch> user_;        ///< of a law of the user
+  std::vector<statics::RollerKernelAction> actions_, of_lobes_;
+  std::vector<statics::RollerRaceAddition> rolled_;  ///< with rolling resistance
+  std::optional<SliceScratch> user_;                 ///< of a law of the user
 };
 
 /// Rolling resistance of the same contacts (rolling_resistance.cpp) where the traction has no film.
@@ -164,9 +165,9 @@ class RollerRaceRolling final : public EffectBlock {
  private:
   const RollerRaceModel& model_;
   RaceAccount& sums_;
-  RollerRollingKernel kernel_;
+  statics::RollerRollingKernel kernel_;
   RollersOnRace rollers_;
-  std::vector<RollerRaceAddition> actions_;
+  std::vector<statics::RollerRaceAddition> actions_;
 };
 
 }  // namespace adore::dynamics

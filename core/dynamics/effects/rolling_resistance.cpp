@@ -13,9 +13,9 @@
 ///                   its centre of curvature.
 /// Both bodies are held back; the power, 2 F u where both surfaces move with u, is an item of its
 /// own in the ledger and heats the race in thermal steps. Rollers: slice by slice with their line
-/// force, by the kernel of their traction, whose films it needs (dynamics/slice_law.hpp). Not here:
-/// roller ends on flanges (traction of record 10.2 alone, as in equilibria), pockets and lands
-/// (films of their own).
+/// force, by the kernel of their traction, whose films it needs (statics/film_on_slices.hpp). Not
+/// here: roller ends on flanges (traction of record 10.2 alone, as in equilibria), pockets and
+/// lands (films of their own).
 namespace adore::dynamics {
 namespace {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/roller_race_sum.hpp"
-#include "dynamics/roller_rolling.hpp"
+#include "statics/roller_rolling.hpp"
 #include "tribology/rounded_law.hpp"
 #include "tribology/traction_laws.hpp"
 
@@ -10,7 +10,7 @@
 /// resistance of the same film (laws/rolling_resistance.hpp), which is formed once. Two vectors of
 /// slices are taken together, by floats where the law's film may be (laws/film_law_of.hpp, decision
 /// 570): relative errors of κ and F are a few 1e-6. Seen by the roller kernels.
-namespace adore::dynamics {
+namespace adore::statics {
 
 /// Slices that wait for their film.
 template <class T>
@@ -158,4 +158,4 @@ struct HandsToOil {
   }
 };
 
-}  // namespace adore::dynamics
+}  // namespace adore::statics

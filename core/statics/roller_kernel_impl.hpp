@@ -3,10 +3,10 @@
 #include "base/simd_inverse_roots.hpp"
 #include "base/simd_tiles.hpp"
 #include "contact/roller_race_simd.hpp"
-#include "dynamics/roller_kernel.hpp"
-#include "dynamics/roller_kernel_user.hpp"
-#include "dynamics/roller_rolling.hpp"
-#include "dynamics/slice_law.hpp"
+#include "statics/film_on_slices.hpp"
+#include "statics/roller_kernel.hpp"
+#include "statics/roller_kernel_user.hpp"
+#include "statics/roller_rolling.hpp"
 #include "tribology/traction_laws.hpp"
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 /// All slices of all rollers against one race, a slice a lane. Included by one translation unit per
 /// instruction set; contact/roller_race.hpp states the contact.
-namespace adore::dynamics {
+namespace adore::statics {
 namespace {
 
 using V = SimdReal;
@@ -238,4 +238,4 @@ inline void report_slices(const RollerReportInput& in) {
 }
 
 }  // namespace
-}  // namespace adore::dynamics
+}  // namespace adore::statics

@@ -5,9 +5,10 @@
 
 #include <cstddef>
 
-/// Boundary between roller_races.cpp and the translation units that are compiled once per
-/// instruction set: plain numbers and pointers only (reason in race_kernel.hpp).
-namespace adore::dynamics {
+/// Boundary between motion (dynamics/effects/roller_races.cpp), the friction equilibrium
+/// (roller_friction.cpp) and the translation units that are compiled once per instruction set:
+/// plain numbers and pointers only (reason in dynamics/race_kernel.hpp).
+namespace adore::statics {
 
 /// On one roller, in its meridian frame; moment about its middle.
 struct RollerKernelAction {
@@ -51,7 +52,7 @@ struct RollerKernelInput {
   RollerRaceAddition* rolled;  ///< meaning of the above
 };
 
-/// Rolling resistance of the oil with a traction law without a film (dynamics/roller_rolling.hpp).
+/// Rolling resistance of the oil with a traction law without a film (statics/roller_rolling.hpp).
 struct RollerRollingInput {
   const contact::RaceSlices* slices;  ///< as in RollerKernelInput
   bool alike;
@@ -92,4 +93,4 @@ void roller_rolling_avx512(const RollerRollingInput& in) noexcept;
 void roller_report_avx512(const RollerReportInput& in) noexcept;
 #endif
 
-}  // namespace adore::dynamics
+}  // namespace adore::statics

@@ -1,9 +1,9 @@
-#include "dynamics/roller_kernel_impl.hpp"
+#include "statics/roller_kernel_impl.hpp"
 
-namespace adore::dynamics {
+namespace adore::statics {
 
 void roller_kernel_baseline(const RollerKernelInput& in) noexcept { evaluate_rollers(in); }
 void roller_rolling_baseline(const RollerRollingInput& in) noexcept { roll_rollers(in); }
 void roller_report_baseline(const RollerReportInput& in) noexcept { report_slices(in); }
 
-}  // namespace adore::dynamics
+}  // namespace adore::statics

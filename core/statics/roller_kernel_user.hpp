@@ -2,7 +2,7 @@
 
 #include "base/simd_math.hpp"
 #include "contact/roller_race_sum.hpp"
-#include "dynamics/roller_kernel.hpp"
+#include "statics/roller_kernel.hpp"
 #include "tribology/laws/user_law.hpp"
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 /// A user law in the roller kernels: the slices of all rollers on a race are evaluated
 /// once and stored, the routine is called once for those with load, and forces, moments and
 /// heat are added with its answers, in the order of a built-in law. Decision 431.
-namespace adore::dynamics {
+namespace adore::statics {
 namespace {
 
 struct CollectedSlices {
@@ -60,4 +60,4 @@ inline void add_answered(const UserSlices& user, std::size_t column,
 }
 
 }  // namespace
-}  // namespace adore::dynamics
+}  // namespace adore::statics

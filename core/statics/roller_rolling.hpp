@@ -6,7 +6,7 @@
 /// Rolling resistance of the slices of one roller on one race, each with the line force of its
 /// load, speed and width: F back on the roller's surface, 2 F R'/r along the entrainment at its
 /// axis, 1/R' the curvature of both bodies (rolling_resistance.hpp). Seen by the roller kernels.
-namespace adore::dynamics {
+namespace adore::statics {
 
 /// Adds force, moment and heat of a slice. @param per_length F per length [N/m]
 template <class T>
@@ -42,4 +42,4 @@ struct RollingOnSlices {
   }
 };
 
-}  // namespace adore::dynamics
+}  // namespace adore::statics
