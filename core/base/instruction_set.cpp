@@ -70,13 +70,14 @@ void check_instruction_set_request() {
   const auto set = named_instruction_set(request);
   if (!set) {
     throw InputError(
-        fmt::format("the environment variable {} = \"{}\" names no instruction set; use baseline, "
+        fmt::format("the environment variable {} = \"{}\" is not an instruction set; use baseline, "
                     "avx2 or avx512, or unset it",
                     kRequestVariable, request));
   }
   if (!instruction_set_available(*set)) {
     throw InputError(
-        fmt::format("the environment variable {} asks for {}, which this machine lacks; it has {}",
+        fmt::format("the environment variable {} requests {}, which this machine does not support; "
+                    "the best supported one is {}",
                     kRequestVariable, request,
                     instruction_set_name(*std::find_if(std::begin(kAllSets), std::end(kAllSets),
                                                        instruction_set_available))));

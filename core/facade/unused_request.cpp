@@ -80,10 +80,10 @@ std::optional<Issue> nothing_moves(const deck::Deck& deck) {
   out.record = steps ? "1" : "2.1";
   out.variable = steps ? "maxStps" : "fTime";
   out.value = "0";
-  out.message = "no step is made, so that nothing moves; `--until` can set the length";
-  out.remedy = std::string(steps ? "give the number of steps, such as 2000"
-                                 : "give the end time, such as 1000") +
-               ", and kPltFreq = 1 and kAGraf = 1 to see the steps";
+  out.message = "the run makes no steps, so nothing moves";
+  out.remedy = std::string(steps ? "give the number of steps, such as 2000, or an end with --until"
+                                 : "give the end time, such as 1000, or an end with --until") +
+               ". To see the steps, set kPltFreq = 1 and kAGraf = 1";
   return out;
 }
 
