@@ -324,12 +324,13 @@ const std::vector<StudyTableSpec>& study_tables() {
          kWithLaw},
         {"Limits", "Limits that truncate a normal distribution: low, high", kSampled},
         {"Lots",
-         "Correlation (0 to 1) between the elements of one production lot, for names with #",
+         "For names with # (one value for each element): correlation, 0 to 1, of the values within "
+         "one production lot",
          kSampled},
         {"Link", "Other deck variables that get the same value: A; B", kWithLaw},
         {"Step",
-         "Step up and down for the derivative, in the units of the deck (default: 0.1 % of the "
-         "value)",
+         "Size of the step, up and down from the value, for the numerical derivative; in the units "
+         "of the deck (default: 0.1 % of the value)",
          only(Kind::Sensitivity)}}},
       {"correlation",
        "Correlation",

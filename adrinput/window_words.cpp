@@ -34,7 +34,7 @@ constexpr std::pair<std::string_view, std::string_view> kWords[]{
     {" with --user PLUG-IN", " on the command line with `adore run --user PLUG-IN`"},
     {" of --user ", " of `adore run --user` "},
     {"give --over-budget", "press Run anyway"},
-    {"repeat the run with --retry-failed", "press Retry failed to repeat the run"},
+    {"repeat the run with --retry-failed", "press \"Retry failed\" to repeat the run"},
     {"Repeat the run with --retry-failed", "Press Retry failed to repeat the run"},
     {"then repeat it with --retry-failed", "then press Retry failed"},
     {"give fewer --workers", "use fewer parallel runs"},

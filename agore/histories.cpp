@@ -217,8 +217,9 @@ History by_differences(const Animation& animation, const std::vector<double>& an
   }
   const double turn = ratio * turns_per_frame(animation);
   if (turn > kMostTurn) {
-    out.unknown = fmt::format("Unknown: about {} between SOL8 frames are too many.",
-                              counted(fmt::format("{:.2g}", turn), "revolution"));
+    out.unknown = fmt::format(
+        "Unknown: about {} between two SOL8 frames are too many to derive a speed from the angles.",
+        counted(fmt::format("{:.2g}", turn), "revolution"));
     return out;
   }
   const double shaft = shaft_speed(animation);

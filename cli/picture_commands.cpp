@@ -30,11 +30,12 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
       ->add_option("files", request->files,
                    "SOL1-SOL7, RUN.json, SWEEP.csv, ACCURACY.json, or folders of runs")
       ->type_name("PATH");
-  CLI::Option* lubricant = command
-                               ->add_option("--lubricant", request->lubricant,
-                                            "draw charts of a lubricant (traction, viscosity, "
-                                            "film, lambda) instead of files; CODE is its kTrac")
-                               ->type_name("CODE");
+  CLI::Option* lubricant =
+      command
+          ->add_option("--lubricant", request->lubricant,
+                       "draw charts of a lubricant (traction, viscosity, film, lambda) instead of "
+                       "charts of result files; CODE is its kTrac")
+          ->type_name("CODE");
   CLI::Option* temperature =
       command
           ->add_option("--temperature", request->temperature,

@@ -100,8 +100,9 @@ std::string summary_text(const facade::RunOutcome& outcome, const std::string& c
                         counted(fmt::format("{:.4g}", outcome.revolutions), "revolution"),
                         outcome.time, duration_text(outcome.seconds));
   if (outcome.missed_end > 0.0)
-    text += fmt::format("maxStps ended the run before its end at t = {:.6g} s (fTime)\n",
-                        outcome.missed_end);
+    text += fmt::format(
+        "the run stopped after maxStps steps, before its end time t = {:.6g} s (fTime)\n",
+        outcome.missed_end);
   if (outcome.energy_scale > 0.0)
     text +=
         fmt::format("energy residual: {:.3g} J, {:.2g} times the exchanged energy of {:.3g} J\n",

@@ -174,9 +174,9 @@ void draw_run(Gallery& gallery, const fs::path& run) {
     gallery.views(run / "RESULTS.h5");
   if (!any && fs::exists(run / "RUN.json")) gallery.pages(run / "RUN.json"), any = true;
   if (!any)
-    throw InputError(
-        run.string() +
-        " contains nothing to draw; give folders of runs, or no folder for the example decks");
+    throw InputError(run.string() +
+                     " contains nothing to draw; give folders of runs. Without a folder, the "
+                     "example decks are drawn");
 }
 
 }  // namespace

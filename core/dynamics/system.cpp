@@ -113,8 +113,8 @@ std::string System::Impl::what_is_invalid(const double* y) const {
   for (int i = 0; i < parts.layout.controlled_size(); ++i)
     if (!std::isfinite(y[i]))
       return fmt::format(
-          "the state is not finite ({} = {}); use a smaller tolerance (tol) or largest step "
-          "(stpMax)",
+          "a state variable is not finite ({} = {}); reduce the tolerance (tol) or the maximum "
+          "step (stpMax)",
           parts.layout.component_name(i), y[i]);
   if (user != nullptr && user->failed()) return "a user routine failed";
   for (const auto& effect : parts.effects)

@@ -363,8 +363,8 @@ std::string torque_markdown(const std::vector<TorqueTable>& tables) {
   for (const TorqueTable& table : tables) {
     out += fmt::format(
         "\n## {}, {}\n\n{:.1f} mm²/s at 70 °C, flooded, no medium in the cavity; torques in N mm. "
-        "The last two columns are computed divided by formula values. Omitted points above the "
-        "limiting speed: {}, below the minimum load: {}.\n\n",
+        "The last two columns are the computed torque divided by the formula torque. Points left "
+        "out: {} above the limiting speed, {} below the minimum load.\n\n",
         table.bearing, table.oil, 1e6 * table.viscosity, table.above_speed, table.below_load);
     out +=
         "| Fr [N] | Fa [N] | rpm | rolling | sliding | spin | rib | computed | formula: rolling | "

@@ -445,11 +445,11 @@ Prepared prepare_model(LoadedDeck input) {
     if (!row.operating || row.operating->warnings.empty()) continue;
     constexpr double kRpm = 30.0 / std::numbers::pi;
     for (const std::string& text : row.operating->warnings)
-      add_remark(out,
-                 make_finding("fit.stiffness_table",
-                              fmt::format("stiffness over speed, from rpm1 = {:g} and rpm2 = {:g} "
-                                          "rpm on: {}",
-                                          kRpm * row.speed[0], kRpm * row.speed[1], text)));
+      add_remark(
+          out, make_finding(
+                   "fit.stiffness_table",
+                   fmt::format("stiffness over speed: from rpm1 = {:g} and rpm2 = {:g} upwards, {}",
+                               kRpm * row.speed[0], kRpm * row.speed[1], text)));
     break;
   }
   const auto judge = [&](const life::RaceStrength& strength) {

@@ -141,7 +141,7 @@ void results(Entries& out, const Prepared& p) {
   out.add(
       "friction torque", true,
       statics::has_friction_balance(p.bearing, p.options.rollers)
-          ? "rollers in friction equilibrium under the laws of motion; no cage"
+          ? "rollers in friction equilibrium with the friction laws of motion; no cage"
       : p.bearing.rollers()
           ? "estimated from speeds and loads of the equilibrium, which does not include friction"
       : statics::has_friction_balance(p.bearing, ball_options(p))

@@ -155,7 +155,8 @@ StressLife::Measure StressLife::measure(const ContactPatch& patch, double poisso
     case LifeModel::Original:
       break;
   }
-  throw InternalError("a stress was requested for the original theory, which has none");
+  throw InternalError(
+      "a subsurface stress was requested for the original Lundberg-Palmgren life, which has none");
 }
 
 double StressLife::log_hazard(const ContactPatch& patch, const Track& track, double poisson,

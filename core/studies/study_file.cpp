@@ -506,8 +506,9 @@ Study checked_study(const Json& json, const std::filesystem::path& file) {
   std::set<std::string> columns;
   for (const Quantity& quantity : out.quantities)
     if (!columns.insert(quantity.name).second)
-      throw InputError(fmt::format("{}: two columns are called \"{}\"; give one a \"name\"",
-                                   object.at("quantities"), quantity.name));
+      throw InputError(fmt::format(
+          "{}: two columns have the name \"{}\"; set a different \"name\" for one of them",
+          object.at("quantities"), quantity.name));
   if (object.has("percentiles")) {
     out.percentiles =
         object.numbers("percentiles", 1, 99, "numbers between 0 and 100 in ascending order");

@@ -163,7 +163,8 @@ void move_play(const std::string& name, int race, double cage_diameter, double& 
     entry.operating = land_clearance(race, race_radius, u_race, cage_radius, u_cage);
   if (entry.free >= 0.0 && entry.operating < 0.0)
     report.warnings.push_back(
-        fmt::format("the cage loses its clearance: {} is {:.4g} m cold and {:.4g} m in operation",
+        fmt::format("the cage loses its clearance: the clearance of {} is {:.4g} m cold and {:.4g} "
+                    "m in operation",
                     name, entry.free, entry.operating));
   play = entry.operating;
   report.plays.push_back(entry);

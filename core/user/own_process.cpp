@@ -258,10 +258,12 @@ class Worker {
     socket_ = -1;
     child_ = -1;
     if (found > 0 && WIFSIGNALED(status))
-      throw std::runtime_error(fmt::format("the separate process crashed in the {} (signal {}: {})",
-                                           what, WTERMSIG(status), strsignal(WTERMSIG(status))));
-    throw std::runtime_error(fmt::format("the separate process ended in the {} (exit code {})",
-                                         what, found > 0 ? WEXITSTATUS(status) : -1));
+      throw std::runtime_error(
+          fmt::format("the process of the plug-in crashed in the {} (signal {}: {})", what,
+                      WTERMSIG(status), strsignal(WTERMSIG(status))));
+    throw std::runtime_error(
+        fmt::format("the process of the plug-in ended in the {} (exit code {})", what,
+                    found > 0 ? WEXITSTATUS(status) : -1));
   }
 
   void stop() noexcept {

@@ -423,12 +423,12 @@ TEST_CASE("run ended by maxStps before fTime → reported; plan names the limit"
   const Result cut = run_adore("run " + deck + " --set maxStps=20" + out("cut"));
   INFO(cut.out);
   CHECK(cut.code == 0);
-  CHECK(contains(cut.out, "maxStps ended the run before its end at t = "));
+  CHECK(contains(cut.out, "the run stopped after maxStps steps, before its end time t = "));
   const Result whole = run_adore("run " + deck + " --set fTime=20.0" + out("whole"));
   CHECK(whole.code == 0);
-  CHECK_FALSE(contains(whole.out, "maxStps ended"));
+  CHECK_FALSE(contains(whole.out, "stopped after maxStps"));
   const Result asked = run_adore("run " + deck + " --until 0.02rev" + out("asked"));
-  CHECK_FALSE(contains(asked.out, "maxStps ended"));
+  CHECK_FALSE(contains(asked.out, "stopped after maxStps"));
   CHECK(contains(run_adore("plan " + deck).out, "revolutions, limited by fTime"));
   CHECK(contains(run_adore("plan " + deck + " --set maxStps=20").out,
                  "revolutions, limited by maxStps"));

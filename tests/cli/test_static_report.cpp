@@ -174,5 +174,5 @@ TEST_CASE("the stiffness table gives clearance and angle at each speed and warns
                         "rpmRange22=80000.");
   CHECK(contains(tight.print, "Warning: the clearance turns negative"));
   CHECK(contains(tight.result.out,
-                 "stiffness over speed, from rpm1 = 0 and rpm2 = 80000 rpm on: the clearance"));
+                 "stiffness over speed: from rpm1 = 0 and rpm2 = 80000 upwards, the clearance"));
 }
