@@ -87,7 +87,7 @@ void check_race_constraints(Checker& c) {
       const std::string name = fmt::format("kFD{}{}", axis, race);
       if (c.is(name, 0))
         c.error(name, fmt::format("in mode {}, a race cannot accelerate under forces", *mode),
-                "set it to 1, or mode to 0");
+                "set this variable to 1, or set mode to 0");
     }
   }
 }

@@ -159,9 +159,9 @@ void TimeRun::remark_thermal(const ThermalRun::Step& done, bool settles) {
         make_finding(
             "thermal.window",
             fmt::format("thermal analysis: aveTime = {:.3g} ms is shorter than one element "
-                        "passage ({:.3g} ms), so the heat of a thermal step fluctuates. "
-                        "Temperatures of the bearing follow the mean heat. Each printed network "
-                        "shows one thermal step",
+                        "passage ({:.3g} ms), so the heat varies from one thermal step to the "
+                        "next, and each printed network shows one step only. The temperatures "
+                        "follow the mean heat. For steady values, increase aveTime",
                         1e3 * done.window, 1e3 * done.passing))
             .measure(1e3 * done.window)
             .at(t));

@@ -253,8 +253,8 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
       out.notes.push_back(solve.converged
                               ? "the equilibrium found from the first guess of the displacement is "
                                 "not stable; this one was found without the guess"
-                              : "no equilibrium was found from the first guess of the "
-                                "displacement; this one was found without the guess");
+                              : "the search from the first guess of the displacement found no "
+                                "equilibrium; this equilibrium was found without that guess");
       state = std::move(from_cold);
       solve = second;
     }
