@@ -35,10 +35,11 @@ class DeckVariables:
     """Record 1. Thermal analysis. When it is on, temperatures follow from the heat that the run generates. Records
     3.5 and 9.7 then specify coolant and heat transfer."""
     maxStps: int
-    """Record 1. Largest number of counted steps. The run ends at this number or at fTime, whichever comes first."""
+    """Record 1. Largest number of counted steps (see nStps). The run ends at this number of steps or at fTime,
+    whichever comes first."""
     nStps: int
-    """Record 1. Number of integration steps in one counted step. Only the last of them is counted and stored. With 0
-    or 1, every integration step counts."""
+    """Record 1. Number of integration steps in one counted step. Only the last of these steps is counted and stored.
+    With 0 or 1, every integration step is counted."""
     intMet: int
     """Record 1. Integration method. The explicit method of order 5 suits most runs. Codes above 18 are extensions,
     which the classic program does not have."""
@@ -53,7 +54,7 @@ class DeckVariables:
     fTime: float
     """Record 2.1. End of the run in dimensionless time."""
     tol: float
-    """Record 2.1. Allowed error per step, relative to the scales of the problem. A smaller value makes the run more
+    """Record 2.1. Allowed error per step, relative to the scale of each variable. A smaller value makes the run more
     accurate and slower."""
     qFac: float
     """Record 2.1. Load ratio up to which rolling elements are quasi-static in mode 0. An element is in force balance
@@ -75,19 +76,19 @@ class DeckVariables:
     without ADRX1 the external moment is zero."""
     kMD21: int
     """Record 2.2. Rotation constraint of the outer race about y. With 0, the moments on the race change its speed;
-    without ADRX1 the external moment is zero."""
+    without ADRX1 the external moment is minus appMomY."""
     kMD31: int
     """Record 2.2. Rotation constraint of the outer race about z. With 0, the moments on the race change its speed;
-    without ADRX1 the external moment is zero."""
+    without ADRX1 the external moment is minus appMomZ."""
     kMD12: int
     """Record 2.2. Rotation constraint of the inner race about x. With 0, the moments on the race change its speed;
     without ADRX1 the external moment is zero."""
     kMD22: int
     """Record 2.2. Rotation constraint of the inner race about y. With 0, the moments on the race change its speed;
-    without ADRX1 the external moment is zero."""
+    without ADRX1 the external moment is appMomY."""
     kMD32: int
     """Record 2.2. Rotation constraint of the inner race about z. With 0, the moments on the race change its speed;
-    without ADRX1 the external moment is zero."""
+    without ADRX1 the external moment is appMomZ."""
     masName: str
     """Record 2.3. Name of the file with the data for a continuation, at most 10 characters."""
     finName: str
@@ -155,7 +156,8 @@ class DeckVariables:
     """Record 3.3. Moment or misalignment about z as input to the static solution."""
     kAngVel: int
     """Record 3.3. Rule for the spin axis of balls in the static solution. Race control suits fast bearings, and
-    least heat suits the others. Balls in friction equilibrium use neither."""
+    least heat suits the others. Codes 0 and 1 are not used for balls in friction equilibrium (run option
+    ballFriction)."""
     kStif: int
     """Record 3.3. Number of speeds in the table of stiffness against speed; 0 for no table."""
     kChrn: int
@@ -235,10 +237,10 @@ class DeckVariables:
     0.53."""
     shoulderDia1: float
     """Record 5A [m]. Shoulder diameter of the outer race. It is used only for the distance of the contact from the
-    edge."""
+    shoulder edge."""
     shoulderDia2: float
     """Record 5A [m]. Shoulder diameter of the inner race. It is used only for the distance of the contact from the
-    edge."""
+    shoulder edge."""
     shimThickness1: float
     """Record 5A [m]. Thickness of the grinding shim of a split outer race (gothic arch); 0 if the race is not split."""
     shimThickness2: float
@@ -922,8 +924,8 @@ class DeckVariables:
     bearing axis, relative to the orbiting ball frame. It is used only when kAngVel is 2. With a positive angle,
     the end of the axis towards -x is tilted outwards. If the angle equals the contact angle, the ball rolls
     without spin. If the inner race rotates in the positive direction, the spin vector points to -x. The listing
-    gives theta of the total angular velocity, which includes the orbit. It is slightly below 180 degrees minus
-    this angle."""
+    gives theta, the angle of the total angular velocity, which includes the orbit. Theta is slightly below 180
+    degrees minus this angle."""
     res1: float
     """Record 9.0 [N/m^2]. Residual stress of the outer race in operation, positive in tension. It enters the STLE
     life factor."""
@@ -941,20 +943,20 @@ class DeckVariables:
     """Record 9.1.1 [N]. Force that the shaft applies to the inner race along z, used when kFS3 is 0."""
     appDispX: float
     """Record 9.1.1 [m]. Displacement of the inner race relative to the outer race along x when kFS1 is 1. When kFS1
-    is 0, it is the first guess, and 0 selects an estimate. Zero is the position of the unmounted bearing, at rest
-    and at room temperature, in which balls at freeConAng (towards +x) or tapered rollers just touch both races,
-    or, in other bearings, the mid planes of the races coincide. Fits, thermal growth and speed do not change this
-    datum."""
+    is 0, it is the first guess of the static solution, and 0 selects an estimate. The displacement is measured
+    from the unmounted bearing at rest and at room temperature. At displacement 0, balls at freeConAng (towards
+    +x) and tapered rollers just touch both races; in other bearings, the mid planes of the races coincide. Fits,
+    thermal growth and speed do not change this datum."""
     appDispY: float
     """Record 9.1.1 [m]. Displacement of the inner race relative to the outer race along y when kFS2 is 1. When kFS2
-    is 0, it is the first guess, and 0 selects an estimate. Zero is the position of the unmounted bearing, at rest
-    and at room temperature, in which the races are coaxial. Fits, thermal growth and speed do not change this
-    datum."""
+    is 0, it is the first guess of the static solution, and 0 selects an estimate. The displacement is measured
+    from the unmounted bearing at rest and at room temperature. At displacement 0, the races are coaxial. Fits,
+    thermal growth and speed do not change this datum."""
     appDispZ: float
     """Record 9.1.1 [m]. Displacement of the inner race relative to the outer race along z when kFS3 is 1. When kFS3
-    is 0, it is the first guess, and 0 selects an estimate. Zero is the position of the unmounted bearing, at rest
-    and at room temperature, in which the races are coaxial. Fits, thermal growth and speed do not change this
-    datum."""
+    is 0, it is the first guess of the static solution, and 0 selects an estimate. The displacement is measured
+    from the unmounted bearing at rest and at room temperature. At displacement 0, the races are coaxial. Fits,
+    thermal growth and speed do not change this datum."""
     appMomY: float
     """Record 9.1.2 [N.m]. Moment that the shaft applies to the inner race about y, used when kFS4 is 0."""
     appMomZ: float
@@ -1002,9 +1004,9 @@ class DeckVariables:
     rpmRange22: float
     """Record 9.2 [rpm]. Last inner race speed of the table."""
     rotLoadFrac1: float
-    """Record 9.3A. Orbit radius of the outer race divided by the relative radial deflection."""
+    """Record 9.3A. Orbit radius of the outer race divided by the radial deflection between the races."""
     rotLoadFrac2: float
-    """Record 9.3A. Orbit radius of the inner race divided by the relative radial deflection."""
+    """Record 9.3A. Orbit radius of the inner race divided by the radial deflection between the races."""
     rotLoadRpm1: float
     """Record 9.3A [rpm]. Rotational speed of the load that the orbit of the outer race produces."""
     rotLoadRpm2: float
