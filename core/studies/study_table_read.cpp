@@ -123,7 +123,7 @@ StudyTable read_csv(const fs::path& file) {
       no_table(file, fmt::format("line {} does not have {}, as the first line has", out.rows() + 2,
                                  counted(head.size(), "field")));
     if (out.rows() >= static_cast<std::size_t>(kMaxStudyRuns))
-      no_table(file, fmt::format("it has more than {} runs", kMaxStudyRuns));
+      no_table(file, fmt::format("the study has more than {} runs", kMaxStudyRuns));
     const auto whole = [&](const std::string& name, const std::string& field, long least) {
       const long value = whole_of(field);
       if (value < least)

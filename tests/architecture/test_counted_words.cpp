@@ -92,6 +92,7 @@ TEST_CASE("sentences of the sources write no number before a plural", "[unit]") 
                                       "the random variables have {} dimensions",
                                       "the study has {:.3g} runs, more than {}",
                                       "{} cage segments, ",
+                                      "the study has more than {} runs",
                                       "{} names none",
                                       "{} names no set"};
   std::string found;

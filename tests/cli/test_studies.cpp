@@ -50,14 +50,14 @@ TEST_CASE("a study is planned, run, reported, and nothing is computed twice", "[
   INFO(run.out);
   REQUIRE(run.code == 0);
   CHECK(contains(run.out, "6 of 6 runs done, 0 failed"));
-  CHECK(contains(run.out, "; 3 computed in"));  // the pilots were there
+  CHECK(contains(run.out, "; 3 computed now in"));  // the pilots were there
   const std::string table = read(folder / "a.study" / "RUNS.csv");
   CHECK(lines_of(table) == 7);
   CHECK(table.rfind("run,exit,appLoadX [N],largest_contact_load_N [N],", 0) == 0);
   CHECK(fs::file_size(folder / "a.study" / "STUDY.h5") > 2000);
   const Result again = run_adore("study resume " + file);
   REQUIRE(again.code == 0);
-  CHECK(contains(again.out, "; 0 computed in"));
+  CHECK(contains(again.out, "; 0 computed now in"));
   CHECK(read(folder / "a.study" / "RUNS.csv") == table);
 
   // A finer grid that contains the old points: only the new ones are made.

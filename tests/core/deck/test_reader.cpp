@@ -445,9 +445,9 @@ TEST_CASE("checks: incompatible cones → the remedy works, in both unit systems
     };
     const std::string text = remedy();
     INFO(text);
-    const std::size_t at = text.find("one of ");
+    const std::size_t at = text.find("cone angle of ");
     REQUIRE(at != std::string::npos);
-    const double first = std::stod(text.substr(at + 7));
+    const double first = std::stod(text.substr(at + 14));
     const double last = std::stod(text.substr(text.find(" to ") + 4));
     CHECK(first < 10.35);
     CHECK(last > 10.35);

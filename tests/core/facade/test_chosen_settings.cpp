@@ -56,7 +56,7 @@ TEST_CASE("chosen settings: nodes of the contact ellipses chosen with the steps"
   CHECK(nodes(rough) < nodes(fine));
 
   std::string again =
-      fmt::format("to repeat the same run: `adore run DECK --integrator {} --tol {:g}",
+      fmt::format("To repeat this run: `adore run DECK --integrator {} --tol {:g}",
                   rough.integrator, rough.tolerance);
   for (const auto& [name, value] : rough.sets) again += fmt::format(" --set {}={}", name, value);
   for (const auto& [name, value] : rough.options) again += fmt::format(" --opt {}={}", name, value);
