@@ -234,7 +234,7 @@ TEST_CASE("incompatible values â†’ rejected with the variable; open conditions â
   CHECK_THAT(refusal({{"mode", "2"}, {"kFS2", "1"}, {"kVarLoad", "1"}, {"rotLoadFrac2", "0.1"}}),
              Catch::Contains("rotLoadFrac2") && Catch::Contains("kFS2"));
   CHECK_THAT(refusal({{"mode", "1"}, {"kDCR", "1"}, {"kFD12", "0"}}),
-             Catch::Contains("kFD12") && Catch::Contains("equilibrium mode 1"));
+             Catch::Contains("kFD12") && Catch::Contains("in mode 1, a race cannot accelerate"));
   CHECK_THAT(warnings({{"mode", "1"}, {"kRaceIP2", "1"}}),
              Catch::Contains("kRaceIP2") && Catch::Contains("no effect"));
   // The plan tells the same.
