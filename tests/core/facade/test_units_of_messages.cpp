@@ -48,6 +48,8 @@ void read_messages(const std::string& type, std::set<std::string>& faults, std::
       R"((^|[^\w.])[-+]?[0-9.]+(e[-+]?[0-9]+)? (mm|um|µm|m|kN|N|K|[kMG]?Pa|kg|N m|N\.m|m/s|N/m)(?![\w/^]))");
   static const std::regex list(
       R"([0-9] (and|to|or) [-+]?[0-9.]+(e[-+]?[0-9]+)? (in|lbf|lbf/in\^2|R|lbm)(?![\w/^]))");
+  // Of the schema, whole in the units of the deck.
+  static const std::regex range(R"(a value from [-+0-9.e]+ to )");
   Deck first = deck::new_deck(type);
   if (first.units() == deck::UnitSystem::SI)
     first = deck::in_units(first, deck::UnitSystem::English);
@@ -66,7 +68,8 @@ void read_messages(const std::string& type, std::set<std::string>& faults, std::
           for (const std::string& text : all_texts(changed)) {
             ++read;
             std::smatch match;
-            if (std::regex_search(text, match, si) || std::regex_search(text, match, list))
+            const std::string lists = std::regex_replace(text, range, "");
+            if (std::regex_search(text, match, si) || std::regex_search(lists, match, list))
               faults.insert(
                   fmt::format("{} x {}: '{}' in: {}", spec.name, factor, match.str(), text));
           }
