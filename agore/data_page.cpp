@@ -84,7 +84,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       add(page, "Force", "", pocket_force(animation, k), exact);
       break;
     case View::Element:
-      page.title = fmt::format("Element {} speed / {}", options.element,
+      page.title = fmt::format("Element {} / {}", options.element,
                                divisor_text(animation, over_of_element(animation, k)));
       add(page, "Orbit", "", element_orbit(animation, k), exact, true);
       add(page, "Rotation", "", element_spin(animation, k), exact, true);
