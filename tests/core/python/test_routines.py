@@ -61,7 +61,7 @@ class Traction(unittest.TestCase):
     def test_the_table_states_its_error_and_keeps_to_it(self):
         routines = traction(True)
         self.assertLess(routines.errors["element_race"], 1e-7)
-        self.assertIn("table of element_race within", repr(routines))
+        self.assertIn("element_race table: relative error up to", repr(routines))
         slip = np.geomspace(1e-6, 50.0, 777)
         x, y, error = adore.routines._tabulated(value, 0.2, 100.0, 1e-7)
         found = adore._core.interpolate(x, y, slip)
