@@ -28,8 +28,8 @@ struct UserHooks {
   /// ADRX5: element k is out of round (scene/user_laws.hpp).
   std::function<void(std::size_t k, std::shared_ptr<const bearing::GivenRace>)> out_of_round;
   bool balls_out_of_round = false;  ///< known when the scene is planned
-  int slices = 0;       ///< of rollers
-  bool points = false;  ///< barrels touch at points, not in slices
+  int slices = 0;                   ///< of rollers
+  bool points = false;              ///< barrels touch at points, not in slices
   // Announcements of ADRX1, known when the scene is planned.
   std::array<bool, 2> drives{};         ///< races whose accelerations it gives
   bool moves_frame = false;             ///< it accelerates the base frame

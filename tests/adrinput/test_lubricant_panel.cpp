@@ -97,7 +97,8 @@ TEST_CASE(
     REQUIRE(pages.size() == 3);
     const std::optional<double> end = tribology::pressure_range(code).measured_to;
     const std::string said =
-        end ? fmt::format("extrapolated beyond {:g} GPa, the highest measured pressure", 1e-9 * *end)
+        end ? fmt::format("extrapolated beyond {:g} GPa, the highest measured pressure",
+                          1e-9 * *end)
             : "measured up to an unknown pressure";
     CHECK_THAT(pages[0].note, Catch::Contains(said));
     CHECK_THAT(pages[1].note, Catch::Contains(said));

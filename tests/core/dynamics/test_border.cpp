@@ -214,9 +214,8 @@ TEST_CASE("Jacobian: several bodies in the border → dense difference",
     }
 }
 
-TEST_CASE(
-    "elements that touch their neighbors form a ring with the Jacobian of a dense difference",
-    "[physics][dynamics][implicit]") {
+TEST_CASE("elements that touch their neighbors form a ring with the Jacobian of a dense difference",
+          "[physics][dynamics][implicit]") {
   for (const int balls : {7, 12}) {
     bearing::Bearing b = angular_contact(balls, 0.07);
     b.cage.reset();

@@ -55,9 +55,8 @@ TEST_CASE("chosen settings: nodes of the contact ellipses chosen with the steps"
   INFO(rough.text << "\n" << fine.text);
   CHECK(nodes(rough) < nodes(fine));
 
-  std::string again =
-      fmt::format("To repeat this run: `adore run DECK --integrator {} --tol {:g}",
-                  rough.integrator, rough.tolerance);
+  std::string again = fmt::format("To repeat this run: `adore run DECK --integrator {} --tol {:g}",
+                                  rough.integrator, rough.tolerance);
   for (const auto& [name, value] : rough.sets) again += fmt::format(" --set {}={}", name, value);
   for (const auto& [name, value] : rough.options) again += fmt::format(" --opt {}={}", name, value);
   CHECK(rough.text.ends_with(again + "`"));

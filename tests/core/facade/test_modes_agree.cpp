@@ -206,8 +206,8 @@ void check_from_same_states(const std::string& type, const Sets& own, int window
 
 TEST_CASE("mode 1 of the ball example has the heat and the cage speed of mode 0 over three turns",
           "[physics][facade][constrained][slow]") {
-  // From the friction equilibrium loads that differ by 1e-4 spread by 0.3 %, less than the cage heat
-  // of mode 1 differs (3 %): cages that start elsewhere.
+  // From the friction equilibrium loads that differ by 1e-4 spread by 0.3 %, less than the cage
+  // heat of mode 1 differs (3 %): cages that start elsewhere.
   check_with_spread("ball", {}, 3, kCages, kElastic);
   const Sets finer{{"tol", "1e-7"}};
   check("ball", finer, 3, means_of("ball", finer, 3, 0, 1.0));

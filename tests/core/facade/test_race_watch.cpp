@@ -76,7 +76,8 @@ TEST_CASE("race watch: more than a tenth off at tiny steps → run ends, otherwi
       RaceWatch watch(kScale, kLongest);
       CHECK_NOTHROW(look(watch, 0.0, 2.9 * kWindow, constant(load)));
       CHECK_THROWS_WITH(look(watch, 2.9 * kWindow, 3.2 * kWindow, constant(load)),
-                        Catch::Contains("specified load is 100 N") && Catch::Contains("differs by 12 N") &&
+                        Catch::Contains("specified load is 100 N") &&
+                            Catch::Contains("differs by 12 N") &&
                             Catch::Contains("mode to 0 with kDCR = 1 and kFD = 0"));
     }
   }

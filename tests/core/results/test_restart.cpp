@@ -86,8 +86,10 @@ TEST_CASE("FINAL and MASTER: damaged or foreign file → error with the line", "
   master.files = {{"PRINT", "PRINT.txt", 10, {}}};
   write_master(master, folder / "MASTER");
   write_final(make_state(), folder / "FINAL");
-  CHECK_THAT(message_of([&] { (void)read_final(folder / "MASTER"); }), Contains("not a FINAL file"));
-  CHECK_THAT(message_of([&] { (void)read_master(folder / "FINAL"); }), Contains("not a MASTER file"));
+  CHECK_THAT(message_of([&] { (void)read_final(folder / "MASTER"); }),
+             Contains("not a FINAL file"));
+  CHECK_THAT(message_of([&] { (void)read_master(folder / "FINAL"); }),
+             Contains("not a MASTER file"));
   CHECK_THAT(message_of([&] { (void)read_final(folder / "nothing"); }), Contains("no such file"));
   CHECK_THAT(message_of([&] { (void)read_final(folder / "."); }), Contains("folder"));
   for (const std::string name : {"FINAL", "MASTER"}) {
