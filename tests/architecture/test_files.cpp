@@ -56,15 +56,14 @@ std::vector<Found> lines_with(const Pattern& pattern, const std::set<std::string
   return out;
 }
 
-void check_none(const Pattern& pattern, const std::set<std::string>& allowed) {
-  for (const std::string& name : allowed) {
-    INFO(name << " is allowed, and does not exist");
-    CHECK(fs::exists(adore::test::source_dir() / name));
-  }
-  for (const Found& found : lines_with(pattern, allowed)) {
-    INFO(found.file << ": " << found.line);
-    CHECK(false);
-  }
+std::string faults(const Pattern& pattern, const std::set<std::string>& allowed) {
+  std::string out;
+  for (const std::string& name : allowed)
+    if (!fs::exists(adore::test::source_dir() / name))
+      out += name + " is allowed, and does not exist\n";
+  for (const Found& found : lines_with(pattern, allowed))
+    out += found.file + ": " + found.line + "\n";
+  return out;
 }
 
 }  // namespace
@@ -79,60 +78,61 @@ TEST_CASE("sources: only base/write_folder.cpp opens files for writing or change
       R"(|\b(fs|filesystem)::(create_directory|create_directories|create_symlink|create_hard_link|remove|remove_all|rename|copy|copy_file|resize_file|permissions)\s*\()"
       R"(|\bQ(SaveFile|TemporaryFile|TemporaryDir|LockFile)\b|\bmkpath\s*\()"
       R"(|\bQFile\b.*\bWrite|\bH5Fcreate\s*\()");
-  check_none(writer,
-             {"core/base/write_folder.cpp",
-              "core/results/h5_driver.cpp",   // opens what PendingFile made (openat, O_NOFOLLOW)
-              "core/results/results_h5.cpp",  // a file in memory
-              "core/studies/study_table_h5.cpp",  // a file in memory
-              "core/results/h5_process.cpp",      // /dev/null as standard streams of the reader
-              "cli/streams.cpp"});                // /dev/null in place of a closed stream
+  CHECK(faults(writer,
+               {"core/base/write_folder.cpp",
+                "core/results/h5_driver.cpp",   // opens what PendingFile made (openat, O_NOFOLLOW)
+                "core/results/results_h5.cpp",  // a file in memory
+                "core/studies/study_table_h5.cpp",  // a file in memory
+                "core/results/h5_process.cpp",      // /dev/null as standard streams of the reader
+                "cli/streams.cpp"}) == "");         // /dev/null in place of a closed stream
 }
 
 TEST_CASE("sources: only base/input_file.cpp opens files for reading", "[unit][architecture]") {
   static const Pattern reader(
       R"(\bifstream\b|\bQFile\s+\w|(^|\W)::(open|openat)\s*\(|\bopen\s*\(.*\bO_RD|\bH5Fopen\s*\()");
-  check_none(reader, {"core/base/input_file.cpp", "core/base/write_folder.cpp",
-                      "core/results/h5_driver.cpp",
-                      "core/results/h5_file.cpp",     // in the reading process, after refuse_pipe()
-                      "core/results/results_h5.cpp",  // of its own file
-                      "core/results/run_findings.cpp",      // the same; in the reading process
-                      "core/studies/study_table_read.cpp",  // STUDY.h5, after refuse_pipe()
-                      "core/facade/output_folder.cpp",      // locks
-                      "core/results/h5_process.cpp", "core/studies/slurm.cpp",
-                      "cli/streams.cpp"});  // these three: /dev/null
+  CHECK(faults(reader, {"core/base/input_file.cpp", "core/base/write_folder.cpp",
+                        "core/results/h5_driver.cpp",
+                        "core/results/h5_file.cpp",  // in the reading process, after refuse_pipe()
+                        "core/results/results_h5.cpp",        // of its own file
+                        "core/results/run_findings.cpp",      // the same; in the reading process
+                        "core/studies/study_table_read.cpp",  // STUDY.h5, after refuse_pipe()
+                        "core/facade/output_folder.cpp",      // locks
+                        "core/results/h5_process.cpp", "core/studies/slurm.cpp",
+                        "cli/streams.cpp"}) == "");  // these three: /dev/null
 }
 
 TEST_CASE("sources: remarks are Finding; lists of sentences are in the modules below the register",
           "[unit][architecture]") {
   static const Pattern list(
       R"(std::vector<(std::string|Issue)> *&? *(notes|remarks|warnings|hints)_?\b *(=|;|\)|,|\{))");
-  check_none(
-      list,
-      {"core/statics/friction.hpp", "core/statics/ball_statics.cpp", "core/statics/ball_report.cpp",
-       "core/statics/race_text.cpp", "core/statics/roller_report.cpp",
-       "core/statics/least_heat.hpp", "core/statics/least_heat.cpp", "core/bearing/fits.hpp",
-       "core/thermal/bearing_heat.hpp", "core/life/parameters.hpp", "core/life/parameters.cpp",
-       "core/life/iso_report.cpp", "core/life/bearing_life.hpp",
-       // texts of findings for a listing
-       "core/listing/static_summary.hpp", "core/listing/static_summary.cpp",
-       "core/listing/print_file.hpp", "core/listing/print_file.cpp", "core/facade/run_outputs.cpp",
-       // about a drawing, a change of the deck, a page of experiments
-       "core/drawing/outline.hpp", "core/drawing/outline_model.hpp",
-       "core/deck/monitored_bodies.cpp", "core/python/bindings/deck.cpp",
-       "core/facade/experiments.hpp"});
+  CHECK(faults(list, {"core/statics/friction.hpp", "core/statics/ball_statics.cpp",
+                      "core/statics/ball_report.cpp", "core/statics/race_text.cpp",
+                      "core/statics/roller_report.cpp", "core/statics/least_heat.hpp",
+                      "core/statics/least_heat.cpp", "core/bearing/fits.hpp",
+                      "core/thermal/bearing_heat.hpp", "core/life/parameters.hpp",
+                      "core/life/parameters.cpp", "core/life/iso_report.cpp",
+                      "core/life/bearing_life.hpp",
+                      // texts of findings for a listing
+                      "core/listing/static_summary.hpp", "core/listing/static_summary.cpp",
+                      "core/listing/print_file.hpp", "core/listing/print_file.cpp",
+                      "core/facade/run_outputs.cpp",
+                      // about a drawing, a change of the deck, a page of experiments
+                      "core/drawing/outline.hpp", "core/drawing/outline_model.hpp",
+                      "core/deck/monitored_bodies.cpp", "core/python/bindings/deck.cpp",
+                      "core/facade/experiments.hpp"}) == "");
 }
 
 TEST_CASE("sources: all text for the terminal goes through base/terminal_text.hpp",
           "[unit][architecture]") {
   static const Pattern printer(
       R"(\bfmt::print\s*\(|\bstd::(cout|cerr|clog)\b|\b(fwrite|puts|fputs|printf|fprintf|putchar)\s*\()");
-  check_none(printer, {"core/base/terminal_text.cpp",
-                       "core/studies/worker.cpp"});  // to its driver, through a pipe
+  CHECK(faults(printer, {"core/base/terminal_text.cpp", "core/studies/worker.cpp"}) ==
+        "");  // to its driver, through a pipe
 }
 
 TEST_CASE("sources: JSON becomes text by dump_json(), which takes any bytes",
           "[unit][architecture]") {
   static const Pattern dump(R"((\.|->)dump\s*\()");
-  check_none(dump, {"core/base/json_text.hpp",
-                    "core/calculators/json_access.hpp"});  // a value that was parsed: UTF-8
+  CHECK(faults(dump, {"core/base/json_text.hpp", "core/calculators/json_access.hpp"}) ==
+        "");  // a value that was parsed: UTF-8
 }

@@ -283,7 +283,7 @@ TEST_CASE("traction: statics and start of motion → the same friction coefficie
   // of race control, 22.7 and 35 degrees): the statics lets a contact creep until it carries no
   // force, a motion that is not yet balanced rolls without creep. A race that controls has slip of
   // its curvature alone, a quarter more without creep; the axis of least heat in oil lies nearer to
-  // it (slip 2.7 % apart). Nodes are those of the statics.
+  // it (slip 2.7 % apart). Motion uses the nodes of statics.
   for (const char* code : {"1", "3", "4", "5", "10", "11", "18"}) {
     const auto prepared = [&](const char* mode) {
       Deck deck = deck::new_deck("ball");
