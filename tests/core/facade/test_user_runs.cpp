@@ -1,4 +1,5 @@
 #include "core/facade/user_runs.hpp"
+#include "facade/check.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -57,6 +58,7 @@ TEST_CASE("ADRX1: accelerated inner race → speed and rotation of the closed fo
   const double turn = first * 1e-4 + 0.5 * (first + last) * 3e-4 + last * 1e-4;
   CHECK(ran.last.at("inner race.rotation [rad]") == Approx(turn).epsilon(4e-5));
   for (const Issue& remark : ran.outcome.warnings) CHECK(remark.record != "12");
+  for (const Issue& remark : facade::check(request).issues) CHECK(remark.record != "12");
   request.user.clear();  // nobody reads the lines
   const auto& unread = facade::prepare(request).input.warnings;
   CHECK(std::any_of(unread.begin(), unread.end(),
