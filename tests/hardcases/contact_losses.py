@@ -6,8 +6,9 @@
 PROGRAM is `adore`. Deck 0 is the example `ball` with 394/693 N at 11,388 rpm; the others draw speed (10,000 to 20,000 rpm), axial load and ratio
 of radial to axial load (0.8 to 2); every second one runs in oil. The largest load of a revolution, as the mean from the second revolution on, and
 the life of the run must be within 25 % of the equilibrium. In deck 0 no load from the second revolution on may be outside 15 %, and the life 20 %.
-Balls without lubricant and with little load (deck 2) strike the cage all the time, which scatters their peaks. Without contact damping these
-bearings vibrate for ever (decision 800). Exit 1: a deck is outside.
+Balls without lubricant and with little load (deck 2) strike the cage all the time, which scatters their peaks: 11 to 27 % above the equilibrium in
+revolutions 2 to 8; without the cage they decay to 0.8 %. Without contact damping these bearings vibrate for ever (decision 800). Exit 1: a deck is
+outside.
 """
 
 import argparse
