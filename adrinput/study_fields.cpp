@@ -328,9 +328,7 @@ const std::vector<StudyTableSpec>& study_tables() {
          "one production lot",
          kSampled},
         {"Link", "Other deck variables that get the same value: A; B", kWithLaw},
-        {"Step",
-         "Size of the step, up and down from the value, for the numerical derivative; in the units "
-         "of the deck (default: 0.1 % of the value)",
+        {"Step", "Step of the central difference, in deck units (default: 0.1 % of the value)",
          only(Kind::Sensitivity)}}},
       {"correlation",
        "Correlation",

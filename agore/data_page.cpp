@@ -44,16 +44,19 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       const bool guided = animation.has_cage && (animation.land[0] || animation.land[1]);
       if ((options.view != View::Bearing || !guided) && animation.contacts) {
         page.title = fmt::format("Contact loads of element {}", options.element);
+        const auto* second =
+            animation.motion ? animation.motion->channel("second_contact.load") : nullptr;
+        const bool both = second != nullptr && second->width > 0 &&
+                          std::any_of(second->values.begin(), second->values.end(),
+                                      [](double load) { return load > 0.0; });
         for (const auto& [race, name] :
              {std::pair<std::size_t, const char*>{0, "outer race"}, {1, "inner race"}}) {
-          add(page, "Load", name, contact_load(animation, k, race), exact);
-          const auto* second =
-              animation.motion ? animation.motion->channel("second_contact.load") : nullptr;
-          if (second != nullptr && second->width > 0 &&
-              std::any_of(second->values.begin(), second->values.end(),
-                          [](double load) { return load > 0.0; }))
-            add(page, "Load", fmt::format("{}, other half", name),
-                contact_load(animation, k, race, "second_contact.load"), exact);
+          // Four curves would have no room for their names.
+          const std::string panel = both ? (race == 0 ? "Load, outer" : "Load, inner") : "Load";
+          add(page, panel, name, contact_load(animation, k, race), exact);
+          if (both)
+            add(page, panel, "other half", contact_load(animation, k, race, "second_contact.load"),
+                exact);
         }
         break;
       }

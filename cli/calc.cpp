@@ -174,15 +174,15 @@ void add_calc(CLI::App& app, int& exit_code) {
     auto only = std::make_shared<std::string>();
     command->add_option("files", *files, "case files, or - for standard input")->type_name("FILE");
     CLI::Option* experiments_flag = command->add_flag(
-        "--experiments", *published, "compare with published experiments (instead of case files)");
+        "--experiments", *published, "compare with published experiments; takes no case files");
     command->add_option("--only", *only, "run only the experiment with this id")
         ->type_name("ID")
         ->needs(experiments_flag);
     auto torques = std::make_shared<bool>(false);
     command
         ->add_flag("--torque", *torques,
-                   "compare the friction torque of three bearings with a catalog formula (instead "
-                   "of case files)")
+                   "compare the friction torque of three bearings with a catalog formula; takes no "
+                   "case files")
         ->excludes(experiments_flag);
     command->add_flag("--markdown", *markdown,
                       "print the results of --experiments or --torque as Markdown");

@@ -52,7 +52,7 @@ RecordSpec cage_options() {
        with_table(choice("kCageMat",
                          {{"0", "mild steel"}, {"1", "record 8.5"}, {"2", "user routine ADRX0"}},
                          "Material of the cage. 0 is mild steel, and 1 takes the properties from "
-                         "the deck. Other codes are those of the material table.",
+                         "the deck. The material table lists the other codes.",
                          "0"),
                   "@materials"),
        choice("kCageIP", {{"0", "from ideal geometry"}, {"1", "record 7.7"}},

@@ -40,7 +40,7 @@ RecordSpec run_mode() {
                {"4", "same as 3, and no rotation about y and z"},
                {"5", "all six accelerations of rolling elements are zero"},
                {"6", "chosen in user routine ADRX1"}},
-              "Degrees of freedom that are suppressed in addition to those of mode. A suppressed "
+              "Degrees of freedom that are suppressed besides the effect of mode. A suppressed "
               "degree of freedom keeps its initial velocity. Its acceleration is zero, and no "
               "force balance is solved for it."),
        choice("kIcOpt",
@@ -257,12 +257,11 @@ VariableSpec static_constraint(std::string_view name, std::string_view direction
 VariableSpec material(std::string_view name, std::string_view default_material,
                       std::string_view given, std::string_view part) {
   return with_table(
-      choice(
-          name, {{"0", default_material}, {"1", given}, {"2", "user routine ADRX0"}},
-          keep(fmt::format("Material of the {}. 0 is the usual material, and 1 takes the "
-                           "properties from the deck. Other codes are those of the material table.",
-                           part)),
-          "0"),
+      choice(name, {{"0", default_material}, {"1", given}, {"2", "user routine ADRX0"}},
+             keep(fmt::format("Material of the {}. 0 is the usual material, and 1 takes the "
+                              "properties from the deck. The material table lists the other codes.",
+                              part)),
+             "0"),
       "@materials");
 }
 

@@ -8,18 +8,17 @@
 
 /// Balance of friction at the start of rollers that lean on a rib.
 ///
-/// The start (roller_start.hpp) is the balance of friction of statics (statics/roller_friction.hpp)
-/// where there is one; it leaves out the effects of the run that statics do not have, and rollers
-/// that lean on one race. Here each roller finds
+/// With rollerFriction=balance the start (roller_start.hpp) is the friction equilibrium of statics
+/// (statics/roller_friction.hpp). Statics have neither gravity nor a cage, and no friction
+/// equilibrium of rollers that touch one race only. Here each roller finds
 ///   u = (x, r, tilt φ, skew ψ, spin ω_s)   with   ẍ = r̈ = 0,  ω̇ = 0 on the azimuth axes,
 /// at its azimuth and orbital speed: it stands in the turning frame, its axis
 ///   a = (cos φ cos ψ, sin φ cos ψ, -sin ψ) on e_x, e_r, e_θ,   ω = θ̇ e_x + ω_s a.
 /// The rates are those of the whole right-hand side (friction, drag, gravity, gyroscopic moments);
 /// races and cage stand at their start, so that rollers do not meet and one set of differences
-/// serves all. Steps: statics/friction_flow.hpp. A roller
-/// keeps its old start where that ends nowhere, in more than kLargestSkew, or where skew would run
-/// away from the balance: ∂ω̇_skew/∂ψ > 0 with the other four following. What a rib drags around the
-/// bearing (θ̈) stays for the motion.
+/// serves all. Steps: statics/friction_flow.hpp. A roller keeps its old start where that ends
+/// nowhere, in more than kLargestSkew, or where skew would run away from the balance: ∂ω̇_skew/∂ψ >
+/// 0 with the other four following. What a rib drags around the bearing (θ̈) stays for the motion.
 ///
 /// Balls without attitude find u = (x, r, ω) with ẍ = r̈ = 0 and ω̇ = 0 by the same steps: the slip
 /// whose friction carries the gyroscopic moment, which the start of pure rolling does not have. It

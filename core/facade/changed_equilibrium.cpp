@@ -55,8 +55,8 @@ std::string change_remark(const dynamics::NewEquilibrium& change, const std::str
   if (!specified.empty()) return text + ": " + specified + "; the run continues";
   if (ratio > dynamics::kExcessRefused)
     throw SolverError(text +
-                      ": the contact loads after this change are those of an impact. Change the "
-                      "bearing in smaller steps, or start from the equilibrium (kIcOpt = 0)");
+                      ": this change of the bearing acts like an impact on the contacts. Change "
+                      "it in smaller steps, or start from the equilibrium (kIcOpt = 0)");
   return text + ", so the loads of the next revolutions contain a vibration";
 }
 

@@ -366,9 +366,6 @@ Prepared prepare_model(LoadedDeck input) {
   out.options = setup::build_run_options(out.input.option_values);
   out.input.deck.reads = std::make_shared<deck::ReadLog>();
   out.user = open_session(out.input, out.options);
-  // An open session has read all lines of record 12: they need no warning.
-  if (out.user)
-    std::erase_if(out.input.warnings, [](const Issue& issue) { return issue.record == "12"; });
   setup::UserHooks hooks = user_hooks(out.user, out.options);
   const setup::UserHooks* const user = out.user ? &hooks : nullptr;
   out.as_built = setup::build_bearing(deck, out.options.seed, user);
@@ -599,7 +596,12 @@ fs::path deck_path(const DeckRequest& request) {
 
 deck::ReadResult read_deck(const DeckRequest& request) {
   const fs::path path = deck_path(request);
-  return request.text ? deck::read_deck_text(*request.text, path.string()) : deck::read_deck(path);
+  deck::ReadResult out =
+      request.text ? deck::read_deck_text(*request.text, path.string()) : deck::read_deck(path);
+  // User routines read all lines of record 12: they need no warning.
+  if (request.routines || !request.user.empty())
+    std::erase_if(out.issues, [](const Issue& issue) { return issue.record == "12"; });
+  return out;
 }
 
 LoadedDeck load_deck(const DeckRequest& request) {

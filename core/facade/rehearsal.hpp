@@ -13,8 +13,8 @@ struct Rehearsal {
   std::vector<Finding> remarks;  ///< warnings and notes, those of the reader among them
 };
 
-/// All findings that a run reports before its first step: of deck, statics and scene, then those of
-/// its request, method and start state. Writes nothing.
+/// All findings that a run reports before its first step: first about deck, statics and scene, then
+/// about request, method and start state. Writes nothing.
 /// @param folder of the run's files; empty: no file is looked at
 /// @throws InputError, SolverError as the run
 [[nodiscard]] std::vector<Finding> findings_before_first_step(

@@ -12,7 +12,7 @@ class DeckVariables:
     """Record 1. Source of the constraints on the motion of the races. With the built-in constraints, both races keep
     the position of the static solution and rotate at their given speeds."""
     kDOF: int
-    """Record 1. Degrees of freedom that are suppressed in addition to those of mode. A suppressed degree of freedom
+    """Record 1. Degrees of freedom that are suppressed besides the effect of mode. A suppressed degree of freedom
     keeps its initial velocity. Its acceleration is zero, and no force balance is solved for it."""
     kIcOpt: int
     """Record 1. Initial state of a dynamic run. Use -1 to start a new run from an earlier final state, and 1 to
@@ -164,19 +164,19 @@ class DeckVariables:
     """Record 3.3. Medium that causes churning drag on rolling elements and cage."""
     kReMat: int
     """Record 3.3. Material of the rolling elements. 0 is the usual material, and 1 takes the properties from the
-    deck. Other codes are those of the material table."""
+    deck. The material table lists the other codes."""
     kRaceMat1: int
-    """Record 3.3. Material of the outer race. 0 is the usual material, and 1 takes the properties from the deck.
-    Other codes are those of the material table."""
+    """Record 3.3. Material of the outer race. 0 is the usual material, and 1 takes the properties from the deck. The
+    material table lists the other codes."""
     kRaceMat2: int
-    """Record 3.3. Material of the inner race. 0 is the usual material, and 1 takes the properties from the deck.
-    Other codes are those of the material table."""
+    """Record 3.3. Material of the inner race. 0 is the usual material, and 1 takes the properties from the deck. The
+    material table lists the other codes."""
     kHsngMat: int
-    """Record 3.3. Material of the housing. 0 is the usual material, and 1 takes the properties from the deck. Other
-    codes are those of the material table."""
+    """Record 3.3. Material of the housing. 0 is the usual material, and 1 takes the properties from the deck. The
+    material table lists the other codes."""
     kShftMat: int
-    """Record 3.3. Material of the shaft. 0 is the usual material, and 1 takes the properties from the deck. Other
-    codes are those of the material table."""
+    """Record 3.3. Material of the shaft. 0 is the usual material, and 1 takes the properties from the deck. The
+    material table lists the other codes."""
     kLifeCons: int
     """Record 3.3. Source of the constants of the fatigue life models."""
     kVarLoad: int
@@ -544,8 +544,8 @@ class DeckVariables:
     kGsHydro: int
     """Record 7.0. Hydrodynamic film forces at the guide lands. They are not available with a segmented cage."""
     kCageMat: int
-    """Record 7.0. Material of the cage. 0 is mild steel, and 1 takes the properties from the deck. Other codes are
-    those of the material table."""
+    """Record 7.0. Material of the cage. 0 is mild steel, and 1 takes the properties from the deck. The material
+    table lists the other codes."""
     kCageIP: int
     """Record 7.0. Source of mass and inertia of the cage."""
     nGL: int
