@@ -52,8 +52,8 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
         for (const auto& [race, name] :
              {std::pair<std::size_t, const char*>{0, "outer race"}, {1, "inner race"}}) {
           // Four curves would have no room for their names.
-          const std::string panel = both ? (race == 0 ? "Load, outer" : "Load, inner") : "Load";
-          add(page, panel, name, contact_load(animation, k, race), exact);
+          const std::string panel = both ? (race == 0 ? "Outer load" : "Inner load") : "Load";
+          add(page, panel, both ? "one half" : name, contact_load(animation, k, race), exact);
           if (both)
             add(page, panel, "other half", contact_load(animation, k, race, "second_contact.load"),
                 exact);
