@@ -39,8 +39,8 @@ set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
     WORLD_READ WORLD_EXECUTE)
 
-file(ARCHIVE_CREATE OUTPUT ${CMAKE_BINARY_DIR}/changelog.Debian.gz PATHS ${CMAKE_SOURCE_DIR}/resources/packages/changelog
-     FORMAT raw COMPRESSION GZip COMPRESSION_LEVEL 9)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/cmake/FinishPackages.cmake)
+
 # adore_package(<component> <package> <title> <text>): name, description, and the files that each package must have.
 set(CPACK_COMPONENTS_ALL)
 macro(adore_package component package title text)
@@ -50,30 +50,33 @@ macro(adore_package component package title text)
   set(CPACK_DEBIAN_${upper}_DESCRIPTION "${title}\n${text}")
   install(FILES ${CMAKE_SOURCE_DIR}/resources/packages/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
           COMPONENT ${component} EXCLUDE_FROM_ALL)
-  install(FILES ${CMAKE_BINARY_DIR}/changelog.Debian.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
-          COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(FILES ${CMAKE_SOURCE_DIR}/resources/packages/changelog DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
+          RENAME changelog.Debian COMPONENT ${component} EXCLUDE_FROM_ALL)
 endmacro()
 
 adore_package(program adore "dynamics of rolling bearings, command line"
-  "Adore computes the statics and the dynamics of ball and roller bearings: loads, slip, heat, fatigue life, cage\nmotion. The program adore reads decks, runs them, and writes listings and plot data.")
+  "Adore computes the statics and the dynamics of ball and roller bearings:\nloads, slip, heat, fatigue life, cage motion. The program adore reads decks,\nruns them, and writes listings and plot data.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "adore-apps")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "adore-doc, python3-adore, g++")
 if(ADORE_WITH_QT)
   adore_package(apps adore-apps "dynamics of rolling bearings, desktop programs"
-    "AdrInput prepares decks, AdrPlot shows charts of results, AGORE animates a bearing. The package also has the\nprogram that draws the pictures of `adore plot` and `adore animate`.")
+    "AdrInput prepares decks, AdrPlot shows charts of results, AGORE animates\na bearing. The package also has the program that draws the pictures of\n`adore plot` and `adore animate`.")
   set(CPACK_DEBIAN_APPS_PACKAGE_DEPENDS "adore (= ${PROJECT_VERSION}-1)")
 endif()
 if(ADORE_SHARED_LIBRARY)
   adore_package(library libadore-dev "dynamics of rolling bearings, library for C++ programs"
-    "The solver of Adore as a shared library, with its headers and files for CMake: find_package(Adore).")
+    "The solver of Adore as a shared library, with its headers and files for CMake:\nfind_package(Adore).")
   set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
   set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "nlohmann-json3-dev")
+  set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/resources/packages/libadore-dev/triggers)
 endif()
 if(ADORE_WITH_PYTHON)
   adore_package(python python3-adore "dynamics of rolling bearings, Python module"
     "The module adore: decks, equilibria, runs, results and calculators from Python.")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/resources/packages/python3-adore/postinst
+      ${CMAKE_SOURCE_DIR}/resources/packages/python3-adore/prerm)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "adore-apps, python3-pandas")
 endif()
 adore_package(documents adore-doc "dynamics of rolling bearings, documentation"
