@@ -70,6 +70,8 @@ class PlotWindow : public QMainWindow {
   /// (desktop/page_export.hpp). For all pages PDF gives one file, other formats one per page,
   /// numbered. `seen`: only values of visible curves in the visible range. False after a message.
   bool exportTo(const QString& path, bool all_pages, bool seen = false);
+  /// `adore report` of the runs whose files are open, into a folder. False after a message.
+  bool reportTo(const QString& folder);
 
  public slots:
   void askForFile();
@@ -80,6 +82,7 @@ class PlotWindow : public QMainWindow {
   void copyStatistics();  ///< values at the cursors and between them, as text
   void exportPage();
   void exportAll();
+  void askForReport();
   /// Reads the file again whenever it has grown.
   void follow(bool on);
   void previousPage();

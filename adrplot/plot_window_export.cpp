@@ -3,6 +3,7 @@
 #include "desktop/chart_view.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/image_export.hpp"
+#include "desktop/launch.hpp"
 #include "desktop/page_export.hpp"
 #include "desktop/theme.hpp"
 
@@ -113,6 +114,40 @@ bool PlotWindow::exportTo(const QString& path, bool all_pages, bool seen) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
     return false;
   }
+}
+
+bool PlotWindow::reportTo(const QString& folder) {
+  QStringList words{"report", "--progress", "none", "--out", folder};
+  for (const auto& each : documents_) {
+    const QString run = QString::fromStdString(each->path.parent_path().string());
+    if (each->on_disk && !words.contains(run)) words += run;
+  }
+  try {
+    desktop::tell_in_foot(this, tr("Wrote %1.")
+                                    .arg(desktop::output_of_program("adore-pictures", words)
+                                             .trimmed()
+                                             .replace('\n', tr(" and "))));
+    return true;
+  } catch (const std::exception& error) {
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    return false;
+  }
+}
+
+void PlotWindow::askForReport() {
+  Document* doc = document();
+  if (!doc) return askForFile();
+  auto* dialog =
+      new QFileDialog(this, tr("Folder for report.html and report.pdf"),
+                      QFileInfo(QString::fromStdString(doc->path.string())).absolutePath());
+  dialog->setObjectName("report");
+  desktop::delete_when_done(*dialog);
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly);
+  connect(
+      dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) { reportTo(folder); },
+      Qt::QueuedConnection);
+  dialog->open();
 }
 
 void PlotWindow::askForExport(bool all_pages) {

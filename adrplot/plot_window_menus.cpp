@@ -72,6 +72,7 @@ void PlotWindow::makeMenus() {
   file->addAction(tr("&Export Page..."), Qt::CTRL | Qt::Key_E, this, &PlotWindow::exportPage);
   file->addAction(tr("Export &All Pages..."), Qt::CTRL | Qt::SHIFT | Qt::Key_E, this,
                   &PlotWindow::exportAll);
+  file->addAction(tr("Write Repor&t..."), this, &PlotWindow::askForReport);
   file->addAction(tr("Cop&y Picture"), QKeySequence::Copy, this, &PlotWindow::copyPicture);
   file->addAction(tr("Copy &Values at the Cursors"), Qt::CTRL | Qt::SHIFT | Qt::Key_C, this,
                   &PlotWindow::copyStatistics);

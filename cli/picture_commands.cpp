@@ -210,12 +210,50 @@ void add_gallery(CLI::App& app, const std::function<void(const GalleryRequest&)>
   command->callback([=] { draw(*request); });
 }
 
+void add_report(CLI::App& app, const std::function<void(const ReportRequest&)>& draw) {
+  CLI::App* command = app.add_subcommand(
+      "report", "write report.html and report.pdf of runs: deck, results, findings, charts");
+  auto request = std::make_shared<ReportRequest>();
+  command->add_option("runs", request->runs, "folders of runs; several are compared in a table")
+      ->type_name("FOLDER");
+  command->add_option("--out", request->out, "output folder")
+      ->capture_default_str()
+      ->type_name("DIR");
+  command_line::one_of(
+      command
+          ->add_option(
+              "--charts", request->charts,
+              "main (loads, slip, orbit of the cage, power, life, and pages with warnings) "
+              "or all pages of all files")
+          ->capture_default_str()
+          ->type_name("WHICH"),
+      {"main", "all"});
+  command
+      ->add_option("--template", request->file,
+                   "HTML file with {{name}} for each part (default: built in)")
+      ->type_name("FILE");
+  command->add_flag("--print-template", request->print_template,
+                    "print the built-in template, to be edited");
+  add_progress(*command, request->progress);
+  command->footer(
+      "Examples\n"
+      "  adore report out --out report\n"
+      "  adore report --print-template > mine.html\n"
+      "  adore report run-1 run-2 --template mine.html --out report");
+  command->callback([=] {
+    if (request->runs.empty() != request->print_template)
+      throw InputError("give folders of runs, or --print-template alone");
+    draw(*request);
+  });
+}
+
 }  // namespace
 
 void add_picture_commands(CLI::App& app, const PictureActions& actions) {
   add_plot(app, actions.plot);
   add_animate(app, actions.animate);
   add_gallery(app, actions.gallery);
+  add_report(app, actions.report);
 }
 
 }  // namespace adore::cli

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-/// The commands `plot`, `animate` and `gallery`: their options, without the drawing code. Two
-/// programs use them: `adore`, which passes them on, and `adore-pictures`, which links Qt and
+/// The commands `plot`, `animate`, `gallery` and `report`: their options, without the drawing code.
+/// Two programs use them: `adore`, which passes them on, and `adore-pictures`, which links Qt and
 /// draws. Loading the seventy libraries of Qt takes longer than most commands.
 namespace adore::cli {
 
@@ -40,10 +40,18 @@ struct GalleryRequest {
   bool dark = false;
 };
 
+struct ReportRequest {
+  std::vector<std::string> runs;  ///< folders
+  std::string out = "report", charts = "main", progress = "auto";
+  std::string file;  ///< template; empty: the usual one
+  bool print_template = false;
+};
+
 struct PictureActions {
   std::function<void(const PlotRequest&)> plot;
   std::function<void(const AnimateRequest&)> animate;
   std::function<void(const GalleryRequest&)> gallery;
+  std::function<void(const ReportRequest&)> report;
 };
 
 void add_picture_commands(CLI::App& app, const PictureActions& actions);

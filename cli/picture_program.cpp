@@ -56,7 +56,8 @@ bool has_pictures() noexcept {
 PictureActions handed_over(char** argv) {
   return {[argv](const PlotRequest&) { become(argv); },
           [argv](const AnimateRequest&) { become(argv); },
-          [argv](const GalleryRequest&) { become(argv); }};
+          [argv](const GalleryRequest&) { become(argv); },
+          [argv](const ReportRequest&) { become(argv); }};
 }
 
 bool run_picture_program(const std::vector<std::string>& words) {

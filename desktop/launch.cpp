@@ -27,6 +27,16 @@ Starter& starter() {
   return start;
 }
 
+QString path_of(const QString& program) {
+  const QString here = QCoreApplication::applicationDirPath();
+  QString path = QStandardPaths::findExecutable(program, {here});
+  if (path.isEmpty()) path = QStandardPaths::findExecutable(program);
+  if (path.isEmpty())
+    throw InputError(program.toStdString() + " is neither in " + here.toStdString() +
+                     " nor in the PATH; install it next to this program");
+  return path;
+}
+
 }  // namespace
 
 Starter start_programs_by(Starter start) {
@@ -34,13 +44,21 @@ Starter start_programs_by(Starter start) {
 }
 
 void start_program(const QString& program, const QStringList& arguments) {
-  const QString here = QCoreApplication::applicationDirPath();
-  QString path = QStandardPaths::findExecutable(program, {here});
-  if (path.isEmpty()) path = QStandardPaths::findExecutable(program);
-  if (path.isEmpty())
-    throw InputError(program.toStdString() + " is neither in " + here.toStdString() +
-                     " nor in the PATH; install it next to this program");
+  const QString path = path_of(program);
   if (!starter()(path, arguments)) throw InputError(path.toStdString() + " could not be started");
+}
+
+QString output_of_program(const QString& program, const QStringList& arguments) {
+  QProcess process;
+  process.start(path_of(program), arguments, QIODevice::ReadOnly);
+  process.waitForFinished(-1);
+  if (process.error() == QProcess::FailedToStart || process.exitStatus() != QProcess::NormalExit ||
+      process.exitCode() != 0) {
+    const QString words = QString::fromUtf8(process.readAllStandardError()).trimmed();
+    throw InputError(words.isEmpty() ? program.toStdString() + " ended with an error"
+                                     : words.section('\n', -1).toStdString());
+  }
+  return QString::fromUtf8(process.readAllStandardOutput());
 }
 
 }  // namespace adore::desktop

@@ -16,6 +16,10 @@ void start_program(const QString& program, const QStringList& arguments);
 /// Starts the program at a path; false when that failed.
 using Starter = std::function<bool(const QString& path, const QStringList& arguments)>;
 
+/// Runs `program` (searched as by start_program) to its end. @return its standard output
+/// @throws InputError with its last words when it fails, or when it is not installed
+[[nodiscard]] QString output_of_program(const QString& program, const QStringList& arguments);
+
 /// Replaces the function that start_program() uses (none: the default), for tests, which must not
 /// leave windows. Returns the previous one.
 Starter start_programs_by(Starter start);

@@ -6,6 +6,7 @@
 #include "base/errors.hpp"
 #include "base/terminal_text.hpp"
 #include "cli/pictures/gallery.hpp"
+#include "cli/pictures/report.hpp"
 #include "cli/progress.hpp"
 #include "desktop/bootstrap.hpp"
 #include "desktop/image_export.hpp"
@@ -106,7 +107,7 @@ void animate(const AnimateRequest& request) {
 
 }  // namespace
 
-PictureActions drawing_actions() { return {plot, animate, draw_gallery}; }
+PictureActions drawing_actions() { return {plot, animate, draw_gallery, draw_report}; }
 
 void draw_accuracy(const std::filesystem::path& table, const std::filesystem::path& picture) {
   std::vector<desktop::ChartPage> pages = adrplot::accuracy_pages(table);

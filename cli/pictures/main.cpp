@@ -12,7 +12,8 @@
 int main(int argc, char** argv) {
   return adore::cli::whole_program([&] {
     const auto app = adore::command_line::make_program(
-        "Drawing program of Adore, started by `adore plot`, `adore animate` and `adore gallery`.",
+        "Drawing program of Adore, started by `adore plot`, `adore animate`, `adore gallery` and "
+        "`adore report`.",
         "adore-pictures");
     app->require_subcommand(1);
     adore::cli::add_picture_commands(*app, adore::cli::drawing_actions());

@@ -1,5 +1,6 @@
 #include "adrplot/plot_window.hpp"
 #include "desktop/chart_view.hpp"
+#include "support/paths.hpp"
 #include "support/qt_app.hpp"
 #include "support/synthetic_results.hpp"
 
@@ -210,4 +211,23 @@ TEST_CASE("plot_window: long messages → small window does not grow", "[gui][ad
       CHECK(view.height() >= view.minimumHeight());
     }
   CHECK(told > 3);
+}
+
+TEST_CASE("plot_window: Write Report → report.html and report.pdf of the runs of all open files",
+          "[gui][adrplot]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const std::filesystem::path run = folder.path().toStdString();
+  REQUIRE(std::system((test::program("adore").string() + " new ball --out " +
+                       folder.filePath("DATA.txt").toStdString() + " >/dev/null && " +
+                       test::program("adore").string() + " run " + folder.path().toStdString() +
+                       " --quiet --set maxStps=40 >/dev/null")
+                          .c_str()) == 0);
+  PlotWindow window;
+  REQUIRE(window.openFile(run / "SOL1"));
+  REQUIRE(window.openFile(run / "SOL7"));
+  REQUIRE(window.reportTo(folder.filePath("report")));
+  CHECK(window.statusBar()->currentMessage().contains("report.pdf"));
+  CHECK(QFileInfo(folder.filePath("report/report.html")).size() > 100'000);
+  CHECK(QFileInfo(folder.filePath("report/report.pdf")).size() > 50'000);
 }
