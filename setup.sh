@@ -22,6 +22,7 @@ packages=(
   musl-dev  # its sin, exp, pow ... give the same digits on every x86-64
   # desktop apps and pictures; Qt Charts' CMake files also ask for OpenGL and xkbcommon
   qt6-base-dev qt6-charts-dev libqt6opengl6-dev libgl1-mesa-dev libxkbcommon-dev fontconfig fonts-dejavu-core
+  ffmpeg  # movies as MP4
   # the Python module; venv, setuptools and wheel for pip install ./core/python
   pybind11-dev python3-dev python3-numpy python3-pandas python3-venv python3-setuptools python3-wheel
   # tests and benchmarks

@@ -7,6 +7,7 @@
 #include "desktop/mp4_writer.hpp"
 #include "desktop/one_window.hpp"
 
+#include <QBuffer>
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QFileDialog>
@@ -22,6 +23,28 @@
 
 /// Pictures and films that the window saves.
 namespace adore::agore {
+namespace {
+
+/// Bytes of a film per picture, as a share of the picture's PNG: measured with 1800 pictures of
+/// 1280 x 800 of the example `ball` (bearing and 3D view), between 0.02 and 0.04, 0.4 and 0.45,
+/// 0.57 and 0.77.
+constexpr double kMp4Share = 0.03, kGifShare = 0.45, kAviShare = 0.65;
+
+double bytes_of_png(const QImage& image) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  image.save(&buffer, "PNG");
+  return static_cast<double>(bytes.size());
+}
+
+QString megabytes(double bytes) {
+  return QString::fromStdString(desktop::pretty_number(1e-6 * bytes, 2)) + " MB";
+}
+
+QString best_format() { return desktop::ffmpeg_found() ? "mp4" : "gif"; }
+
+}  // namespace
 
 /// A name in the folder of the displayed file, used to find its pictures.
 QString AgoreWindow::besideFile(const QString& name) const {
@@ -88,9 +111,10 @@ void AgoreWindow::saveFilm() {
   const RenderOptions render = filmOptions();
   QElapsedTimer clock;
   clock.start();
-  (void)picture_->image({render.width, render.height}, frame_, render.view);
+  const QImage sample = picture_->image({render.width, render.height}, frame_, render.view);
   const double each = 1e-9 * static_cast<double>(clock.nsecsElapsed()) + kInFile;
-  const auto tell = [this, render, each](std::size_t first, std::size_t last) {
+  const double bytes = bytes_of_png(sample);
+  const auto tell = [this, render, each, bytes](std::size_t first, std::size_t last) {
     RenderOptions part = render;
     part.first = static_cast<int>(first) + 1, part.last = static_cast<int>(last) + 1;
     try {
@@ -100,10 +124,14 @@ void AgoreWindow::saveFilm() {
         return QString::fromStdString(desktop::pretty_quantity(value, "s", 2));
       };
       return std::pair{
-          tr("%1 at %2 per second: length %3. Writing takes about %4.")
+          tr("%1 at %2 per second: length %3. Writing takes about %4. Size: about %5 as MP4, %6 as "
+             "GIF, %7 as AVI.")
                   .arg(QString::fromStdString(counted(pictures, "picture")))
                   .arg(filmRate())
-                  .arg(seconds(pictures / filmRate()), seconds(each * pictures)) +
+                  .arg(seconds(pictures / filmRate()), seconds(each * pictures),
+                       megabytes(kMp4Share * bytes * pictures),
+                       megabytes(kGifShare * bytes * pictures),
+                       megabytes(kAviShare * bytes * pictures)) +
               (filmEvery() > 1
                    ? tr(" The movie has one of every %1 frames. Numbered pictures have all frames.")
                          .arg(filmEvery())
@@ -121,11 +149,15 @@ void AgoreWindow::saveFilm() {
 }
 
 void AgoreWindow::askForFilmName(int first, int last) {
-  const QString missing = tr(" (needs ffmpeg)");
-  auto* dialog = new QFileDialog(this, tr("Save Movie"), proposedName("gif"),
-                                 tr("GIF (*.gif);;AVI (*.avi);;MP4%1 (*.mp4);;Numbered pictures, "
-                                    "folder (*)")
-                                     .arg(desktop::ffmpeg_found() ? QString() : missing));
+  // MP4 first: a GIF has some twenty times its size.
+  const QString mp4 = tr("MP4 (*.mp4)"), others = tr("GIF (*.gif);;AVI (*.avi)"),
+                folder = tr("Numbered pictures, folder (*)");
+  auto* dialog = new QFileDialog(
+      this, tr("Save Movie"), proposedName(best_format()),
+      (desktop::ffmpeg_found()
+           ? QStringList{mp4, others, folder}
+           : QStringList{others, tr("MP4 (needs the package ffmpeg) (*.mp4)"), folder})
+          .join(";;"));
   dialog->setObjectName("film");
   desktop::delete_when_done(*dialog);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
@@ -137,7 +169,7 @@ void AgoreWindow::askForFilmName(int first, int last) {
     dialog->setDefaultSuffix(suffix);
     dialog->selectFile(suffix.isEmpty() ? base : base + "." + suffix);
   };
-  dialog->selectFile(besideFile(proposedName("gif")));
+  dialog->selectFile(besideFile(proposedName(best_format())));
   name_as(dialog->selectedNameFilter());
   connect(dialog, &QFileDialog::filterSelected, this, name_as);
   connect(dialog, &QFileDialog::fileSelected, this,
