@@ -5,23 +5,23 @@ from __future__ import annotations
 import html
 import os
 import re
-import sys
 import tempfile
 import warnings
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Callable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _core, schema, units
 from .errors import DeckWarning, InputError, UnitError
+from .progress import ProgressCallback
 from .routines import Routines, routines_of
+from .run import Plan, Run, Statics, start_run, start_sweep
 from .variables import DeckVariables
 
 if TYPE_CHECKING:
     import pandas as pd
 
-    from .run import Plan, Run, Statics
 
 __all__ = ["Deck", "Record", "catalogue", "check", "examples", "new", "read"]
 
@@ -29,7 +29,6 @@ PathLike = Union[str, "os.PathLike[str]"]
 #: A number, a text, or an array of them.
 Value = Any
 User = Union[Routines, PathLike, None]
-ProgressCallback = Callable[[_core.Progress], Optional[bool]]
 
 _TARGET = re.compile(r"^\s*(\w+)\s*((?:\[\s*\d+\s*\]\s*)*)$")
 
@@ -429,14 +428,10 @@ class Deck(DeckVariables):
 
     def plan(self, *, user: User = None, **options: Any) -> Plan:
         """Bodies, effects, unknowns and cost of a run. ``user``: as in :meth:`run`."""
-        from .run import Plan
-
         return Plan(*_core.plan(*self._request(options), routines_of(user)))
 
     def statics(self, *, user: User = None, **options: Any) -> Statics:
         """The quasi-static equilibrium: loads, displacements, stiffness, life. No file is written. ``user``: as in :meth:`run`."""
-        from .run import Statics
-
         return Statics(_core.equilibrium(*self._request(options), routines_of(user)))
 
     def run(
@@ -466,9 +461,7 @@ class Deck(DeckVariables):
         The interpreter lock is released during the run. Ctrl-C ends the run with valid files and raises
         :class:`adore.Interrupted`. :class:`adore.RunFailed` is raised if the solver fails, and
         :class:`adore.UntrustedResult` if the results cannot be trusted. All three exceptions have the attribute ``run``."""
-        from .run import start_run
-
-        return start_run(self, out, until, integrator, tol, options, user, progress, overwrite, resume)
+        return start_run(self._request(options), routines_of(user), out, until, integrator, tol, progress, overwrite, resume)
 
     def sweep(
         self,
@@ -492,10 +485,8 @@ class Deck(DeckVariables):
 
         Returns the table SWEEP.csv as a data frame with one row for each run. The files of each run are in a subfolder
         of ``out``."""
-        from .run import start_sweep
-
-        return start_sweep(self, variable, first, last, count, out, until, integrator, tol, options, user, threads, progress,
-                           overwrite, resume)  # fmt: skip
+        return start_sweep(self._request(options), routines_of(user), variable, first, last, count, out, until, integrator, tol, threads,
+                           progress, overwrite, resume)  # fmt: skip
 
     # For people.
 
@@ -566,19 +557,3 @@ def check(path: PathLike = ".") -> Findings:
 def examples() -> dict[str, str]:
     """The example decks: name and description."""
     return dict(_core.examples())
-
-
-def show_progress(progress: Union[bool, None, ProgressCallback]) -> Optional[ProgressCallback]:
-    """The callback for ``progress``: a line on a terminal, none, or the given callable."""
-    if callable(progress):
-        return progress
-    if progress is False or (progress is None and not sys.stderr.isatty()):
-        return None
-
-    def line(at: _core.Progress) -> None:
-        what = f"{at.step} of {at.runs}" if at.runs else f"{at.revolutions:.3f} rev"
-        end = "\n" if at.fraction >= 1.0 else ""
-        sys.stderr.write(f"\r{100.0 * at.fraction:5.1f} %  {what}, {at.remaining:.0f} s left   {end}")
-        sys.stderr.flush()
-
-    return line

@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Any, Optional, Sequence
 
 if TYPE_CHECKING:
     from ._core import Issue
-    from .run import Run
 
 __all__ = [
     "AdoreError",
@@ -72,7 +71,7 @@ class SolverError(AdoreError, ArithmeticError):
 class RunFailed(SolverError):
     """A run ended early; its files are valid up to the last stored step."""
 
-    def __init__(self, text: str, run: Optional[Run] = None) -> None:
+    def __init__(self, text: str, run: Any = None) -> None:
         super().__init__(text)
         #: The run up to its last stored step.
         self.run: Any = run
@@ -94,7 +93,7 @@ class Interrupted(KeyboardInterrupt):
     def __init__(self, text: str = "interrupted", run: Any = None) -> None:
         super().__init__(text)
         #: The run up to its last stored step; None without files.
-        self.run: Optional[Run] = run or None
+        self.run: Any = run or None
 
 
 class DeckWarning(UserWarning):

@@ -16,12 +16,10 @@ import numpy as np
 from . import _core, pictures
 from .errors import AdoreError, InputError, Interrupted, RunFailed, UntrustedResult
 from .results import Channels, _pandas, read_table
-from .routines import routines_of
+from .progress import ProgressCallback, show_progress
 
 if TYPE_CHECKING:
     import pandas as pd
-
-    from .deck import Deck, ProgressCallback, User
 
 __all__ = ["Plan", "Run", "Statics", "open_run"]
 
@@ -274,20 +272,17 @@ def _until(until: Union[str, float, None]) -> str:
 
 
 def start_run(
-    deck: Deck,
+    request: Tuple[Any, ...],
+    routines: Any,
     out: Optional[PathLike],
     until: Union[str, float, None],
     integrator: Optional[str],
     tol: Optional[float],
-    options: Optional[Mapping[str, Any]],
-    user: User,
     progress: Union[bool, None, ProgressCallback],
     overwrite: bool,
     resume: bool,
 ) -> Run:
     """Implementation of :meth:`adore.Deck.run`."""
-    from .deck import show_progress
-
     if resume and overwrite:
         raise InputError("resume continues the run in the folder, and overwrite replaces it; give only one of the two")
     if resume and out is None:
@@ -295,7 +290,7 @@ def start_run(
     folder = Path(tempfile.mkdtemp(prefix="adore-run-")) if out is None else Path(out)
     keep = _Folder(folder) if out is None else None
     try:
-        outcome = _core.run(*deck._request(options), routines_of(user), str(folder), _until(until), integrator or "", tol, resume, overwrite,
+        outcome = _core.run(*request, routines, str(folder), _until(until), integrator or "", tol, resume, overwrite,
                             show_progress(progress))  # fmt: skip
     except Interrupted:
         raise
@@ -314,7 +309,8 @@ def start_run(
 
 
 def start_sweep(
-    deck: Deck,
+    request: Tuple[Any, ...],
+    routines: Any,
     variable: str,
     first: float,
     last: float,
@@ -323,19 +319,15 @@ def start_sweep(
     until: Union[str, float, None],
     integrator: Optional[str],
     tol: Optional[float],
-    options: Optional[Mapping[str, Any]],
-    user: User,
     threads: int,
     progress: Union[bool, None, ProgressCallback],
     overwrite: bool,
     resume: bool,
 ) -> pd.DataFrame:
     """Implementation of :meth:`adore.Deck.sweep`."""
-    from .deck import show_progress
-
     pandas = _pandas()
     table, code, remarks = _core.sweep(
-        *deck._request(options), routines_of(user), os.fspath(out), variable, f"{float(first)!r}:{float(last)!r}:{int(count)}", _until(until),
+        *request, routines, os.fspath(out), variable, f"{float(first)!r}:{float(last)!r}:{int(count)}", _until(until),
         integrator or "", tol, resume, overwrite, threads, show_progress(progress),
     )  # fmt: skip
     frame = pandas.read_csv(table)

@@ -122,6 +122,28 @@ class Documented(unittest.TestCase):
                 tried += result.attempted
         self.assertGreater(tried, 20)
 
+    def test_no_module_imports_itself_through_others(self):
+        # Also imports inside functions and those for type checkers only.
+        imports = {}
+        for file in PACKAGE.glob("*.py"):
+            found = set()
+            for node in ast.walk(ast.parse(file.read_text())):
+                if isinstance(node, ast.ImportFrom) and node.level == 1:
+                    found |= {node.module.split(".")[0]} if node.module else {alias.name for alias in node.names}
+            imports[file.stem] = found
+        self.assertIn("run", imports["deck"])
+        self.assertIn("errors", imports["run"])
+
+        def reached(module, seen):
+            for each in imports.get(module, ()):
+                if each not in seen:
+                    seen.add(each)
+                    reached(each, seen)
+            return seen
+
+        for module in imports:
+            self.assertNotIn(module, reached(module, set()), module)
+
     def test_all_names_what_the_package_offers(self):
         for name in adore.__all__:
             self.assertTrue(hasattr(adore, name), name)
