@@ -191,7 +191,7 @@ int main(int argc, char** argv) {
       ->capture_default_str()
       ->type_name("SIZE")
       ->needs(folder);
-  command_line::one_of(cli.add_option("--colour", request.colour, "color elements by")
+  command_line::one_of(cli.add_option("--color,--colour", request.colour, "color elements by")
                            ->capture_default_str()
                            ->type_name("WHAT"),
                        {"none", "load", "slip", "heat", "temperature"});
@@ -211,7 +211,7 @@ int main(int argc, char** argv) {
   cli.add_flag("--dark", request.options.view.dark, "dark theme");
   // An existing window accepts only files.
   for (const char* of_first :
-       {"--render", "--view", "--beside", "--race", "--element", "--exaggerate", "--colour",
+       {"--render", "--view", "--beside", "--race", "--element", "--exaggerate", "--color",
         "--scale", "--contacts", "--trails", "--follow", "--dark"})
     one_window->excludes(cli.get_option(of_first));
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;

@@ -155,7 +155,7 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
   command->add_option("--out", request->out, "output folder")
       ->type_name("DIR")
       ->default_str("current folder");
-  command_line::one_of(command->add_option("--colour", request->colour, "color elements by")
+  command_line::one_of(command->add_option("--color,--colour", request->colour, "color elements by")
                            ->capture_default_str()
                            ->type_name("WHAT"),
                        {"none", "load", "slip", "heat", "temperature"});

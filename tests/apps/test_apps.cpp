@@ -305,7 +305,7 @@ TEST_CASE("option --project: accepts files only; options of a first window → r
                                      {"--beside", "section"},
                                      {"--element", "2"},
                                      {"--race", "outer"},
-                                     {"--colour", "load"},
+                                     {"--color", "load"},
                                      {"--contacts"},
                                      {"--trails"},
                                      {"--dark"}};

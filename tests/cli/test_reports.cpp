@@ -110,3 +110,17 @@ TEST_CASE("report: a deck changed after the run is not described", "[cli]") {
   CHECK_FALSE(contains(html, "quasi-static solution only"));
   CHECK(contains(html, "changed after the run"));
 }
+
+TEST_CASE("animate: --colour is the old name of --color", "[cli]") {
+  const Runs runs;
+  std::string pictures[2];
+  for (const int i : {0, 1}) {
+    const fs::path out = runs.folder / std::to_string(i);
+    REQUIRE(run_adore("animate " + runs.motion + " --frame 2 --out " + out.string() +
+                      (i == 0 ? " --color load" : " --colour load"))
+                .code == 0);
+    for (const auto& file : fs::directory_iterator(out)) pictures[i] += read(file.path());
+  }
+  CHECK(pictures[0].size() > 10'000);
+  CHECK(pictures[0] == pictures[1]);
+}
