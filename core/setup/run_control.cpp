@@ -174,10 +174,9 @@ void add_static_options(std::vector<Option>& table) {
          return true;
        }});
   table.push_back(
-      {{"rollerFriction", "none",
-        "rollers in mode -1, at the start of a motion and in thermal analyses: none (no "
-        "skew, pure rolling) or balance (skew, spin, orbit and loads from friction "
-        "equilibrium)"},
+      {{"rollerFriction", "balance",
+        "rollers in mode -1, at the start of a motion and in thermal analyses: balance (skew, "
+        "spin, orbit and loads from friction equilibrium) or none (no skew, pure rolling)"},
        [](RunOptions& o, std::string_view v) {
          if (v != "none" && v != "balance") return false;
          o.rollers.friction_balance = v == "balance";
@@ -529,7 +528,7 @@ std::vector<std::string> option_choices(std::string_view name) {
   if (name == "thermalBase") return {"deck", "none"};
   if (name == "thermalTransient") return {"off", "on"};
   if (name == "ballFriction") return {"balance", "spin-rule"};
-  if (name == "rollerFriction") return {"none", "balance"};
+  if (name == "rollerFriction") return {"balance", "none"};
   if (name == "thermalModel") return {"network", "ladder"};
   for (const char* open : {"ambientTemperature", "housingCooling", "shaftCooling", "coolantInlet"})
     if (name == open) return {"auto"};
@@ -553,7 +552,7 @@ std::vector<OptionInfo> run_option_list() {
 
 RunOptions build_run_options(const std::map<std::string, std::string>& values) {
   RunOptions out;
-  out.rollers.ball_balance = true;
+  out.rollers.ball_balance = out.rollers.friction_balance = true;
   for (const auto& [name, value] : values) {
     const auto found = std::find_if(options().begin(), options().end(),
                                     [&](const Option& o) { return o.info.name == name; });

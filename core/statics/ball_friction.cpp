@@ -84,6 +84,11 @@ class Ball {
     stand(ball);
   }
 
+  /// The cage has it orbit at this speed [rad/s].
+  void carry(double orbit) { carried_ = orbit; }
+  /// Of the cage along the orbit, at the last evaluation [N].
+  [[nodiscard]] double push() const { return push_; }
+
   /// From the given motion; false: no balance was found, and the motion is of no use.
   /// @param rule kept for slopes(), as a reference
   bool find(BallMotion& motion, const tribology::EllipseRule& rule, double balanced) {
@@ -238,8 +243,10 @@ class Ball {
     moment[1] += gyroscopic * at.omega[2];
     moment[2] -= gyroscopic * at.omega[1];
     constexpr double kSphere = 0.4;  // J/(m r_b²)
+    push_ = carried_ ? -force : 0.0;
     Vec4 out;
-    out << moment / (load_ * radius_), kSphere * force / load_ * radius_ / r_;
+    out << moment / (load_ * radius_),
+        carried_ ? v[3] - *carried_ / spin_ : kSphere * force / load_ * radius_ / r_;
     return out;
   }
 
@@ -248,6 +255,8 @@ class Ball {
   const tribology::EllipseRule* rule_ = nullptr;
   const tribology::BearingDrag* drag_;
   double frame_, r_ = 0.0, radius_ = 0.0, load_ = 0.0, spin_ = 0.0;
+  std::optional<double> carried_;
+  mutable double push_ = 0.0;
   std::array<BallContact, 2> contact_;
   std::array<std::optional<BallContact>, 2> second_;  ///< with the other half of a split race
   std::array<Eigen::Vector2d, 2> normal_;             ///< of their resultant on (e_x, e_r)
@@ -355,6 +364,71 @@ class Balls {
   BallRace state_;
 };
 
+/// Balls that their cage carries along. Its pockets let the angle of a ball vary by their clearance
+/// only, so that its speed departs from that of the cage by a share of what it does alone. The
+/// cage orbits where it pushes the balls with no moment in sum.
+class CageOrbit {
+ public:
+  CageOrbit(double orbit, std::vector<double> departure)
+      : orbit_(orbit), departure_(std::move(departure)) {}
+  [[nodiscard]] double of(std::size_t k) const { return orbit_ + departure_[k]; }
+
+  /// Secant step of the cage. @return its moment over the largest load and the orbit's radius
+  double follow(const std::vector<double>& push, const StaticSolution& solution) {
+    double moment = 0.0, radius = 0.0;
+    for (std::size_t k = 0; k < push.size(); ++k) {
+      radius = std::max(radius, solution.balls[k].r);
+      moment += push[k] * solution.balls[k].r;
+    }
+    const double size = moment / (solution.max_load * radius);
+    constexpr double kFirst = 1e-5, kLongest = 1e-2;  // over the orbit
+    double step = kFirst * orbit_;
+    if (last_step_ != 0.0 && size != last_) step = -size * last_step_ / (size - last_);
+    step = std::clamp(step, -kLongest * std::abs(orbit_), kLongest * std::abs(orbit_));
+    last_ = size;
+    last_step_ = step;
+    orbit_ += step;
+    return std::abs(size);
+  }
+
+ private:
+  double orbit_, last_ = 0.0, last_step_ = 0.0;
+  std::vector<double> departure_;
+};
+
+/// Of balls in balance; empty: no cage, or its pockets let each of them orbit alone.
+std::optional<CageOrbit> cage_orbit(const Bearing& bearing, const std::vector<BallMotion>& balls,
+                                    const StaticSolution& solution) {
+  if (!bearing.cage) return std::nullopt;
+  const double clearance = bearing.cage->pocket_clearance_1;
+  double load = 0.0, heaviest = 0.0, mean = 0.0;
+  int count = 0;
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    if (!balls[k].balanced) continue;
+    if (solution.balls[k].Q[1] > load) {
+      load = solution.balls[k].Q[1];
+      heaviest = balls[k].orbit;
+    }
+    mean += balls[k].orbit;
+    ++count;
+  }
+  if (count < 2) return std::nullopt;
+  mean /= count;
+  std::vector<double> departure(balls.size(), 0.0);
+  double place = 0.0, least = 0.0, most = 0.0;  // ahead of the cage [m]
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    if (balls[k].balanced) departure[k] = balls[k].orbit - mean;
+    place += departure[k] / heaviest * 2.0 * std::numbers::pi / static_cast<double>(balls.size()) *
+             solution.balls[k].r;
+    least = std::min(least, place);
+    most = std::max(most, place);
+  }
+  if (!(most - least > clearance)) return std::nullopt;
+  const double share = std::max(0.0, clearance / (most - least));
+  for (double& of_ball : departure) of_ball *= share;
+  return CageOrbit(heaviest - share * (heaviest - mean), std::move(departure));
+}
+
 /// What follows from the speeds of a ball in balance, in the place of the values of the spin rule.
 void give_ratios(const Bearing& bearing, const ContactLaws& laws, const BallMotion& motion,
                  double frame, StaticBall& ball) {
@@ -448,52 +522,75 @@ FrictionBalance balance_balls(const Bearing& bearing, const StaticsOptions& opti
     out.balls.push_back(out.motion_of(k, solution.balls[k]));
   Balls balls(bearing, options, solution);
   std::vector<int> failed(solution.balls.size(), 0);
+  std::optional<CageOrbit> cage;
+  std::vector<double> push(solution.balls.size(), 0.0);  // of the cage
+  // Passes until the tractions stay; false: no equilibrium (change is not finite), or not steady.
   double change = 0.0;
-  for (int pass = 0; pass < kPasses; ++pass) {
-    change = pass == 0 ? std::numeric_limits<double>::infinity() : 0.0;
-    out.left.clear();
-    for (std::size_t k = 0; k < solution.balls.size(); ++k) {
-      const StaticBall& ball = solution.balls[k];
-      const std::array<double, 2> last = balls.along(k);
-      BallMotion& now = out.balls[k];
-      balls.release(k);
-      if (!is_loaded(ball)) {
-        now = FrictionBalance{}.motion_of(k, ball);
-      } else {
-        Ball at(bearing, laws, drag ? &*drag : nullptr, frame, ball);
-        const auto find = [&] {
-          if (failed[k] >= kSearches) return false;
-          const bool from_rolling = pass == 0 ? !at.find(now, few, kNear) : !now.balanced;
-          if (from_rolling) now = FrictionBalance{}.motion_of(k, ball);
-          if (at.find(now, rule, kBalanced)) return true;
+  const auto settle = [&] {
+    for (int pass = 0; pass < kPasses; ++pass) {
+      change = pass == 0 && !cage ? std::numeric_limits<double>::infinity() : 0.0;
+      out.left.clear();
+      for (std::size_t k = 0; k < solution.balls.size(); ++k) {
+        const StaticBall& ball = solution.balls[k];
+        const std::array<double, 2> last = balls.along(k);
+        BallMotion& now = out.balls[k];
+        balls.release(k);
+        push[k] = 0.0;
+        if (!is_loaded(ball)) {
           now = FrictionBalance{}.motion_of(k, ball);
-          return !from_rolling && at.find(now, rule, kBalanced);
-        };
-        if (!find()) {
-          now = FrictionBalance{}.motion_of(k, ball);
-          ++failed[k];
-          out.left.push_back(k);
+        } else {
+          Ball at(bearing, laws, drag ? &*drag : nullptr, frame, ball);
+          if (cage) at.carry(cage->of(k));
+          const bool first = pass == 0 && !cage;
+          const auto find = [&] {
+            if (failed[k] >= kSearches) return false;
+            const bool from_rolling = first ? !at.find(now, few, kNear) : !now.balanced;
+            if (from_rolling) now = FrictionBalance{}.motion_of(k, ball);
+            if (at.find(now, rule, kBalanced)) return true;
+            now = FrictionBalance{}.motion_of(k, ball);
+            return !from_rolling && at.find(now, rule, kBalanced);
+          };
+          if (!find()) {
+            now = FrictionBalance{}.motion_of(k, ball);
+            ++failed[k];
+            out.left.push_back(k);
+          }
+          push[k] = now.balanced ? at.push() : 0.0;
+          if (now.balanced) balls.hold(k, ball, now, at.slopes(balls.seat(k), ball, now));
         }
-        if (now.balanced) balls.hold(k, ball, now, at.slopes(balls.seat(k), ball, now));
+        if (now.balanced)
+          for (std::size_t j = 0; j < 2; ++j)
+            change = std::max(change, std::abs(now.along[j] - last[j]) / solution.max_load);
       }
-      if (now.balanced)
-        for (std::size_t j = 0; j < 2; ++j)
-          change = std::max(change, std::abs(now.along[j] - last[j]) / solution.max_load);
+      if (cage) change = std::max(change, cage->follow(push, solution));
+      // Once more where they stay: the stiffness has the slopes of this place.
+      if (!balls.solve(solution)) {
+        change = std::numeric_limits<double>::infinity();
+        return false;
+      }
+      if (change <= kSteady) break;
     }
-    // Once more where they stay: the stiffness has the slopes of this place.
-    if (!balls.solve(solution)) {
-      solution = before;
-      out = {};
-      out.failure = "the bearing has no equilibrium with the traction forces";
-      return out;
-    }
-    if (change <= kSteady) break;
-  }
-  if (!(change <= kSteadyAccepted)) {
+    return change <= kSteadyAccepted;
+  };
+  if (!settle()) {
     solution = before;
     out = {};
-    out.failure = fmt::format("traction forces and loads did not converge in {} passes", kPasses);
+    out.failure =
+        std::isfinite(change)
+            ? fmt::format("traction forces and loads did not converge in {} passes", kPasses)
+            : "the bearing has no equilibrium with the traction forces";
     return out;
+  }
+  cage = cage_orbit(bearing, out.balls, solution);
+  if (cage) {
+    const StaticSolution free = solution;
+    const FrictionBalance free_balance = out;
+    const Balls free_balls = balls;
+    if (!settle()) {
+      solution = free;
+      out = free_balance;
+      balls = free_balls;
+    }
   }
   balls.add_difference(options.difference_share, solution);
   out.give_speeds(solution);

@@ -27,7 +27,14 @@
 /// balance, StaticBall::friction is |F_c|/Q, and starts of motion begin with them;
 /// dynamics/friction_start.hpp then does the same with all effects of the run. A ball without a
 /// balance, without load at a race, or of a given spin axis (kAngVel = 2) keeps the spin rule;
-/// FrictionBalance reports the first. Limits: the cage, gravity, the change of the spin axis along
+/// FrictionBalance reports the first.
+///
+/// Alone, light balls of an angular contact bearing orbit up to twice as fast as loaded ones. With
+/// a cage, speeds ω_c + λ (ω_k - mean) replace Σ F_θ = 0 where the angles of the balls would vary
+/// by more than their pockets let them: λ = clearance/variation, ω_k the orbits alone, and ω_c from
+/// Σ F_θ r = 0 over all balls [derived: rigid cage without friction; a ball that crosses its pocket
+/// and stays at its wall has λ of its variation]. Limits: land, pocket friction and weight of the
+/// cage, gravity, the change of the spin axis along
 /// the orbit and the tractions along e_θ on the inner race are left out; races are not tilted here.
 namespace adore::statics {
 

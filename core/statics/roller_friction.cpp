@@ -19,28 +19,36 @@ namespace {
 
 using bearing::Bearing;
 using Mat65 = Eigen::Matrix<double, 6, 5>;
-using Mat56 = Eigen::Matrix<double, 5, 6>;
+using Vec11 = Eigen::Matrix<double, 11, 1>;
+using Mat11 = Eigen::Matrix<double, 11, 11>;
 
 constexpr int kSteps = 80, kCuts = 4, kPasses = 8;
 /// Residuals that the search for one roller may take in all.
 constexpr int kResiduals = 4000;
-/// Rates: where steps end, and what is taken where rounding ends them.
-constexpr double kBalanced = 1e-11, kAccepted = 1e-8;
+/// Rates: where steps end, what is taken where rounding ends them, and where they end at the place
+/// of the race without friction.
+constexpr double kBalanced = 1e-11, kAccepted = 1e-8, kFirstAccuracy = 1e-6;
 /// Differences and longest steps in units of u.
 const Vec6 kDifference = (Vec6() << 1e-8, 1e-8, 1e-7, 1e-7, 2e-8, 2e-8).finished();
 const Vec6 kLongestStep = (Vec6() << 1e-2, 1e-2, 3e-3, 1e-2, 1e-2, 1e-2).finished();
-constexpr double kRaceDifference = 1e-8;  ///< of q, over the lever of the race [roller radii]
+constexpr double kRaceDifference = 1e-8;  ///< in units of q
 constexpr double kLightest = 1e-3;        ///< load of a roller in balance over the largest one
 
+/// A roller, its action where it was evaluated last, and derivatives that follow all evaluations
+/// (Broyden's update): 11 rows rates and load, 11 columns u and q in their units.
 struct FrictionRoller {
   RollerState state;
   Vec6 u = Vec6::Zero();
-  Mat6 J = Mat6::Zero();         ///< ∂rates/∂u over units
-  Mat65 follow = Mat65::Zero();  ///< du/dq
+  RollerMotionAction action;
+  Vec11 place = Vec11::Zero();      ///< (u, q) of `action` in their units
+  Mat11 D = Mat11::Zero();          ///< ∂(rates, load)/∂(u, q)
+  Mat65 follow = Mat65::Zero();     ///< du/dq
+  bool placed = false;              ///< `action` and `place` are of this roller
+  bool by_u = false, by_q = false;  ///< columns of D that are known
   bool balanced = false;
-  bool known = false;  ///< J
-  bool axial = true;   ///< x is free
+  bool axial = true;  ///< x is free
   int left = kResiduals;
+  [[nodiscard]] Mat6 J() const { return D.topLeftCorner<6, 6>(); }
 };
 
 /// An element set of race_equilibrium.hpp.
@@ -56,84 +64,160 @@ double reference_stiffness(const FrictionSet& set, double load) {
   return reference_stiffness(set.model, load);
 }
 bool is_conservative(const FrictionSet&) { return false; }
-double first_accuracy(const FrictionSet&) { return 0.0; }
-
-RollerMotionAction evaluate(const FrictionSet& set, FrictionRoller& roller, const Vec6& u,
-                            const Races<double>& races) {
-  --roller.left;
-  RollerMotionAction out = set.forces.at(roller.state, u, races);
-  if (!roller.axial)
-    out.rates[kPlaceX] = (roller.state.e(0) - u[kPlaceX]) / set.forces.units()[kPlaceX];
-  return out;
-}
-
-/// Differences over u, in its units. @param over_load the same of the load on the race; null: not
-/// wanted
-void differentiate(const FrictionSet& set, FrictionRoller& roller, const Races<double>& races,
-                   const RollerMotionAction& here, Mat56* over_load) {
-  for (int k = 0; k < 6; ++k) {
-    Vec6 u = roller.u;
-    u[k] += kDifference[k] * set.forces.units()[k];
-    const RollerMotionAction there = evaluate(set, roller, u, races);
-    roller.J.col(k) = (there.rates - here.rates) / kDifference[k];
-    if (over_load != nullptr) over_load->col(k) = (there.load - here.load) / kDifference[k];
-  }
-  roller.known = true;
-}
-
-/// Moves a roller into balance between races held in place.
-bool find_balance(const FrictionSet& set, FrictionRoller& roller, const Races<double>& races,
-                  RollerMotionAction& here) {
-  constexpr double kLeastFirst = 1e-2, kFast = 0.1, kSlow = 0.3, kRounding = 1e-8;
-  here = evaluate(set, roller, roller.u, races);
-  double size = here.rates.norm();
-  const double first = std::max(size, kLeastFirst);
-  for (int n = 0; n < kSteps && size > kBalanced; ++n) {
-    if (!std::isfinite(size) || roller.left <= 0) return false;
-    const bool fresh = !roller.known;
-    if (fresh) differentiate(set, roller, races, here, nullptr);
-    const auto d = flow_step<6>(roller.J, here.rates, size / first, kLongestStep);
-    if (!d) return false;
-    Vec6 step = d->cwiseProduct(set.forces.units());
-    RollerMotionAction next = evaluate(set, roller, roller.u + step, races);
-    // Traction that saturates: shorter where the rates grow, and on in any case.
-    for (int cut = 0; cut < kCuts && fresh && !(next.rates.norm() < size); ++cut) {
-      step *= 0.5;
-      next = evaluate(set, roller, roller.u + step, races);
-    }
-    const double next_size = next.rates.norm();
-    if (size <= kRounding && !(next_size < size)) break;
-    if (!fresh && !(next_size < kSlow * size)) {  // derivatives of an earlier place
-      roller.known = false;
-      continue;
-    }
-    roller.known = next_size < kFast * size;
-    roller.u += step;
-    here = next;
-    size = next_size;
-  }
-  return size <= kAccepted;
-}
+double first_accuracy(const FrictionSet&) { return 0.03; }
 
 Races<double> races_of(const FrictionSet& set, const Vec5& q) {
   return races_at<double>(set.model, q);
 }
 
-bool update_race(const FrictionSet& set, const Vec5& q, FrictionRace& race,
-                 double /*accuracy*/ = 0.0) {
+/// Of q: the radius of a roller, tilts at the lever of the race.
+Vec5 race_units(const FrictionSet& set) {
+  const double radius = 0.5 * set.model.rollers.diameter, lever = race_scales(set).lever;
+  return (Vec5() << radius, radius, radius, radius / lever, radius / lever).finished();
+}
+
+RollerMotionAction evaluate(const FrictionSet& set, FrictionRoller& roller, const Vec6& u,
+                            const Races<double>& races,
+                            const RollerMotionAction* same_outer = nullptr) {
+  --roller.left;
+  RollerMotionAction out = set.forces.at(roller.state, u, races, same_outer);
+  if (!roller.axial)
+    out.rates[kPlaceX] = (roller.state.e(0) - u[kPlaceX]) / set.forces.units()[kPlaceX];
+  return out;
+}
+
+Vec11 values(const RollerMotionAction& action) {
+  return (Vec11() << action.rates, action.load).finished();
+}
+
+/// Moves a roller to u and evaluates it there, with the race at q. The change since the last
+/// evaluation corrects the derivatives.
+void move_to(const FrictionSet& set, FrictionRoller& roller, const Vec6& u, const Vec5& q,
+             const Races<double>& races) {
+  constexpr double kShortest = 1e-11;
+  roller.u = u;
+  const RollerMotionAction there = evaluate(set, roller, u, races);
+  Vec11 place;
+  place << u.cwiseQuotient(set.forces.units()), q.cwiseQuotient(race_units(set));
+  const Vec11 step = place - roller.place;
+  const double square = step.squaredNorm();
+  if (roller.placed && roller.by_u && square > kShortest * kShortest) {
+    const Vec11 missing = values(there) - values(roller.action) - roller.D * step;
+    if (missing.allFinite()) roller.D += missing * (step.transpose() / square);
+  }
+  roller.action = there;
+  roller.place = place;
+  roller.placed = true;
+}
+
+/// Differences at the last evaluation over u, and over q if `with_race`.
+void differentiate(const FrictionSet& set, FrictionRoller& roller, const Vec5& q,
+                   const Races<double>& races, bool with_race) {
+  const Vec6& u = roller.u;
+  const Vec11 here = values(roller.action);
+  for (Eigen::Index k = 0; k < 6; ++k) {
+    Vec6 moved = u;
+    moved[k] += kDifference[k] * set.forces.units()[k];
+    roller.D.col(k) = (values(evaluate(set, roller, moved, races)) - here) / kDifference[k];
+  }
+  roller.by_u = true;
+  if (!with_race) return;
+  const Vec5 units = race_units(set);
+  for (Eigen::Index k = 0; k < 5; ++k) {
+    Vec5 moved = q;
+    moved[k] += kRaceDifference * units[k];
+    const RollerMotionAction there = evaluate(set, roller, u, races_of(set, moved), &roller.action);
+    roller.D.col(6 + k) = (values(there) - here) / kRaceDifference;
+  }
+  roller.by_q = true;
+}
+
+/// Moves a roller from its last evaluation into balance between races held in place, to rates of
+/// `accuracy`.
+bool find_balance(const FrictionSet& set, FrictionRoller& roller, const Vec5& q,
+                  const Races<double>& races, double accuracy) {
+  constexpr double kLeastFirst = 1e-2, kSlow = 0.3, kRounding = 1e-8;
+  constexpr int kSlowSteps = 2;
+  const double target = std::max(accuracy, kBalanced);
+  double size = roller.action.rates.norm();
+  const double first = std::max(size, kLeastFirst);
+  int slow = 0;
+  for (int n = 0; n < kSteps && size > target; ++n) {
+    if (!std::isfinite(size) || roller.left <= 0) return false;
+    const bool fresh = !roller.by_u;
+    if (fresh) {
+      differentiate(set, roller, q, races, false);
+      slow = 0;
+    }
+    const auto d = flow_step<6>(roller.J(), roller.action.rates, size / first, kLongestStep);
+    if (!d) return false;
+    const FrictionRoller here = roller;
+    Vec6 step = d->cwiseProduct(set.forces.units());
+    move_to(set, roller, here.u + step, q, races);
+    double next = roller.action.rates.norm();
+    // Traction that saturates: shorter where the rates grow, and on in any case.
+    for (int cut = 0; cut < kCuts && fresh && !(next < size); ++cut) {
+      step *= 0.5;
+      move_to(set, roller, here.u + step, q, races);
+      next = roller.action.rates.norm();
+    }
+    const bool back = (size <= kRounding || !fresh) && !(next < size);
+    if (back) {
+      const int left = roller.left;
+      roller = here;
+      roller.left = left;
+      if (size <= kRounding) break;
+      roller.by_u = false;
+      continue;
+    }
+    slow = next < kSlow * size ? 0 : slow + 1;
+    roller.by_u = slow < kSlowSteps;
+    size = next;
+  }
+  return size <= std::max(accuracy, kAccepted);
+}
+
+/// du/dq, and what the roller adds to load and stiffness of the race. With `last_step` its step
+/// below the accuracy is taken without being evaluated.
+bool add_balanced(const FrictionSet& set, bool last_step, FrictionRoller& roller, RaceLoad& sum) {
+  Mat6 right;
+  right << (last_step ? roller.action.rates : Vec6::Zero()), roller.D.topRightCorner<6, 5>();
+  const Mat6 moved = -roller.J().partialPivLu().solve(right);
+  if (!moved.allFinite()) return false;
+  const Vec5 units = race_units(set);
+  const auto load_by_u = roller.D.bottomLeftCorner<5, 6>();
+  const Mat65 scaled = moved.rightCols<5>();
+  roller.u += moved.col(0).cwiseProduct(set.forces.units());
+  roller.follow = set.forces.units().asDiagonal() * scaled * units.cwiseInverse().asDiagonal();
+  sum.load += roller.action.load + load_by_u * moved.col(0);
+  sum.stiffness +=
+      (roller.D.bottomRightCorner<5, 5>() + load_by_u * scaled) * units.cwiseInverse().asDiagonal();
+  sum.largest_contact =
+      std::max({sum.largest_contact, roller.action.race[0], roller.action.race[1]});
+  return true;
+}
+
+/// Moves a roller on with the race: to the better place of those with and without its speeds, which
+/// do not follow where traction saturates.
+void follow(const FrictionSet& set, FrictionRoller& roller, const Vec5& change, const Vec5& q,
+            const Races<double>& races) {
+  constexpr double kFar = 3e-3;
+  Vec6 shift = roller.follow * change;
+  const Vec6 over = shift.cwiseAbs().cwiseQuotient(set.forces.units().cwiseProduct(kLongestStep));
+  if (!(over.head<4>().maxCoeff() <= 1.0)) shift.setZero();
+  if (!(over.tail<2>().maxCoeff() <= 1.0)) shift.tail<2>().setZero();
+  const Vec6 from = roller.u;
+  move_to(set, roller, from + shift, q, races);
+  if (!(roller.action.rates.norm() > kFar) || shift.tail<2>().isZero(0.0)) return;
+  const FrictionRoller whole = roller;
+  shift.tail<2>().setZero();
+  move_to(set, roller, from + shift, q, races);
+  if (whole.action.rates.norm() < roller.action.rates.norm()) roller = whole;
+}
+
+bool update_race(const FrictionSet& set, const Vec5& q, FrictionRace& race, double accuracy = 0.0) {
   const HeldRaces held = held_races(set.model, q);
   const Races<double> here = races_of(set, q);
-  const RaceScales scales = race_scales(set);
-  const double radius = 0.5 * set.model.rollers.diameter;
-  std::array<Races<double>, 5> moved;
-  std::array<double, 5> step{};
-  for (Eigen::Index k = 0; k < 5; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    step[i] = kRaceDifference * radius / (k < 3 ? 1.0 : 0.1 * scales.lever);
-    Vec5 there = q;
-    there(k) += step[i];
-    moved[i] = races_of(set, there);
-  }
   const Vec5 change = q - race.q;
   RaceLoad sum;
   for (FrictionRoller& roller : race.elements) {
@@ -141,30 +225,14 @@ bool update_race(const FrictionSet& set, const Vec5& q, FrictionRace& race,
       if (!add_roller(set.model, held, change, 0.0, roller.state, sum)) return false;
       continue;
     }
-    const Vec6 shift = roller.follow * change;
-    if ((shift.array().abs() <= kLongestStep.array() * set.forces.units().array()).all())
-      roller.u += shift;
-    RollerMotionAction at;
-    if (!find_balance(set, roller, here, at)) {
+    follow(set, roller, change, q, here);
+    bool found = find_balance(set, roller, q, here, accuracy);
+    if (found && !(roller.by_u && roller.by_q)) differentiate(set, roller, q, here, !roller.by_q);
+    found = found && add_balanced(set, accuracy > 0.0, roller, sum);
+    if (!found) {
       if (set.lost != nullptr) set.lost->push_back(roller.state.number);
       return false;
     }
-    Mat56 load_by_u;
-    differentiate(set, roller, here, at, &load_by_u);
-    Mat65 rates_by_q;
-    Mat5 load_by_q;
-    for (Eigen::Index k = 0; k < 5; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      const RollerMotionAction there = evaluate(set, roller, roller.u, moved[i]);
-      rates_by_q.col(k) = (there.rates - at.rates) / step[i];
-      load_by_q.col(k) = (there.load - at.load) / step[i];
-    }
-    const Mat65 scaled = -roller.J.partialPivLu().solve(rates_by_q);
-    if (!scaled.allFinite()) return false;
-    roller.follow = set.forces.units().asDiagonal() * scaled;
-    sum.load += at.load;
-    sum.stiffness += load_by_q + load_by_u * scaled;
-    sum.largest_contact = std::max({sum.largest_contact, at.race[0], at.race[1]});
   }
   race.load = sum.load;
   race.stiffness = sum.stiffness;
@@ -173,18 +241,23 @@ bool update_race(const FrictionSet& set, const Vec5& q, FrictionRace& race,
   return true;
 }
 
+/// Load and stiffness of the race with derivatives of its place.
+bool differentiate_race(const FrictionSet& set, FrictionRace& race) {
+  for (FrictionRoller& roller : race.elements) roller.by_u = roller.by_q = false;
+  return update_race(set, Vec5(race.q), race);
+}
+
 bool carries(const StaticRoller& roller, double largest) {
   return std::min(roller.race[0].load, roller.race[1].load) > kLightest * largest;
 }
 
 /// The rule of unloaded rollers, and those that friction does not keep.
-bool is_balance(const FrictionSet& set, FrictionRoller& roller, const Vec5& q) {
-  const RollerMotionAction at = evaluate(set, roller, roller.u, races_of(set, q));
-  if (!(at.race[0] > 0.0) || !(at.race[1] > 0.0)) return false;
+bool is_balance(const FrictionRoller& roller) {
+  if (!(roller.action.race[0] > 0.0) || !(roller.action.race[1] > 0.0)) return false;
   const double skew = std::abs(roller.u[kPlaceSkew]);
   constexpr double kStays = 1e-9;
   return skew <= kLargestSkew &&
-         (skew <= kStays || !(slope_with_others<6>(roller.J, kPlaceSkew) > 0.0));
+         (skew <= kStays || !(slope_with_others<6>(roller.J(), kPlaceSkew) > 0.0));
 }
 
 Vec6 without_friction(const RollerModel& m, const RollerState& roller) {
@@ -208,17 +281,16 @@ void find_first(const FrictionSet& set, const RollerSolution& solution, Friction
     });
     roller.axial = !set.model.grips || flanged;
     const Vec6 plain = without_friction(set.model, roller.state);
-    RollerMotionAction action;
     if (before != nullptr && before->axial == roller.axial) {
-      roller.u = plain + ahead;
-      roller.J = before->J;
-      roller.known = true;
-      roller.balanced = find_balance(set, roller, races, action);
+      move_to(set, roller, plain + ahead, race.q, races);
+      roller.D = before->D;
+      roller.by_u = true;
+      roller.balanced = find_balance(set, roller, race.q, races, kFirstAccuracy);
     }
     if (!roller.balanced) {
-      roller.u = plain;
-      roller.known = false;
-      roller.balanced = find_balance(set, roller, races, action);
+      move_to(set, roller, plain, race.q, races);
+      roller.by_u = false;
+      roller.balanced = find_balance(set, roller, race.q, races, kFirstAccuracy);
     }
     if (!roller.balanced) continue;
     ahead = roller.u - plain;
@@ -229,7 +301,6 @@ void find_first(const FrictionSet& set, const RollerSolution& solution, Friction
 StaticRoller report(const FrictionSet& set, FrictionRoller& roller, const Vec5& q) {
   const RollerModel& m = set.model;
   if (!roller.balanced) return report_roller(m, q, roller.state);
-  const RollerMotionAction at = evaluate(set, roller, roller.u, races_of(set, q));
   roller.state.e = {roller.u[kPlaceX], roller.u[kPlaceR] - 0.5 * m.rollers.pitch_diameter,
                     roller.u[kPlaceTilt] + m.rollers.axis_angle};
   roller.state.skew_sin = std::sin(roller.u[kPlaceSkew]);
@@ -240,7 +311,7 @@ StaticRoller report(const FrictionSet& set, FrictionRoller& roller, const Vec5& 
   out.spin_speed = roller.u[kPlaceSpin];
   out.orbital_speed = roller.u[kPlaceOrbit];
   out.balanced = true;
-  out.heat = at.heat;
+  out.heat = roller.action.heat;
   return out;
 }
 
@@ -280,7 +351,7 @@ bool balance_rollers(const Bearing& bearing, const RollerOptions& options, const
   const FrictionSet set{model, forces, &lost};
   FrictionRace race;
   race.q = without.q;
-  for (const RollerState& roller : without.elements) race.elements.push_back({roller});
+  for (const RollerState& roller : without.elements) race.elements.emplace_back().state = roller;
   find_first(set, out, race);
   std::vector<bool> asked;
   for (const StaticRoller& roller : out.rollers) asked.push_back(carries(roller, out.max_load));
@@ -294,8 +365,9 @@ bool balance_rollers(const Bearing& bearing, const RollerOptions& options, const
     iterations += solve.iterations;
     if (solve.converged) {
       lost.clear();  // on the way
+      if (!differentiate_race(set, trial) && lost.empty()) break;
       for (std::size_t k = 0; k < trial.elements.size(); ++k)
-        if (trial.elements[k].balanced && !is_balance(set, trial.elements[k], trial.q))
+        if (lost.empty() && trial.elements[k].balanced && !is_balance(trial.elements[k]))
           lost.push_back(k);
       settled = lost.empty();
     } else if (lost.empty()) {

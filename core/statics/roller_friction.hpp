@@ -13,13 +13,15 @@
 /// the skew and speeds of the roller before. Its share L(u, q) of the load follows the race with
 ///   dL/dq = L_q - L_u G_u⁻¹ G_q,
 /// so that displacement, loads and stiffness of the bearing (race_equilibrium.hpp), moments,
-/// pressures and lives follow. Derivatives are differences. A roller keeps its equilibrium without
-/// friction where there is no balance, one with more than kLargestSkew, or one that skew leaves
-/// while the other unknowns follow at once (∂G_ψ/∂ψ > 0 then: slope_with_others()); where a race or
-/// the search for the bearing loses it; and after kResiduals evaluations. RollerSolution::friction
-/// reports that. Cylindrical rollers that no flange loads stay where they are along the bearing.
-/// Not balanced: barrels without a flange, which skew until their pocket stops them (decision 261);
-/// one elliptical contact per race and linear kinematics, which motion does not have either.
+/// pressures and lives follow. Derivatives are differences where the search begins and where it
+/// ends; between them each evaluation corrects them (Broyden's update). A roller keeps its
+/// equilibrium without friction where there is no balance, one with more than kLargestSkew, or one
+/// that skew leaves while the other unknowns follow at once (∂G_ψ/∂ψ > 0 then:
+/// slope_with_others()); where a race or the search for the bearing loses it; and after kResiduals
+/// evaluations. RollerSolution::friction reports that. Cylindrical rollers that no flange loads
+/// stay where they are along the bearing. Not balanced: barrels without a flange, which skew until
+/// their pocket stops them (decision 261); one elliptical contact per race and linear kinematics,
+/// which motion does not have either.
 namespace adore::statics {
 
 /// False: rollers have the equilibrium without friction (option, races that do not turn against

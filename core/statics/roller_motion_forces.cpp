@@ -53,7 +53,8 @@ RollerMotionForces::RollerMotionForces(const bearing::Bearing& bearing, const Ro
 }
 
 RollerMotionAction RollerMotionForces::at(const RollerState& roller, const Vec6& u,
-                                          const Races<double>& races) const {
+                                          const Races<double>& races,
+                                          const RollerMotionAction* same_outer) const {
   RollerMotionAction out;
   const RollerModel& m = model_;
   const contact::MeridianTurn azimuth = azimuth_turn(roller);
@@ -69,7 +70,11 @@ RollerMotionAction RollerMotionForces::at(const RollerState& roller, const Vec6&
 
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // about C
   const std::size_t body = slices_[0].size() == 1 ? 0 : roller.number;
-  for (std::size_t j = 0; j < 2; ++j) {
+  if (same_outer != nullptr) {
+    force = same_outer->by_outer.head<3>();
+    moment = same_outer->by_outer.tail<3>();
+  }
+  for (std::size_t j = same_outer != nullptr ? 1 : 0; j < 2; ++j) {
     const contact::RacePose pose{vector_of(azimuth.into(races[j].centre)),
                                  race_axes(vector_of(azimuth.into(races[j].axis)))};
     const contact::RigidMotion race{pose.centre, Vec3::Zero(),
@@ -124,7 +129,10 @@ RollerMotionAction RollerMotionForces::at(const RollerState& roller, const Vec6&
     }
     force += of_race;
     moment += about_C;
-    if (j == 0) continue;
+    if (j == 0) {
+      out.by_outer << of_race, about_C;
+      continue;
+    }
     Vec3 on_race = of_race;
     if (const double lean = m.body(roller.number).inner_slope; lean != 0.0) {
       RollerKernelAction normal{};

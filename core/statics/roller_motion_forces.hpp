@@ -40,6 +40,7 @@ struct RollerMotionAction {
   std::array<double, 2> race{};  ///< contact loads [N]
   double flange = 0.0;           ///< sum of flange loads [N]
   RollerHeat heat;
+  Vec6 by_outer = Vec6::Zero();  ///< force and moment of the outer race about C [N, N m]
 };
 
 class RollerMotionForces {
@@ -47,8 +48,11 @@ class RollerMotionForces {
   /// @param load scale of the contact loads [N]. Both references outlive the object.
   RollerMotionForces(const bearing::Bearing& bearing, const RollerModel& model, double load);
 
+  /// @param same_outer action at this u with the outer race at this place, which is not computed
+  /// again; its contact loads and heat are those of the inner race only
   [[nodiscard]] RollerMotionAction at(const RollerState& roller, const Vec6& u,
-                                      const Races<double>& races) const;
+                                      const Races<double>& races,
+                                      const RollerMotionAction* same_outer = nullptr) const;
   /// Scales of u: R, R, 1, 1, 1/T and R/(r T), with T² = m R/load. Rates are force over load,
   /// moments over load times R and J/(m R²).
   [[nodiscard]] const Vec6& units() const noexcept { return units_; }

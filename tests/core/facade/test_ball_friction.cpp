@@ -231,6 +231,46 @@ TEST_CASE("ball friction in statics: motions start with the specified load and i
   CHECK(pockets[1] < 0.5 * pockets[0]);
 }
 
+TEST_CASE("ball friction in statics: a cage carries light balls, which orbit faster alone",
+          "[physics][statics]") {
+  const Sets sets{{"appLoadX", "400"}, {"appLoadZ", "520"}, {"rpm2", "3000"}};
+  Sets with_cage = sets;
+  with_cage.emplace_back("nCseg", "1");
+  const facade::Prepared alone = prepared(thrust_deck(-1, sets)),
+                         caged = prepared(thrust_deck(-1, with_cage));
+  const auto orbits = [](const facade::Prepared& of) {
+    std::vector<double> out;
+    for (const statics::StaticBall& ball : of.statics.balls) out.push_back(ball.orbital_speed);
+    return out;
+  };
+  const auto lightest = [](const facade::Prepared& of) { return of.statics.balls[6]; };
+  const std::vector<double> free = orbits(alone), carried = orbits(caged);
+  const auto [slow, fast] = std::minmax_element(free.begin(), free.end());
+  CHECK(*fast > 1.5 * *slow);
+  // The angle of a ball varies by the clearance of its pocket.
+  double mean = 0.0, place = 0.0, least = 0.0, most = 0.0;
+  for (const double orbit : carried) mean += orbit / static_cast<double>(carried.size());
+  for (std::size_t k = 0; k < carried.size(); ++k) {
+    place += (carried[k] / mean - 1.0) * 2.0 * std::numbers::pi /
+             static_cast<double>(carried.size()) * caged.statics.balls[k].r;
+    least = std::min(least, place);
+    most = std::max(most, place);
+  }
+  REQUIRE(caged.bearing.cage);
+  CHECK(most - least == Approx(caged.bearing.cage->pocket_clearance_1).epsilon(0.05));
+  CHECK(mean == Approx(free[0]).epsilon(0.02));  // of the heaviest ball
+  const statics::StaticBall ball = lightest(caged);
+  CHECK(ball.centrifugal_force ==
+        Approx(caged.bearing.element_inertia.mass * 0.5 * caged.bearing.balls().pitch_diameter *
+               ball.orbital_speed * ball.orbital_speed)
+            .epsilon(1e-6));
+  CHECK(ball.Q[0] < 0.5 * lightest(alone).Q[0]);
+  // Under thrust all orbits are the same: nothing is carried.
+  Sets axial{{"nCseg", "1"}};
+  const std::vector<double> same = orbits(prepared(thrust_deck(-1, axial)));
+  CHECK(same == orbits(prepared(thrust_deck(-1, {}))));
+}
+
 TEST_CASE("ball friction in statics: a slow ball has the loads of the spin rule",
           "[physics][statics]") {
   const Sets slow{{"rpm2", "50"}};
