@@ -4,6 +4,7 @@
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/theme.hpp"
 
 #include <QBoxLayout>
 #include <QComboBox>
@@ -12,6 +13,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
@@ -35,6 +37,8 @@ bool is_choice(const SchemaInput& input) {
 }
 
 QString scalar_text(const Json& value) {
+  if (value.is_number_float())
+    return QString::number(value.get<double>(), 'g', QLocale::FloatingPointShortest);
   return from(value.is_string() ? value.get<std::string>() : dump_json(value));
 }
 
@@ -163,8 +167,10 @@ CalculatorDialog::CalculatorDialog(QWidget* parent)
   for (QLabel* label : {help_, message_}) label->setWordWrap(true);
   message_->setObjectName("calculator-message");
   area_->setWidgetResizable(true);
+  area_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // the width of the fields is constant
   area_->setAccessibleName(tr("Inputs"));
-  area_->setMinimumSize(420, 240);
+  area_->setMinimumSize(320, 90);
+  results_->setMinimumHeight(60);
   results_->setObjectName("calculator-results");
   results_->setAccessibleName(tr("Results"));
   results_->setHorizontalHeaderLabels({tr("Result"), tr("Value"), tr("Unit"), tr("Meaning")});
@@ -193,6 +199,7 @@ CalculatorDialog::CalculatorDialog(QWidget* parent)
   connect(example, &QPushButton::clicked, this, &CalculatorDialog::fillExample);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   showCalculator();
+  resize(760, 700);
 }
 
 const calculators::CalculatorInfo& CalculatorDialog::calculator() const {
@@ -219,14 +226,34 @@ void CalculatorDialog::showKind() {
   fields_.clear();
   clearResults();
   auto* page = new QWidget;
-  auto* form = new QFormLayout(page);
-  form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-  for (const SchemaInput& input : kind().inputs) addField(*form, input);
+  auto* column = new QVBoxLayout(page);
+  for (const SchemaInput& input : kind().inputs) addField(*column, input);
+  column->addStretch(1);
   area_->setWidget(page);
+  page->show();
+  fitPage();
 }
 
-void CalculatorDialog::addField(QFormLayout& form, const SchemaInput& input) {
-  QWidget* page = form.parentWidget();
+void CalculatorDialog::fitPage() {
+  QWidget* page = area_->widget();
+  if (page == nullptr) return;
+  page->layout()->activate();
+  page->setMinimumHeight(page->layout()->totalHeightForWidth(area_->viewport()->width()));
+}
+
+void CalculatorDialog::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  fitPage();
+}
+
+void CalculatorDialog::resizeEvent(QResizeEvent* event) {
+  QDialog::resizeEvent(event);
+  if (layout() != nullptr) layout()->activate();
+  fitPage();
+}
+
+void CalculatorDialog::addField(QBoxLayout& column, const SchemaInput& input) {
+  QWidget* page = column.parentWidget();
   QWidget* editor = nullptr;
   const QString name = from(input.name), needed = presence(kind(), input);
   if (is_choice(input)) {
@@ -249,12 +276,11 @@ void CalculatorDialog::addField(QFormLayout& form, const SchemaInput& input) {
   editor->setAccessibleName(name);
   editor->setAccessibleDescription(hint);
   editor->setToolTip(hint);
-  auto* label = new QLabel(name, page);
+  auto* label = new QLabel(name + ": " + hint, page);
   label->setBuddy(editor);
-  auto* below = new QLabel(hint, page);
   auto* error = new QLabel(page);
   error->setObjectName("error " + name);
-  for (QLabel* text : {below, error}) {
+  for (QLabel* text : {label, error}) {
     text->setWordWrap(true);
     text->setTextFormat(Qt::PlainText);
   }
@@ -262,12 +288,8 @@ void CalculatorDialog::addField(QFormLayout& form, const SchemaInput& input) {
   bold.setBold(true);
   error->setFont(bold);
   error->hide();
-  auto* cell = new QVBoxLayout;
-  cell->setSpacing(2);
-  cell->addWidget(editor);
-  cell->addWidget(error);
-  cell->addWidget(below);
-  form.addRow(label, cell);
+  for (QWidget* part : {static_cast<QWidget*>(label), editor, static_cast<QWidget*>(error)})
+    column.addWidget(part);
   fields_.push_back({&input, editor, error});
 }
 
@@ -301,6 +323,7 @@ void CalculatorDialog::clearResults() {
   message_->hide();
   results_->setRowCount(0);
   for (const Field& field : fields_) field.error->hide();
+  if (!fields_.empty()) fitPage();
 }
 
 void CalculatorDialog::compute() {
@@ -337,8 +360,12 @@ void CalculatorDialog::showError(const QString& variable, const QString& text) {
   const QString place = variable.contains('[') ? variable + ": " : QString();
   const bool first = std::all_of(fields_.begin(), fields_.end(),
                                  [](const Field& field) { return field.error->isHidden(); });
+  QPalette colors = at->error->palette();
+  colors.setColor(QPalette::WindowText, desktop::current_theme().red);
+  at->error->setPalette(colors);
   at->error->setText(before + place + text);
   at->error->show();
+  fitPage();
   if (!first) return;
   at->editor->setFocus();
   area_->ensureWidgetVisible(at->editor);

@@ -8,8 +8,8 @@
 #include <map>
 #include <vector>
 
+class QBoxLayout;
 class QComboBox;
-class QFormLayout;
 class QLabel;
 class QScrollArea;
 class QTableWidget;
@@ -32,6 +32,10 @@ class CalculatorDialog : public QDialog {
   [[nodiscard]] nlohmann::json input() const;
   [[nodiscard]] const calculators::SchemaKind& kind() const { return *kinds_.at(kindIndex()); }
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   struct Field {
     const calculators::SchemaInput* input;
@@ -43,7 +47,9 @@ class CalculatorDialog : public QDialog {
   [[nodiscard]] std::size_t kindIndex() const;
   void showCalculator();
   void showKind();
-  void addField(QFormLayout& form, const calculators::SchemaInput& input);
+  void addField(QBoxLayout& column, const calculators::SchemaInput& input);
+  /// Height of the fields: their texts wrap.
+  void fitPage();
   void clearResults();
   void showError(const QString& variable, const QString& text);
   void showResults(const nlohmann::json& results);

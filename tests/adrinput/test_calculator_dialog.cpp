@@ -9,11 +9,26 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QTest>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 using namespace adore;
 using adrinput::CalculatorDialog;
+
+/// Texts that are lower than their wrapped lines, and fields that are squeezed.
+static int cut_texts(const QDialog& dialog) {
+  QTest::qWait(1);
+  int out = 0;
+  for (const QLabel* label : dialog.findChildren<QLabel*>())
+    if (label->isVisible() && label->height() < label->heightForWidth(label->width())) {
+      UNSCOPED_INFO(label->text().toStdString());
+      ++out;
+    }
+  for (const QLineEdit* line : dialog.findChildren<QLineEdit*>())
+    if (line->isVisible() && line->height() < line->minimumSizeHint().height()) ++out;
+  return out;
+}
 
 TEST_CASE("calculator dialog: example of each kind → the results of calculate()",
           "[gui][adrinput][calculators]") {
@@ -45,6 +60,7 @@ TEST_CASE("calculator dialog: example of each kind → the results of calculate(
       const auto expected = calculators::calculate(info.name, example);
       CHECK(calculators::calculate(info.name, dialog.input()) == expected);
       CHECK(table->rowCount() > 0);
+      CHECK(cut_texts(dialog) == 0);
       computed += table->rowCount() > 0 ? 1 : 0;
     }
   }
@@ -78,6 +94,7 @@ TEST_CASE("calculator dialog: missing and wrong values → errors at their field
   field->setText("foo");
   dialog->compute();
   CHECK_FALSE(error_of(required)->isHidden());
+  CHECK(cut_texts(*dialog) == 0);
   CHECK(table->rowCount() == 0);
   field->setText(right);
   dialog->compute();
