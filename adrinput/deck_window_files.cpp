@@ -1,4 +1,5 @@
 #include "adrinput/accuracy_panel.hpp"
+#include "adrinput/calculator_dialog.hpp"
 #include "adrinput/catalogue_dialog.hpp"
 #include "adrinput/deck_window.hpp"
 #include "adrinput/file_names.hpp"
@@ -141,6 +142,10 @@ void DeckWindow::makeOtherMenus() {
   run->addSeparator();
   run->addAction(tr("S&weep a variable …"), this, &DeckWindow::askForSweep);
   run->addAction(tr("Study &accuracy"), QKeySequence(Qt::Key_F9), this, &DeckWindow::studyAccuracy);
+
+  QMenu* tools = menuBar()->addMenu(tr("&Tools"));
+  tools->setObjectName("tools");
+  tools->addAction(tr("&Calculator …"), this, [this] { (new CalculatorDialog(this))->show(); });
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
   QAction* drawing = dock_action(drawing_dock_, tr("Drawin&g"));

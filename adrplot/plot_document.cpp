@@ -20,6 +20,12 @@
 namespace adore::adrplot {
 namespace {
 
+PlotDocument::Entry entry_of(const PageSpec& page) {
+  PlotDocument::Entry out{page.title, page.kind};
+  for (const PanelSpec& panel : page.panels) out.panels.push_back(panel.title);
+  return out;
+}
+
 /// Panels of a page without extremes between their values.
 struct Unknown {
   bool all = true;     ///< nothing has any
@@ -287,7 +293,7 @@ PlotDocument make_document(results::SolFile file) {
   out.subject = subject(file.kind, file.header);
   out.note = file.note;
   const std::vector<PageSpec> pages = plot_pages(file.kind, file.header);
-  for (const PageSpec& page : pages) out.pages.push_back({page.title, page.kind});
+  for (const PageSpec& page : pages) out.pages.push_back(entry_of(page));
   const auto shared = std::make_shared<const results::SolFile>(std::move(file));
   out.build = [shared, pages](int number, const PageOptions& options) {
     return build_page(*shared, pages, number, options);
@@ -313,7 +319,7 @@ PlotDocument open_document(const std::filesystem::path& path, const results::Sol
   out.path = path;
   out.subject = subject(steps->file().kind, steps->file().header);
   out.note = steps->file().note;
-  for (const PageSpec& page : steps->pages()) out.pages.push_back({page.title, page.kind});
+  for (const PageSpec& page : steps->pages()) out.pages.push_back(entry_of(page));
   out.build = [steps](int number, const PageOptions& options) {
     return steps->build(number, options);
   };

@@ -15,6 +15,7 @@ struct PlotDocument {
   struct Entry {
     std::string title;
     PageKind kind = PageKind::Chart;
+    std::vector<std::string> panels = {};  ///< their titles; of result files only
   };
   std::filesystem::path path;
   std::string subject;  ///< "rolling element 3", "quasi-static solution"

@@ -284,7 +284,8 @@ void PlotWindow::goToFinding(const Finding& finding) {
   if (here == nullptr) return;
   const std::filesystem::path folder = run_folder(here->path);
   const int element = desktop::element_of_body(finding.body);
-  // The best page: of this run and topic, over time if the finding has one, of its element.
+  // The best page: of this run and topic, with a panel of the quantity, over time if the finding
+  // has one, of its element.
   int best = -1, best_page = 0, best_score = 0;
   for (int k = 0; k < fileCount(); ++k) {
     const Document& one = *documents_[static_cast<std::size_t>(k)];
@@ -293,8 +294,12 @@ void PlotWindow::goToFinding(const Finding& finding) {
       if (topic.empty() || topic_of_page(one.pages[p].title, one.subject) != topic) continue;
       const bool of_element = element > 0 && one.subject.ends_with(" " + std::to_string(element));
       const bool over_time = one.pages[p].kind == PageKind::History;
-      const int score =
-          1 + (of_element ? 4 : 0) + (finding.time && over_time ? 2 : 0) + (k == current_ ? 1 : 0);
+      const auto& panels = one.pages[p].panels;
+      const bool shows = std::any_of(panels.begin(), panels.end(), [&](const std::string& title) {
+        return panel_concerns(title, finding);
+      });
+      const int score = 1 + (shows ? 8 : 0) + (of_element ? 4 : 0) +
+                        (finding.time && over_time ? 2 : 0) + (k == current_ ? 1 : 0);
       if (score <= best_score) continue;
       best = k;
       best_page = static_cast<int>(p) + 1;
@@ -305,6 +310,15 @@ void PlotWindow::goToFinding(const Finding& finding) {
     if (finding.time) setAbscissa(Abscissa::Time);
     if (QTreeWidgetItem* item = tree_->topLevelItem(best)->child(best_page - 1))
       tree_->setCurrentItem(item);
+  }
+  // Its curves are drawn thick until another page or finding is chosen.
+  desktop::ChartPage emphasized = view_->chartScene().page();
+  if (!emphasized.equal_axes) {
+    for (desktop::ChartPanel& panel : emphasized.panels)
+      for (desktop::ChartCurve& curve : panel.curves) curve.heavy = false;
+    for (const auto& [panel, curve] : concerned_curves(emphasized, finding))
+      emphasized.panels[panel].curves[curve].heavy = true;
+    view_->chartScene().setPage(std::move(emphasized), true);
   }
   const desktop::ChartPage& page = view_->chartScene().page();
   if (finding.time && page.x_unit == "s" && page.x_title == "Time")

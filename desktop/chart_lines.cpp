@@ -187,7 +187,8 @@ QPolygonF between(const QPolygonF& line, qreal left, qreal right) {
 
 void ChartScene::addShown(const ShownCurve& shown, const ChartPanel& panel, const QRectF& area,
                           const AxisScale& y_axis, const Metrics& m) {
-  const QPen pen = penOf(shown.colour, m.line, panel.curves[shown.curve].dashed);
+  const ChartCurve& curve = panel.curves[shown.curve];
+  const QPen pen = penOf(shown.colour, curve.heavy ? 2.5 * m.line : m.line, curve.dashed);
   std::vector<QPolygonF> parts;
   const qreal margin = 2.0 + 2.0 * m.line;  // ends of cut strokes are not seen
   const QRectF around = area.adjusted(-margin, -margin, margin, margin);

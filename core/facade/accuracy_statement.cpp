@@ -90,7 +90,10 @@ class Statement {
     q.statistical = std::max(q.statistical, std::sqrt(squares) / q.scale);
     q.parted = std::sqrt(late) * q.statistical;
     q.parting = late > kParting;
-    if (q.parting) q.parted = std::max(q.parted, std::sqrt(own) / q.scale);
+    if (q.parting) {
+      q.statistical = q.parted;
+      q.parted = std::max(q.parted, std::sqrt(own) / q.scale);
+    }
     q.irregular = twin_ == nullptr || q.statistical > kTwin * kRegular;
     const double beyond = q.irregular ? std::max(off - q.statistical, 0.0) : off;
     q.numerical = std::max(kNumerical * beyond, kFloor);
@@ -164,12 +167,15 @@ double AccuracyStatement::numerical() const {
   return out;
 }
 
+double AccuracyStatement::needed_turns(const StatedQuantity& q, double asked) const {
+  if (!q.mean || !(q.statistical > asked) || !(turns > 0.0)) return 0.0;
+  return rounded_up(kSpare * turns * std::pow(q.parted / asked, 1.0 / q.fall));
+}
+
 double AccuracyStatement::needed_turns(double asked) const {
   double longest = 0.0;
-  for (const StatedQuantity& q : quantities)
-    if (q.mean && q.statistical > asked)
-      longest = std::max(longest, std::pow(q.parted / asked, 1.0 / q.fall));
-  return longest > 0.0 && turns > 0.0 ? rounded_up(kSpare * turns * longest) : 0.0;
+  for (const StatedQuantity& q : quantities) longest = std::max(longest, needed_turns(q, asked));
+  return longest;
 }
 
 bool AccuracyStatement::needs_more(double asked) const {
@@ -249,12 +255,15 @@ std::string statement_text(const AccuracyStatement& statement) {
   const double turns = statement.needed_turns(statement.target);
   if (!(turns > 0.0)) return out;
   const std::string needed = counted(fmt::format("{:.3g}", turns), "revolution");
+  std::string each;
+  for (const StatedQuantity& q : statement.quantities)
+    if (const double own = statement.needed_turns(q, statement.target); own > 0.0)
+      each += fmt::format("{}{} {:.3g}", each.empty() ? "" : ", ", q.label, own);
   out += fmt::format(
-      "  The means need {} for an accuracy of {} (this run: {:.4g}; the estimate is {}). Simulate "
-      "this length, or "
-      "use `adore run --accuracy ... --extend`.\n",
+      "  The means need {} for an accuracy of {} ({}; this run: {:.4g}; the estimate is {}). "
+      "Simulate this length, or use `adore run --accuracy ... --extend`.\n",
       (statement.needs_more(statement.target) ? "very roughly " : "about ") + needed,
-      percent(statement.target), statement.turns,
+      percent(statement.target), each, statement.turns,
       statement.needs_more(statement.target)
           ? "an order of magnitude only, because the two runs still diverge"
           : fmt::format("correct within a factor of {:g}", kNeededFactor));
@@ -274,7 +283,7 @@ nlohmann::ordered_json statement_json(const AccuracyStatement& statement,
   else
     out["changed_loads"] = statement.twin_failure;
   out["quantities"] = nlohmann::ordered_json::array();
-  for (const StatedQuantity& q : statement.quantities)
+  for (const StatedQuantity& q : statement.quantities) {
     out["quantities"].push_back({{"id", q.id},
                                  {"label", q.label},
                                  {"value", q.value},
@@ -285,6 +294,10 @@ nlohmann::ordered_json statement_json(const AccuracyStatement& statement,
                                  {"half_width", q.half_width()},
                                  {"fall_exponent", q.fall},
                                  {"irregular", q.irregular}});
+    const double turns = statement.needed_turns(q, statement.target);
+    if (statement.target > 0.0 && turns > 0.0)
+      out["quantities"].back()["needs_revolutions"] = turns;
+  }
   if (statement.target > 0.0) {
     out["keeps_target"] = statement.keeps();
     if (const double turns = statement.needed_turns(statement.target); turns > 0.0) {

@@ -24,10 +24,11 @@
 /// divergence of their motions. Transients and slow periods are the same in both and are not an
 /// error of a mean over this span. It is measured by a second run with loads changed by kNearby, as
 /// the larger of kTwin times the difference of both means and the 95 % interval of that difference
-/// from its batches (paired_scatter() in results/batch_means.hpp). A deck without external loads
-/// has no such second run: the run with tighter settings takes its place, and all quantities count
-/// as irregular. Largest loads and the life have no batches: kTwin times the difference alone, kFew
-/// times where it exceeds kRegular.
+/// from its batches (paired_scatter() in results/batch_means.hpp). Where the runs still part (late
+/// > kParting), times sqrt(late): another accurate run may part earlier. A deck without external
+/// loads has no such second run: the run with tighter settings takes its place, and all quantities
+/// count as irregular. Largest loads and the life have no batches: kTwin times the difference
+/// alone, kFew times where it exceeds kRegular.
 ///
 /// A quantity is irregular when its statistical part exceeds kTwin kRegular. A difference to the
 /// tighter run within the statistical part of an irregular quantity is scatter; only the rest
@@ -36,13 +37,16 @@
 /// Revolutions that a target needs: the statistical part falls as measured (PairedScatter), from
 /// the part e that this span would have if the runs had diverged from its beginning,
 ///   e(N) = e(T) (N / T)^-p,  N = kSpare T (e(T) / target)^(1/p)
-///   e(T) = sqrt(late) × statistical part; where late > kParting, at least sqrt(2) times the 95 %
-///   interval of the mean from the batches of this run alone: runs that still diverge say little
-///   about their later distance, and these batches bound it (transients count in them, so that N
-///   may be too large). N is then an order of magnitude only.
-/// kSpare: e from 8 blocks scatters by 1/4 itself (1/sqrt(2·8)), N by (5/4)². N is known within a
-/// factor of kNeededFactor. A later change of the type of motion (a cage that begins to whirl) is
-/// not foreseen. Largest loads are not means: no span makes them certain.
+///   e(T) = statistical part, sqrt(late) times as large if the runs do not part any more; where
+///   they part, at least sqrt(2) times the 95 % interval of the mean from the batches of this run
+///   alone: runs that still diverge say little about their later distance, and these batches bound
+///   it (transients count in them, so that N may be too large). N is then an order of magnitude
+///   only.
+/// kParting: runs that have parted long ago exceed it with a probability of 3 % (late / 2 of 8
+/// equal normal blocks follows the beta distribution (2, 2)). kSpare: e from 8 blocks scatters by
+/// 1/4 itself (1/sqrt(2·8)), N by (5/4)². N is known within a factor of kNeededFactor. A later
+/// change of the type of motion (a cage that begins to whirl) is not foreseen. Largest loads are
+/// not means: no span makes them certain.
 ///
 /// kNumerical, kTwin, kFew, kFloor, kRegular, kSpare and kNeededFactor are estimates, checked over
 /// decks of all types (resources/docs/accuracy-promises.md).
@@ -55,7 +59,7 @@ constexpr double kTwin = 2.0;
 constexpr double kFew = 3.0;
 constexpr double kFloor = 1e-4;
 constexpr double kSpare = 1.5;
-constexpr double kParting = 1.5;
+constexpr double kParting = 1.8;
 constexpr double kNeededFactor = 2.0;
 
 struct StatedQuantity {
@@ -86,6 +90,8 @@ struct AccuracyStatement {
   /// Revolutions after which the statistical part of each mean is within `target`; 0: this run is
   /// long enough. @param target relative
   [[nodiscard]] double needed_turns(double target) const;
+  /// The same of one quantity.
+  [[nodiscard]] double needed_turns(const StatedQuantity& q, double target) const;
   /// A quantity beyond `target` still parts: the needed revolutions are an order of magnitude.
   [[nodiscard]] bool needs_more(double target) const;
   [[nodiscard]] bool keeps() const;

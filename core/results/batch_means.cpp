@@ -80,17 +80,25 @@ double squares_of(std::span<const double> x) {
   return std::inner_product(x.begin(), x.end(), x.begin(), 0.0);
 }
 
-/// Slope of ln sqrt(mean D²) / L over -ln L, L = 1/m of the span, m = 2, 4, 8, 16.
-double fall_of(std::span<const double> d) {
-  double x1 = 0.0, y1 = 0.0, xx = 0.0, xy = 0.0, n = 0.0;
-  for (std::size_t m = 2; m <= 16 && m <= d.size(); m *= 2) {
+/// Error ε(L) of a span L by the fit ε = whole (L / span)^-exponent.
+struct Fall {
+  double whole = 0.0;     ///< ε of the whole span
+  double exponent = 0.5;  ///< p, from 0 to 1
+};
+
+/// Line through ln ε(1/m of the span) over ln m, m = 1, 2, 4, 8, 16 with weights m: the scatter of
+/// ln(mean of m squares) falls with m.
+Fall fall_of(std::span<const double> d) {
+  double w = 0.0, wx = 0.0, wy = 0.0, wxx = 0.0, wxy = 0.0;
+  for (std::size_t m = 1; m <= 16 && m <= d.size(); m *= 2) {
     const auto blocks = static_cast<double>(m);
     const double mean = squares_of(blocks_of(d, m)) / blocks;
-    if (!(mean > 0.0)) return 0.5;
+    if (!(mean > 0.0)) return {};
     const double x = std::log(blocks), y = 0.5 * std::log(mean) + x;
-    x1 += x, y1 += y, xx += x * x, xy += x * y, n += 1.0;
+    w += blocks, wx += blocks * x, wy += blocks * y, wxx += blocks * x * x, wxy += blocks * x * y;
   }
-  return std::clamp((n * xy - x1 * y1) / (n * xx - x1 * x1), kLeastFall, 0.5);
+  const double p = std::clamp((w * wxy - wx * wy) / (w * wxx - wx * wx), 0.0, 1.0);
+  return {std::exp((wy - p * wx) / w), p};
 }
 
 }  // namespace
@@ -113,12 +121,14 @@ PairedScatter paired_scatter(const RatioSeries& one, const RatioSeries& other) {
   std::vector<double> d(n);
   for (std::size_t b = 0; b < n; ++b)
     d[b] = (p.a[b] - ratio * p.s[b]) / s1 - (q.a[b] - ratio * q.s[b]) / s2;
-  constexpr double kStudent8 = 2.306;
+  constexpr double kStudent8 = 2.306, kStudent3 = 3.182;
   const std::vector<double> blocks = blocks_of(d, 8);
   const double squares = squares_of(blocks);
   out.half_width =
       std::max(kStudent8 * std::sqrt(squares), static_cast<double>(n) * by_initial_sequence(d));
-  out.fall = fall_of(d);
+  const Fall fall = fall_of(d);
+  if (fall.exponent > 0.5) out.half_width = std::min(out.half_width, kStudent3 * fall.whole);
+  out.fall = std::clamp(fall.exponent, kLeastFall, 0.5);
   if (squares > 0.0)
     out.late = std::max(1.0, 2.0 * squares_of(std::span(blocks).last(4)) / squares);
   return out;

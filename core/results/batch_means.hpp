@@ -37,12 +37,12 @@
 /// The runs are exchangeable, so that d has expectation 0, also while they still part: its squares
 /// count without subtraction of a mean, and blocks of different variance may be added. With D the
 /// sums of d over 8 blocks, the half-width of the interval of R_1 - R_2 is the larger of
-/// t(8) sqrt(Σ D²) and of that by the initial monotone sequence of d (derived).
-///
-/// Fall of the error with the span: ε(L) = sqrt(mean of D²) / L over blocks of 1/2 to 1/16 of the
-/// span, fitted as L^-p. Independent blocks: p = 1/2; correlations as long as the span: p -> 0. p
-/// is kept within kLeastFall and 1/2. `late`: rate of the variance in the second half of the span
-/// over its mean, from 1 (stationary) to 2 (the runs have parted only there).
+/// t(8) sqrt(Σ D²) and of that by the initial monotone sequence of d; where p > 1/2, it is
+/// t(3) ε(span), if that is smaller (derived; 3 degrees of freedom of the fit: estimated).
+/// Fall of the error with the span: ε(L) = sqrt(mean of D²) / L over blocks of the span to 1/16 of
+/// it, fitted as L^-p with weights m of m blocks. Independent: p = 1/2, correlated: p -> 0, bounded
+/// (a whirl that keeps its phase): p -> 1. `fall` is p within kLeastFall and 1/2. `late`: variance
+/// rate of the second half over the mean, 1 (stationary) to 2 (the runs have parted only there).
 namespace adore::results {
 
 /// Batches of equal duration behind a mean Σ a / Σ s.

@@ -104,6 +104,35 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "paired_scatter(): bounded phase difference of a steady whirl → interval falls with the span",
+    "[unit][accuracy]") {
+  constexpr int kPairs = 400, kBatches = 48;
+  std::mt19937 random(11);
+  std::normal_distribution<double> phase;
+  int covered = 0;
+  double width = 0.0;
+  for (int s = 0; s < kPairs; ++s) {
+    RatioSeries one{1.0, std::vector<double>(kBatches, 1.0), std::vector<double>(kBatches, 1.0)};
+    RatioSeries other = one;
+    const double first = phase(random);
+    double before = first;
+    for (double& a : other.a) {
+      const double now = phase(random);
+      a += now - before;
+      before = now;
+    }
+    const PairedScatter scatter = paired_scatter(one, other);
+    width += scatter.half_width / kPairs;
+    if (std::abs(before - first) / kBatches <= scatter.half_width) ++covered;
+  }
+  const double exact = 1.96 * std::sqrt(2.0) / kBatches;
+  CAPTURE(covered, width / exact);
+  CHECK(covered >= 0.93 * kPairs);
+  CHECK(width > 1.0 * exact);
+  CHECK(width < 2.0 * exact);  // 8 independent blocks: 3.3
+}
+
+TEST_CASE(
     "paired_scatter(): runs that part late → variance of the second half; correlation as "
     "long as the span → slow fall; unmatched batches → none",
     "[unit][accuracy]") {
