@@ -131,12 +131,14 @@ void Document::open(const fs::path& name) {
   std::string bytes = bytes_of(path);
   if (!is_utf8(bytes)) read = read_as_latin1(bytes, path);
   State state;
-  state.deck = std::move(read.deck);
   option_file_ = facade::OptionFile::beside(path);
+  for (Issue& issue : facade::set_extension(read.deck, option_file_, path))
+    read.issues.push_back(std::move(issue));
+  state.deck = std::move(read.deck);
   state.options = option_file_.values();
   path_ = path;
   original_ = std::move(bytes);
-  original_kept_ = deck::write_deck(state.deck) == original_;
+  original_kept_ = deck::write_deck(facade::without_extension(state.deck)) == original_;
   file_issues_ = read.issues;
   broken_ = !read.ok();
   std::swap(state_, state);
@@ -204,17 +206,19 @@ void Document::save(const fs::path& name) {
   const fs::path path = whole_path(name);
   std::vector<Issue> reasons = errors();
   // The text of the file is kept as far as possible; foreign characters as UTF-8.
-  deck::KeptText kept{deck::write_deck(state_.deck), original_.empty(), {}};
+  // Records X go to ADORE.json.
+  const deck::Deck plain = facade::without_extension(state_.deck);
+  deck::KeptText kept{deck::write_deck(plain), original_.empty(), {}};
   if (!original_.empty())
-    kept = deck::with_deck(is_utf8(original_) ? original_ : utf8_of_latin1(original_), state_.deck);
+    kept = deck::with_deck(is_utf8(original_) ? original_ : utf8_of_latin1(original_), plain);
   const std::string& text = kept.text;
   deck::ReadResult back;
   if (reasons.empty()) {
     back = deck::read_deck_text(text, path.string());
     take_errors(reasons, back.issues);
-    if (reasons.empty() && !(back.deck == state_.deck)) {
+    if (reasons.empty() && !(back.deck == plain)) {
       Issue issue;
-      issue.record = back.deck.records == state_.deck.records ? "12" : "";
+      issue.record = back.deck.records == plain.records ? "12" : "";
       issue.message = issue.record.empty()
                           ? "a title or label would differ when the saved deck is read again"
                           : "the lines of user routines would differ when the saved deck is read "
@@ -231,7 +235,7 @@ void Document::save(const fs::path& name) {
   write_file_atomically(path, text);
   path_ = path;
   original_ = text;
-  original_kept_ = text == deck::write_deck(state_.deck);
+  original_kept_ = text == deck::write_deck(plain);
   foreign_ = broken_ = false;
   file_issues_ = std::move(back.issues);  // also needed by readers of the new file
   keep_issues_of_file_only();

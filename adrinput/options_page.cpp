@@ -143,15 +143,7 @@ void Document::find_option_problems() {
     add_problem(issue);
   }
   for (const std::string& name : option_file_.strange()) {
-    const auto& all = facade::run_options();
-    const bool known = std::any_of(all.begin(), all.end(),
-                                   [&name](const auto& option) { return option.name == name; });
-    issue.message = fmt::format(
-        fmt::runtime(known ? "the option file next to the deck has a value of \"{}\" that is not a "
-                             "number, a text, true or false"
-                           : "the option file next to the deck contains \"{}\", which is not a run "
-                             "option"),
-        name);
+    issue.message = "the option file next to the deck: " + facade::strange_name_text(name);
     issue.remedy = "correct the file in an editor; until then, runs of this deck are rejected";
     add_problem(issue);
   }
@@ -162,11 +154,17 @@ void Document::find_option_problems() {
 void Document::save_options(const fs::path& deck_file) {
   const facade::OptionFile there = facade::OptionFile::beside(deck_file);
   const Options wanted = options();
-  if (!same(wanted, that_differ(there.values()))) {
+  std::string text = there.text();
+  if (!same(wanted, that_differ(there.values())))
+    text = (there.exists() ? there : option_file_).with(wanted);
+  if (there.problem().empty() || text != there.text())
+    text = (text.empty() ? facade::OptionFile() : facade::OptionFile::from_text(text))
+               .with_variables(state_.deck);
+  if (text != there.text()) {
     const fs::path path = facade::OptionFile::path_beside(deck_file);
     const bool known = there.text() == option_file_.text();
     if (there.exists() && (!known || !there.problem().empty())) keep_copy(path, there.text());
-    write_file_atomically(path, (there.exists() ? there : option_file_).with(wanted));
+    write_file_atomically(path, text);
   }
   option_file_ = facade::OptionFile::beside(deck_file);
 }

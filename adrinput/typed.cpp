@@ -41,6 +41,12 @@ deck::NumberProblem thousands_or_decimals(std::string_view typed) {
           fmt::format("write {0}{1} or {0}.{1}", found.str(2), found.str(3))};
 }
 
+/// Values of records X, of which an empty field is "not given".
+bool may_be_left_out(const deck::VariableSpec& variable) {
+  const auto refs = deck::find_variable(variable.name);
+  return !refs.empty() && deck::is_extension(refs.front().record->id);
+}
+
 Typed parse_string(std::string_view text) {
   const bool control = std::any_of(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f;
@@ -73,8 +79,9 @@ std::string ending_of(const deck::VariableSpec& variable) {
 }  // namespace
 
 Typed parse_typed(const deck::VariableSpec& variable, std::string_view text) {
-  if (variable.type == deck::VarType::String) return parse_string(text);
   const std::string number = plain_number(text);
+  if (number.empty() && may_be_left_out(variable)) return {};
+  if (variable.type == deck::VarType::String) return parse_string(text);
   const bool integer = variable.type == deck::VarType::Integer;
   if (deck::NumberProblem problem = thousands_or_decimals(text)) return {{}, problem};
   if (number.empty())

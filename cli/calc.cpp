@@ -8,6 +8,7 @@
 #include "cli/streams.hpp"
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
+#include "facade/calculator_inputs.hpp"
 #include "facade/catalogue_torque.hpp"
 #include "facade/experiments.hpp"
 #include "reference/validate.hpp"
@@ -55,6 +56,22 @@ void calc(const std::string& name, const std::string& source) {
   const nlohmann::json input =
       parse_json(read_all(source), source == "-" ? "standard input" : source);
   print("{}\n", dump_json(calculators::calculate(name, input), 2));
+}
+
+/// Contacts of one element of a deck.
+void calc_of_deck(const std::string& name, const std::string& deck, int element) {
+  facade::DeckRequest request;
+  request.deck = deck;
+  const nlohmann::ordered_json inputs =
+      facade::calculator_inputs(facade::prepare(request), name, element);
+  nlohmann::ordered_json out = nlohmann::ordered_json::object();
+  for (const auto& [race, input] : inputs.items())
+    out[race] = input.is_null()
+                    ? nlohmann::ordered_json(nullptr)
+                    : nlohmann::ordered_json{
+                          {"inputs", input.contains("inputs") ? input.at("inputs") : input},
+                          {"results", calculators::calculate(name, nlohmann::json(input))}};
+  print("{}\n", dump_json(out, 2));
 }
 
 enum class Detail : unsigned char { Totals, Failures, Cases, Json };
@@ -116,6 +133,8 @@ void add_calc(CLI::App& app, int& exit_code) {
     auto describe = std::make_shared<bool>(false);
     auto as_json = std::make_shared<bool>(false);
     auto markdown = std::make_shared<bool>(false);
+    auto deck = std::make_shared<std::string>();
+    auto element = std::make_shared<int>(1);
     std::vector<std::string> names;
     for (const calculators::CalculatorInfo& info : calculators::calculator_list())
       names.push_back(info.name);
@@ -143,9 +162,18 @@ void add_calc(CLI::App& app, int& exit_code) {
         ->type_name("FILE");
     command->add_flag("--as-json", *as_json, "the older name of --json")->group("");
     command->add_flag("--markdown", *markdown, "with --list: print all inputs as Markdown");
+    command
+        ->add_option("--deck", *deck,
+                     "take the inputs of film or hertz from the quasi-static solution of this "
+                     "deck (ball or roller)")
+        ->type_name("DECK");
+    command->add_option("--element", *element, "with --deck: number of the rolling element")
+        ->type_name("N")
+        ->capture_default_str();
     command->footer(
         "Examples\n"
         "  adore calc --list\n"
+        "  adore calc film --deck DATA.txt --element 1\n"
         "  adore calc hertz --describe\n"
         "  adore calc hertz input.json\n"
         "  echo '{\"code\": 100}' | adore calc material");
@@ -159,6 +187,7 @@ void add_calc(CLI::App& app, int& exit_code) {
       if (name->empty())
         throw InputError(
             "give the name of a calculator; `adore calc --list` lists all calculators");
+      if (!deck->empty()) return calc_of_deck(calculator(*name).name, *deck, *element);
       calc(calculator(*name).name, *source);
     });
   }

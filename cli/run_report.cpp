@@ -50,13 +50,39 @@ std::string status_name(facade::RunStatus status) {
                                                     : "failed";
 }
 
+double find_result(const facade::RunOutcome& outcome, std::string_view id) {
+  for (const auto& [of, value] : outcome.summary)
+    if (of.id == id) return value;
+  return std::nan("");
+}
+
+/// Lives by the standards at the loads of the quasi-static solution, and passing frequencies of the
+/// motion; a quasi-static run has them among its lines.
+std::string standard_text(const facade::RunOutcome& outcome) {
+  std::string text;
+  const double iso = find_result(outcome, "life_iso281_hours"),
+               contacts = find_result(outcome, "life_iso16281_hours");
+  const auto hours = [](double value) {
+    return std::isinf(value) ? std::string("infinite") : fmt::format("{:.4g} h", value);
+  };
+  if (!std::isnan(iso)) text += fmt::format("life L10h by ISO 281: {}", hours(iso));
+  if (!std::isnan(contacts))
+    text +=
+        fmt::format("{}L10r by ISO/TS 16281: {}", text.empty() ? "life " : "; ", hours(contacts));
+  if (!text.empty()) text += " (loads of the quasi-static solution)\n";
+  for (const std::string kind : {"_nominal", ""}) {
+    const auto f = [&](const char* name) { return find_result(outcome, name + kind + "_Hz"); };
+    if (std::isnan(f("bpfo"))) continue;
+    text += fmt::format("passing frequencies, {}: BPFO {:.5g}, BPFI {:.5g}, FTF {:.5g} Hz\n",
+                        kind.empty() ? "computed" : "nominal", f("bpfo"), f("bpfi"),
+                        std::abs(f("ftf")));
+  }
+  return text;
+}
+
 /// Life of a run with its samples and spread; empty without one.
 std::string run_life_text(const facade::RunOutcome& outcome) {
-  const auto find = [&](std::string_view id) {
-    for (const auto& [of, value] : outcome.summary)
-      if (of.id == id) return value;
-    return std::nan("");
-  };
+  const auto find = [&](std::string_view id) { return find_result(outcome, id); };
   const double life = find("run_life_hours"), spread = find("run_life_spread");
   if (std::isnan(life)) return {};
   return fmt::format("fatigue life at the loads of the run: {} ({}{})\n",
@@ -109,6 +135,7 @@ std::string summary_text(const facade::RunOutcome& outcome, const std::string& c
                     outcome.energy_residual, outcome.energy_residual / outcome.energy_scale,
                     outcome.energy_scale);
   text += run_life_text(outcome);
+  if (outcome.results.empty()) text += standard_text(outcome);
   for (const std::filesystem::path& file : outcome.files) text += "  " + file.string() + "\n";
   text += picture_lines(outcome);
   if (outcome.results.empty() && !continuation.empty())

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "bearing/grade_oil.hpp"
+
 #include <array>
 #include <optional>
 
@@ -44,6 +46,12 @@ enum class LifeModel : unsigned char { Original, Updated, Zaretsky, Harris };
 enum class LifeModification : unsigned char { None, Stle, Tallian };
 
 /// Run options of the life models: what no record holds.
+/// Ratings that the maker of a bearing publishes (record X1) [N, -]. Empty: the estimate of
+/// ISO 281 and ISO 76.
+struct MakerRatings {
+  std::optional<double> C, C0, C_u, e, X, Y;
+};
+
 struct LifeChoices {
   /// The life that SOL7, terminal and sweeps show (decision 145).
   LifeModel stored_model = LifeModel::Original;
@@ -55,13 +63,16 @@ struct LifeChoices {
   std::optional<double> filter;           ///< filter rating [µm] at beta 200; empty: no factor
   std::optional<double> viscosity_ratio;  ///< κ of ISO 281
   std::optional<double> contamination;    ///< e_C of ISO 281
-  double skip_turns = 0.0;                ///< shaft turns left out at the start of the run life
+  MakerRatings ratings;
+  std::optional<GradeOil> oil;  ///< record X2
+  double skip_turns = 0.0;      ///< shaft turns left out at the start of the run life
 };
 
 struct LifeInputs {
   std::array<LifeComponentInput, 3> part;  ///< indexed by LifePart
   std::optional<double> survival;          ///< sProb
   std::optional<double> bearing_slope;     ///< brgWbDis
+  std::optional<double> race_limit;        ///< ratingVM, von Mises fatigue limit of the races [Pa]
   double limit_factor = 1.0;  ///< facStrLimit, multiplies the fatigue limit of each material
   LifeChoices choices;
 };

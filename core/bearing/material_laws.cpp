@@ -195,8 +195,14 @@ Material material_at(const Material& material, double T) {
   const MaterialSheet* sheet = sheet_of(material);
   if (sheet == nullptr) return material;
   Material out = material;
-  out.elastic_modulus = sheet->at("elastic_modulus", T);
-  out.thermal_expansion = sheet->at("cte", T);
+  // A single given property (record X3) changes with temperature like that of the table.
+  const auto scaled = [&](const char* name, double given) {
+    const std::optional<double> room = sheet->property(name).value;
+    const double at = sheet->at(name, T);
+    return room && *room != 0.0 && given != *room ? given * at / *room : at;
+  };
+  out.elastic_modulus = scaled("elastic_modulus", material.elastic_modulus);
+  out.thermal_expansion = scaled("cte", material.thermal_expansion);
   out.conductivity = sheet->at("thermal_conductivity", T);
   out.specific_heat = sheet->at("specific_heat", T);
   return out;

@@ -60,6 +60,7 @@ std::vector<Issue> check_deck(const Deck& deck, const Reported& reported) {
   check_roller_geometry(checker);
   check_cage(checker);
   check_operation(checker);
+  check_extension(checker);
   check_likely(checker);
   return issues;
 }

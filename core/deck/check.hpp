@@ -66,6 +66,7 @@ void check_roller_geometry(Checker& checker);                   // 5B to 5E
 void check_envelope(Checker& checker);                          // 4, 5F, 5G, plausible sizes
 void check_cage(Checker& checker);                              // 7, 9.6
 void check_operation(Checker& checker);                         // 6, 8, 9, 10
+void check_extension(Checker& checker);                         // X
 void check_likely(Checker& checker);                            // legal, but most likely a slip
 
 }  // namespace adore::deck

@@ -80,6 +80,7 @@ class ValueCheck {
     if (checker_.is_reported(data_, variable_.name)) return;
     if (std::holds_alternative<std::monostate>(value)) {
       const bool label = variable_.name == "recID";
+      if (is_extension(data_.id) && !label) return;  // not given
       report(label ? Severity::Warning : Severity::Error, element, {},
              "the value is missing and has no default",
              label ? fmt::format("write 'Rec {}'", data_.id) : suggestion());
@@ -161,7 +162,9 @@ void check_layout(Checker& checker, const Reported& reported) {
     if (spec.id == "12") continue;
     const bool required = evaluate(spec.condition, scope_of(deck));
     const bool known = !names_any(spec.condition, doubtful) && !names_any(spec.repeat, doubtful);
-    const int count = required ? repeat_count(deck, spec) : 0;
+    const int count = is_extension(spec.id) ? (deck.has_record(spec.id) ? 1 : 0)
+                      : required            ? repeat_count(deck, spec)
+                                            : 0;
     bool missing = false;
     for (int instance = 1; known && instance <= count && !missing; ++instance) {
       if (deck.has_record(spec.id, instance)) continue;

@@ -71,7 +71,8 @@ class Comparison {
   static int count(const Deck& deck, const RecordSpec& spec) {
     int most = 0;
     for (const RecordData& record : deck.records)
-      if (record.id == spec.id) most = std::max(most, record.instance);
+      if (record.id == spec.id && (!is_extension(spec.id) || has_values(record)))
+        most = std::max(most, record.instance);
     return most;
   }
 

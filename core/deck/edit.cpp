@@ -3,6 +3,7 @@
 #include "deck/lookup.hpp"
 #include "deck/number.hpp"
 #include "deck/orbit_records.hpp"
+#include "deck/quantity.hpp"
 
 #include <fmt/format.h>
 
@@ -123,6 +124,18 @@ Value parse_value(const VariableSpec& variable, std::string_view name, std::stri
          fmt::format("{}; {} takes {}", problem.remedy, variable.name,
                      variable.type == VarType::Integer ? "an integer" : "a number"));
   if (variable.type == VarType::Integer) return integer;
+  return real;
+}
+
+/// A value of an extension record: also with a unit ("55.3 kN"); without any text it is not given.
+Value parse_extension(const VariableSpec& variable, std::string_view name, std::string_view text,
+                      UnitSystem system) {
+  if (trimmed(text).empty()) return std::monostate();
+  double real = 0.0;
+  if (variable.type != VarType::Real || !parse_real(trimmed(text), real))
+    return parse_value(variable, name, text);
+  if (const NumberProblem problem = parse_quantity(trimmed(text), variable.unit, system, real))
+    fail(name, text, problem.message, problem.remedy);
   return real;
 }
 
@@ -340,8 +353,14 @@ void Deck::set(std::string_view name, std::string_view value) {
   std::erase_if(record->defaulted, [&](const RecordData::Element& at) {
     return at.variable == place.ref->position && (!place.element || at.element == *place.element);
   });
+  const auto parsed = [&](std::string_view text) {
+    return is_extension(place.ref->record->id) ? parse_extension(spec, name, text, units())
+                                               : parse_value(spec, name, text);
+  };
   if (place.element) {
-    elements.at(*place.element) = parse_value(spec, name, value);
+    elements.at(*place.element) = parsed(value);
+  } else if (is_extension(place.ref->record->id) && value.find(',') == std::string_view::npos) {
+    for (Value& element : elements) element = parsed(value);  // one value for all
   } else {
     const std::vector<std::string_view> parts = split_at_commas(value);
     if (elements.empty())
@@ -351,7 +370,7 @@ void Deck::set(std::string_view name, std::string_view value) {
       fail(name, value, "this variable has " + counted(elements.size(), "element"),
            fmt::format("give {} separated by commas, or set one element, such as {}[1]",
                        counted(elements.size(), "value"), target.name));
-    for (std::size_t i = 0; i < parts.size(); ++i) elements[i] = parse_value(spec, name, parts[i]);
+    for (std::size_t i = 0; i < parts.size(); ++i) elements[i] = parsed(parts[i]);
   }
   records = std::move(changed.records);
   shelf = std::move(changed.shelf);
@@ -362,6 +381,14 @@ void Deck::complete() {
   records.clear();
   for (const RecordSpec& spec : schema()) {
     if (spec.id == "12" || !evaluate(spec.condition, scope_of(*this))) continue;
+    if (is_extension(spec.id)) {  // only as given
+      const auto given = std::find_if(
+          old.begin(), old.end(), [&](const RecordData& data) { return is_at(data, spec.id, 1); });
+      if (given == old.end()) continue;
+      records.push_back(std::move(*given));
+      old.erase(given);
+      continue;
+    }
     const int count = repeat_count(*this, spec);
     for (int instance = 1; instance <= count; ++instance) {
       const auto known = std::find_if(old.begin(), old.end(), [&](const RecordData& data) {

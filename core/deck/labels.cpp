@@ -28,6 +28,11 @@ std::string_view strip_prefix(std::string_view text) {
       text = rest;
       break;
     }
+  // Records of the extension file: "X1".
+  if (const std::size_t x = text.find_first_of("Xx");
+      x <= 2 && x + 1 < text.size() && std::isdigit(static_cast<unsigned char>(text[x + 1])) &&
+      text.find_first_not_of(" #") == x)
+    return text.substr(x);
   const std::size_t digit = text.find_first_of("0123456789");
   if (digit == std::string_view::npos || digit > 4) return {};
   for (const char c : text.substr(0, digit))

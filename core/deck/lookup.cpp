@@ -41,6 +41,13 @@ bool matches(const OptionSpec& option, std::span<const OptionSpec> all, long lon
 
 }  // namespace
 
+bool has_values(const RecordData& record) {
+  for (std::size_t v = 1; v < record.values.size(); ++v)
+    for (const Value& value : record.values[v])
+      if (!std::holds_alternative<std::monostate>(value)) return true;
+  return false;
+}
+
 const RecordData* find_record_data(const Deck& deck, std::string_view id, int instance) {
   const auto found = std::find_if(
       deck.records.begin(), deck.records.end(),
@@ -204,6 +211,10 @@ void fill_with_defaults(Deck& deck, std::size_t position) {
   if (data.values[0].empty()) data.values[0].emplace_back(default_label(spec, data.instance));
   for (std::size_t i = 0; i < spec.variables.size(); ++i) {  // a count stands before its array
     const auto length = static_cast<std::size_t>(array_length(deck, spec.variables[i]));
+    if (is_extension(spec.id) && i > 0) {
+      data.values[i].resize(length);
+      continue;
+    }
     for (std::size_t k = data.values[i].size(); k < length; ++k) data.defaulted.push_back({i, k});
     data.values[i].resize(length, default_value(spec.variables[i]));
   }

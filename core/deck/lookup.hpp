@@ -9,6 +9,13 @@
 /// How the deck's own code finds its way between schema and data.
 namespace adore::deck {
 
+/// Records X of the extension file (ADORE.json). A deck has them only if they are given, after all
+/// others, and their values may be missing (std::monostate: not given).
+constexpr bool is_extension(std::string_view id) { return id.starts_with('X'); }
+
+/// Does the record have a value besides its label?
+bool has_values(const RecordData& record);
+
 /// nullptr when the record is absent.
 const RecordData* find_record_data(const Deck& deck, std::string_view id, int instance = 1);
 

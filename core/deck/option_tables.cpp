@@ -41,7 +41,7 @@ constexpr std::array<OptionSpec, 32> kMaterials = {{{"100", "AISI 52100 bearing 
                                                     {"206", "graphite"},
                                                     {"207", "PTFE (Teflon)"}}};
 
-constexpr std::array<OptionSpec, 22> kLubricants = {
+constexpr std::array<OptionSpec, 23> kLubricants = {
     {{"-1", "user routine ADRX7"},
      {"0", "hypothetical traction-slip curve"},
      {"1", "mineral oil SAE 30 / Mobil DTE, Newtonian"},
@@ -63,7 +63,8 @@ constexpr std::array<OptionSpec, 22> kLubricants = {
      {"17", "PAO-650, shear-thinning, up to 1 GPa"},
      {"18", "Shell T9 mineral oil, shear-thinning"},
      {"19", "FVA-3 mineral oil, shear-thinning"},
-     {"20", "Krytox 143AZ, shear-thinning"}}};
+     {"20", "Krytox 143AZ, shear-thinning"},
+     {"21", "oil of record X2, Newtonian with limiting shear stress"}}};
 
 constexpr std::array<OptionSpec, 15> kCoolants = {{{"0", "no circulating coolant"},
                                                    {"1", "the lubricant"},

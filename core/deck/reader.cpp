@@ -37,6 +37,7 @@ class Reader {
   void shelve(const RecordSpec& extra, int instance);
   void note_missing(Step step, bool doubtful);
   void report_missing_at_end();
+  void read_extension();
   void keep_user_lines();
   [[nodiscard]] bool is_doubtful(std::string_view condition) const;
 
@@ -53,8 +54,9 @@ ReadResult Reader::read() {
   }
   const std::span<const RecordSpec> records = schema();
   for (std::size_t index = 0; index < records.size(); ++index)
-    if (records[index].id != "12") read_records(index);
+    if (records[index].id != "12" && !is_extension(records[index].id)) read_records(index);
   report_missing_at_end();
+  read_extension();
   keep_user_lines();
   for (Issue& issue : check_deck(state_.deck(), state_.reported)) state_.add(std::move(issue));
   std::vector<Issue>& issues = state_.result.issues;
@@ -259,6 +261,30 @@ void Reader::report_missing_at_end() {
       one ? fmt::format("the deck ends, but record {} ({}) is required", list, state_.spec->title)
           : fmt::format("the deck ends, but records {} are required", list),
       one ? "add it" : "add them");
+  state_.spec = nullptr;
+}
+
+/// Records X after the last required record. Their labels identify them.
+void Reader::read_extension() {
+  while (state_.scanner.start_record()) {
+    const std::size_t line = state_.scanner.position().line;
+    const Label* label = state_.labels.on_line(line);
+    if (label == nullptr || !label->hint || !is_extension(schema()[label->hint->record].id)) break;
+    const RecordSpec& spec = schema()[label->hint->record];
+    state_.spec = &spec;
+    state_.instance = 1;
+    const bool again = state_.deck().has_record(spec.id);
+    if (again)
+      state_.report(Severity::Error, static_cast<int>(line) + 1, "", "",
+                    "the deck already has this record", "remove one of them");
+    record_reader_.read(spec, 1);
+    if (again) state_.deck().records.pop_back();
+  }
+  // In the order of the schema, whatever their order in the text.
+  std::vector<RecordData>& all = state_.deck().records;
+  const auto first = std::find_if(all.begin(), all.end(),
+                                  [](const RecordData& data) { return is_extension(data.id); });
+  std::sort(first, all.end(), [](const RecordData& a, const RecordData& b) { return a.id < b.id; });
   state_.spec = nullptr;
 }
 

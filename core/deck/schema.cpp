@@ -22,6 +22,7 @@ std::vector<RecordSpec> make_schema() {
   add_operation_records(records);
   add_lubrication_records(records);
   add_final_records(records);
+  add_extension_records(records);
   return records;
 }
 

@@ -15,7 +15,6 @@ using range::kConformity;
 using range::kContactAngle;
 using range::kGroove;
 using range::kNotNegative;
-using range::kPositive;
 using range::kSize;
 using range::kTilt;
 using unit::kAngle;
@@ -113,9 +112,9 @@ std::vector<VariableSpec> straight_raceways() {
 }
 
 VariableSpec crown_radius() {
-  return real("bReCrn", kLength, kPositive,
-              "Crown radius of the roller profile. For a roller without crown, enter 1.0e+10 here "
-              "and bReCenLen = bReLen.");
+  return real("bReCrn", kLength, kNotNegative,
+              "Crown radius of the roller profile. 0 is a straight roller without crown, whatever "
+              "bReCenLen is.");
 }
 
 VariableSpec spherical_crown_radius() {

@@ -79,5 +79,6 @@ void add_material_records(std::vector<RecordSpec>& out);      // 8
 void add_operation_records(std::vector<RecordSpec>& out);     // 9
 void add_lubrication_records(std::vector<RecordSpec>& out);   // 10
 void add_final_records(std::vector<RecordSpec>& out);         // 11, 12
+void add_extension_records(std::vector<RecordSpec>& out);     // X
 
 }  // namespace adore::deck

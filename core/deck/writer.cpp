@@ -30,7 +30,7 @@ std::string record_line(const RecordData& record) {
 std::string write_deck(const Deck& deck) {
   std::string text;
   for (const RecordData& record : with_orbit_records(deck).records)
-    text += record_line(record) + "\n";
+    if (!is_extension(record.id) || has_values(record)) text += record_line(record) + "\n";
   for (const std::string& line : deck.user_lines) text += line + "\n";
   return text;
 }

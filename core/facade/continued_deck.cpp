@@ -31,8 +31,8 @@ Change kind_of(std::string_view record, std::string_view variable, bool continue
   if (variable == "kBrg") return Change::OtherBearing;  // states of another kind of bearing
   if (!continues)
     return is_one_of(variable, {"kUnit", "runID"}) ? Change::Unsaid : Change::Accepted;
-  if (record == "9.2" || variable == "kStif") return Change::NoPart;
-  const bool bearing = is_one_of(record, {"3.2", "4", "9.0"}) || record.starts_with("5") ||
+  if (record == "9.2" || record == "X4" || variable == "kStif") return Change::NoPart;
+  const bool bearing = is_one_of(record, {"3.2", "4", "9.0", "X3"}) || record.starts_with("5") ||
                        record.starts_with("6") || record.starts_with("7") ||
                        (record.starts_with("8") && !record.starts_with("8.6"));
   const bool code = is_one_of(variable, {"kReMat", "kRaceMat1", "kRaceMat2", "kHsngMat", "kShftMat",

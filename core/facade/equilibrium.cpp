@@ -1,5 +1,6 @@
 #include "facade/equilibrium.hpp"
 
+#include "facade/fault_frequencies.hpp"
 #include "facade/key_results.hpp"
 #include "facade/solution_tables.hpp"
 #include "listing/print_heat.hpp"
@@ -21,6 +22,8 @@ std::vector<std::string> lines_of(const Prepared& prepared, deck::UnitSystem uni
     for (std::string& line : listing::heat_lines(
              *prepared.friction, prepared.thermal ? &*prepared.thermal : nullptr, units))
       lines.push_back(std::move(line));
+  for (std::string& line : frequency_lines(prepared, static_frequencies(prepared)))
+    lines.push_back(std::move(line));
   return lines;
 }
 
@@ -39,6 +42,7 @@ Equilibrium equilibrium_of(const Prepared& prepared) {
   add_heat(out.results, prepared);
   if (prepared.bearing.operating) add_fits(out.results, *prepared.bearing.operating);
   add_lives(out.results, prepared.life);
+  add_frequencies(out.results, prepared, static_frequencies(prepared));
   out.tables = solution_tables(prepared);
   out.lines = lines_of(prepared, units);
   out.seconds = prepared.solve_seconds;

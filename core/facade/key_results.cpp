@@ -20,6 +20,16 @@ void add_lives(KeyResults& out, const life::BearingLife& life) {
         life::life_hours(life.state.of(model, modification).L_S, life.state.relative_speed)));
   };
   add(LifeModel::Original, LifeModification::None);
+  if (life.iso) {
+    const auto hours = [&](const char* id, const std::optional<double>& L) {
+      if (L) out.push_back(key_result(id, life::life_hours(*L, life.state.relative_speed)));
+    };
+    hours("life_iso281_hours", life.iso->L10);
+    if (life.iso->reference) hours("life_iso16281_hours", life.iso->reference->L10r);
+    hours("life_iso281_modified_hours", life.iso->L_nm);
+    if (life.iso->kappa && life.iso->kappa_origin == "oil")
+      out.push_back(key_result("viscosity_ratio", *life.iso->kappa));
+  }
   const bearing::LifeChoices& choices = life.parameters.choices;
   if (choices.stored_model != LifeModel::Original ||
       choices.stored_modification != LifeModification::None)

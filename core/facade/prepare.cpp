@@ -14,6 +14,7 @@
 #include "facade/film_precision.hpp"
 #include "facade/judge_steps.hpp"
 #include "facade/law_ranges.hpp"
+#include "facade/option_file.hpp"
 #include "facade/pilot.hpp"
 #include "facade/run_span.hpp"
 #include "facade/static_plan.hpp"
@@ -365,6 +366,7 @@ Prepared prepare_model(LoadedDeck input) {
   const deck::Deck& deck = out.input.deck;
   out.options = setup::build_run_options(out.input.option_values);
   out.input.deck.reads = std::make_shared<deck::ReadLog>();
+  out.options.rollers.first_azimuth = start_angle(deck);
   out.user = open_session(out.input, out.options);
   setup::UserHooks hooks = user_hooks(out.user, out.options);
   const setup::UserHooks* const user = out.user ? &hooks : nullptr;
@@ -537,10 +539,15 @@ Prepared prepare_model(LoadedDeck input) {
 
 }  // namespace
 
+double start_angle(const deck::Deck& deck) {
+  return deck.has("startAngle") ? deck.si("startAngle") : 0.0;
+}
+
 statics::StaticsOptions ball_options(const Prepared& prepared) {
   statics::StaticsOptions out;
   out.frame = prepared.options.rollers.frame;
   out.friction_balance = prepared.options.rollers.ball_balance;
+  out.first_azimuth = start_angle(prepared.input.deck);
   return out;
 }
 
@@ -551,26 +558,7 @@ void add_remark(Prepared& prepared, Finding finding) {
 }
 
 std::map<std::string, std::string> options_beside(const fs::path& deck_file) {
-  const fs::path path = deck_file.parent_path() / "ADORE.json";
-  std::map<std::string, std::string> out;
-  std::error_code error;
-  if (!fs::exists(fs::symlink_status(path, error))) return out;
-  const nlohmann::json json = parse_json(read_text_file(path), path.string());
-  if (!json.is_object())
-    throw InputError(fmt::format(
-        "{} must contain one object of run options, e.g. {{\"ellipseMajor\": 16}}", path.string()));
-  for (const auto& [name, value] : json.items()) {
-    if (value.is_string())
-      out[name] = value.get<std::string>();
-    else if (value.is_boolean())
-      out[name] = std::string(1, value.get<bool>() ? '1' : '0');
-    else if (value.is_number())
-      out[name] = dump_json(value);
-    else
-      throw InputError(fmt::format("{}: run option {} must be a number, a string or true/false",
-                                   path.string(), name));
-  }
-  return out;
+  return usable_options_beside(deck_file).values();
 }
 
 fs::path deck_path(const fs::path& path) {
@@ -601,6 +589,12 @@ deck::ReadResult read_deck(const DeckRequest& request) {
   // User routines read all lines of record 12: they need no warning.
   if (request.routines || !request.user.empty())
     std::erase_if(out.issues, [](const Issue& issue) { return issue.record == "12"; });
+  if (!request.in_memory && out.ok()) try {
+      for (Issue& issue : set_extension(out.deck, usable_options_beside(path), path))
+        out.issues.push_back(std::move(issue));
+    } catch (const InputError& error) {
+      out.issues.insert(out.issues.end(), error.issues().begin(), error.issues().end());
+    }
   return out;
 }
 

@@ -69,6 +69,9 @@ struct Prepared {
 [[nodiscard]] std::vector<Issue> operating_warnings(const bearing::Bearing& bearing,
                                                     const std::string& file);
 
+/// Azimuth of element 1 at the start (record X4); 0 where it is not given [rad].
+[[nodiscard]] double start_angle(const deck::Deck& deck);
+
 /// Options of ball statics: the base frame is that of the roller options.
 [[nodiscard]] statics::StaticsOptions ball_options(const Prepared& prepared);
 

@@ -11,6 +11,7 @@
 #include "facade/continued_deck.hpp"
 #include "facade/deck_summary.hpp"
 #include "facade/equilibrium.hpp"
+#include "facade/fault_frequencies.hpp"
 #include "facade/kept_races.hpp"
 #include "facade/key_results.hpp"
 #include "facade/law_ranges.hpp"
@@ -316,6 +317,8 @@ void RunOutputs::Impl::print_front(const std::optional<scene::Scales>& scales) {
   if (prepared.bearing.operating) print.fits(prepared.bearing);
   if (control.stiffness) print.stiffness_table(prepared.stiffness, control.stiffness->share);
   print.life(prepared.life);
+  if (const auto lines = frequency_lines(prepared, static_frequencies(prepared)); !lines.empty())
+    print.texts("PASSING FREQUENCIES OF THE QUASI-STATIC SOLUTION", lines, false);
   if (const auto models = models_beside(prepared.input))
     print.texts("MODEL ERRORS", lines_of(model_table(*models)), true);
   if (prepared.user && !prepared.user->documentation().empty())
@@ -745,6 +748,7 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   run.measured_from = s.continued_at;
   s.key_results = dynamic_results(s.last, s.averages.averages(), s.mean_load());
   add_lives(s.key_results, s.prepared.life);
+  add_frequencies(s.key_results, s.prepared, motion_frequencies(s.prepared, s.averages.averages()));
   const listing::RunLife run_life = s.life.run_life();
   if (run_life.damage.seconds() > 0.0) {
     s.key_results.push_back(

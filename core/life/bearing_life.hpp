@@ -72,11 +72,18 @@ struct RaceReport {
 struct IsoReport {
   IsoGeometry geometry;
   double C = 0.0;
-  std::optional<double> C0, C_u;
-  double radial = 0.0, axial = 0.0;  ///< [N]
+  std::optional<double> C0, C_u;  ///< in use: the maker's where they are given
+  bearing::MakerRatings maker;    ///< record X1
+  double C_estimate = 0.0;
+  std::optional<double> C0_estimate, C_u_estimate;
+  std::string oil;                                      ///< of record X2; empty without it
+  double oil_temperature = 0.0;                         ///< [K]
+  std::optional<double> viscosity, required_viscosity;  ///< ν, ν1 [m²/s]
+  double radial = 0.0, axial = 0.0;                     ///< [N]
   std::optional<EquivalentLoad> equivalent;
   std::optional<double> L10;  ///< [1e6 rev]
   double a1 = 1.0;
+  std::string kappa_origin;                                 ///< "option", "oil", "film"
   std::optional<double> kappa, contamination, a_iso, L_nm;  ///< L_nm = a1 a_ISO L10
   bool outside = false;                                     ///< κ < 0.1
   std::optional<ReferenceLife> reference;                   ///< ISO 16281

@@ -99,6 +99,49 @@ IsoGeometry iso_geometry(const bearing::Bearing& bearing) {
   return out;
 }
 
+/// By the maker's C0, e, X and Y where they are given. The tables of deep-groove bearings ask for
+/// f0 Fa/C0: the maker's C0 there means another axial load with the estimated one.
+std::optional<EquivalentLoad> equivalent_load(const IsoReport& r) {
+  const bool scaled = r.maker.C0 && r.C0_estimate;
+  std::optional<EquivalentLoad> out = iso_equivalent_load(
+      r.geometry, r.radial, scaled ? r.axial * *r.C0_estimate / *r.C0 : r.axial);
+  if (!out || !(scaled || r.maker.e || r.maker.X || r.maker.Y)) return out;
+  out->e = r.maker.e.value_or(out->e);
+  out->X = r.maker.X.value_or(out->X);
+  out->Y = r.maker.Y.value_or(out->Y);
+  const bool thrust =
+      r.geometry.type == IsoType::ThrustBall || r.geometry.type == IsoType::ThrustRoller;
+  out->P = thrust                        ? r.axial
+           : r.axial > out->e * r.radial ? out->X * r.radial + out->Y * r.axial
+                                         : r.radial;
+  return out;
+}
+
+/// Viscosity of the oil at the bearing's temperature, the required one and their ratio κ.
+void add_viscosity(IsoReport& out, const bearing::Bearing& bearing, const BearingContacts& contacts,
+                   const std::optional<bearing::GradeOil>& oil) {
+  if (!oil) return;
+  out.oil = oil->name();
+  const double races = 0.5 * (bearing.race_temperature[0] + bearing.race_temperature[1]);
+  out.oil_temperature = oil->given.bearing_temperature.value_or(races);
+  constexpr double kOther = 5.0;  // [K]
+  if (std::abs(out.oil_temperature - races) > kOther)
+    out.notes.push_back(fmt::format(
+        "ISO: the viscosity ratio is for {:.4g} K (oilTemp), but the mean temperature of the races "
+        "is {:.4g} K, which films and clearance use",
+        out.oil_temperature, races));
+  if (!(out.oil_temperature > 0.0)) return;
+  out.viscosity = oil->kinematic_viscosity(out.oil_temperature);
+  if (const std::string estimates = oil->estimates(); !estimates.empty())
+    out.notes.push_back(fmt::format("oil of record X2: estimated are {}", estimates));
+  const double rpm = contacts.relative_speed * 30.0 / std::numbers::pi;
+  if (!(rpm > 0.0)) return;
+  out.required_viscosity = 1e-6 * iso_reference_viscosity(rpm, out.geometry.pitch_diameter);
+  if (out.kappa) return;
+  out.kappa = *out.viscosity / *out.required_viscosity;
+  out.kappa_origin = "oil";
+}
+
 /// ISO 16281 life from the loads of the contacts.
 ReferenceLife reference_life(const IsoReport& report, const bearing::Bearing& bearing,
                              const BearingContacts& contacts,
@@ -127,8 +170,11 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
   IsoReport out;
   out.geometry =
       bearing.rollers() ? iso_geometry(bearing) : iso_geometry_of_balls(bearing, out.notes);
-  out.C = iso_dynamic_rating(out.geometry);
-  out.C0 = iso_static_rating(out.geometry);
+  out.maker = parameters.choices.ratings;
+  out.C_estimate = iso_dynamic_rating(out.geometry);
+  out.C0_estimate = iso_static_rating(out.geometry);
+  out.C = out.maker.C.value_or(out.C_estimate);
+  out.C0 = out.maker.C0 ? out.maker.C0 : out.C0_estimate;
   out.axial = std::abs(load[0]);
   out.radial = std::hypot(load[1], load[2]);
   // Loads below rounding of the equilibrium are none.
@@ -136,7 +182,7 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
   const double total = std::hypot(out.axial, out.radial);
   if (out.axial < kNoise * total) out.axial = 0.0;
   if (out.radial < kNoise * total) out.radial = 0.0;
-  out.equivalent = iso_equivalent_load(out.geometry, out.radial, out.axial);
+  out.equivalent = equivalent_load(out);
   // The factors in use: the tables' hold above e only.
   if (out.equivalent && out.axial <= out.equivalent->e * out.radial) {
     out.equivalent->X = 1.0;
@@ -157,15 +203,23 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
   out.a1 = iso_reliability_factor(parameters.survival.value);
   const bearing::Material& race = bearing.race_material[bearing::kInner];
   if (out.geometry.type == IsoType::RadialBall)
-    out.C_u = iso_fatigue_limit_ball(out.geometry, race.elastic_modulus, race.poisson_ratio);
+    out.C_u_estimate =
+        iso_fatigue_limit_ball(out.geometry, race.elastic_modulus, race.poisson_ratio);
   else if (out.geometry.type == IsoType::RadialRoller && out.C0)
-    out.C_u = iso_fatigue_limit_simple(out.geometry.type, *out.C0, out.geometry.pitch_diameter);
+    out.C_u_estimate =
+        iso_fatigue_limit_simple(out.geometry.type, *out.C0, out.geometry.pitch_diameter);
+  out.C_u = out.maker.C_u ? out.maker.C_u : out.C_u_estimate;
   out.kappa = parameters.choices.viscosity_ratio;
+  out.kappa_origin = out.kappa ? "option" : "";
+  add_viscosity(out, bearing, contacts, parameters.choices.oil);
   out.contamination = parameters.choices.contamination;
   std::optional<double> film = parameters.choices.film_parameter;
   if (!film && contacts.film_parameter[0] && contacts.film_parameter[1])
     film = std::min(*contacts.film_parameter[0], *contacts.film_parameter[1]);
-  if (!out.kappa && film) out.kappa = std::pow(*film, 1.3);
+  if (!out.kappa && film) {
+    out.kappa = std::pow(*film, 1.3);
+    out.kappa_origin = "film";
+  }
   std::optional<IsoCondition> condition;
   if (out.kappa && out.contamination && out.C_u)
     condition = IsoCondition{*out.contamination, *out.C_u, *out.kappa};

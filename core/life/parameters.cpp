@@ -129,6 +129,8 @@ LifeParameters life_parameters(const bearing::LifeInputs& inputs, bool line,
         model_parameters(input.zaretsky, c.zaretsky_exponent, {0.0, "part of the model"});
     part.model[2] = model_parameters(input.harris, c.stress_exponent, c.depth_exponent);
     set_limit(part, material, inputs.limit_factor, out.notes);
+    if (inputs.race_limit && i != bearing::kElementPart)
+      part.fatigue_limit = {*inputs.race_limit * inputs.limit_factor, "maker"};
     set_factors(part, input, material, out.notes);
     // Elastic constants are hidden in the constant of the original theory.
     if (i != bearing::kElementPart &&

@@ -106,27 +106,46 @@ Json race(const life::BearingLife& life, std::size_t i) {
           {"stress capacity, Harris [Pa]", number(r.stress_capacity[2])}};
 }
 
-Json iso(const life::IsoReport& r) {
+Json iso(const life::IsoReport& r, double speed) {
   Json out{{"origin", "public implementations of the standards; bm, P factors and f0 recalled"},
            {"C [N]", r.C},
            {"C0 [N]", number(r.C0)},
            {"Cu [N]", number(r.C_u)},
            {"radial load [N]", r.radial},
            {"axial load [N]", r.axial}};
+  Json maker = Json::object();
+  for (const auto& [name, value] : {std::pair{"C [N]", r.maker.C}, std::pair{"C0 [N]", r.maker.C0},
+                                    std::pair{"Cu [N]", r.maker.C_u}, std::pair{"e", r.maker.e},
+                                    std::pair{"X", r.maker.X}, std::pair{"Y", r.maker.Y}})
+    if (value) maker[name] = *value;
+  if (!maker.empty()) {
+    out["maker's ratings"] = maker;
+    out["estimates"] = {{"C [N]", r.C_estimate},
+                        {"C0 [N]", number(r.C0_estimate)},
+                        {"Cu [N]", number(r.C_u_estimate)}};
+  }
+  if (r.viscosity)
+    out["oil"] = {{"name", r.oil},
+                  {"temperature [K]", r.oil_temperature},
+                  {"viscosity [m^2/s]", *r.viscosity},
+                  {"required viscosity [m^2/s]", number(r.required_viscosity)}};
   if (r.equivalent)
     out["equivalent load"] = {{"P [N]", r.equivalent->P},
                               {"X", r.equivalent->X},
                               {"Y", r.equivalent->Y},
                               {"e", r.equivalent->e}};
   out["L10 [Mrev]"] = number(r.L10);
+  if (r.L10) out["L10 [hr]"] = number(life::life_hours(*r.L10, speed));
   out["a1"] = r.a1;
   out["kappa"] = number(r.kappa);
+  if (r.kappa) out["kappa from"] = r.kappa_origin;
   out["eC"] = number(r.contamination);
   out["aISO"] = number(r.a_iso);
   out["Lnm [Mrev]"] = number(r.L_nm);
   if (r.reference) {
     out["Pref [N]"] = r.reference->P_ref;
     out["L10r [Mrev]"] = number(r.reference->L10r);
+    out["L10r [hr]"] = number(life::life_hours(r.reference->L10r, speed));
   }
   out["Lnmr [Mrev]"] = number(r.L_nmr);
   return out;
@@ -147,7 +166,7 @@ Json life_json(const life::BearingLife& life) {
   if (life.effective_length > 0.0) out["effective length [m]"] = life.effective_length;
   for (std::size_t i = 0; i < 2; ++i) out["races"][kParts[i]] = race(life, i);
   for (std::size_t i = 0; i < 3; ++i) out["parameters"][kParts[i]] = part(life, i);
-  if (life.iso) out["ISO"] = iso(*life.iso);
+  if (life.iso) out["ISO"] = iso(*life.iso, life.state.relative_speed);
   out["notes"] = life.notes;
   if (life.iso)
     for (const std::string& note : life.iso->notes) out["notes"].push_back(note);

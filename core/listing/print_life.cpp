@@ -265,27 +265,48 @@ void iso(Report& report, const life::IsoReport& r) {
   };
   report.item("Rating angle", r.geometry.contact_angle, unit::kAngle);
   report.item("Rating factor bm (from memory)", r.geometry.rating_factor, unit::kPure);
-  report.item("Dynamic load rating C (formula from a public source)", r.C, unit::kForce);
+  report.item(r.maker.C ? "Dynamic load rating C (maker's)"
+                        : "Dynamic load rating C (formula from a public source)",
+              r.C, unit::kForce);
+  if (r.maker.C) report.item("    estimate of ISO 281", r.C_estimate, unit::kForce);
   const bool roller = r.geometry.type == life::IsoType::RadialRoller ||
                       r.geometry.type == life::IsoType::ThrustRoller;
-  optional_force(roller ? "Static load rating C0 (formula from a public source)"
-                        : "Static load rating C0 (factor f0 from memory)",
+  optional_force(r.maker.C0 ? "Static load rating C0 (maker's)"
+                 : roller   ? "Static load rating C0 (formula from a public source)"
+                            : "Static load rating C0 (factor f0 from memory)",
                  r.C0);
-  optional_force(roller ? "Fatigue load limit Cu (C0/8.2, from a public source)"
-                        : "Fatigue load limit Cu (1500 MPa, from a public source)",
+  if (r.maker.C0) optional_force("    estimate of ISO 76", r.C0_estimate);
+  optional_force(r.maker.C_u ? "Fatigue load limit Cu (maker's)"
+                 : roller    ? "Fatigue load limit Cu (C0/8.2, from a public source)"
+                             : "Fatigue load limit Cu (1500 MPa, from a public source)",
                  r.C_u);
+  if (r.maker.C_u) optional_force("    estimate of ISO 281", r.C_u_estimate);
   report.item("Radial load", r.radial, unit::kForce);
   report.item("Axial load", r.axial, unit::kForce);
   if (r.equivalent) {
     report.item("Equivalent load P (factors from memory or a public source)", r.equivalent->P,
                 unit::kForce);
-    report.item("    X", r.equivalent->X, unit::kPure);
-    report.item("    Y", r.equivalent->Y, unit::kPure);
-    report.item("    e", r.equivalent->e, unit::kPure);
+    const auto factor = [&](std::string name, double value, const std::optional<double>& maker) {
+      report.item(name + (maker ? " (maker's)" : ""), value, unit::kPure);
+    };
+    factor("    X", r.equivalent->X, r.maker.X);
+    factor("    Y", r.equivalent->Y, r.maker.Y);
+    factor("    e", r.equivalent->e, r.maker.e);
   }
   optional_life("L10 (ISO 281; sources: see C and P)", r.L10);
   report.item("Life factor a1 for the survival probability (from memory)", r.a1, unit::kPure);
-  if (r.kappa) report.item("Viscosity ratio kappa (option)", *r.kappa, unit::kPure);
+  if (r.viscosity) {
+    report.item("Oil (record X2)", r.oil);
+    report.item("    temperature", r.oil_temperature, unit::kTemperature);
+    report.item("    kinematic viscosity", fmt::format("{:.5g} mm2/s", 1e6 * *r.viscosity));
+  }
+  if (r.required_viscosity)
+    report.item("    required viscosity nu1 (ISO 281, from a public source)",
+                fmt::format("{:.5g} mm2/s", 1e6 * *r.required_viscosity));
+  if (r.kappa)
+    report.item(r.kappa_origin == "oil" ? "Viscosity ratio kappa (oil of record X2)"
+                                        : "Viscosity ratio kappa (option)",
+                *r.kappa, unit::kPure);
   if (r.contamination)
     report.item("Contamination factor eC (option)", *r.contamination, unit::kPure);
   if (r.a_iso) report.item("aISO (coefficients from a public source)", *r.a_iso, unit::kPure);

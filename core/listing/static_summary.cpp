@@ -203,8 +203,11 @@ void lives(Report& report, const life::BearingLife& life) {
       rows.push_back({name, "", "", "", millions(L), hours_text(L, speed),
                       hours_text(life.iso->a1 * L, speed), from});
     };
-    if (life.iso->L10) iso("ISO 281", *life.iso->L10, "recalled, seen");
-    if (life.iso->reference) iso("ISO 16281", life.iso->reference->L10r, "recalled, seen");
+    if (life.iso->L10)
+      iso("ISO 281", *life.iso->L10, life.iso->maker.C ? "maker's C" : "recalled, seen");
+    if (life.iso->reference)
+      iso("ISO 16281", life.iso->reference->L10r,
+          life.iso->maker.C ? "maker's C" : "recalled, seen");
   }
   report.text_table({{"lives, 90 % survival", 26},
                      {"outer [Mrev]", 12},
@@ -232,6 +235,42 @@ void remarks(Report& report, const std::vector<std::string>& warnings,
   for (const auto* list : {&warnings, &notes})
     for (const std::string& text : *list)
       if (!shown(text)) return report.text("    More on the following pages.", 0);
+}
+
+/// "55.3 kN (maker's)"
+std::string rating(const char* name, double si, bool maker, UnitSystem units) {
+  return fmt::format("{} {} ({})", name, quantity(si, unit::kForce, units),
+                     maker ? "maker's" : "estimated");
+}
+
+/// The lives by the standards and what they are of.
+std::vector<std::string> iso_lines(const life::IsoReport& iso, double speed, UnitSystem units) {
+  std::vector<std::string> out;
+  const auto lived = [&](double L) {
+    return speed > 0.0 && std::isfinite(L) ? hours_text(L, speed) + " hr" : millions(L) + " Mrev";
+  };
+  if (iso.L10 && iso.equivalent)
+    out.push_back(fmt::format("life L10h by ISO 281: {} ({}, P {})", lived(*iso.L10),
+                              rating("C", iso.C, iso.maker.C.has_value(), units),
+                              quantity(iso.equivalent->P, unit::kForce, units)));
+  if (iso.reference)
+    out.push_back(fmt::format("life L10r by ISO/TS 16281: {} ({})", lived(iso.reference->L10r),
+                              rating("C", iso.C, iso.maker.C.has_value(), units)));
+  if (iso.L10 && iso.reference)
+    out.push_back(
+        "ISO 281 uses the outer loads and C, ISO/TS 16281 the computed load of every contact and "
+        "C. "
+        "The Lundberg-Palmgren life uses the contact loads and the geometry, without C.");
+  if (iso.viscosity && iso.required_viscosity)
+    out.push_back(fmt::format(
+        "oil: {}; viscosity {:.4g} mm²/s at {}, required {:.4g} mm²/s, kappa {:.4g}", iso.oil,
+        1e6 * *iso.viscosity, quantity(iso.oil_temperature, unit::kTemperature, units),
+        1e6 * *iso.required_viscosity, *iso.kappa));
+  if (iso.a_iso && iso.L_nm)
+    out.push_back(fmt::format(
+        "life Lnmh by ISO 281: {} (a_ISO {:.4g}, a1 {:.4g}, {})", lived(*iso.L_nm), *iso.a_iso,
+        iso.a1, rating("Cu", iso.C_u.value_or(0.0), iso.maker.C_u.has_value(), units)));
+  return out;
 }
 
 }  // namespace
@@ -375,6 +414,9 @@ std::vector<std::string> summary_lines(const StaticSummary& s, const Bearing& be
         100.0 * life.parameters.survival.value, millions(L), std::isfinite(L) ? " Mrev" : "", hours,
         life_name(model, modification), origin(life, static_cast<std::size_t>(model))));
   };
+  if (life.iso)
+    for (std::string& line : iso_lines(*life.iso, life.state.relative_speed, units))
+      out.push_back(std::move(line));
   lived(bearing::LifeModel::Original, bearing::LifeModification::None);
   const bearing::LifeChoices& choices = life.parameters.choices;
   if (choices.stored_model != bearing::LifeModel::Original ||

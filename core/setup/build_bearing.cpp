@@ -4,9 +4,11 @@
 #include "contact/groove.hpp"
 #include "contact/roller_pocket_play.hpp"
 #include "contact/roller_shape.hpp"
+#include "deck/lookup.hpp"
 #include "setup/build_rollers.hpp"
 #include "setup/check_pockets.hpp"
 #include "setup/deck_text.hpp"
+#include "setup/grade_oil.hpp"
 #include "setup/lubricated.hpp"
 #include "setup/race_motions.hpp"
 #include "setup/read_cage.hpp"
@@ -16,8 +18,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace adore::setup {
 namespace {
@@ -72,6 +76,28 @@ Material material(const Deck& deck, const char* code_variable, Part part, const 
   return out;
 }
 
+/// Record X3: single properties instead of those of the material.
+void replace_properties(const Deck& deck, Bearing& bearing) {
+  const std::array<Material*, 3> parts{&bearing.race_material[0], &bearing.race_material[1],
+                                       &bearing.element_material};
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    Material& part = *parts[k];
+    std::string replaced;
+    for (const auto& [name, symbol, value] :
+         {std::tuple{"matEM", "elastic modulus", &Material::elastic_modulus},
+          std::tuple{"matPR", "Poisson ratio", &Material::poisson_ratio},
+          std::tuple{"matDen", "density", &Material::density},
+          std::tuple{"matCTE", "thermal expansion", &Material::thermal_expansion}}) {
+      const int index = static_cast<int>(k) + 1;
+      const deck::Value* given = deck::find_value(deck, name, 1, index);
+      if (given == nullptr || std::holds_alternative<std::monostate>(*given)) continue;
+      part.*value = deck.si(name, 1, index);
+      replaced += (replaced.empty() ? "" : ", ") + std::string(symbol);
+    }
+    if (!replaced.empty()) part.name += fmt::format(" with given {}", replaced);
+  }
+}
+
 /// Solid ball: m = ρπD³/6, I = m D²/10.
 bearing::Inertia ball_inertia(double diameter, double density) {
   bearing::Inertia out;
@@ -111,6 +137,17 @@ bearing::Lubrication lubrication(const Deck& deck) {
   if (out.code == kHotWalls) out.hot_walls = deck.integer("iTherm") == 1;
   out.meniscus = deck.si("strParam");
   out.critical_film = si_where(out.meniscus > 0.0, deck, "reRaceFilm");
+  if (out.code == kGradeOil) {
+    const std::optional<bearing::GradeOil> oil = grade_oil_of(deck);
+    if (!oil)
+      throw InputError(
+          {deck.issue(Severity::Error, "kTrac", "selects the oil of record X2, which is not given",
+                      "give the oil in ADORE.json, such as {\"version\": 1, "
+                      "\"oilGrade\": 68}")});
+    out.code = kUserLubricant;
+    out.user = bearing::film_oil(*oil, 0.5 * (deck.si("raceTemp1") + deck.si("raceTemp2")));
+    return out;
+  }
   if (out.code != kUserLubricant) return out;
   bearing::UserLubricant user = user_lubricant(deck);
   const bool cools = deck.integer("kTherm") > 0 && deck.integer("kCoolant") == 1;
@@ -247,6 +284,7 @@ bearing::Cage cage(const Deck& deck, const Bearing& bearing, const UserHooks* us
         one.start_offset[k] = deck.si("cageGcPos", piece, k + 1);
         one.start_angles[k] = deck.si("cageAngPos", piece, k + 1);
       }
+      if (deck.has("startAngle")) one.start_angles[0] += deck.si("startAngle");
       return one;
     };
     static_cast<bearing::PieceStart&>(out) = start(1);
@@ -350,6 +388,8 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed, const UserHooks* use
   out.element_material = material(deck, "kReMat", Part::RollingElement, "re", "", user);
   out.race_material = {material(deck, "kRaceMat1", Part::OuterRace, "race", "1", user),
                        material(deck, "kRaceMat2", Part::InnerRace, "race", "2", user)};
+  replace_properties(deck, out);
+  if (deck.has("startAngle")) (void)deck.si("startAngle");  // acts in statics, which has no deck
   out.type = static_cast<bearing::Type>(deck.integer("kBrg"));
   out.envelope = {deck.si("brgBore"),
                   deck.si("brgOD"),

@@ -1,5 +1,6 @@
 #include "setup/build_life.hpp"
 
+#include "setup/grade_oil.hpp"
 #include "setup/lubricated.hpp"
 
 #include <string>
@@ -96,6 +97,14 @@ bearing::LifeInputs build_life(const Deck& deck, const bearing::LifeChoices& cho
   out.part[bearing::kOuterRacePart].residual_stress = read.value("res1").value_or(0.0);
   out.part[bearing::kInnerRacePart].residual_stress = read.value("res2").value_or(0.0);
   out.limit_factor = read.value("facStrLimit").value_or(1.0);
+  bearing::MakerRatings& ratings = out.choices.ratings;
+  for (const auto& [name, value] :
+       {std::pair{"ratingC", &ratings.C}, std::pair{"ratingC0", &ratings.C0},
+        std::pair{"ratingCu", &ratings.C_u}, std::pair{"ratingE", &ratings.e},
+        std::pair{"ratingX", &ratings.X}, std::pair{"ratingY", &ratings.Y}})
+    *value = read.value(name);
+  out.race_limit = read.value("ratingVM");
+  out.choices.oil = grade_oil_of(deck);
   read.finish();
   return out;
 }

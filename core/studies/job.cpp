@@ -7,7 +7,9 @@
 #include "base/version.hpp"
 #include "base/write_error.hpp"
 #include "base/write_folder.hpp"
+#include "deck/keep_text.hpp"
 #include "deck/monitored_bodies.hpp"
+#include "facade/option_file.hpp"
 #include "facade/passing_folder.hpp"
 #include "facade/run_ending.hpp"
 #include "facade/solver_stamp.hpp"
@@ -239,13 +241,20 @@ Job prepare_job(const Study& study, const WriteFolder& folder) {
     const std::string name = original.filename().string();
     Job::BaseDeck base;
     base.deck = place.path() / name;
-    const std::string text = read_text_file(original, kMaxHandwrittenBytes);
+    const facade::OptionFile options = facade::usable_options_beside(original);
+    std::string text = read_text_file(original, kMaxHandwrittenBytes);
+    if (!options.variables().empty()) {  // the copy of the deck has its records X itself
+      deck::Deck deck = deck::read_deck(original).deck;
+      if (std::vector<Issue> issues = facade::set_extension(deck, options, original);
+          !issues.empty())
+        throw InputError(std::move(issues));
+      text = deck::with_deck(text, deck).text;
+    }
     std::error_code error;
     if (!fs::is_regular_file(fs::symlink_status(base.deck, error)) ||
         read_text_file(base.deck) != text)
       write_into_study(place, name, text);
-    for (const auto& [option, value] : facade::options_beside(original))
-      base.options.emplace_back(option, value);
+    for (const auto& [option, value] : options.values()) base.options.emplace_back(option, value);
     job.decks.push_back(std::move(base));
   }
   job.sets = study.sets;

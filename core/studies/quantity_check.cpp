@@ -64,10 +64,16 @@ std::string of_result(const std::string& id, const deck::Deck& deck, const std::
   if (figure)
     return first({no_motion(deck, "stores no cage motion"), no_cage(deck),
                   deck.integer("nCseg") > 1 ? "whirl results need a one-piece cage" : ""});
-  if (starts_with_one_of(id, {"life_", "largest_contact_load_N"})) return {};
+  if (starts_with_one_of(id, {"life_", "largest_contact_load_N"}) || id.ends_with("_nominal_Hz"))
+    return {};
+  if (id == "viscosity_ratio")
+    return deck.has("oilGrade") || deck.has("oilVisc1")
+               ? ""
+               : "the deck has no oil by grade (record X2 in ADORE.json)";
+  if (starts_with_one_of(id, {"bpfo_", "bpfi_", "ftf_"}) && deck.integer("mode") < 0) return {};
   const bool of_start = starts_with_one_of(
       id, {"displacement_", "load_x", "load_y", "load_z", "load_about_", "largest_pressure_",
-           "stiffness_", "friction_", "outer_race_temperature", "inner_race_temperature",
+           "stiffness_", "friction_", "bsf_", "outer_race_temperature", "inner_race_temperature",
            "element_temperature", "coolant_exit_", "operating_", "outer_fit_", "inner_fit_"});
   if (of_start)
     return deck.integer("mode") < 0
@@ -76,7 +82,8 @@ std::string of_result(const std::string& id, const deck::Deck& deck, const std::
                      "only a quasi-static run (mode below 0) has this result, but mode is {}",
                      deck.integer("mode"));
   const bool of_cage = starts_with_one_of(id, {"mean_cage_", "mean_whirl_", "mean_swept_whirl_"});
-  const bool of_steps = starts_with_one_of(id, {"mean_", "load_departure", "energy_residual"});
+  const bool of_steps = starts_with_one_of(
+      id, {"mean_", "load_departure", "energy_residual", "bpfo_", "bpfi_", "ftf_"});
   return first({no_motion(deck, "has no motion"), of_cage ? no_cage(deck) : "",
                 of_steps ? no_steps(deck, until) : ""});
 }

@@ -176,7 +176,7 @@ TEST_CASE("every record of the schema: its page is built, edited by typing, and 
   int edited = 0, records = 0, records_saved = 0;
   std::string only_as_text;
   for (const deck::RecordSpec& record : deck::schema()) {
-    if (record.id == "12") continue;
+    if (record.id == "12" || deck::is_extension(record.id)) continue;
     INFO("record " << record.id);
     // A deck of any type whose options can be set so that the record is due.
     bool there = false;
@@ -230,7 +230,10 @@ TEST_CASE("every record of the schema: its page is built, edited by typing, and 
     else
       only_as_text += " " + std::string(record.id);
   }
-  CHECK(records + 1 == static_cast<int>(deck::schema().size()));
+  const auto elsewhere = std::count_if(
+      deck::schema().begin(), deck::schema().end(),
+      [](const auto& spec) { return spec.id == "12" || deck::is_extension(spec.id); });
+  CHECK(records + elsewhere == static_cast<int>(deck::schema().size()));
   CHECK(edited > 700);
   INFO("records that were in no deck without errors:" << only_as_text);
   CHECK(records_saved >= 84);

@@ -24,6 +24,7 @@ DEFINITIONS = {
     "developer/testing.md": "commands",
     "glossary.md": "terms",
     "how-to/effect.md": "interfaces and files",
+    "how-to/extension-file.md": "records",
     "how-to/index.md": "links",
     "how-to/user-routine.md": "interfaces",
     "library.md": "headers",

@@ -12,6 +12,7 @@
 #include "deck/unit_change.hpp"
 #include "facade/deck_request.hpp"
 #include "facade/deck_story.hpp"
+#include "facade/option_file.hpp"
 
 namespace adore::python {
 namespace {
@@ -115,7 +116,14 @@ void bind_deck(py::module_& module) {
             const std::filesystem::path file = facade::deck_path(std::filesystem::path(path));
             deck::ReadResult read = deck::read_deck(file);
             if (!read.ok()) throw InputError(std::move(read.issues));
-            return DeckObject{read.deck, read.deck, read_text_file(file), std::move(read.issues)};
+            std::string text = read_text_file(file);
+            const facade::OptionFile options = facade::usable_options_beside(file);
+            if (options.variables().empty())
+              return DeckObject{read.deck, read.deck, std::move(text), std::move(read.issues)};
+            std::vector<Issue> issues = facade::set_extension(read.deck, options, file);
+            if (!issues.empty()) throw InputError(std::move(issues));
+            text = deck::with_deck(text, read.deck).text;
+            return DeckObject{read.deck, read.deck, std::move(text), std::move(read.issues)};
           },
           py::arg("path"), "Reads a deck file, or DATA.txt of a folder.")
       .def_static("from_text", &from_text, py::arg("text"), py::arg("name"),

@@ -99,6 +99,7 @@ TEST_CASE("statics of any deck: values of the motion only → left out and liste
           if (!deck.has(name)) continue;  // of a record that this deck has no use for
           if (name == "kPocHydro" || name == "kGsHydro" || name == "kChrn") deck.set("kTrac", "1");
           deck.set(variable.length == "1" ? name : name + "[1]", code);
+          if (name == "kTrac" && code == "21") deck.set("oilGrade", "68");
           deck.complete();
           if (deck.has("baseTemp")) {  // record 9.7 has no defaults
             deck.set("baseTemp", "300.0");

@@ -227,8 +227,19 @@ class Errors(unittest.TestCase):
             (Path(folder) / "ADORE.json").write_text('{"seed": 7}')
             self.assertEqual(adore.read(folder).options, {"seed": "7"})
             (Path(folder) / "ADORE.json").write_text('{"user": "/tmp/evil.so"}')
-            issues = adore.read(folder).check()
-            self.assertTrue(any(i.severity == "error" for i in issues))
+            with self.assertRaisesRegex(adore.InputError, "no run option named \"user\""):
+                adore.read(folder)
+            self.assertTrue(any(i.severity == "error" for i in adore.check(folder)))
+
+    def test_variables_of_an_adore_json_are_values_of_the_deck(self):
+        with tempfile.TemporaryDirectory() as folder:
+            adore.new("ball").save(folder)
+            (Path(folder) / "ADORE.json").write_text('{"version": 1, "ratingC": "55.3 kN", "seed": 7}')
+            deck = adore.read(folder)
+            self.assertAlmostEqual(deck["ratingC"], 55300.0)
+            self.assertEqual(deck.options, {"seed": "7"})
+            again = adore.Deck.from_text(deck.source())
+            self.assertAlmostEqual(again["ratingC"], 55300.0)
 
 
 if __name__ == "__main__":
