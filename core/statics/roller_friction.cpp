@@ -56,6 +56,7 @@ struct FrictionSet {
   const RollerModel& model;
   const RollerMotionForces& forces;
   std::vector<std::size_t>* lost = nullptr;  ///< rollers whose search ended nowhere
+  bool central = false;                      ///< differences
 };
 using FrictionRace = RaceState<FrictionRoller>;
 
@@ -111,24 +112,31 @@ void move_to(const FrictionSet& set, FrictionRoller& roller, const Vec6& u, cons
 }
 
 /// Differences at the last evaluation over u, and over q if `with_race`.
+/// @param central both ways, with longer steps: their error is of second order
 void differentiate(const FrictionSet& set, FrictionRoller& roller, const Vec5& q,
-                   const Races<double>& races, bool with_race) {
-  const Vec6& u = roller.u;
+                   const Races<double>& races, bool with_race, bool central) {
+  constexpr double kLonger = 10.0;
   const Vec11 here = values(roller.action);
-  for (Eigen::Index k = 0; k < 6; ++k) {
-    Vec6 moved = u;
-    moved[k] += kDifference[k] * set.forces.units()[k];
-    roller.D.col(k) = (values(evaluate(set, roller, moved, races)) - here) / kDifference[k];
-  }
+  const auto slope = [&](double step, const auto& at) {
+    if (!central) return Vec11((values(at(step)) - here) / step);
+    step *= kLonger;
+    return Vec11((values(at(step)) - values(at(-step))) / (2.0 * step));
+  };
+  for (Eigen::Index k = 0; k < 6; ++k)
+    roller.D.col(k) = slope(kDifference[k], [&](double step) {
+      Vec6 moved = roller.u;
+      moved[k] += step * set.forces.units()[k];
+      return evaluate(set, roller, moved, races);
+    });
   roller.by_u = true;
   if (!with_race) return;
   const Vec5 units = race_units(set);
-  for (Eigen::Index k = 0; k < 5; ++k) {
-    Vec5 moved = q;
-    moved[k] += kRaceDifference * units[k];
-    const RollerMotionAction there = evaluate(set, roller, u, races_of(set, moved), &roller.action);
-    roller.D.col(6 + k) = (values(there) - here) / kRaceDifference;
-  }
+  for (Eigen::Index k = 0; k < 5; ++k)
+    roller.D.col(6 + k) = slope(kRaceDifference, [&](double step) {
+      Vec5 moved = q;
+      moved[k] += step * units[k];
+      return evaluate(set, roller, roller.u, races_of(set, moved), &roller.action);
+    });
   roller.by_q = true;
 }
 
@@ -146,7 +154,7 @@ bool find_balance(const FrictionSet& set, FrictionRoller& roller, const Vec5& q,
     if (!std::isfinite(size) || roller.left <= 0) return false;
     const bool fresh = !roller.by_u;
     if (fresh) {
-      differentiate(set, roller, q, races, false);
+      differentiate(set, roller, q, races, false, false);
       slow = 0;
     }
     const auto d = flow_step<6>(roller.J(), roller.action.rates, size / first, kLongestStep);
@@ -227,7 +235,8 @@ bool update_race(const FrictionSet& set, const Vec5& q, FrictionRace& race, doub
     }
     follow(set, roller, change, q, here);
     bool found = find_balance(set, roller, q, here, accuracy);
-    if (found && !(roller.by_u && roller.by_q)) differentiate(set, roller, q, here, !roller.by_q);
+    if (found && !(roller.by_u && roller.by_q))
+      differentiate(set, roller, q, here, !roller.by_q, set.central);
     found = found && add_balanced(set, accuracy > 0.0, roller, sum);
     if (!found) {
       if (set.lost != nullptr) set.lost->push_back(roller.state.number);
@@ -244,7 +253,9 @@ bool update_race(const FrictionSet& set, const Vec5& q, FrictionRace& race, doub
 /// Load and stiffness of the race with derivatives of its place.
 bool differentiate_race(const FrictionSet& set, FrictionRace& race) {
   for (FrictionRoller& roller : race.elements) roller.by_u = roller.by_q = false;
-  return update_race(set, Vec5(race.q), race);
+  FrictionSet exact = set;
+  exact.central = true;
+  return update_race(exact, Vec5(race.q), race);
 }
 
 bool carries(const StaticRoller& roller, double largest) {
@@ -348,7 +359,7 @@ bool balance_rollers(const Bearing& bearing, const RollerOptions& options, const
   out.friction.computed = true;
   const RollerMotionForces forces(bearing, model, out.max_load);
   std::vector<std::size_t> lost;
-  const FrictionSet set{model, forces, &lost};
+  const FrictionSet set{model, forces, &lost, false};
   FrictionRace race;
   race.q = without.q;
   for (const RollerState& roller : without.elements) race.elements.emplace_back().state = roller;
