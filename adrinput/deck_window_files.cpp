@@ -142,10 +142,9 @@ void DeckWindow::makeOtherMenus() {
   run->addSeparator();
   run->addAction(tr("S&weep a variable …"), this, &DeckWindow::askForSweep);
   run->addAction(tr("Study &accuracy"), QKeySequence(Qt::Key_F9), this, &DeckWindow::studyAccuracy);
-
-  QMenu* tools = menuBar()->addMenu(tr("&Tools"));
-  tools->setObjectName("tools");
-  tools->addAction(tr("&Calculator …"), this, [this] { (new CalculatorDialog(this))->show(); });
+  run->addSeparator();
+  run->addAction(tr("Ca&lculators …"), this, [this] { (new CalculatorDialog(this))->show(); })
+      ->setObjectName("calculators");
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
   QAction* drawing = dock_action(drawing_dock_, tr("Drawin&g"));
