@@ -160,10 +160,9 @@ std::string GradeOil::estimates() const {
   std::string out;
   const auto add = [&](std::string text) { out += (out.empty() ? "" : ", ") + text; };
   if (!index_given) add(fmt::format("viscosity index {:.4g}", viscosity_index));
-  if (!given.density) add(fmt::format("density {:.4g} kg/m³ at 15 °C", density));
+  if (!given.density) add(fmt::format("density {:.4g} kg/m^3 at 15 °C", density));
   if (!given.pressure_coefficient)
-    add(fmt::format("pressure coefficient {:.3g} 1/GPa at 40 °C",
-                    1e9 * pressure_coefficient(kAt40)));
+    add(fmt::format("pressure coefficient {:.3g} 1/Pa at 40 °C", pressure_coefficient(kAt40)));
   return out;
 }
 

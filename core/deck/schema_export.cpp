@@ -1,3 +1,4 @@
+#include "deck/lookup.hpp"
 #include "deck/schema.hpp"
 
 #include <fmt/format.h>
@@ -136,9 +137,12 @@ std::string schema_markdown() {
   std::string out =
       "# Records of the data deck\n\nThis page is the output of `adore schema --format md`.\n";
   for (const RecordSpec& record : schema()) {
-    out += fmt::format("\n## {} {}\n\nRequired when `{}`{}.\n\n", record.id, record.title,
-                       record.condition,
-                       record.repeat.empty() ? "" : fmt::format(", `{}` times", record.repeat));
+    out += fmt::format("\n## {} {}\n\n", record.id, record.title);
+    out +=
+        is_extension(record.id)
+            ? std::string("Optional, in ADORE.json next to the deck.\n\n")
+            : fmt::format("Required when `{}`{}.\n\n", record.condition,
+                          record.repeat.empty() ? "" : fmt::format(", `{}` times", record.repeat));
     out +=
         "| Variable | Type | Unit (SI, English) | Options | Default | Meaning "
         "|\n|---|---|---|---|---|---|\n";

@@ -216,7 +216,12 @@ std::vector<Issue> set_extension(deck::Deck& deck, const OptionFile& file,
       for (const Issue& issue : error.issues()) add(issue);
     }
   for (const Issue& issue : deck::check_deck(deck))
-    if (deck::is_extension(issue.record)) add(issue);
+    if (deck::is_extension(issue.record)) {
+      if (issue.severity == Severity::Error)
+        add(issue);
+      else
+        issues.push_back(issue);  // of the deck: a set may remove it
+    }
   return issues;
 }
 

@@ -284,7 +284,6 @@ bearing::Cage cage(const Deck& deck, const Bearing& bearing, const UserHooks* us
         one.start_offset[k] = deck.si("cageGcPos", piece, k + 1);
         one.start_angles[k] = deck.si("cageAngPos", piece, k + 1);
       }
-      if (deck.has("startAngle")) one.start_angles[0] += deck.si("startAngle");
       return one;
     };
     static_cast<bearing::PieceStart&>(out) = start(1);
