@@ -1,5 +1,6 @@
 #include "adrinput/catalogue_dialog.hpp"
 
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "deck/catalogue.hpp"
 #include "desktop/dialogs.hpp"
@@ -8,24 +9,57 @@
 #include <QBoxLayout>
 #include <QCompleter>
 #include <QDialogButtonBox>
+#include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QTimer>
 
 #include <algorithm>
+#include <cmath>
 
 namespace adore::adrinput {
+namespace {
+
+/// Empty: the field is empty. @throws InputError when it is no number
+std::optional<double> number_in(const QLineEdit& field) {
+  QString text = field.text().trimmed();
+  if (text.isEmpty()) return std::nullopt;
+  bool ok = false;
+  const double value = text.replace(',', '.').toDouble(&ok);
+  if (!ok)
+    throw InputError(field.accessibleName().toStdString() + " = " + text.toStdString() +
+                     ": not a number. Enter a number");
+  return value;
+}
+
+}  // namespace
+
+QLineEdit* CatalogueDialog::addField(QFormLayout& form, const QString& label, const char* name,
+                                     const QString& accessible) {
+  auto* field = new QLineEdit(this);
+  field->setObjectName(name);
+  field->setAccessibleName(accessible);
+  field->setMaximumWidth(120);
+  form.addRow(label, field);
+  connect(field, &QLineEdit::textChanged, this, &CatalogueDialog::look);
+  return field;
+}
 
 CatalogueDialog::CatalogueDialog(QWidget* parent)
-    : QDialog(parent), name_(new QLineEdit(this)), story_(new QLabel(this)) {
+    : QDialog(parent),
+      name_(new QLineEdit(this)),
+      candidates_(new QListWidget(this)),
+      story_(new QLabel(this)) {
   setObjectName("catalogue");
   desktop::delete_when_done(*this);
   setWindowTitle(tr("New deck from the catalog"));
-  auto* label = new QLabel(tr("&Bearing, e.g. 6205, 7208 B, NU209, 30208 or 22210, or type and "
-                              "size, e.g. deep-groove 25x52x15:"),
+  auto* label = new QLabel(tr("&Bearing, e.g. 6205, 7208 B, NU209, 30208 or 22210, type and size, "
+                              "e.g. deep-groove 25x52x15, or a test rig, e.g. CWRU-6205-DE:"),
                            this);
   label->setWordWrap(true);
   label->setBuddy(name_);
@@ -34,9 +68,28 @@ CatalogueDialog::CatalogueDialog(QWidget* parent)
   QStringList all;
   for (const std::string& designation : deck::catalogue_designations())
     all << QString::fromStdString(designation);
+  for (const std::string& rig : deck::rig_names()) all << QString::fromStdString(rig);
   auto* completer = new QCompleter(all, this);
   completer->setCaseSensitivity(Qt::CaseInsensitive);
   name_->setCompleter(completer);
+  auto* published = new QFormLayout;
+  C_ = addField(*published, tr("Dynamic rating &C [kN]:"), "C", tr("Published dynamic rating"));
+  C0_ = addField(*published, tr("Static rating C&0 [kN]:"), "C0", tr("Published static rating"));
+  BPFO_ =
+      addField(*published, tr("Fault factor BP&FO:"), "BPFO", tr("Published fault factor BPFO"));
+  count_ = addField(*published, tr("&Number of elements:"), "count", tr("Number of elements"));
+  auto* operating = new QFormLayout;
+  radial_ = addField(*operating, tr("&Radial load [N]:"), "radial", tr("Radial load"));
+  axial_ = addField(*operating, tr("&Axial load [N]:"), "axial", tr("Axial load"));
+  speed_ = addField(*operating, tr("&Speed [rpm]:"), "speed", tr("Speed"));
+  temperature_ = addField(*operating, tr("&Temperature [°C]:"), "temperature", tr("Temperature"));
+  auto* fields = new QHBoxLayout;
+  fields->addLayout(published);
+  fields->addLayout(operating);
+  candidates_->setObjectName("candidates");
+  candidates_->setAccessibleName(tr("Internal geometries that agree with the published facts"));
+  candidates_->setMaximumHeight(6 * fontMetrics().lineSpacing());
+  candidates_->hide();
   story_->setObjectName("story");
   story_->setWordWrap(true);
   story_->setTextFormat(Qt::PlainText);
@@ -45,51 +98,137 @@ CatalogueDialog::CatalogueDialog(QWidget* parent)
   area_->setWidgetResizable(true);
   area_->setFrameShape(QFrame::NoFrame);
   area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area_->setMinimumSize(480, 240);
+  area_->setMinimumSize(480, 160);
   area_->setWidget(story_);
   story_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  take_ = buttons->addButton(tr("&Create deck"), QDialogButtonBox::AcceptRole);
+  take_ = buttons->addButton(tr("Create &deck"), QDialogButtonBox::AcceptRole);
   take_->setObjectName("take");
   take_->setDefault(true);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(label);
   layout->addWidget(name_);
+  layout->addLayout(fields);
+  layout->addWidget(candidates_);
   layout->addWidget(area_, 1);
   layout->addWidget(buttons);
   connect(name_, &QLineEdit::textChanged, this, &CatalogueDialog::look);
+  connect(candidates_, &QListWidget::currentRowChanged, this, &CatalogueDialog::showBearing);
   connect(buttons, &QDialogButtonBox::accepted, this, &CatalogueDialog::take);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  look({});
+  look();
 }
 
 QString CatalogueDialog::story() const { return story_->text(); }
 
-void CatalogueDialog::look(const QString& designation) {
+std::optional<facade::BearingFacts> CatalogueDialog::facts() const {
+  constexpr double kKilonewton = 1e3;
+  facade::BearingFacts out;
+  out.C = number_in(*C_);
+  out.C0 = number_in(*C0_);
+  out.BPFO = number_in(*BPFO_);
+  const std::optional<double> count = number_in(*count_);
+  if (!out.C && !out.C0 && !out.BPFO && !count) return std::nullopt;
+  constexpr double kMostElements = 400.0;
+  for (const auto& value : {out.C, out.C0, out.BPFO, count})
+    if (value && !(*value > 0.0))
+      throw InputError("published values must be above 0. Enter a positive number");
+  if (count && (*count > kMostElements || *count != std::floor(*count)))
+    throw InputError("the number of elements must be a whole number up to 400");
+  if (count) out.count = static_cast<int>(*count);
+  if (out.C) *out.C *= kKilonewton;
+  if (out.C0) *out.C0 *= kKilonewton;
+  const deck::CatalogueBearing named = deck::find_bearing(name_->text().toStdString());
+  if (named.standard) {
+    out.designation = name_->text().toStdString();
+  } else {
+    out.type = deck::type_word(named.type);
+    out.bore = named.envelope.bore;
+    out.outside = named.envelope.outside;
+    out.width = named.envelope.width;
+    out.contact_angle = named.angle;
+  }
+  return out;
+}
+
+facade::OperatingPoint CatalogueDialog::operatingPoint() const {
+  facade::OperatingPoint out;
+  out.radial = number_in(*radial_);
+  out.axial = number_in(*axial_);
+  out.speed = number_in(*speed_);
+  out.temperature = number_in(*temperature_);
+  return out;
+}
+
+void CatalogueDialog::look() {
   take_->setEnabled(false);
+  report_.reset();
   try {
-    const deck::CatalogueBearing found = deck::find_bearing(designation.toStdString());
-    QStringList lines;
-    for (const std::string& line : deck::catalogue_story(found))
-      lines << QString::fromStdString(line);
-    story_->setText(lines.join("\n\n"));
-    take_->setEnabled(true);
+    (void)operatingPoint();
+    const std::optional<facade::BearingFacts> given = facts();
+    if (given) report_ = facade::find_candidates(*given);
+    showCandidates();
+    showBearing();
     // The list opens after this, and would hide the description of the bearing and take its Enter.
     QTimer::singleShot(0, this, [list = name_->completer()] { list->popup()->hide(); });
   } catch (const InputError& error) {
-    const Issue issue = error.issues().empty() ? Issue{} : error.issues().front();
-    QString text = QString::fromStdString(issue.remedy);
-    if (!text.isEmpty()) text[0] = text[0].toUpper();
-    if (!designation.trimmed().isEmpty())
-      text = designation.trimmed() + " " + QString::fromStdString(issue.message) + ". " + text;
-    story_->setText(error.issues().empty() ? QString::fromUtf8(error.what()) : text + ".");
+    showCandidates();
+    showError(name_->text(), error);
   }
   if (isVisible()) makeRoom();
+}
+
+void CatalogueDialog::showCandidates() {
+  const QSignalBlocker quiet(candidates_);
+  candidates_->clear();
+  if (report_)
+    for (const facade::BearingCandidate& one : report_->candidates) {
+      const QString length =
+          one.length > 0.0 ? tr(", length %1 mm").arg(one.length * 1e3, 0, 'g', 3) : QString();
+      candidates_->addItem(tr("%1 of %2 mm%3, BPFO %4, BPFI %5 (weight %6 %)")
+                               .arg(QString::fromStdString(counted(one.count, "element")))
+                               .arg(one.diameter * 1e3, 0, 'f', 3)
+                               .arg(length)
+                               .arg(one.BPFO, 0, 'f', 4)
+                               .arg(one.BPFI, 0, 'f', 4)
+                               .arg(100.0 * one.weight, 0, 'f', 0));
+    }
+  candidates_->setVisible(candidates_->count() > 0);
+  candidates_->setCurrentRow(0);
+}
+
+void CatalogueDialog::showBearing() {
+  QStringList lines;
+  deck::CatalogueBearing found;
+  if (report_ && report_->candidates.empty()) {
+    story_->setText(QString::fromStdString(facade::candidates_text(*report_)));
+    return;
+  }
+  if (report_) {
+    found = facade::chosen_candidate(*report_, std::max(candidates_->currentRow(), 0) + 1);
+    if (!report_->decisive.empty()) lines << QString::fromStdString(report_->decisive);
+  } else {
+    found = deck::find_bearing(name_->text().toStdString());
+  }
+  for (const std::string& line : deck::catalogue_story(found))
+    lines << QString::fromStdString(line);
+  story_->setText(lines.join("\n\n"));
+  take_->setEnabled(true);
+}
+
+void CatalogueDialog::showError(const QString& designation, const InputError& error) {
+  const Issue issue = error.issues().empty() ? Issue{} : error.issues().front();
+  QString text = QString::fromStdString(issue.remedy);
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  if (!designation.trimmed().isEmpty())
+    text = designation.trimmed() + " " + QString::fromStdString(issue.message) + ". " + text;
+  story_->setText(error.issues().empty() ? QString::fromUtf8(error.what()) : text + ".");
 }
 
 /// The description of a bearing ends with unknown values: they must be visible. On a low screen it
 /// scrolls.
 void CatalogueDialog::makeRoom() {
+  layout()->activate();
   const int more = story_->heightForWidth(area_->viewport()->width()) - area_->viewport()->height();
   const QScreen* on = screen();
   constexpr double kShare = 0.9;
@@ -104,10 +243,17 @@ void CatalogueDialog::showEvent(QShowEvent* event) {
 }
 
 void CatalogueDialog::take() {
-  const QString text =
-      QString::fromStdString(deck::catalogue_deck(deck::find_bearing(name_->text().toStdString())));
-  accept();
-  emit chosen(text);
+  try {
+    const deck::CatalogueBearing bearing =
+        report_ ? facade::chosen_candidate(*report_, std::max(candidates_->currentRow(), 0) + 1)
+                : deck::find_bearing(name_->text().toStdString());
+    const QString text = QString::fromStdString(
+        facade::with_operating_point(deck::catalogue_deck(bearing), operatingPoint()));
+    accept();
+    emit chosen(text);
+  } catch (const InputError& error) {
+    story_->setText(QString::fromUtf8(error.what()));
+  }
 }
 
 }  // namespace adore::adrinput

@@ -1,16 +1,24 @@
 #pragma once
 
+#include "facade/bearing_candidates.hpp"
+#include "facade/operating_point.hpp"
+
 #include <QDialog>
 
+#include <optional>
+
+class QFormLayout;
 class QLabel;
+class QListWidget;
 class QScrollArea;
 class QLineEdit;
 class QPushButton;
 
 namespace adore::adrinput {
 
-/// Creates a deck from 6205, 7208 B, NU209, 30208 or 22210. The dialog shows standard and estimated
-/// values before the deck is created.
+/// Creates a deck from 6205, 7208 B, NU209, 30208, 22210 or a public test rig. With published
+/// ratings, fault factors or a number of elements it lists the internal geometries that agree with
+/// them. The dialog shows standard and estimated values before the deck is created.
 class CatalogueDialog : public QDialog {
   Q_OBJECT
  public:
@@ -25,14 +33,25 @@ class CatalogueDialog : public QDialog {
   void showEvent(QShowEvent* event) override;
 
  private:
-  void look(const QString& designation);
+  QLineEdit* addField(QFormLayout& form, const QString& label, const char* name,
+                      const QString& accessible);
+  void look();
+  /// Empty: no field of published facts has a value. @throws InputError for a field without a
+  /// number
+  [[nodiscard]] std::optional<facade::BearingFacts> facts() const;
+  [[nodiscard]] facade::OperatingPoint operatingPoint() const;
+  void showCandidates();
+  void showBearing();
+  void showError(const QString& designation, const InputError& error);
   void makeRoom();
   void take();
 
-  QLineEdit* name_;
+  QLineEdit *name_, *C_, *C0_, *BPFO_, *count_, *radial_, *axial_, *speed_, *temperature_;
+  QListWidget* candidates_;
   QLabel* story_;
   QScrollArea* area_ = nullptr;
   QPushButton* take_;
+  std::optional<facade::CandidateReport> report_;  ///< of published facts
 };
 
 }  // namespace adore::adrinput

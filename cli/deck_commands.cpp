@@ -1,4 +1,5 @@
 #include "base/counted.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
 #include "base/terminal_text.hpp"
 #include "cli/commands.hpp"
@@ -11,8 +12,10 @@
 #include "deck/catalogue.hpp"
 #include "deck/keep_text.hpp"
 #include "deck/templates.hpp"
+#include "facade/bearing_candidates.hpp"
 #include "facade/check.hpp"
 #include "facade/deck_story.hpp"
+#include "facade/operating_point.hpp"
 #include "facade/plan.hpp"
 #include "facade/what_if.hpp"
 
@@ -148,12 +151,68 @@ void new_deck(const std::string& type, const std::string& out,
   tell(fmt::format("wrote {}\n{}", written, text_of(facade::deck_story(changed(text, {}).deck))));
 }
 
-void new_from_catalogue(const std::string& designation, const std::string& out,
-                        const std::vector<std::string>& sets) {
-  const deck::CatalogueBearing bearing = deck::find_bearing(designation);
-  const std::string written = write_new(out, with_sets(deck::catalogue_deck(bearing), sets));
+struct NewOptions {
+  std::string type, out, designation, from, bearing_type;
+  double bore = 0.0;
+  int choose = 0;
+  bool list = false, json = false;
+  std::vector<std::string> sets;
+  facade::OperatingPoint point;
+};
+
+/// --set entries of the operating point; later ones win.
+std::vector<std::string> operating_sets(const NewOptions& o) {
+  std::vector<std::string> out;
+  for (const auto& [name, value] : facade::sets_of(o.point)) out.push_back(name + "=" + value);
+  out.insert(out.end(), o.sets.begin(), o.sets.end());
+  return out;
+}
+
+void write_bearing(const deck::CatalogueBearing& bearing, const NewOptions& o) {
+  const std::string written =
+      write_new(o.out, with_sets(deck::catalogue_deck(bearing), operating_sets(o)));
   const std::string story = text_of(deck::catalogue_story(bearing));
   tell(written.empty() ? story : fmt::format("wrote {}\n{}", written, story));
+}
+
+/// Without --choose: the table of candidates only.
+int new_from_facts(const NewOptions& o) {
+  constexpr std::size_t kLargestFacts = 1 << 20;
+  const std::string text = o.from == kStream ? read_standard_input(kLargestFacts)
+                                             : read_text_file(o.from, kLargestFacts);
+  const facade::CandidateReport report = facade::find_candidates(facade::read_facts(text, o.from));
+  if (o.choose != 0) {
+    write_bearing(facade::chosen_candidate(report, o.choose), o);
+    return 0;
+  }
+  if (o.json)
+    print("{}\n", dump_json(facade::candidates_json(report), 2));
+  else
+    print("{}{}", facade::candidates_text(report),
+          report.candidates.empty() ? "" : "Write a deck with --choose N --out DATA.txt.\n");
+  return report.candidates.empty() ? 2 : 0;
+}
+
+void list_catalogue(const NewOptions& o) {
+  const std::vector<deck::CatalogueBearing> all = deck::catalogue_list(o.bore, o.bearing_type);
+  if (o.json) {
+    nlohmann::ordered_json out = nlohmann::ordered_json::array();
+    for (const deck::CatalogueBearing& one : all)
+      out.push_back({{"name", one.designation},
+                     {"type", deck::type_word(one.type)},
+                     {"bore [m]", one.envelope.bore},
+                     {"outside [m]", one.envelope.outside},
+                     {"width [m]", one.envelope.width},
+                     {"contact_angle [deg]", one.angle},
+                     {"test_rig", one.rig}});
+    print("{}\n", dump_json(out, 2));
+    return;
+  }
+  for (const deck::CatalogueBearing& one : all)
+    print("{:<20} {:<16} {:>8g} x {:g} x {:g} mm{}\n", one.designation, deck::type_word(one.type),
+          one.envelope.bore * 1e3, one.envelope.outside * 1e3, one.envelope.width * 1e3,
+          one.rig ? "  public test rig" : "");
+  print("{} bearings. `adore new --catalogue NAME` writes a deck\n", all.size());
 }
 
 const deck::TemplateInfo& example(const std::string& name) {
@@ -269,36 +328,83 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
   }
   {
     CLI::App* command = app.add_subcommand("new", "write and describe a complete, runnable deck");
-    auto type = std::make_shared<std::string>();
-    auto out = std::make_shared<std::string>();
-    auto designation = std::make_shared<std::string>();
-    auto sets = std::make_shared<std::vector<std::string>>();
+    auto o = std::make_shared<NewOptions>();
     CLI::Option* name =
-        command->add_option("type", *type,
+        command->add_option("type", o->type,
                             "example deck: ball, cylindrical, spherical, tapered, "
                             "spherical-tapered or another name listed by `adore examples`");
     command_line::offer(name->type_name("NAME"), template_names());
+    CLI::Option* catalogue =
+        command
+            ->add_option(
+                "--catalogue", o->designation,
+                "bearing designation (6205, 7208 B, NU209, 30208, 22210), type and size "
+                "('deep-groove 25x52x15' in mm) or public test rig (CWRU-6205-DE). The boundary "
+                "dimensions are standard values; the internal geometry is estimated, except of "
+                "rigs")
+            ->type_name("BEARING")
+            ->excludes(name);
+    CLI::Option* from =
+        command
+            ->add_option(
+                "--from", o->from,
+                "file of published facts (JSON: designation, bore, C, C0, BPFO, ...); lists "
+                "all internal geometries that agree with them; `-`: standard input")
+            ->type_name("FACTS")
+            ->excludes(name)
+            ->excludes(catalogue);
+    command->add_option("--choose", o->choose, "write the deck of this candidate of --from")
+        ->type_name("N")
+        ->needs(from);
+    CLI::Option* list = command->add_flag("--list", o->list, "list the bearings of the catalogue")
+                            ->excludes(name)
+                            ->excludes(catalogue)
+                            ->excludes(from);
+    command->add_option("--bore", o->bore, "with --list: bearings of this bore [mm]")
+        ->type_name("MM")
+        ->needs(list);
+    command_line::one_of(
+        command->add_option("--type", o->bearing_type, "with --list: bearings of this type")
+            ->type_name("TYPE")
+            ->needs(list),
+        deck::type_words());
+    command->add_flag("--json", o->json, "print the list or the candidates as JSON");
+    command->add_option("--radial", o->point.radial, "radial load (appLoadZ) [N]")->type_name("N");
+    command->add_option("--axial", o->point.axial, "axial load (appLoadX) [N]")->type_name("N");
+    command->add_option("--speed", o->point.speed, "speed of the inner race (rpm2) [rpm]")
+        ->type_name("RPM");
     command
-        ->add_option("--catalogue", *designation,
-                     "bearing designation (6205, 7208 B, NU209, 30208, 22210) or type and size "
-                     "('deep-groove 25x52x15' in mm). The boundary dimensions are standard values; "
-                     "the internal geometry is estimated")
-        ->type_name("BEARING")
-        ->excludes(name);
-    command->add_option("--out", *out, "file or folder to write (default: standard output)")
+        ->add_option("--temperature", o->point.temperature,
+                     "temperature of housing, shaft, races and elements [degrees Celsius]")
+        ->type_name("C");
+    command
+        ->add_option(
+            "--oil", o->point.oil,
+            "oil: number (kTrac) or the beginning of a name of the manual's table, such as "
+            "FVA-3")
+        ->type_name("OIL");
+    command->add_option("--out", o->out, "file or folder to write (default: standard output)")
         ->type_name("FILE");
     command->footer(
         "Examples\n"
         "  adore new ball --out DATA.txt\n"
-        "  adore new --catalogue 6205 --set rpm2=3000 --out DATA.txt");
-    add_sets(*command, *sets);
-    command->callback([=] {
-      if (!designation->empty()) return new_from_catalogue(*designation, *out, *sets);
-      if (type->empty())
+        "  adore new --list --bore 25 --type deep-groove\n"
+        "  adore new --catalogue 6205 --radial 1500 --speed 3000 --temperature 70 --out DATA.txt\n"
+        "  adore new --from FACTS.json\n"
+        "  adore new --from FACTS.json --choose 1 --out DATA.txt");
+    add_sets(*command, o->sets);
+    command->callback([=, &exit_code] {
+      if (o->list) return list_catalogue(*o);
+      if (!o->from.empty()) {
+        exit_code = new_from_facts(*o);
+        return;
+      }
+      if (!o->designation.empty()) return write_bearing(deck::find_bearing(o->designation), *o);
+      if (o->type.empty())
         throw InputError(
-            "give the name of an example (`adore examples` lists them), or a bearing with "
-            "--catalogue");
-      new_deck(*type, *out, *sets);
+            "give the name of an example (`adore examples` lists them), a bearing with --catalogue "
+            "(--list lists them), or published facts with --from");
+      new_deck(o->type, o->out, operating_sets(*o));
     });
   }
   {

@@ -1,6 +1,8 @@
 #include "deck/catalogue.hpp"
 
 #include "base/errors.hpp"
+#include "base/json_text.hpp"
+#include "base/resources.hpp"
 #include "deck/catalogue_parts.hpp"
 #include "deck/number.hpp"
 
@@ -19,25 +21,40 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Prefix before the two digits of the bore, and the table of its dimensions.
+/// Prefix before the digits of the bore, and the table of its dimensions. "NU" stands for the
+/// designs NU, N, NJ and NUP, whose flanges differ.
 struct Series {
   std::string_view prefix;
   BearingType type;
-  std::string_view dimensions;  ///< key of the table
+  std::string_view dimensions;     ///< key of the table
+  double least = 0.0, most = 1e9;  ///< bores that are made [mm]
 };
-constexpr std::array<Series, 11> kSeries = {{{"60", BearingType::DeepGroove, "10"},
+constexpr std::array<Series, 23> kSeries = {{{"60", BearingType::DeepGroove, "10"},
                                              {"62", BearingType::DeepGroove, "02"},
                                              {"63", BearingType::DeepGroove, "03"},
-                                             {"70", BearingType::AngularContact, "10"},
-                                             {"72", BearingType::AngularContact, "02"},
-                                             {"73", BearingType::AngularContact, "03"},
-                                             {"NU10", BearingType::Cylindrical, "10"},
-                                             {"NU2", BearingType::Cylindrical, "02"},
-                                             {"NU3", BearingType::Cylindrical, "03"},
+                                             {"618", BearingType::DeepGroove, "18"},
+                                             {"619", BearingType::DeepGroove, "19"},
+                                             {"70", BearingType::AngularContact, "10", 10.0},
+                                             {"72", BearingType::AngularContact, "02", 10.0},
+                                             {"73", BearingType::AngularContact, "03", 10.0},
+                                             {"719", BearingType::AngularContact, "19"},
+                                             {"NU10", BearingType::Cylindrical, "10", 17.0},
+                                             {"NU2", BearingType::Cylindrical, "02", 17.0},
+                                             {"NU22", BearingType::Cylindrical, "22", 17.0},
+                                             {"NU3", BearingType::Cylindrical, "03", 17.0},
+                                             {"NU23", BearingType::Cylindrical, "23", 20.0},
                                              {"302", BearingType::Tapered, "302"},
-                                             {"222", BearingType::Spherical, "22"}}};
-/// Rollers of small bearings are left to their makers.
-constexpr double kSmallestCylindrical = 17.0;
+                                             {"303", BearingType::Tapered, "303"},
+                                             {"313", BearingType::Tapered, "313"},
+                                             {"320", BearingType::Tapered, "320"},
+                                             {"322", BearingType::Tapered, "322"},
+                                             {"323", BearingType::Tapered, "323"},
+                                             {"222", BearingType::Spherical, "22", 25.0},
+                                             {"223", BearingType::Spherical, "23", 40.0},
+                                             {"230", BearingType::Spherical, "30"}}};
+
+/// Designs of cylindrical roller bearings.
+constexpr std::array<std::string_view, 4> kDesigns = {"NUP", "NU", "NJ", "N"};
 
 /// "05" for 25 mm.
 std::string bore_code(double bore) {
@@ -45,6 +62,7 @@ std::string bore_code(double bore) {
       {{10.0, "00"}, {12.0, "01"}, {15.0, "02"}, {17.0, "03"}}};
   for (const auto& [size, code] : kSmall)
     if (size == bore) return std::string(code);
+  if (bore < 10.0) return fmt::format("{}", static_cast<int>(std::lround(bore)));
   return fmt::format("{:02d}", static_cast<int>(std::lround(bore / 5.0)));
 }
 
@@ -55,7 +73,7 @@ const Json& rows_of(const Series& series) {
 }
 
 bool offered(const Series& series, double bore) {
-  return series.type != BearingType::Cylindrical || bore >= kSmallestCylindrical;
+  return bore >= series.least && bore <= series.most;
 }
 
 /// Upper case letters and digits only, and what follows the number apart.
@@ -68,10 +86,13 @@ std::string squeezed(std::string_view text) {
 }
 
 std::string what_there_is() {
-  return "give a designation with a bore up to 100 mm, such as 6205, 7208 B, NU209, 30208 or "
-         "22210: series 60xx, 62xx, 63xx (deep groove), 70xx, 72xx, 73xx (angular contact; C, AC "
-         "or B), NU10xx, NU2xx, NU3xx, 302xx or 222xx. Or give type (deep-groove, angular-contact, "
-         "cylindrical, tapered, spherical) and size in millimeters, such as 'deep-groove 25x52x15'";
+  return "give a designation with a bore up to 300 mm, such as 6205, 7208 B, NU209, 30208 or "
+         "22210: series 60xx, 62xx, 63xx, 618xx, 619xx (deep groove), 70xx, 72xx, 73xx, 719xx "
+         "(angular contact; C, AC or B), NU, N, NJ or NUP 10xx, 2xx, 22xx, 3xx, 23xx, 302xx, "
+         "303xx, "
+         "313xx, 320xx, 322xx, 323xx, 222xx, 223xx or 230xx. Or give type (deep-groove, "
+         "angular-contact, cylindrical, tapered, spherical) and size in millimeters, such as "
+         "'deep-groove 25x52x15', or a test rig such as CWRU-6205-DE; `adore new --list` lists all";
 }
 
 [[noreturn]] void fail(std::string_view designation, const std::string& why) {
@@ -108,6 +129,15 @@ void take_angle(CatalogueBearing& bearing, std::string& suffix, std::string_view
   bearing.designation += bearing.angle == 15.0 ? " C" : bearing.angle == 25.0 ? " AC" : " B";
 }
 
+/// "NJ" of "NJ209"; empty: not a cylindrical roller bearing.
+std::string_view design_of(std::string_view text) {
+  for (const std::string_view design : kDesigns)
+    if (text.starts_with(design) && text.size() > design.size() &&
+        std::isdigit(static_cast<unsigned char>(text[design.size()])) != 0)
+      return design;
+  return {};
+}
+
 /// "SKF " of "SKF 6205": a word of letters before a blank and a digit or NU; empty without one.
 std::string makers_name(std::string_view designation) {
   const std::size_t blank = designation.find(' ', designation.find_first_not_of(' '));
@@ -118,9 +148,10 @@ std::string makers_name(std::string_view designation) {
     return std::isalpha(c) != 0;
   });
   const bool number = !rest.empty() && (std::isdigit(static_cast<unsigned char>(rest[0])) != 0 ||
-                                        rest.starts_with("NU"));
-  return letters && number && !word.starts_with("NU") ? std::string(designation.substr(0, blank))
-                                                      : "";
+                                        !design_of(rest).empty());
+  const bool design =
+      std::find(kDesigns.begin(), kDesigns.end(), std::string_view(word)) != kDesigns.end();
+  return letters && number && !design ? std::string(designation.substr(0, blank)) : "";
 }
 
 /// "25x52x15" and more: millimeters between x.
@@ -194,28 +225,77 @@ std::string take_group(std::string& suffix) {
   return "";
 }
 
+/// resources/test_rigs.json
+const Json& rig_table() {
+  static const Json json = parse_json(resources::get("test_rigs.json"), "test_rigs.json");
+  return json;
+}
+
+std::optional<CatalogueBearing> find_rig(std::string_view name) {
+  const std::string wanted = squeezed(name);
+  for (const Json& rig : rig_table()["rigs"]) {
+    const auto& text = rig["name"].get_ref<const std::string&>();
+    if (squeezed(text) != wanted) continue;
+    const auto length = [&](const char* key) { return rig[key].get<double>() * kMm; };
+    CatalogueBearing out;
+    out.designation = text;
+    out.type = type_of_word(rig["type"].get<std::string>());
+    out.envelope = {length("bore"), length("outside"), length("width"), length("width")};
+    out.angle = rig["angle"].get<double>();
+    out.angle_given = true;
+    out.rig = true;
+    out.known.count = rig["count"].get<long long>();
+    out.known.diameter = length("diameter");
+    out.known.pitch = length("pitch");
+    out.known.groove_outer = rig.value("groove_outer", 0.0);
+    out.known.groove_inner = rig.value("groove_inner", 0.0);
+    out.known.source =
+        fmt::format("{} ({}); assumed: {}", rig["source"].get<std::string>(),
+                    rig["certainty"].get<std::string>(), rig["assumed"].get<std::string>());
+    return out;
+  }
+  return std::nullopt;
+}
+
+/// Digits of the bore at the start: two, or one of deep groove bearings below 10 mm.
+std::string bore_digits(const Series& series, std::string_view rest) {
+  const auto digit = [&](std::size_t at) {
+    return at < rest.size() && std::isdigit(static_cast<unsigned char>(rest[at])) != 0;
+  };
+  if (digit(0) && digit(1) && !digit(2)) return std::string(rest.substr(0, 2));
+  if (series.type == BearingType::DeepGroove && digit(0) && !digit(1))
+    return std::string(rest.substr(0, 1));
+  return "";
+}
+
 }  // namespace
 
 CatalogueBearing find_bearing(std::string_view designation) {
+  if (std::optional<CatalogueBearing> rig = find_rig(designation)) return *rig;
   if (std::optional<CatalogueBearing> sized = find_by_size(designation)) return *sized;
   const std::string maker = makers_name(designation);
-  const std::string text = squeezed(designation.substr(maker.size()));
+  std::string text = squeezed(designation.substr(maker.size()));
+  const std::string design(design_of(text));
+  if (!design.empty()) text.replace(0, design.size(), "NU");
   for (const Series& series : kSeries) {
     if (!text.starts_with(series.prefix)) continue;
     const std::string_view rest = std::string_view(text).substr(series.prefix.size());
-    if (rest.size() < 2 || std::isdigit(static_cast<unsigned char>(rest[0])) == 0 ||
-        std::isdigit(static_cast<unsigned char>(rest[1])) == 0)
-      continue;
-    if (rest.size() > 2 && std::isdigit(static_cast<unsigned char>(rest[2])) != 0) continue;
+    const std::string digits = bore_digits(series, rest);
+    if (digits.empty()) continue;
     for (const Json& row : rows_of(series)) {
       const double bore = row[0].get<double>();
-      if (!offered(series, bore) || bore_code(bore) != rest.substr(0, 2)) continue;
+      if (!offered(series, bore) || bore_code(bore) != digits) continue;
       CatalogueBearing out;
       out.type = series.type;
+      out.standard = true;
       out.envelope = {bore * kMm, row[1].get<double>() * kMm, row[2].get<double>() * kMm,
                       row[2].get<double>() * kMm};
       out.designation = std::string(series.prefix) + bore_code(bore);
-      std::string suffix(rest.substr(2));
+      if (!design.empty()) {
+        out.designation.replace(0, 2, design);
+        out.design = design;
+      }
+      std::string suffix(rest.substr(digits.size()));
       // First: the "C3" of "7208 C3" is not an angle.
       std::string group = take_group(suffix);
       if (series.type == BearingType::AngularContact) take_angle(out, suffix, designation);
@@ -249,11 +329,36 @@ std::vector<std::string> catalogue_designations() {
     for (const Json& row : rows_of(series))
       if (offered(series, row[0].get<double>())) {
         const std::string name = std::string(series.prefix) + bore_code(row[0].get<double>());
-        if (series.type != BearingType::AngularContact)
+        if (series.type == BearingType::Cylindrical)
+          for (const char* design : {"NU", "N", "NJ", "NUP"})
+            out.push_back(design + name.substr(2));
+        else if (series.type != BearingType::AngularContact)
           out.push_back(name);
         else
           for (const char* angle : {" C", " AC", " B"}) out.push_back(name + angle);
       }
+  return out;
+}
+
+std::vector<std::string> rig_names() {
+  std::vector<std::string> out;
+  for (const Json& rig : rig_table()["rigs"]) out.push_back(rig["name"].get<std::string>());
+  return out;
+}
+
+std::vector<CatalogueBearing> catalogue_list(double bore_mm, std::string_view type) {
+  const std::optional<BearingType> wanted =
+      type.empty() ? std::nullopt : std::optional<BearingType>(type_of_word(type));
+  std::vector<std::string> names = catalogue_designations();
+  for (std::string& rig : rig_names()) names.push_back(std::move(rig));
+  std::vector<CatalogueBearing> out;
+  for (const std::string& name : names) {
+    CatalogueBearing one = find_bearing(name);
+    if (wanted && one.type != *wanted) continue;
+    constexpr double kSame = 0.5 * kMm;
+    if (bore_mm > 0.0 && std::abs(one.envelope.bore - bore_mm * kMm) > kSame) continue;
+    out.push_back(std::move(one));
+  }
   return out;
 }
 

@@ -12,11 +12,11 @@
 namespace adore::deck {
 
 enum class BearingType : unsigned char {
-  DeepGroove,      ///< 60, 62, 63
-  AngularContact,  ///< 70, 72, 73 with C (15 deg), AC (25 deg) or B (40 deg)
-  Cylindrical,     ///< NU10, NU2, NU3
-  Tapered,         ///< 302
-  Spherical        ///< 222; one row of it
+  DeepGroove,      ///< 60, 62, 63, 618, 619
+  AngularContact,  ///< 70, 72, 73, 719 with C (15 deg), AC (25 deg) or B (40 deg)
+  Cylindrical,     ///< NU, N, NJ, NUP with 10, 2, 22, 3, 23
+  Tapered,         ///< 302, 303, 313, 320, 322, 323
+  Spherical        ///< 222, 223, 230; one row of it
 };
 
 /// Outside of a bearing [m].
@@ -24,6 +24,14 @@ struct Envelope {
   double bore = 0.0, outside = 0.0;
   double width = 0.0;      ///< of the inner ring
   double cup_width = 0.0;  ///< of the outer ring of a tapered bearing; else as width
+};
+
+/// Internal geometry that is published or chosen; 0: not known, estimated.
+struct KnownInside {
+  long long count = 0;                               ///< elements per row
+  double diameter = 0.0, length = 0.0, pitch = 0.0;  ///< [m]
+  double groove_outer = 0.0, groove_inner = 0.0;     ///< groove radius / ball diameter
+  std::string source;                                ///< of these values, a clause
 };
 
 struct CatalogueBearing {
@@ -36,17 +44,38 @@ struct CatalogueBearing {
   std::string clearance = "CN";  ///< group of ISO 5753-1, of types that have one: "C3"
   bool tapered_bore = false;     ///< "K", of rollers: no deck has it; its groups are others
   std::string left_out;          ///< remaining parts of the designation, "-2RS": not in the deck
+  KnownInside known;             ///< of a test rig, or of a candidate of published facts
+  std::string design;            ///< of cylindrical roller bearings: NU, N, NJ, NUP
+  bool standard = false;         ///< a designation: boundary dimensions of a standard
+  bool rig = false;              ///< of the library of public test rigs
 };
 
 /// "6205", "7208 B", "NU 209", "30208", "22210", with or without blanks and a manufacturer; a
 /// clearance group ("6205-2RS C3") is used if the type has one, and suffixes for
 /// cage, seals or tolerances are listed as left out. Also a size without a number: "deep-groove
-/// 25x52x15", "angular-contact", "cylindrical", "tapered" or "spherical" with millimeters.
+/// 25x52x15", "angular-contact", "cylindrical", "tapered" or "spherical" with millimeters. Also the
+/// name of a public test rig ("CWRU-6205-DE", resources/test_rigs.json).
 /// @throws InputError with the valid designations
 [[nodiscard]] CatalogueBearing find_bearing(std::string_view designation);
 
 /// Every designation that has a number, in order of type and size.
 [[nodiscard]] std::vector<std::string> catalogue_designations();
+
+/// Names of the public test rigs.
+[[nodiscard]] std::vector<std::string> rig_names();
+
+/// Bearings and rigs of the catalogue. @param bore [mm] 0: all; @param type a word ("deep-groove")
+/// or empty: all @throws InputError for an unknown type
+[[nodiscard]] std::vector<CatalogueBearing> catalogue_list(double bore_mm, std::string_view type);
+
+/// "deep-groove", "angular-contact", "cylindrical", "tapered", "spherical"
+[[nodiscard]] std::string_view type_word(BearingType type);
+[[nodiscard]] std::string_view type_name(BearingType type);
+/// @throws InputError listing the words
+[[nodiscard]] BearingType type_of_word(std::string_view word);
+[[nodiscard]] const std::vector<std::string>& type_words();
+/// Contact angle that a type has by habit [deg].
+[[nodiscard]] double usual_angle(BearingType type, const Envelope& envelope);
 
 /// A proposal for the inside of a bearing.
 struct InnerGeometry {
@@ -57,8 +86,10 @@ struct InnerGeometry {
 /// @param group of the clearance (ISO 5753-1): C2, CN, C3, C4, of balls C5
 /// @param tapered_bore of spherical rollers, whose groups are others; unknown for cylindrical ones
 /// @throws InputError when no elements fit between bore and outside, or the group is none of them
+/// @param known replaces what is estimated
 [[nodiscard]] InnerGeometry propose_inner(BearingType type, const Envelope& envelope, double angle,
-                                          std::string_view group = "CN", bool tapered_bore = false);
+                                          std::string_view group = "CN", bool tapered_bore = false,
+                                          const KnownInside& known = {});
 
 /// The same for the bearing of a deck, from its own bore, outside diameter and race widths, in the
 /// deck's units. Contact or cup angles of the deck are kept. @throws InputError for

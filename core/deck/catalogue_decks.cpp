@@ -1,3 +1,4 @@
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "deck/catalogue_parts.hpp"
 #include "deck/keep_text.hpp"
@@ -38,7 +39,7 @@ std::vector<std::pair<std::string, std::string>> changes(const CatalogueBearing&
                                                          const Deck& example) {
   const Envelope& e = bearing.envelope;
   auto sets = inner.sets;
-  const auto set = [&](const char* name, double value) {
+  const auto set = [&](const std::string& name, double value) {
     sets.emplace_back(name, fmt::format("{}", std::round(value * 1e7) / 1e7));
   };
   sets.emplace_back("runID", bearing.designation);
@@ -57,7 +58,27 @@ std::vector<std::pair<std::string, std::string>> changes(const CatalogueBearing&
     if (example.has(name) && example.real(name) != 0.0)
       set(name, two_digits(example.real(name) * load));
   const double size = (example.real("brgBore") + example.real("brgOD")) / (e.bore + e.outside);
-  set("rpm2", two_digits(example.real("rpm2") * size));
+  // At most n dm = 200,000 mm/min of angular contact bearings, whose example turns at 1.25 million:
+  // a usual speed with grease [recalled high].
+  constexpr double kGreaseSpeed = 200e3;
+  double rpm = example.real("rpm2") * size;
+  if (bearing.type == BearingType::AngularContact)
+    rpm = std::min(rpm, kGreaseSpeed / (0.5 * (e.bore + e.outside) / kMm));
+  set("rpm2", two_digits(rpm));
+  if (!bearing.design.empty() && bearing.design != "NU") {
+    // Flanges: NU both on the outer ring (1), N both on the inner ring (2), NJ both on the outer
+    // and one on the inner ring, NUP both on both rings.
+    const bool outer = bearing.design != "N";
+    const double height = number(inner, "flngHt11"), angle = example.real("flngAng11");
+    std::erase_if(sets, [](const auto& one) { return one.first.starts_with("flng"); });
+    for (const auto& [code, present] :
+         {std::pair{"11", outer}, {"21", outer}, {"12", true}, {"22", bearing.design != "NJ"}}) {
+      sets.emplace_back(fmt::format("kFlngInd{}", code), present ? "1" : "0");
+      set(fmt::format("flngHt{}", code), present ? height : 0.0);
+      set(fmt::format("flngAng{}", code), present ? angle : 0.0);
+    }
+    set("flngCls2", example.real("flngCls1"));
+  }
   return sets;
 }
 
@@ -79,14 +100,14 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
   const std::string text(template_text(info.template_name));
   const Deck example = read_deck_text(text, "example").deck;
   const InnerGeometry inner = propose_inner(bearing.type, bearing.envelope, bearing.angle,
-                                            bearing.clearance, bearing.tapered_bore);
+                                            bearing.clearance, bearing.tapered_bore, bearing.known);
   Deck deck = example;
   deck.set_all(changes(bearing, inner, example));
-  const bool standard = bearing.designation.find('x') == std::string::npos;
   const std::string outside =
-      standard ? fmt::format("boundary dimensions of {}: {}", bearing.designation,
-                             bearing.type == BearingType::Tapered ? "ISO 355" : "ISO 15")
-               : std::string("boundary dimensions as given");
+      bearing.rig        ? "boundary dimensions of the rig, some assumed"
+      : bearing.standard ? fmt::format("boundary dimensions of {}: {}", bearing.designation,
+                                       bearing.type == BearingType::Tapered ? "ISO 355" : "ISO 15")
+                         : std::string("boundary dimensions as given");
   const std::vector<std::string> lines = lines_of(with_deck(text, deck).text);
   demand(lines.size() == deck.records.size(), "each record of an example deck is on one line");
   std::string out;
@@ -98,7 +119,8 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
     else if (id == "3.1")
       remark = "name of the run";
     else if (id == "5A" || id == "5B.1" || id == "5C" || id == "5D.1")
-      remark = "ESTIMATE of the internal geometry: " + inner.reasons;
+      remark = (bearing.rig ? "internal geometry: " : "ESTIMATE of the internal geometry: ") +
+               inner.reasons;
     else if (id == "5B.2" || id == "5D.2" || id == "5F")
       remark = "ESTIMATE of the internal geometry";
     else if (id == "9.1.1")
@@ -127,14 +149,16 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
 
 std::vector<std::string> catalogue_story(const CatalogueBearing& bearing) {
   const Envelope& e = bearing.envelope;
-  const InnerGeometry inner =
-      propose_inner(bearing.type, e, bearing.angle, bearing.clearance, bearing.tapered_bore);
+  const InnerGeometry inner = propose_inner(bearing.type, e, bearing.angle, bearing.clearance,
+                                            bearing.tapered_bore, bearing.known);
   std::vector<std::string> out;
-  const bool standard = bearing.designation.find('x') == std::string::npos;
+  const bool known = bearing.known.diameter > 0.0;
+  const double pitch = number(inner, "pitchDia");
   out.push_back(fmt::format("{}, {}: bore {:g} mm, outside diameter {:g} mm, width {:g} mm ({}).",
                             bearing.designation, info_of(bearing.type).name, e.bore / kMm,
                             e.outside / kMm, e.width / kMm,
-                            !standard                              ? "as given"
+                            bearing.rig                            ? "of the rig, some assumed"
+                            : !bearing.standard                    ? "as given"
                             : bearing.type == BearingType::Tapered ? "ISO 355"
                                                                    : "ISO 15"));
   if (bearing.angle != 0.0)
@@ -147,10 +171,12 @@ std::vector<std::string> catalogue_story(const CatalogueBearing& bearing) {
             ? "assumed, because the designation has no suffix; C means 15, AC 25, B 40 degrees"
             : "an estimate"));
   out.push_back(
-      fmt::format("ESTIMATED internal geometry (manufacturers do not publish it): {} elements of "
-                  "{:.4g} mm on a pitch circle of {:.4g} mm; {}.",
-                  number(inner, "nRe"), number(inner, "bReDia") / kMm,
-                  0.5 * (e.bore + e.outside) / kMm, inner.reasons));
+      fmt::format("{}: {} of {:.4g} mm on a pitch circle of {:.4g} mm; {}.",
+                  bearing.rig ? "Published internal geometry"
+                  : known     ? "Internal geometry from published facts"
+                              : "ESTIMATED internal geometry (manufacturers do not publish it)",
+                  counted(number(inner, "nRe"), "element"), number(inner, "bReDia") / kMm,
+                  (pitch > 0.0 ? pitch : 0.5 * (e.bore + e.outside)) / kMm, inner.reasons));
   if (!bearing.left_out.empty())
     out.push_back(fmt::format(
         "Not in the deck: {}. These parts of the designation are ignored. The designation sets "

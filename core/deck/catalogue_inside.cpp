@@ -45,41 +45,64 @@ long long elements_that_fit(double diameter, double pitch, double share) {
       std::floor(share * std::numbers::pi / std::asin(diameter / pitch) + 1e-9));
 }
 
-InnerGeometry balls(BearingType type, const Envelope& e, double angle, std::string_view group) {
-  constexpr double kInch32 = 0.0254 / 32.0, kSection = 0.30, kShoulder = 0.54;
-  const double pitch = 0.5 * (e.bore + e.outside);
-  const double ball = nearest(kSection * (e.outside - e.bore), kInch32);
+/// Shares of the section (OD - bore) from tests/candidates: 0.29 to 0.30 of the deep groove
+/// bearings for rules, whose balls are in steps of 1/64 in; 0.3175 of the 3xxK sizes (309 to 318)
+/// of the same list, which have no ratings: outside diameters above 2.05 bores + 8 mm (series 03).
+InnerGeometry balls(BearingType type, const Envelope& e, double angle, std::string_view group,
+                    const KnownInside& known) {
+  constexpr double kInch64 = 0.0254 / 64.0, kInch32 = 0.0254 / 32.0, kShoulder = 0.54;
   const bool deep = type == BearingType::DeepGroove;
+  const double section = e.outside - e.bore;
+  const bool heavy = deep && section > 0.8 * e.bore + 20.0 * kMm;
+  const double share = !deep ? 0.30 : heavy ? 0.3175 : 0.297;
+  const double pitch = known.pitch > 0.0 ? known.pitch : 0.5 * (e.bore + e.outside);
+  const double ball = known.diameter > 0.0
+                          ? known.diameter
+                          : nearest(share * section, deep && !heavy ? kInch64 : kInch32);
   // A deep groove bearing is filled through the gap of rings laid against each other: its balls
   // cover 195 degrees then. A split cage leaves a tenth of the circle in the other type.
   constexpr double kFilled = 195.0 / 2.0;
   const long long count =
-      deep ? static_cast<long long>(std::floor(kFilled * kDegree / std::asin(ball / pitch))) + 1
-           : elements_that_fit(ball, pitch, 0.9);
+      known.count > 0 ? known.count
+      : deep ? static_cast<long long>(std::floor(kFilled * kDegree / std::asin(ball / pitch))) + 1
+             : elements_that_fit(ball, pitch, 0.9);
   Sets sets;
   sets.whole("nRe", count);
   sets.real("bReDia", ball);
   sets.length("pitchDia", pitch);
   sets.real("freeConAng", deep ? 0.0 : angle);
   sets.length("freeIntCls", deep ? middle_clearance(type, group, e.bore) : 0.0);
-  sets.real("raceCurFac1", deep ? 0.525 : 0.5232);
-  sets.real("raceCurFac2", deep ? 0.515 : 0.5232);
+  const double outer = known.groove_outer > 0.0 ? known.groove_outer : deep ? 0.525 : 0.5232;
+  const double inner = known.groove_inner > 0.0 ? known.groove_inner : deep ? 0.515 : 0.5232;
+  sets.real("raceCurFac1", outer);
+  sets.real("raceCurFac2", inner);
   sets.length("shoulderDia1", pitch + kShoulder * ball);
   sets.length("shoulderDia2", pitch - kShoulder * ball);
-  return {sets.take(), fmt::format("D = 0.30 (OD - bore), rounded to 1/32 in; {}; groove factors "
-                                   "and shoulders as in the {} example{}",
+  const std::string rest =
+      fmt::format("{} as in the {} example{}",
+                  known.groove_outer > 0.0 ? "shoulders" : "groove factors and shoulders",
+                  deep ? "6205" : "218", deep ? "; clearance: " + clearance_reason(group) : "");
+  if (known.diameter > 0.0) return {sets.take(), known.source + "; " + rest};
+  return {sets.take(), fmt::format("D = {:.4g} (OD - bore), rounded to 1/{} in; {}; {}", share,
+                                   deep && !heavy ? 64 : 32,
                                    deep ? "as many balls as eccentric filling allows"
                                         : "balls on 90 % of the pitch circle",
-                                   deep ? "6205" : "218",
-                                   deep ? "; clearance: " + clearance_reason(group) : "")};
+                                   rest)};
 }
 
-InnerGeometry cylinders(const Envelope& e, std::string_view group) {
-  const double pitch = 0.5 * (e.bore + e.outside);
-  const double roller = nearest(0.25 * (e.outside - e.bore), 0.5 * kMm);
-  const double length = std::min(roller, nearest(0.6 * e.width, 0.5 * kMm));
+/// The proportions of today's bearings with enlarged rollers: rated by ISO 281 they come near the
+/// C of NU205 (28.6 kN), NU209 (69.5 kN) and NU210 (73.5 kN) of makers [recalled high].
+InnerGeometry cylinders(const Envelope& e, std::string_view group, const KnownInside& known) {
+  const double pitch = known.pitch > 0.0 ? known.pitch : 0.5 * (e.bore + e.outside);
+  const double section = e.outside - e.bore;
+  const bool light = section < 0.4 * e.bore + 12.5 * kMm;  // series 10
+  const double share = light ? 0.25 : 0.275, width_share = light ? 0.54 : 0.62;
+  const double roller = known.diameter > 0.0 ? known.diameter : nearest(share * section, 0.5 * kMm);
+  const double length = known.length > 0.0
+                            ? known.length
+                            : std::min(1.2 * roller, nearest(width_share * e.width, 0.5 * kMm));
   Sets sets;
-  sets.whole("nRe", elements_that_fit(roller, pitch, 0.7));
+  sets.whole("nRe", known.count > 0 ? known.count : elements_that_fit(roller, pitch, 0.82));
   sets.length("bReDia", roller);
   sets.real("bReCrn", std::round(200.0 * length * 1e3) / 1e3);
   sets.length("bReLen", length);
@@ -93,21 +116,25 @@ InnerGeometry cylinders(const Envelope& e, std::string_view group) {
   sets.length("flngHt11", 0.2 * roller);
   sets.length("flngHt21", 0.2 * roller);
   return {sets.take(),
-          "D = L = 0.25 (OD - bore); rollers on 70 % of the pitch circle, as in the 209 bearing of "
-          "textbooks; typical crown and flanges; clearance: " +
-              clearance_reason(group)};
+          (known.diameter > 0.0
+               ? known.source
+               : fmt::format("D = {} (OD - bore), L = {} times the width (at most 1.2 D); rollers "
+                             "on 82 % of the pitch circle, as in bearings with enlarged rollers",
+                             share, width_share)) +
+              "; typical crown and flanges; clearance: " + clearance_reason(group)};
 }
 
-InnerGeometry cones(const Envelope& e, double cup) {
-  const double pitch = 0.5 * (e.bore + e.outside);
-  const double roller = nearest(0.245 * (e.outside - e.bore), 0.1 * kMm);
-  const double length = nearest(0.75 * e.width, 0.5 * kMm);
+InnerGeometry cones(const Envelope& e, double cup, const KnownInside& known) {
+  const double pitch = known.pitch > 0.0 ? known.pitch : 0.5 * (e.bore + e.outside);
+  const double roller =
+      known.diameter > 0.0 ? known.diameter : nearest(0.245 * (e.outside - e.bore), 0.1 * kMm);
+  const double length = known.length > 0.0 ? known.length : nearest(0.75 * e.width, 0.5 * kMm);
   // Both cones share their apex: D / dm = sin h / sin m with m = cup - h, h half the taper.
   const double ratio = roller / pitch, alpha = cup * kDegree;
   const double half = std::atan2(ratio * std::sin(alpha), 1.0 + ratio * std::cos(alpha));
   const double to_apex = 0.5 * pitch / std::sin(alpha - half);
   Sets sets;
-  sets.whole("nRe", elements_that_fit(roller, pitch, 0.9));
+  sets.whole("nRe", known.count > 0 ? known.count : elements_that_fit(roller, pitch, 0.9));
   sets.length("bReDia", roller);
   sets.real("bReCrn", std::round(8.0 * std::pow(length / 0.0135, 2) * 100.0) / 100.0);
   sets.length("bReLen", length);
@@ -121,21 +148,25 @@ InnerGeometry cones(const Envelope& e, double cup) {
   sets.length("raceLandLmt1", length);
   sets.length("raceLandLmt2", length);
   sets.length("flngHt12", 0.255 * roller);
-  return {sets.take(),
-          "D = 0.245 (OD - bore); L = 0.75 times the cone width; rollers on 90 % of the pitch "
-          "circle; cone angle from the cup angle; typical crown and rib"};
+  return {sets.take(), (known.diameter > 0.0
+                            ? known.source
+                            : "D = 0.245 (OD - bore); L = 0.75 times the cone width; rollers on "
+                              "90 % of the pitch circle") +
+                           "; cone angle from the cup angle; typical crown and rib"};
 }
 
-InnerGeometry barrels(const Envelope& e, double angle, std::string_view group, bool tapered_bore) {
-  const double pitch = 0.502 * (e.bore + e.outside);
-  const double roller = nearest(0.275 * (e.outside - e.bore), 0.1 * kMm);
+InnerGeometry barrels(const Envelope& e, double angle, std::string_view group, bool tapered_bore,
+                      const KnownInside& known) {
+  const double pitch = known.pitch > 0.0 ? known.pitch : 0.502 * (e.bore + e.outside);
+  const double roller =
+      known.diameter > 0.0 ? known.diameter : nearest(0.275 * (e.outside - e.bore), 0.1 * kMm);
   const double sphere =
       0.5 * pitch / std::cos(angle * kDegree) + 0.5 * roller;  // of the outer race
   Sets sets;
-  sets.whole("nRe", elements_that_fit(roller, pitch, 0.87));
+  sets.whole("nRe", known.count > 0 ? known.count : elements_that_fit(roller, pitch, 0.87));
   sets.length("bReDia", roller);
   sets.length("bReCrn", 0.961 * sphere);
-  sets.length("bReLen", nearest(0.413 * e.width, 0.1 * kMm));
+  sets.length("bReLen", known.length > 0.0 ? known.length : nearest(0.413 * e.width, 0.1 * kMm));
   sets.length("bReCorRad1", 0.036 * roller);
   sets.length("bReCorRad2", 0.036 * roller);
   sets.length("pitchDia", pitch);
@@ -143,10 +174,12 @@ InnerGeometry barrels(const Envelope& e, double angle, std::string_view group, b
   sets.real("raceCurFac1", 0.5133);
   sets.real("raceCurFac2", 0.5133);
   sets.real("freeConAng", std::round(angle * 100.0) / 100.0);
-  return {sets.take(),
-          "D = 0.275 (OD - bore); L = 0.413 times the width; rollers on 87 % of the pitch circle; "
-          "contact angle from the distance of the rows; clearance: " +
-              clearance_reason(group) + (tapered_bore ? " for tapered bores" : "")};
+  return {
+      sets.take(),
+      (known.diameter > 0.0 ? known.source
+                            : "D = 0.275 (OD - bore); L = 0.413 times the width; rollers on 87 % "
+                              "of the pitch circle; contact angle from the distance of the rows") +
+          "; clearance: " + clearance_reason(group) + (tapered_bore ? " for tapered bores" : "")};
 }
 
 /// Record 7.1 in proportion to the cage of the example of the type: diameters about the pitch
@@ -170,7 +203,7 @@ void propose_cage(std::string_view example_name, const Envelope& e, double diame
 }  // namespace
 
 InnerGeometry propose_inner(BearingType type, const Envelope& envelope, double angle,
-                            std::string_view group, bool tapered_bore) {
+                            std::string_view group, bool tapered_bore, const KnownInside& known) {
   const double section = envelope.outside - envelope.bore;
   if (!(envelope.bore > 0.0 && section > 0.0 && envelope.width > 0.0))
     throw InputError(fmt::format(
@@ -179,14 +212,14 @@ InnerGeometry propose_inner(BearingType type, const Envelope& envelope, double a
         envelope.bore, envelope.outside, envelope.width));
   switch (type) {
     case BearingType::Cylindrical:
-      return cylinders(envelope, group);
+      return cylinders(envelope, group, known);
     case BearingType::Tapered:
-      return cones(envelope, angle > 0.0 ? angle : usual_angle(type, envelope));
+      return cones(envelope, angle > 0.0 ? angle : usual_angle(type, envelope), known);
     case BearingType::Spherical:
       return barrels(envelope, angle > 0.0 ? angle : usual_angle(type, envelope), group,
-                     tapered_bore);
+                     tapered_bore, known);
     default:
-      return balls(type, envelope, angle > 0.0 ? angle : usual_angle(type, envelope), group);
+      return balls(type, envelope, angle > 0.0 ? angle : usual_angle(type, envelope), group, known);
   }
 }
 

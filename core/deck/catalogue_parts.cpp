@@ -25,6 +25,27 @@ const TypeInfo& info_of(BearingType type) {
                        [&](const TypeInfo& info) { return info.type == type; });
 }
 
+std::string_view type_word(BearingType type) { return info_of(type).word; }
+
+std::string_view type_name(BearingType type) { return info_of(type).name; }
+
+const std::vector<std::string>& type_words() {
+  static const std::vector<std::string> words = [] {
+    std::vector<std::string> out;
+    for (const TypeInfo& info : kTypes) out.emplace_back(info.word);
+    return out;
+  }();
+  return words;
+}
+
+BearingType type_of_word(std::string_view word) {
+  for (const TypeInfo& info : kTypes)
+    if (info.word == word) return info.type;
+  std::string known;
+  for (const std::string& one : type_words()) known += (known.empty() ? "" : ", ") + one;
+  throw InputError(fmt::format("unknown bearing type \"{}\"; the types are {}", word, known));
+}
+
 double usual_angle(BearingType type, const Envelope& envelope) {
   switch (type) {
     case BearingType::AngularContact:

@@ -33,9 +33,6 @@ inline constexpr std::array<TypeInfo, 5> kTypes = {{
 
 [[nodiscard]] const TypeInfo& info_of(BearingType type);
 
-/// Contact angle that a type has by habit [deg].
-[[nodiscard]] double usual_angle(BearingType type, const Envelope& envelope);
-
 /// Of radial clearance (ISO 5753-1).
 inline constexpr std::array<std::string_view, 5> kGroups = {"C2", "CN", "C3", "C4", "C5"};
 [[nodiscard]] bool has_group(BearingType type, std::string_view group);

@@ -209,6 +209,44 @@ TEST_CASE("a name that several records have is found in the record of this deck 
   CHECK(elsewhere > 3);
 }
 
+TEST_CASE("catalog dialog: published facts → list of candidates, chosen one becomes the deck",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  CatalogueDialog dialog;
+  QString text;
+  QObject::connect(&dialog, &CatalogueDialog::chosen, [&](const QString& made) { text = made; });
+  dialog.show();
+  const auto field = [&](const char* name) { return dialog.findChild<QLineEdit*>(name); };
+  auto* list = dialog.findChild<QListWidget*>("candidates");
+  auto* take = dialog.findChild<QPushButton*>("take");
+  field("designation")->setText("7208 B");
+  CHECK_FALSE(list->isVisible());
+  field("C")->setText("36.5");
+  field("C0")->setText("26");
+  REQUIRE(list->count() > 1);
+  CHECK(list->isVisible());
+  list->setCurrentRow(1);
+  CHECK(dialog.story().contains("candidate 2 of"));
+  field("C0")->setText("200");
+  CHECK(list->count() == 0);
+  CHECK_FALSE(take->isEnabled());
+  CHECK(dialog.story().contains("CONTRADICTION"));
+  field("C0")->setText("26");
+  list->setCurrentRow(1);
+  field("radial")->setText("x");
+  CHECK_FALSE(take->isEnabled());
+  field("radial")->setText("1234");
+  field("speed")->setText("4321");
+  field("temperature")->setText("70");
+  list->setCurrentRow(1);
+  QTest::mouseClick(take, Qt::LeftButton);
+  const deck::Deck made = deck::read_deck_text(text.toStdString(), "made").deck;
+  CHECK(made.real("appLoadZ") == 1234.0);
+  CHECK(made.real("rpm2") == 4321.0);
+  CHECK(made.real("reTemp") == Approx(343.15));
+  CHECK(made.integer("nRe") == 14);
+}
+
 TEST_CASE("catalog dialog: description of a bearing → completely visible",
           "[gui][adrinput][daily]") {
   test::use_qt();

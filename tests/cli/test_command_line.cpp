@@ -70,9 +70,12 @@ TEST_CASE("mistakes on the command line are met with what was probably meant", "
       {"convert " + deck + " --to cvs", "did you mean csv? Give csv or json"},
       {"convert " + deck + " --to xml", "give csv or json"},
       {"new",
-       "give the name of an example (`adore examples` lists them), or a bearing with --catalogue"},
+       "give the name of an example (`adore examples` lists them), a bearing with --catalogue"},
       {"new bal", "bal"},
       {"new --catalogue 9999", "adore: 9999: is not in the catalogue"},
+      {"new --catalogue 6205 --oil water", "unknown oil \"water\""},
+      {"new --from " + deck, "is a deck, not JSON"},
+      {"new --list --type plain", "plain"},
   };
   for (const Case& one : cases) {
     const Result result = run_as_given(one.arguments);

@@ -9,7 +9,7 @@
 >>> run["contact.load"].shape[1:]                    # after the step axis: elements, races [N]
 (12, 2)
 
-Decks: :func:`new`, :func:`catalogue`, :func:`read`, :class:`Deck`. Runs: :meth:`Deck.run`, :func:`open_run`. Files: :func:`read_table`.
+Decks: :func:`new`, :func:`catalogue`, :func:`candidates`, :func:`read`, :class:`Deck`. Runs: :meth:`Deck.run`, :func:`open_run`. Files: :func:`read_table`.
 Calculators: :mod:`adore.calc`. Errors: :mod:`adore.errors`. A deck or a result file cannot load code.
 """
 
@@ -25,7 +25,7 @@ if importlib.util.find_spec(f"{__name__}._core") is None:
 
 from . import _core, calc, errors, pictures, routines, schema, units
 from ._core import Issue, Progress
-from .deck import Deck, Record, catalogue, check, examples, new, read
+from .deck import Candidates, Deck, Record, candidates, catalogue, check, examples, new, read
 from .errors import (
     AdoreError,
     DeckWarning,
@@ -48,6 +48,7 @@ __version__: str = _core.__version__
 
 __all__ = [
     "AdoreError",
+    "Candidates",
     "Channels",
     "Deck",
     "DeckWarning",
@@ -70,6 +71,7 @@ __all__ = [
     "UnitError",
     "UntrustedResult",
     "calc",
+    "candidates",
     "catalogue",
     "check",
     "describe",

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import html
+import json
 import os
 import re
 import tempfile
 import warnings
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -22,8 +23,7 @@ from .variables import DeckVariables
 if TYPE_CHECKING:
     import pandas as pd
 
-
-__all__ = ["Deck", "Record", "catalogue", "check", "examples", "new", "read"]
+__all__ = ["Candidates", "Deck", "Record", "candidates", "catalogue", "check", "examples", "new", "read"]
 
 PathLike = Union[str, "os.PathLike[str]"]
 #: A number, a text, or an array of them.
@@ -517,10 +517,49 @@ def _rounded(value: float) -> float:
     return float(f"{value:.15g}")
 
 
-def new(name: str) -> Deck:
+Facts = Union[Mapping[str, Any], PathLike]
+
+
+def _facts_text(facts: Facts) -> str:
+    return json.dumps(facts) if isinstance(facts, Mapping) else Path(facts).read_text(encoding="utf-8")
+
+
+class Candidates(List[Dict[str, Any]]):
+    """The internal geometries of :func:`candidates`, best first; printed as a table. Attributes: `contradictions`
+    (pairs of facts), `missing`, `fact_use`, `decisive`, `given_ratings`, `not_listed`."""
+
+    def __init__(self, facts: str) -> None:
+        report = json.loads(_core.candidates(facts))
+        super().__init__(report["candidates"])
+        self.contradictions = [tuple(pair) for pair in report["contradictions"]]
+        self.missing: List[str] = report["missing"]
+        self.fact_use: List[str] = report["fact_use"]
+        self.decisive: str = report["decisive"]
+        self.given_ratings: Dict[str, float] = report["given_ratings"]
+        self.not_listed: int = report["not_listed"]
+        self._text = _core.candidates_text(facts)
+
+    def __repr__(self) -> str:
+        return self._text
+
+
+def candidates(facts: Facts) -> Candidates:
+    """All internal geometries that agree with published facts: a dictionary, or a file FACTS.json. Quantities have
+    units: ``adore.candidates({"designation": "6205", "C": "14 kN", "C0": "7.8 kN", "BPFO": 3.585})``.
+
+    Members: designation, type, bore, outside, width, C, C0, Cu, BPFO, BPFI, FTF, BSF, mass, count, rows,
+    element_diameter, element_length, pitch_diameter, contact_angle, clearance, cage, limiting_speed, source."""
+    return Candidates(_facts_text(facts))
+
+
+def new(name: str = "", *, facts: Optional[Facts] = None, choose: int = 1) -> Deck:
     """A complete example deck: "ball", "cylindrical", "spherical", "tapered", "spherical-tapered" or another name of
-    :func:`adore.examples`."""
-    return Deck(_core.Deck.example(name))
+    :func:`adore.examples`; or, with `facts`, the deck of candidate `choose` of :func:`candidates`."""
+    if facts is None:
+        return Deck(_core.Deck.example(name))
+    if name:
+        raise InputError("give the name of an example or facts, not both")
+    return Deck(_core.Deck.from_facts(_facts_text(facts), choose))
 
 
 def catalogue(designation: str) -> Deck:

@@ -1,6 +1,7 @@
 #include "deck/deck.hpp"
 
 #include "base/input_file.hpp"
+#include "base/json_text.hpp"
 #include "bindings.hpp"
 #include "deck/catalogue.hpp"
 #include "deck/defaults.hpp"
@@ -10,9 +11,12 @@
 #include "deck/monitored_bodies.hpp"
 #include "deck/templates.hpp"
 #include "deck/unit_change.hpp"
+#include "facade/bearing_candidates.hpp"
 #include "facade/deck_request.hpp"
 #include "facade/deck_story.hpp"
 #include "facade/option_file.hpp"
+
+#include <nlohmann/json.hpp>
 
 namespace adore::python {
 namespace {
@@ -109,6 +113,20 @@ void bind_deck(py::module_& module) {
       },
       "Name and description of every example deck.");
 
+  module.def(
+      "candidates",
+      [](const std::string& facts) {
+        return dump_json(
+            facade::candidates_json(facade::find_candidates(facade::read_facts(facts, "facts"))));
+      },
+      py::arg("facts"), "Internal geometries that agree with facts, JSON to JSON.");
+  module.def(
+      "candidates_text",
+      [](const std::string& facts) {
+        return facade::candidates_text(facade::find_candidates(facade::read_facts(facts, "facts")));
+      },
+      py::arg("facts"), "The same as a table.");
+
   py::class_<DeckObject>(module, "Deck", "A deck as data, with its original text.")
       .def_static(
           "read",
@@ -142,6 +160,15 @@ void bind_deck(py::module_& module) {
           },
           py::arg("designation"),
           "A deck from a designation; the internal geometry is an estimate.")
+      .def_static(
+          "from_facts",
+          [](const std::string& facts, int choose) {
+            const facade::CandidateReport report =
+                facade::find_candidates(facade::read_facts(facts, "facts"));
+            const deck::CatalogueBearing bearing = facade::chosen_candidate(report, choose);
+            return from_text(deck::catalogue_deck(bearing), bearing.designation);
+          },
+          py::arg("facts"), py::arg("choose"), "The deck of a candidate of facts (JSON).")
       .def(
           "copy", [](const DeckObject& self) { return self; }, "A copy of the deck.")
       .def_property(

@@ -118,6 +118,23 @@ class Values(unittest.TestCase):
         with self.assertRaisesRegex(adore.InputError, "is not in the catalogue"):
             adore.catalogue("99999")
 
+    def test_candidates_of_published_facts_become_a_deck(self):
+        facts = {"designation": "6203", "C": "9.6 kN", "C0": "4.8 kN"}
+        found = adore.candidates(facts)
+        self.assertEqual(found[0]["count"], 8)
+        self.assertAlmostEqual(found[0]["element_diameter [m]"], 6.747e-3, 6)
+        self.assertEqual(found.given_ratings, {"C [N]": 9600.0, "C0 [N]": 4800.0})
+        self.assertIn("BPFO", repr(found))
+        self.assertEqual(adore.new(facts=facts, choose=1).nRe, 8)
+        self.assertEqual(adore.candidates({"C": "14 kN"}).missing[0], "designation or type")
+        wrong = adore.candidates({"designation": "6205", "bore": "30 mm"})
+        self.assertIn("bore", wrong.contradictions[0][1])
+        for bad in ({"bore": 25}, {"bor": "25 mm"}):
+            with self.assertRaises(adore.InputError):
+                adore.candidates(bad)
+        with self.assertRaises(adore.InputError):
+            adore.new("ball", facts=facts)
+
     def test_a_mistyped_name_is_an_error_with_the_near_ones(self):
         with self.assertRaisesRegex(AttributeError, "pitchDia"):
             self.deck.pitchDai
