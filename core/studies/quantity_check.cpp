@@ -65,10 +65,17 @@ std::string of_result(const std::string& id, const deck::Deck& deck, const std::
     return first({no_motion(deck, "stores no cage motion"), no_cage(deck),
                   deck.integer("nCseg") > 1 ? "whirl results need a one-piece cage" : ""});
   if (starts_with_one_of(id, {"life_", "largest_contact_load_N"})) return {};
+  if (id.starts_with("variable_compliance_")) return "only `adore find` computes this result";
+  const bool balls = deck.integer("kBrg") == 1;
+  if (id == "gyroscopic_ratio" && !balls) return "a roller bearing has no gyroscopic pivot";
+  if (id == "viscosity_ratio" && deck.integer("kTrac") <= 0)
+    return "the deck has no built-in or user lubricant (kTrac = 0)";
   const bool of_start = starts_with_one_of(
-      id, {"displacement_", "load_x", "load_y", "load_z", "load_about_", "largest_pressure_",
-           "stiffness_", "friction_", "outer_race_temperature", "inner_race_temperature",
-           "element_temperature", "coolant_exit_", "operating_", "outer_fit_", "inner_fit_"});
+      id,
+      {"displacement_", "load_x", "load_y", "load_z", "load_about_", "largest_pressure_",
+       "stiffness_", "friction_", "least_element_load_", "largest_approach_", "gyroscopic_ratio",
+       "viscosity_ratio", "outer_race_temperature", "inner_race_temperature", "element_temperature",
+       "coolant_exit_", "operating_", "outer_fit_", "inner_fit_"});
   if (of_start)
     return deck.integer("mode") < 0
                ? ""
