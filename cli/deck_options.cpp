@@ -23,6 +23,14 @@ std::pair<std::string, std::string> split(const std::string& text, const char* o
   return {text.substr(0, at), text.substr(at + 1)};
 }
 
+std::vector<std::string> option_words() {
+  std::vector<std::string> out;
+  for (const setup::OptionInfo& info : setup::run_option_list()) out.push_back(info.name + "=");
+  return out;
+}
+
+}  // namespace
+
 std::vector<std::string> variable_words() {
   std::vector<std::string> out;
   for (const deck::RecordSpec& record : deck::schema())
@@ -33,14 +41,6 @@ std::vector<std::string> variable_words() {
   out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
-
-std::vector<std::string> option_words() {
-  std::vector<std::string> out;
-  for (const setup::OptionInfo& info : setup::run_option_list()) out.push_back(info.name + "=");
-  return out;
-}
-
-}  // namespace
 
 void add_deck(CLI::App& command, std::string& deck) {
   command.add_option("deck", deck, "deck file, folder with DATA.txt, or - for standard input")

@@ -24,6 +24,8 @@ struct DeckOptions {
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> pairs_of_sets() const;
 };
 
+/// Names of the deck variables with "=", for completion.
+[[nodiscard]] std::vector<std::string> variable_words();
 /// --set alone.
 void add_sets(CLI::App& command, std::vector<std::string>& sets);
 /// The positional DECK alone.

@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
     cli::add_run(*app, exit_code);
     cli::add_deck_commands(*app, exit_code);
     cli::add_calc(*app, exit_code);
+    cli::add_find(*app, exit_code);
     cli::add_accuracy(*app, exit_code);
     cli::add_user(*app, exit_code);
     cli::add_study(*app, exit_code);

@@ -31,6 +31,7 @@ inline constexpr std::array kOptionRanges{
     OptionRange{"--tols", 1e-14, 0.01, "larger tolerances do not resolve the motion"},
     OptionRange{"--turns", 0.01, 1e6, "shaft revolutions"},
     OptionRange{"--pilot", 0, 1e4, "seconds of processor time; 0: no trial run"},
+    OptionRange{"--points", 3, 2001, "of the scan"},
     OptionRange{"--budget", 1, 1e6, "seconds of processor time"},
     OptionRange{"--accuracy", 1e-6, 0.5, "a fraction: 0.01 is 1 %"},
 };

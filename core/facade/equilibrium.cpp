@@ -38,11 +38,7 @@ Equilibrium equilibrium_of(const Prepared& prepared) {
   for (std::size_t i = 0; i < 5; ++i)
     for (std::size_t j = 0; j < 5; ++j)
       out.stiffness[i][j] = race.stiffness(static_cast<int>(i), static_cast<int>(j));
-  out.results = static_results(prepared);
-  add_heat(out.results, prepared);
-  if (prepared.bearing.operating) add_fits(out.results, *prepared.bearing.operating);
-  add_lives(out.results, prepared.life);
-  add_frequencies(out.results, prepared, static_frequencies(prepared));
+  out.results = equilibrium_results(prepared);
   out.tables = solution_tables(prepared);
   out.lines = lines_of(prepared, units);
   out.seconds = prepared.solve_seconds;

@@ -1,5 +1,7 @@
 #include "facade/key_results.hpp"
 
+#include "facade/fault_frequencies.hpp"
+#include "facade/static_quantities.hpp"
 #include "life/statistics.hpp"
 
 #include <algorithm>
@@ -92,6 +94,16 @@ KeyResults static_results(const Prepared& prepared) {
           key_result("stiffness_z_N_per_m", stiffness(2)),
           key_result("stiffness_about_y_Nm_per_rad", stiffness(3)),
           key_result("stiffness_about_z_Nm_per_rad", stiffness(4))};
+}
+
+KeyResults equilibrium_results(const Prepared& prepared) {
+  KeyResults out = static_results(prepared);
+  add_extremes(out, prepared);
+  add_heat(out, prepared);
+  if (prepared.bearing.operating) add_fits(out, *prepared.bearing.operating);
+  add_lives(out, prepared.life);
+  add_frequencies(out, prepared, static_frequencies(prepared));
+  return out;
 }
 
 std::array<double, 2> mean_race_heat(const Snapshot& last, const results::Averages& averages) {

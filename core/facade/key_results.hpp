@@ -16,6 +16,9 @@ using results::KeyResults;
 /// Of a quasi-static solution: displacements, loads, largest contact, stiffness.
 [[nodiscard]] KeyResults static_results(const Prepared& prepared);
 
+/// The same with all other scalar results of an equilibrium: extremes, heat, fits, lives.
+[[nodiscard]] KeyResults equilibrium_results(const Prepared& prepared);
+
 /// Of the contacts with the outer and the inner race, mean over a run [W].
 [[nodiscard]] std::array<double, 2> mean_race_heat(const scene::Snapshot& last,
                                                    const results::Averages& averages);

@@ -18,6 +18,7 @@
 #include "facade/pilot.hpp"
 #include "facade/run_span.hpp"
 #include "facade/static_plan.hpp"
+#include "facade/static_quantities.hpp"
 #include "facade/stiffness.hpp"
 #include "facade/traction_spread.hpp"
 #include "facade/user_session.hpp"
@@ -73,14 +74,6 @@ Finding warning(const std::string& text) {
   issue.severity = Severity::Warning;
   issue.message = text;
   return issue;
-}
-
-/// Largest friction force between ball and race over the load; empty without a traction
-/// law in the deck.
-std::optional<double> available_friction(const deck::Deck& deck, const bearing::Bearing& bearing) {
-  const double largest = tribology::largest_traction(bearing.race_traction);
-  if (!deck.has("kTracType") || !(largest > 0.0)) return std::nullopt;
-  return largest;
 }
 
 /// Equilibria do not evaluate the routine that kTrac = -1 or kRFTrac = -1 asks for. The curves of

@@ -15,7 +15,6 @@ namespace {
 
 using statics::StaticBall;
 
-constexpr double kLubricated = 0.06;
 constexpr std::array<const char*, 2> kRace{"outer", "inner"};
 
 std::string quantity(double si, const UnitPair& unit, UnitSystem units) {
@@ -46,9 +45,6 @@ Offenders offenders(const std::vector<StaticBall>& balls, double limit,
   return out;
 }
 
-/// The spin rule has no ω_θ; balls in balance of friction (statics/ball_friction.hpp) creep.
-bool is_by_rule(const StaticBall& ball) { return ball.omega_theta == 0.0; }
-
 std::string rule_text(bearing::SpinRule rule) {
   switch (rule) {
     case bearing::SpinRule::RaceControl:
@@ -75,8 +71,8 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
   const std::vector<StaticBall>& balls = solution.balls;
   for (std::size_t j = 0; j < 2; ++j) {
     const Offenders slip =
-        offenders(balls, available.value_or(kLubricated),
-                  [j](const StaticBall& b) { return is_by_rule(b) ? b.friction[j] : 0.0; });
+        offenders(balls, available.value_or(kLubricatedFriction),
+                  [j](const StaticBall& b) { return follows_spin_rule(b) ? b.friction[j] : 0.0; });
     if (!slip.numbers.empty())
       add("statics.gyroscopic", slip, j,
           fmt::format(
@@ -88,7 +84,7 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
               available
                   ? fmt::format("the traction law of the deck gives at most {:.3g}", *available)
                   : "lubricated contacts reach only about 0.06 (the deck has no traction law)"))
-          .measure(balls[slip.worst].friction[j], available.value_or(kLubricated));
+          .measure(balls[slip.worst].friction[j], available.value_or(kLubricatedFriction));
     const Offenders over = offenders(balls, 0.0, [j](const StaticBall& b) { return b.beyond[j]; });
     if (!over.numbers.empty()) {
       const StaticBall& worst = balls[over.worst];

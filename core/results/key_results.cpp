@@ -47,12 +47,28 @@ constexpr KeyResultSpec kSpecs[] = {
     {"load_about_z_Nm", "Load", "about z", &unit::kMoment},
     {"largest_contact_load_N", "Largest contact load", "", &unit::kForce,
      "Largest contact load at the end"},  // the peak has a separate line
+    {"least_element_load_N", "Least element load", "", &unit::kForce, "",
+     "the smaller of the two race loads of the least loaded element; 0 if any element is unloaded"},
+    {"largest_approach_m", "Largest approach", "", &unit::kLength, "",
+     "elastic approach of an element and a race"},
     {"largest_pressure_Pa", "Largest pressure", "", &unit::kPressure},
     {"stiffness_x_N_per_m", "Stiffness", "x", &unit::kStiffness},
     {"stiffness_y_N_per_m", "Stiffness", "y", &unit::kStiffness},
     {"stiffness_z_N_per_m", "Stiffness", "z", &unit::kStiffness},
     {"stiffness_about_y_Nm_per_rad", "Stiffness", "about y", &unit::kRotationalStiffness},
     {"stiffness_about_z_Nm_per_rad", "Stiffness", "about z", &unit::kRotationalStiffness},
+    {"gyroscopic_ratio", "Gyroscopic friction ratio", "", &unit::kNone, "",
+     "largest friction coefficient that holds a ball against its gyroscopic moment, divided by "
+     "that of the traction law (0.06 without a traction law); above 1 the ball pivots"},
+    {"viscosity_ratio", "Viscosity ratio kappa", "", &unit::kNone, "",
+     "kinematic viscosity divided by the ISO 281 reference viscosity; of an oil by grade at the "
+     "temperature of the bearing, else at the hotter race inlet"},
+    {"variable_compliance_m", "Variable compliance", "between minus under load", &unit::kLength, "",
+     "displacement along the radial load with the load between two elements, minus that with an "
+     "element under the load; computed by adore find only"},
+    {"variable_compliance_span_m", "Variable compliance", "peak to peak", &unit::kLength, "",
+     "of the displacement along the radial load over one element pitch (12 positions); computed by "
+     "adore find only"},
     {"friction_torque_Nm", "Friction torque", "", &unit::kMoment},
     {"friction_power_W", "Friction power", "", &unit::kPower},
     {"outer_race_temperature_K", "Temperature", "outer race", &unit::kTemperature},
@@ -63,7 +79,6 @@ constexpr KeyResultSpec kSpecs[] = {
     {"operating_contact_angle_rad", "Operating contact angle", "", &unit::kRadian},
     {"outer_fit_pressure_Pa", "Fit pressure", "outer", &unit::kPressure},
     {"inner_fit_pressure_Pa", "Fit pressure", "inner", &unit::kPressure},
-    {"viscosity_ratio", "Viscosity ratio kappa", "", &unit::kNone},
     {"bpfo_nominal_Hz", "Nominal passing frequency", "outer race (BPFO)", &unit::kFrequency},
     {"bpfi_nominal_Hz", "Nominal passing frequency", "inner race (BPFI)", &unit::kFrequency},
     {"bsf_nominal_Hz", "Nominal passing frequency", "element spin (BSF)", &unit::kFrequency},

@@ -17,6 +17,7 @@ struct KeyResultSpec {
   std::string_view part;   ///< "x": tells results of one label apart; empty when there is only one
   const UnitPair* unit = nullptr;   ///< of the value, which is in SI: factor 1
   std::string_view of_motion = {};  ///< label in a table of motions, where it is another
+  std::string_view meaning = {};    ///< sign and limits, where the label does not say them
 };
 
 struct KeyResult {

@@ -66,15 +66,20 @@ std::string of_result(const std::string& id, const deck::Deck& deck, const std::
                   deck.integer("nCseg") > 1 ? "whirl results need a one-piece cage" : ""});
   if (starts_with_one_of(id, {"life_", "largest_contact_load_N"}) || id.ends_with("_nominal_Hz"))
     return {};
-  if (id == "viscosity_ratio")
-    return deck.has("oilGrade") || deck.has("oilVisc1")
-               ? ""
-               : "the deck has no oil by grade (record X2 in ADORE.json)";
+  if (id.starts_with("variable_compliance_")) return "only `adore find` computes this result";
+  const bool balls = deck.integer("kBrg") == 1;
+  if (id == "gyroscopic_ratio" && !balls) return "a roller bearing has no gyroscopic pivot";
+  const bool oil_by_grade = deck.has("oilGrade") || deck.has("oilVisc1");
+  if (id == "viscosity_ratio" && oil_by_grade) return {};
+  if (id == "viscosity_ratio" && deck.integer("kTrac") <= 0)
+    return "the deck has no lubricant (kTrac = 0) and no oil by grade (record X2 in ADORE.json)";
   if (starts_with_one_of(id, {"bpfo_", "bpfi_", "ftf_"}) && deck.integer("mode") < 0) return {};
   const bool of_start = starts_with_one_of(
-      id, {"displacement_", "load_x", "load_y", "load_z", "load_about_", "largest_pressure_",
-           "stiffness_", "friction_", "bsf_", "outer_race_temperature", "inner_race_temperature",
-           "element_temperature", "coolant_exit_", "operating_", "outer_fit_", "inner_fit_"});
+      id,
+      {"displacement_", "load_x", "load_y", "load_z", "load_about_", "largest_pressure_",
+       "stiffness_", "friction_", "least_element_load_", "largest_approach_", "gyroscopic_ratio",
+       "bsf_", "viscosity_ratio", "outer_race_temperature", "inner_race_temperature",
+       "element_temperature", "coolant_exit_", "operating_", "outer_fit_", "inner_fit_"});
   if (of_start)
     return deck.integer("mode") < 0
                ? ""

@@ -179,7 +179,7 @@ def add_pages_without_a_place(source):
 
 
 PYTHON_MODULES = {"adore": "Package", "adore.deck": "Decks", "adore.run": "Runs", "adore.results": "Results", "adore.pictures": "Pictures",
-                  "adore.calc": "Calculators", "adore.routines": "User routines", "adore.schema": "Deck schema", "adore.units": "Units",
+                  "adore.calc": "Calculators", "adore.inverse": "Inverse calculations", "adore.routines": "User routines", "adore.schema": "Deck schema", "adore.units": "Units",
                   "adore.errors": "Errors"}
 
 

@@ -2,7 +2,7 @@
 """Checks the documents: commands exist, code blocks run, quoted output is current.
 
     docs_commands.py ROOT ADORE [ADRPLOT AGORE ADRINPUT]                        commands of all pages
-    docs_commands.py --run [--update] [--show] ROOT ADORE [PAGE]...             code blocks of the tutorials
+    docs_commands.py --run [--update] [--show] ROOT ADORE [PAGE]...             code blocks of the tutorials and of find-an-input.md
 
 Commands: a command is a line of code, or text between backquotes, that begins with a program's name. The words up to
 the first option select a help text, which must list each --option of the command.
@@ -231,7 +231,8 @@ def run_page(page, adore):
 
 def run_tutorials():
     adore = next(program for program in PROGRAM_FILES if program.name == "adore")
-    pages = [page for page in PROGRAM_FILES if page.suffix == ".md"] or sorted((ROOT / "resources/docs/tutorials").glob("*.md"))
+    pages = [page for page in PROGRAM_FILES if page.suffix == ".md"]
+    pages = pages or [*sorted((ROOT / "resources/docs/tutorials").glob("*.md")), ROOT / "resources/docs/how-to/find-an-input.md"]
     faults, ran, skipped = [], 0, 0
     for page in pages:
         began = time.monotonic()

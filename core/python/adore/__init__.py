@@ -10,7 +10,7 @@
 (12, 2)
 
 Decks: :func:`new`, :func:`catalogue`, :func:`candidates`, :func:`read`, :class:`Deck`. Runs: :meth:`Deck.run`, :func:`open_run`. Files: :func:`read_table`.
-Calculators: :mod:`adore.calc`. Errors: :mod:`adore.errors`. A deck or a result file cannot load code.
+Calculators: :mod:`adore.calc`. Inverse calculations: :func:`find`. Errors: :mod:`adore.errors`. A deck or a result file cannot load code.
 """
 
 from __future__ import annotations
@@ -39,6 +39,7 @@ from .errors import (
     UnitError,
     UntrustedResult,
 )
+from .inverse import Found, find, find_questions, find_targets
 from .pictures import Picture, Pictures
 from .results import Channels, describe, read_table
 from .routines import Routines
@@ -52,6 +53,7 @@ __all__ = [
     "Channels",
     "Deck",
     "DeckWarning",
+    "Found",
     "InputError",
     "InternalError",
     "Interrupted",
@@ -77,6 +79,9 @@ __all__ = [
     "describe",
     "errors",
     "examples",
+    "find",
+    "find_questions",
+    "find_targets",
     "new",
     "open_run",
     "pictures",

@@ -27,6 +27,7 @@ namespace py = pybind11;
 void bind_errors(py::module_& module);
 void bind_deck(py::module_& module);
 void bind_work(py::module_& module);
+void bind_find(py::module_& module);
 void bind_results(py::module_& module);
 
 /// A NumPy array that owns the values; nothing is copied.
