@@ -124,11 +124,12 @@ struct LawRanges::Impl {
     contact(c, heaviest, kNoBound);
     if (friction == nullptr) return;
     const statics::FrictionOfContact& at = friction->race[c.race][c.element];
-    coefficient(at.spin + at.sliding, at.load_slip, at.of_oil, kNoBound, body(c));
+    coefficient(at.spin + at.sliding, at.load_slip, at.of_oil, kNoBound, [&] { return body(c); });
   }
   void yields(validity::Watch& out) const;
-  void coefficient(double heat, double load_slip, bool of_oil, double time,
-                   const std::string& body);
+  /// @param body callable -> name of the contact, called where it is kept
+  template <class Name>
+  void coefficient(double heat, double load_slip, bool of_oil, double time, const Name& body);
   void drag(double orbit, double r, double spin, std::size_t i, double time);
   void land(const scene::Snapshot& at);
   [[nodiscard]] std::string body(const Contact& c) const {
@@ -253,8 +254,9 @@ void LawRanges::Impl::yields(validity::Watch& out) const {
     }
 }
 
+template <class Name>
 void LawRanges::Impl::coefficient(double heat, double load_slip, bool of_oil, double time,
-                                  const std::string& at) {
+                                  const Name& at) {
   if (!(load_slip > 0.0)) return;
   const Ranges& r = registered();
   const double kappa = heat / load_slip;
@@ -263,16 +265,16 @@ void LawRanges::Impl::coefficient(double heat, double load_slip, bool of_oil, do
     if (kappa > given_largest) {
       given_largest = kappa;
       given_time = time;
-      given_body = at;
+      given_body = at();
     }
     return;
   }
   if (r.coefficient.bounds.contains(kappa)) return;
   use.above_warning += load_slip;
-  coefficients.offer(r.coefficient, kappa, time, [&] { return at; });
+  coefficients.offer(r.coefficient, kappa, time, at);
   if (r.impossible.bounds.contains(kappa)) return;
   use.above_limit += load_slip;
-  coefficients.offer(r.impossible, kappa, time, [&] { return at; });
+  coefficients.offer(r.impossible, kappa, time, at);
 }
 
 void LawRanges::Impl::drag(double orbit, double r, double spin, std::size_t i, double time) {
@@ -343,10 +345,10 @@ void LawRanges::look(const scene::Snapshot& at) {
       s.contact(c, heaviest, at.time);
       constexpr double kMetalShare = 1.05;  // of the critical film: no metal contact (film_law_of)
       s.coefficient(in.heat, in.load_slip, s.oil && in.least_film > kMetalShare * critical, at.time,
-                    s.body(c));
+                    [&] { return s.body(c); });
       for (const scene::FlangeContactSnapshot& flange : one.flange[j])
         s.coefficient(flange.heat, flange.load_slip, false, at.time,
-                      fmt::format("flange of the {}, roller {}", kRace[j], i + 1));
+                      [&] { return fmt::format("flange of the {}, roller {}", kRace[j], i + 1); });
     }
     if (rollers && one.oriented && one.race[1].load > 0.0 &&
         one.race[1].load >= kLoadedShare * heaviest)

@@ -1,8 +1,8 @@
 #include "results/results_h5.hpp"
 
-#include "base/checksum.hpp"
 #include "base/errors.hpp"
 #include "base/version.hpp"
+#include "base/word_checksum.hpp"
 #include "base/write_error.hpp"
 #include "base/write_folder.hpp"
 #include "contact/groove.hpp"
@@ -379,7 +379,7 @@ struct H5Writer::Impl {
             "{}: writing to the file failed ({}); free some disk space or choose another disk",
             path.string(), error != 0 ? std::generic_category().message(error) : h5::last_error()));
       }
-      one.sum = sum_of_values(one.waiting, one.sum);
+      one.sum = word_sum_of_values(one.waiting, one.sum);
       one.waiting.clear();
     }
     written += waiting;
