@@ -2,6 +2,8 @@
 
 #include "adrinput/accuracy_panel.hpp"
 #include "adrinput/compare_dialog.hpp"
+#include "adrinput/design_form.hpp"
+#include "adrinput/design_page.hpp"
 #include "adrinput/drawing_panel.hpp"
 #include "adrinput/evaluation.hpp"
 #include "adrinput/help_text.hpp"
@@ -15,6 +17,7 @@
 #include "adrinput/solution_charts.hpp"
 #include "adrinput/start_check.hpp"
 #include "adrinput/stored_accuracy.hpp"
+#include "adrinput/text_keys.hpp"
 #include "adrinput/time_scale.hpp"
 #include "adrinput/unit_choice.hpp"
 #include "deck/lookup.hpp"
@@ -112,6 +115,7 @@ DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
   makeOtherMenus();
   makeToolBar();
   new desktop::MenuKeys(*this);
+  new TextKeys(*this);
   document_.meaning = [this](const Cell& cell, const std::string& typed) {
     return as_meant(document_, cell, typed);
   };
@@ -207,7 +211,8 @@ void DeckWindow::makeCentre() {
   column->setSpacing(0);
   makeNotices(column);
   column->addWidget(scroll_, 1);
-  column->addWidget(makeButtons());
+  column->addWidget(makeDesign(), 1);
+  column->addWidget(buttons_ = makeButtons());
   list_->setMinimumWidth(kListWidth);
   auto* right = new QSplitter(Qt::Vertical, this);
   right->addWidget(form);
@@ -325,6 +330,11 @@ QWidget* DeckWindow::makeButtons() {
 }
 
 void DeckWindow::showRecord(const std::string& record) {
+  leaveDesign();
+  loadRecord(record);
+}
+
+void DeckWindow::loadRecord(const std::string& record) {
   if (record == current_ && page_ != nullptr) return page_->sync(true);
   document_.end_step();
   search_notice_->hide();
@@ -343,8 +353,8 @@ void DeckWindow::showRecord(const std::string& record) {
   scroll_->setWidget(page_);
   orderTabs();
   drawing_->setFocusOn({record, "", 1, 1});
-  list_->setCurrent(record);
-  page_->focusFirst();
+  list_->setCurrent(currentPage());
+  if (!designShown()) page_->focusFirst();
   scroll_->ensureVisible(0, 0);
   askForScales();
   emit pageShown();
@@ -387,11 +397,12 @@ void DeckWindow::refresh() {
     std::string nearest = pages.front();
     for (const std::string& id : pages)
       if (id != kOptionsPage && spec_of(id) <= spec_of(current_)) nearest = id;
-    showRecord(nearest);
+    loadRecord(nearest);
   } else if (page_ != nullptr) {
-    list_->setCurrent(current_);
+    list_->setCurrent(currentPage());
     page_->sync();
   }
+  design_->sync();
   refreshProblems();
   undo_->setEnabled(document_.can_undo());
   redo_->setEnabled(document_.can_redo());
@@ -438,6 +449,7 @@ void DeckWindow::askForScales() {
 }
 
 void DeckWindow::goBack() {
+  if (designShown()) return;
   const std::vector<std::string> pages = document_.pages();
   const auto here = std::find(pages.begin(), pages.end(), current_);
   if (here == pages.begin() || here == pages.end())
@@ -446,6 +458,7 @@ void DeckWindow::goBack() {
 }
 
 void DeckWindow::nextRecord() {
+  if (designShown()) return showRecord(document_.pages().front());
   document_.accept_defaults(current_);
   const std::vector<std::string> pages = document_.pages();
   const auto here = std::find(pages.begin(), pages.end(), current_);
@@ -456,18 +469,17 @@ void DeckWindow::nextRecord() {
 }
 
 void DeckWindow::undo() {
-  const std::string record = document_.undo();
-  if (record.empty()) return;
-  const std::vector<std::string> pages = document_.pages();
-  if (std::find(pages.begin(), pages.end(), record) != pages.end()) showRecord(record);
-  page_->sync(true);
+  design_->form().finish();
+  showChanged(document_.undo());
 }
 
-void DeckWindow::redo() {
-  const std::string record = document_.redo();
+void DeckWindow::redo() { showChanged(document_.redo()); }
+
+/// The record of an undone change; the front page stays.
+void DeckWindow::showChanged(const std::string& record) {
   if (record.empty()) return;
   const std::vector<std::string> pages = document_.pages();
-  if (std::find(pages.begin(), pages.end(), record) != pages.end()) showRecord(record);
+  if (std::find(pages.begin(), pages.end(), record) != pages.end()) loadRecord(record);
   page_->sync(true);
 }
 
@@ -479,8 +491,9 @@ void DeckWindow::switchTheme() {
   for (auto* chart : findChildren<desktop::ChartView*>())
     chart->chartScene().setTheme(desktop::current_theme());
   const std::string record = std::exchange(current_, {});
-  showRecord(record);
+  loadRecord(record);
   refresh();
+  design_->restyle();
 }
 
 }  // namespace adore::adrinput

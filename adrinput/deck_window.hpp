@@ -21,6 +21,7 @@ namespace adore::adrinput {
 
 class AccuracyPanel;
 class CompareDialog;
+class DesignPage;
 class DrawingPanel;
 class LubricantPanel;
 class EvaluationPanel;
@@ -47,6 +48,14 @@ class DeckWindow : public QMainWindow {
   bool openFile(const std::filesystem::path& path);
   void showRecord(const std::string& record);
   [[nodiscard]] const std::string& currentRecord() const { return current_; }
+  /// Front page (design_page.hpp), in place of the record.
+  void showDesign();
+  [[nodiscard]] bool designShown() const;
+  [[nodiscard]] DesignPage& design() { return *design_; }
+  /// The record, or kDesignPage.
+  [[nodiscard]] std::string currentPage() const;
+  /// QMainWindow::saveState() with the docks that the front page hides.
+  [[nodiscard]] QByteArray dockState() const;
   [[nodiscard]] RecordPage* page() { return page_; }
   [[nodiscard]] QScrollArea& pageArea() { return *scroll_; }
   [[nodiscard]] EvaluationPanel& planPanel() { return *plan_; }
@@ -116,6 +125,10 @@ class DeckWindow : public QMainWindow {
  private:
   void openDropped(const QStringList& files);
   void makeCentre();
+  QWidget* makeDesign();
+  void leaveDesign();
+  /// The form of a record, without showing it.
+  void loadRecord(const std::string& record);
   void makeDrawing();
   QWidget* makeButtons();
   void makeFileMenu();
@@ -141,6 +154,7 @@ class DeckWindow : public QMainWindow {
   /// Continues with a deck without errors, after it is saved.
   void withSavedDeck(std::function<void()> then);
   void orderTabs();
+  void showChanged(const std::string& record);
   void showUnits();
   void refresh();
   void refreshProblems();
@@ -171,6 +185,9 @@ class DeckWindow : public QMainWindow {
   RecordList* list_ = nullptr;
   QScrollArea* scroll_ = nullptr;
   QTabWidget* tabs_ = nullptr;
+  DesignPage* design_ = nullptr;
+  QWidget* buttons_ = nullptr;
+  QByteArray docks_;  ///< state of the docks when the front page hid them
   QListWidget* problems_ = nullptr;
   QPlainTextEdit* original_ = nullptr;
   EvaluationPanel *plan_ = nullptr, *statics_ = nullptr;

@@ -1,5 +1,7 @@
 #include "adrinput/accuracy_panel.hpp"
 #include "adrinput/deck_window.hpp"
+#include "adrinput/design_form.hpp"
+#include "adrinput/design_page.hpp"
 #include "adrinput/evaluation.hpp"
 #include "adrinput/record_page.hpp"
 #include "adrinput/run_panel.hpp"
@@ -19,6 +21,7 @@
 namespace adore::adrinput {
 
 bool DeckWindow::readyToCompute() {
+  if (designShown()) design_->form().finish();
   document_.end_step();  // includes the text being typed
   if (!document_.has_errors()) return true;
   desktop::show_message(this, tr("The deck has errors. Correct them first (F8)."), true);
@@ -26,18 +29,20 @@ bool DeckWindow::readyToCompute() {
 }
 
 void DeckWindow::showPanel(const QWidget* panel) {
+  tabs_->show();
   for (int i = 0; i < tabs_->count(); ++i)
-    if (tabs_->widget(i)->isAncestorOf(panel)) tabs_->setCurrentIndex(i);
+    if (tabs_->widget(i) == panel || tabs_->widget(i)->isAncestorOf(panel))
+      tabs_->setCurrentIndex(i);
 }
 
 void DeckWindow::showPlan() {
-  tabs_->setCurrentWidget(plan_);
+  showPanel(plan_);
   if (!readyToCompute()) return;
   plan_->start(document_.deck(), document_.path(), document_.options());
 }
 
 void DeckWindow::runQuasiStatic() {
-  tabs_->setCurrentWidget(statics_);
+  showPanel(statics_);
   if (!readyToCompute()) return;
   statics_->start(document_.deck(), document_.path(), document_.options());
 }

@@ -118,6 +118,7 @@ void DeckWindow::makeOtherMenus() {
   edit->addAction(tr("&Find variable"), QKeySequence::Find, this, [this] { list_->startSearch(); });
 
   QMenu* go = menuBar()->addMenu(tr("&Go"));
+  go->addAction(tr("&Design page"), QKeySequence(Qt::Key_F2), this, &DeckWindow::showDesign);
   QAction* back = go->addAction(tr("Go &Back"), this, &DeckWindow::goBack);
   back->setShortcuts({QKeySequence(Qt::Key_PageUp), QKeySequence(Qt::ALT | Qt::Key_Left)});
   QAction* next = go->addAction(tr("&Next Rec"), this, &DeckWindow::nextRecord);
@@ -200,7 +201,7 @@ bool DeckWindow::openFile(const std::filesystem::path& path) {
     checkNow();
     remember(file);
     current_.clear();
-    showRecord(document_.pages().front());
+    loadRecord(document_.pages().front());
     return true;
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
@@ -214,7 +215,7 @@ void DeckWindow::newDeck(const QString& template_name) {
     forgetResults();
     checkNow();
     current_.clear();
-    showRecord(document_.pages().front());
+    loadRecord(document_.pages().front());
   });
 }
 
@@ -226,8 +227,8 @@ void DeckWindow::newFromCatalogue() {
       forgetResults();
       checkNow();
       current_.clear();
-      showRecord(document_.pages().front());
-      showPage("4");
+      loadRecord(document_.pages().front());
+      if (!designShown()) showPage("4");
     });
   });
   dialog->open();

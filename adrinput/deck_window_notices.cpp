@@ -1,5 +1,6 @@
 #include "adrinput/compare_dialog.hpp"
 #include "adrinput/deck_window.hpp"
+#include "adrinput/design_page.hpp"
 #include "adrinput/file_names.hpp"
 #include "adrinput/file_watch.hpp"
 #include "adrinput/help_text.hpp"
@@ -134,6 +135,7 @@ void DeckWindow::goToOptionOf(const Cell& cell) {
 }
 
 void DeckWindow::showPage(const std::string& record) {
+  if (record == kDesignPage) return showDesign();
   const std::vector<std::string> pages = document_.pages();
   if (std::find(pages.begin(), pages.end(), record) != pages.end()) showRecord(record);
 }
@@ -179,7 +181,7 @@ void DeckWindow::checkFile() {
   file_notice_->ask(tr("Another program changed %1.").arg(name),
                     {{"reload", mine ? tr("Reload, &discard my changes") : tr("Reloa&d"),
                       [this, path] {
-                        const std::string page = current_;
+                        const std::string page = currentPage();
                         if (openFile(path)) showPage(page);
                       }},
                      {"keep-mine", tr("Keep m&ine"), [this] { document_.keep_mine(); }},
@@ -200,7 +202,7 @@ void DeckWindow::restoreDeck(const std::string& bytes, std::function<void()> the
       forgetResults();
       checkNow();
       current_.clear();
-      showRecord(document_.pages().front());
+      loadRecord(document_.pages().front());
       showPage(page);
       checkFile();
       then();

@@ -56,6 +56,7 @@ void Document::start(State state) {
   saved_deck_ = state_.deck;
   saved_drafts_ = state_.drafts;
   saved_options_ = state_.options;
+  saved_comments_ = state_.comments;
   find_problems();
 }
 
@@ -106,6 +107,25 @@ void Document::change(const std::vector<std::pair<std::string, std::string>>& se
       }))
     follow_bodies(before);
   step_cell_.reset();
+  find_problems();
+  notify();
+}
+
+void Document::replace(deck::Deck deck, std::string text) {
+  end_step();
+  if (deck == state_.deck) return;
+  Cell cell;
+  cell.record = "4";
+  begin_step(cell);
+  state_.drafts.clear();
+  state_.shelf.clear();  // values of another bearing
+  state_.numbers_in.reset();
+  state_.typed_since.clear();
+  state_.comments = std::move(text);
+  state_.deck = std::move(deck);
+  settle();
+  step_cell_.reset();
+  file_issues_.clear();
   find_problems();
   notify();
 }

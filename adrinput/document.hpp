@@ -143,6 +143,9 @@ class Document {
   /// Sets several variables as one step of undo (deck::Deck::set_all). @throws InputError; the
   /// document stays as it was.
   void change(const std::vector<std::pair<std::string, std::string>>& sets);
+  /// Replaces the whole deck as one step of undo; file and run options stay. A save keeps the
+  /// comments of `text`, a deck without errors, instead of those of the file.
+  void replace(deck::Deck deck, std::string text);
   void set_user_lines(std::vector<std::string> lines);
   void end_step();
   /// The user has seen the record: its defaults count as confirmed.
@@ -193,6 +196,7 @@ class Document {
     std::map<std::pair<long long, long long>, std::vector<long long>> monitored_with;
     std::vector<long long> followed;
     std::set<Cell> typed_since;  ///< values in the new units already
+    std::string comments;        ///< text of replace(); empty: those of the file
   };
   struct Step {
     State state;
@@ -231,6 +235,7 @@ class Document {
   facade::OptionFile option_file_;  ///< ADORE.json as read
   std::filesystem::path path_;
   std::string original_;
+  std::string saved_comments_;  ///< State::comments of the file
   bool original_kept_ = false;  ///< the deck alone makes the same text
   bool foreign_ = false;        ///< the file was written by another program
   bool broken_ = false;         ///< the file has errors: reading it was a guess

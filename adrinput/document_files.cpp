@@ -206,11 +206,12 @@ void Document::save(const fs::path& name) {
   const fs::path path = whole_path(name);
   std::vector<Issue> reasons = errors();
   // The text of the file is kept as far as possible; foreign characters as UTF-8.
+  const std::string& base = state_.comments.empty() ? original_ : state_.comments;
   // Records X go to ADORE.json.
   const deck::Deck plain = facade::without_extension(state_.deck);
   deck::KeptText kept{deck::write_deck(plain), original_.empty(), {}};
-  if (!original_.empty())
-    kept = deck::with_deck(is_utf8(original_) ? original_ : utf8_of_latin1(original_), plain);
+  if (!base.empty()) kept = deck::with_deck(is_utf8(base) ? base : utf8_of_latin1(base), plain);
+  const bool replaced = state_.comments != saved_comments_;  // the file has another bearing
   const std::string& text = kept.text;
   deck::ReadResult back;
   if (reasons.empty()) {
@@ -228,7 +229,7 @@ void Document::save(const fs::path& name) {
     }
   }
   if (!reasons.empty()) throw InputError(std::move(reasons));
-  const bool lost = foreign_ || (!original_kept_ && (broken_ || !kept.kept));
+  const bool lost = foreign_ || (!original_kept_ && (broken_ || !kept.kept || replaced));
   kept_copy_.clear();
   if (lost && same_file(path, path_)) kept_copy_ = keep_copy(path, original_);
   save_options(path);
@@ -248,6 +249,7 @@ void Document::save(const fs::path& name) {
   saved_deck_ = state_.deck;
   saved_drafts_ = state_.drafts;
   saved_options_ = state_.options;
+  saved_comments_ = state_.comments;
   find_problems();
   notify();
 }

@@ -136,6 +136,8 @@ std::string Document::snapshot(std::string_view page) const {
       {"saved_drafts", json_of(saved_drafts_)},
       {"saved_options", saved_options_},
       {"original", original_},
+      {"comments", state_.comments},
+      {"saved_comments", saved_comments_},
       {"original_kept", original_kept_},
       {"issues", std::move(issues)},
       {"option_file", option_file_.text()},
@@ -179,6 +181,8 @@ std::string Document::restore(std::string_view bytes) {
     std::vector<Issue> issues;
     for (const Json& item : json.at("issues")) issues.push_back(issue_in(item));
     auto original = json.at("original").get<std::string>();
+    state.comments = json.value("comments", std::string());
+    auto saved_comments = json.value("saved_comments", std::string());
     const bool kept = json.at("original_kept").get<bool>();
     // An earlier release stored relative paths: their folder is unknown.
     std::filesystem::path path = json.at("path").get<std::string>();
@@ -199,6 +203,7 @@ std::string Document::restore(std::string_view bytes) {
     saved_deck_ = std::move(saved_deck);
     saved_drafts_ = std::move(saved_drafts);
     saved_options_ = std::move(saved_options);
+    saved_comments_ = std::move(saved_comments);
     notify();
     return page;
   } catch (const nlohmann::json::exception& error) {

@@ -130,6 +130,7 @@ QString keyboard_help() {
       {"Ctrl+Z, Ctrl+Shift+Z or Ctrl+Y", "undo, redo"},
       {"Ctrl+O, Ctrl+S, Ctrl+Shift+S", "open, save, save under another name"},
       {"F1", "help on this record"},
+      {"F2", "design page: inputs and results of the bearing"},
       {"F5", "plan of this deck"},
       {"F6", "quasi-static solution of this deck"},
       {"F7, Shift+F7", "save and run this deck, save and run it in a new folder"},

@@ -1,5 +1,6 @@
 #include "adrinput/record_list.hpp"
 
+#include "adrinput/design_page.hpp"
 #include "adrinput/help_text.hpp"
 #include "adrinput/options_page.hpp"
 #include "adrinput/search.hpp"
@@ -168,7 +169,8 @@ RecordList::RecordList(Document& document, QWidget* parent)
       stack_(new QStackedWidget(this)),
       records_(make_list("records", this)),
       found_(make_list("found", this)),
-      state_(new QToolButton(this)) {
+      state_(new QToolButton(this)),
+      design_(new QToolButton(this)) {
   query_->setObjectName("search");
   query_->setPlaceholderText(tr("Find a variable (Ctrl+F)"));
   query_->setAccessibleName(tr("Find a variable"));
@@ -181,8 +183,15 @@ RecordList::RecordList(Document& document, QWidget* parent)
   stack_->addWidget(found_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 8, 0, 0);
+  layout->addWidget(design_);
   layout->addWidget(query_);
   layout->addWidget(state_);
+  design_->setObjectName("design");
+  design_->setText(tr("Design page"));
+  design_->setToolTip(tr("Inputs and results of this bearing (F2)"));
+  design_->setCheckable(true);
+  design_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  connect(design_, &QToolButton::clicked, this, &RecordList::designChosen);
   layout->addWidget(stack_, 1);
   state_->setObjectName("deck-state");
   state_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -270,6 +279,11 @@ void RecordList::sync() {
 
 void RecordList::setCurrent(const std::string& record) {
   const QSignalBlocker quiet(records_);
+  design_->setChecked(record == kDesignPage);
+  if (record == kDesignPage) {  // a click on any record leaves the page
+    records_->setCurrentRow(-1);
+    return records_->clearSelection();
+  }
   for (int i = 0; i < records_->count(); ++i)
     if (records_->item(i)->data(kRecordRole).toString().toStdString() == record) {
       records_->setCurrentRow(i);

@@ -28,6 +28,7 @@ class RecordList : public QWidget {
   void variableChosen(const QString& record, int variable);
   /// The user wants to see why the deck is in its state.
   void stateChosen();
+  void designChosen();
 
  protected:
   bool eventFilter(QObject* object, QEvent* event) override;
@@ -43,7 +44,7 @@ class RecordList : public QWidget {
   QStackedWidget* stack_;
   QListWidget* records_;
   QListWidget* found_;
-  QToolButton* state_;  ///< of the deck as a whole
+  QToolButton *state_, *design_;  ///< of the deck as a whole; the front page
 };
 
 /// Sign and color of a state: a check mark, a ring, a triangle or a cross.

@@ -2,6 +2,7 @@
 
 #include "adrinput/cell_table.hpp"
 #include "adrinput/deck_window.hpp"
+#include "adrinput/design_page.hpp"
 #include "adrinput/drawing_panel.hpp"
 #include "adrinput/record_page.hpp"
 #include "adrinput/study_window.hpp"
@@ -31,16 +32,21 @@ void settle() {
   for (int i = 0; i < 3; ++i) QApplication::processEvents();
 }
 
-/// Pictures show results of the checks, not running checks.
-void wait_for_checks(DeckWindow& window) {
+template <class Condition>
+void wait_for(const Condition& condition) {
   constexpr qint64 kLongest = 30'000;  // [ms]
   QElapsedTimer waited;
   waited.start();
-  window.checkNow();
-  while (window.document().deck_state() == DeckState::Unchecked && waited.elapsed() < kLongest) {
+  while (!condition() && waited.elapsed() < kLongest) {
     QApplication::processEvents();
     QThread::msleep(5);  // processEvents() waits for no event
   }
+}
+
+/// Pictures show results of the checks, not running checks.
+void wait_for_checks(DeckWindow& window) {
+  window.checkNow();
+  wait_for([&] { return window.document().deck_state() != DeckState::Unchecked; });
 }
 
 constexpr int kOverlap = 90;  // pixels of a form in two pictures, so that no field is cut in both
@@ -69,6 +75,11 @@ std::vector<fs::path> render_pages(const fs::path& deck, const RenderOptions& op
   window.openFile(file);
   wait_for_checks(window);
   std::vector<fs::path> written;
+  window.showDesign();
+  wait_for([&] { return !window.design().computing(); });
+  settle();
+  written.push_back(options.folder / "00-design.png");
+  desktop::save_image(window.grab().toImage(), written.back());
   int number = 0;
   for (const std::string& record : window.document().pages()) {
     ++number;

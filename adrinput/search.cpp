@@ -51,10 +51,62 @@ bool abbreviated(const std::string& name, const std::string& word) {
   return word.size() > 4 && name.find(word.substr(0, 3)) != std::string::npos;
 }
 
+/// Words of users, and the variables that they mean.
+struct Meaning {
+  std::string_view phrase, variable;
+};
+constexpr std::array<Meaning, 34> kMeanings = {{{"radial load", "appLoadZ"},
+                                                {"radial force", "appLoadZ"},
+                                                {"axial load", "appLoadX"},
+                                                {"axial force", "appLoadX"},
+                                                {"thrust", "appLoadX"},
+                                                {"load", "appLoadZ"},
+                                                {"load", "appLoadX"},
+                                                {"force", "appLoadZ"},
+                                                {"moment", "appMomY"},
+                                                {"speed", "rpm2"},
+                                                {"rotational speed", "rpm2"},
+                                                {"shaft speed", "rpm2"},
+                                                {"inner race speed", "rpm2"},
+                                                {"outer race speed", "rpm1"},
+                                                {"rpm", "rpm2"},
+                                                {"oil", "kTrac"},
+                                                {"lubricant", "kTrac"},
+                                                {"grease", "kTrac"},
+                                                {"temperature", "raceTemp2"},
+                                                {"bore", "brgBore"},
+                                                {"outside diameter", "brgOD"},
+                                                {"outer diameter", "brgOD"},
+                                                {"ball diameter", "bReDia"},
+                                                {"roller diameter", "bReDia"},
+                                                {"number balls", "nRe"},
+                                                {"number rollers", "nRe"},
+                                                {"contact angle", "freeConAng"},
+                                                {"clearance", "freeIntCls"},
+                                                {"cage", "nCseg"},
+                                                {"fit", "raceFit2"},
+                                                {"gravity", "gravityVecZ"},
+                                                {"tolerance", "tol"},
+                                                {"end time", "fTime"},
+                                                {"misalignment", "appMis12"}}};
+
+/// A score above all others for the variables that the whole query means, more for the first ones.
+int meant(const std::vector<std::string>& words, std::string_view variable) {
+  constexpr int kMeant = 1000;
+  std::string query;
+  for (const std::string& word : words) query += (query.empty() ? "" : " ") + word;
+  for (std::size_t i = 0; i < kMeanings.size(); ++i)
+    if (kMeanings[i].variable == variable &&
+        (query == kMeanings[i].phrase || query == std::string(kMeanings[i].phrase) + "s"))
+      return kMeant - static_cast<int>(i);
+  return 0;
+}
+
 int score_of(const deck::RecordSpec& record, const deck::VariableSpec& variable,
              const std::vector<std::string>& words) {
   const std::string name = lowered(variable.name), help = lowered(variable.help);
   const std::string title = lowered(record.title);
+  if (const int score = meant(words, variable.name); score > 0) return score;
   std::string meanings;
   for (const deck::OptionSpec& option : variable.options)
     meanings += lowered(option.meaning) + "\n";
@@ -194,9 +246,11 @@ std::vector<Found> search_variables(std::string_view query,
   };
   for (const deck::RecordSpec& record : deck::schema()) search_in(record);
   search_in(options_record());
+  // A value of this deck is worth more than the same words in a record that the deck does not have.
+  constexpr int kHere = 20;
   if (is_here)
-    std::stable_partition(found.begin(), found.end(),
-                          [&](const Found& one) { return is_here(one.cell); });
+    for (Found& one : found)
+      if (is_here(one.cell)) one.score += kHere;
   std::stable_sort(found.begin(), found.end(),
                    [](const Found& a, const Found& b) { return a.score > b.score; });
   if (found.size() > most) found.resize(most);

@@ -102,7 +102,7 @@ void Session::store() {
   try {
     if (!lock_) throw InputError(fmt::format("cannot create a file in {}", folder_.string()));
     (void)make_folders(folder_);
-    write_file_atomically(file_, window_.document().snapshot(window_.currentRecord()));
+    write_file_atomically(file_, window_.document().snapshot(window_.currentPage()));
     failed_ = false;
   } catch (const std::exception& reason) {
     if (!failed_)
@@ -116,9 +116,9 @@ void Session::rememberPlace() {
   QSettings store = settings();
   const fs::path& path = window_.document().path();
   store.setValue("session/geometry", window_.saveGeometry());
-  store.setValue("session/docks", window_.saveState());
+  store.setValue("session/docks", window_.dockState());
   store.setValue("session/deck", QString::fromStdString(path.string()));
-  store.setValue("session/page", QString::fromStdString(window_.currentRecord()));
+  store.setValue("session/page", QString::fromStdString(window_.currentPage()));
 }
 
 void Session::begin(bool deck_named) {
@@ -126,6 +126,7 @@ void Session::begin(bool deck_named) {
   if (!geometry.isEmpty()) window_.restoreGeometry(geometry);
   window_.restoreState(settings().value("session/docks").toByteArray());
   window_.hideEmptyPanels();
+  window_.showDesign();
   if (!deck_named && settings().value("session/reopen", true).toBool()) reopen();
   lookForOrphans();
   offerNext();

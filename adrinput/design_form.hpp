@@ -1,0 +1,69 @@
+#pragma once
+
+#include "adrinput/document.hpp"
+#include "facade/design_inputs.hpp"
+
+#include <QWidget>
+
+#include <vector>
+
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QLineEdit;
+class QTimer;
+
+namespace adore::adrinput {
+
+/// Inputs of the design page: bearing by designation, operation, oil and main dimensions. They are
+/// variables of the deck, in units that people use; the record forms show the same values.
+class DesignForm : public QWidget {
+  Q_OBJECT
+ public:
+  explicit DesignForm(Document& document, QWidget* parent = nullptr);
+  ~DesignForm() override;
+
+  /// The document has changed.
+  void sync();
+  /// A valid text that is still being typed becomes the value; the user goes on typing.
+  void accept();
+  /// The same for any text, as when its field is left.
+  void finish();
+  void focusBearing();
+  [[nodiscard]] QLineEdit& bearingField() { return *bearing_; }
+  /// The field of a variable; nullptr: the deck does not have it.
+  [[nodiscard]] QLineEdit* fieldOf(const std::string& variable) const;
+  [[nodiscard]] QComboBox& oilField() { return *oil_; }
+
+ signals:
+  void catalogueWanted();
+
+ protected:
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+ private:
+  struct Field {
+    facade::DesignInput input;
+    QLabel *name = nullptr, *unit = nullptr;
+    QLineEdit* line = nullptr;
+  };
+  [[nodiscard]] Field makeField(const facade::DesignInput& input);
+  void rebuild();
+  void takeBearing();
+  void take(Field& field, bool finished);
+  void showBearing();
+  void fillOils();
+  /// Cells of an input in the deck.
+  [[nodiscard]] std::vector<Cell> cellsOf(const facade::DesignInput& input) const;
+
+  Document& document_;
+  QLineEdit* bearing_;
+  QLabel* facts_;
+  QComboBox* oil_;
+  QGridLayout* grid_;
+  std::vector<Field> fields_;
+  QTimer* pause_;
+  bool taking_ = false;
+};
+
+}  // namespace adore::adrinput
