@@ -23,6 +23,7 @@ DEFINITIONS = {
     "developer/index.md": "links",
     "developer/testing.md": "commands",
     "glossary.md": "terms",
+    "how-to/bearing-from-facts.md": "members of a file format",
     "how-to/effect.md": "interfaces and files",
     "how-to/index.md": "links",
     "how-to/user-routine.md": "interfaces",
