@@ -129,11 +129,11 @@ std::optional<facade::BearingFacts> CatalogueDialog::facts() const {
   out.BPFO = number_in(*BPFO_);
   const std::optional<double> count = number_in(*count_);
   if (!out.C && !out.C0 && !out.BPFO && !count) return std::nullopt;
-  constexpr double kMostElements = 400.0;
+  constexpr double kMaxElements = 400.0;
   for (const auto& value : {out.C, out.C0, out.BPFO, count})
     if (value && !(*value > 0.0))
       throw InputError("published values must be above 0. Enter a positive number");
-  if (count && (*count > kMostElements || *count != std::floor(*count)))
+  if (count && (*count > kMaxElements || *count != std::floor(*count)))
     throw InputError("the number of elements must be a whole number up to 400");
   if (count) out.count = static_cast<int>(*count);
   if (out.C) *out.C *= kKilonewton;

@@ -14,13 +14,13 @@ namespace adore::facade {
 namespace {
 
 constexpr double kMm = 1e-3, kInch64 = 25.4 / 64.0, kDegree = std::numbers::pi / 180.0;
-constexpr double kLeastWeight =
+constexpr double kWeightLimit =
     0.07;  // the least with at most 5 candidates in the median of "rules"
-constexpr std::size_t kMostListed = 12;
+constexpr std::size_t kMaxListed = 12;
 constexpr double kPitchLimit = 0.03, kPitchSpread = 0.008;
 constexpr double kFactorSpread = 0.003,
-                 kLimit = 4.0;      // spreads of a printed factor; z of all facts
-constexpr double kMostRatio = 0.5;  // γ
+                 kLimit = 4.0;     // spreads of a printed factor; z of all facts
+constexpr double kMaxRatio = 0.5;  // γ
 
 /// A fact of the search; bits of a mask.
 enum Fact : unsigned {
@@ -126,8 +126,8 @@ class Search {
     else
       sizes = ball_ ? ball_sizes() : roller_sizes();
     const int count = has(kCount, facts_.count) ? *facts_.count : count_of_factors(mask);
-    constexpr int kLeastCount = 4, kMostCount = 120;
-    const int from = count > 0 ? count : kLeastCount, to = count > 0 ? count : kMostCount;
+    constexpr int kMinCount = 4, kMaxCount = 120;
+    const int from = count > 0 ? count : kMinCount, to = count > 0 ? count : kMaxCount;
     for (const Size& size : sizes)
       for (int Z = from; Z <= to; ++Z) try_geometry(mask, size, Z, out);
     return out;
@@ -165,7 +165,7 @@ class Search {
     one.angle = angle_;
     double weight = size.weight;
     const double gamma_given = ratio_of_factors(mask, Z);
-    if (has_factors(mask) && !(gamma_given > 0.0 && gamma_given < kMostRatio)) return;
+    if (has_factors(mask) && !(gamma_given > 0.0 && gamma_given < kMaxRatio)) return;
     const bool pitch_given = (mask & kPitch) != 0 && facts_.pitch_diameter;
     double pitch = pitch_given         ? *facts_.pitch_diameter / kMm
                    : gamma_given > 0.0 ? D * cosine_ / gamma_given
@@ -225,8 +225,8 @@ class Search {
     if (fill > (full_ ? kTouching : kFullest)) return false;
     const bool width_known = (mask & kWidth) != 0 && width_ > 0.0;
     if (ball_) {
-      constexpr double kMostOfWidth = 0.8;
-      if (width_known && D > kMostOfWidth * width_) return false;
+      constexpr double kMaxShareOfWidth = 0.8;
+      if (width_known && D > kMaxShareOfWidth * width_) return false;
       if (full_) return fill > 0.9;
       if (deep_) {
         const double degrees = 2.0 * (Z - 1) * half / kDegree;
@@ -593,9 +593,9 @@ CandidateReport find_candidates(const BearingFacts& facts) {
     return out;
   }
   merge(all);
-  const double least = kLeastWeight * all.front().weight;
+  const double least = kWeightLimit * all.front().weight;
   std::size_t kept = 0;
-  while (kept < all.size() && kept < kMostListed && all[kept].weight >= least) ++kept;
+  while (kept < all.size() && kept < kMaxListed && all[kept].weight >= least) ++kept;
   out.left_out = static_cast<int>(all.size() - kept);
   all.resize(kept);
   double sum = 0.0;

@@ -14,6 +14,7 @@ import math
 import statistics
 import subprocess
 import sys
+from datetime import date
 from pathlib import Path
 
 HERE = Path(__file__).parent
@@ -129,7 +130,9 @@ def page(adore, data):
     factors = [b for b in data if "set" not in b and "factors" in b and "bore" in b]
     return f"""# Candidates of published bearings
 
-Written by `tests/candidates/report.py ADORE --write`. `adore new --from FACTS.json` lists all internal geometries that
+Tables: written by `tests/candidates/report.py ADORE --write`, {date.today().isoformat()}.
+
+`adore new --from FACTS.json` lists all internal geometries that
 agree with published facts. This page compares the lists with bearings whose geometry or fault factors are printed
 ({len(data)} in tests/candidates/published_bearings.json, each with its source). A hash of the name chose 20 of them for the
 rules and {len(test)} for the test. The facts given here are type, bore, outside diameter, width, C and C0, and the contact

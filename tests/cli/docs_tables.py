@@ -23,6 +23,7 @@ DEFINITIONS = {
     "developer/index.md": "links",
     "developer/testing.md": "commands",
     "glossary.md": "terms",
+    "how-to/bearing-from-facts.md": "members of a file format",
     "how-to/effect.md": "interfaces and files",
     "how-to/extension-file.md": "records",
     "how-to/index.md": "links",
