@@ -4,6 +4,7 @@
 #include "adrinput/compare_dialog.hpp"
 #include "adrinput/drawing_panel.hpp"
 #include "adrinput/evaluation.hpp"
+#include "adrinput/find_dialog.hpp"
 #include "adrinput/help_text.hpp"
 #include "adrinput/lubricant_panel.hpp"
 #include "adrinput/notice_bar.hpp"

@@ -2,6 +2,7 @@
 #include "adrinput/deck_window.hpp"
 #include "adrinput/file_names.hpp"
 #include "adrinput/file_watch.hpp"
+#include "adrinput/find_dialog.hpp"
 #include "adrinput/help_text.hpp"
 #include "adrinput/notice_bar.hpp"
 #include "adrinput/options_page.hpp"
@@ -161,6 +162,7 @@ void DeckWindow::refreshNotices() {
                          }}});
   }
   if (compare_ != nullptr) compare_->sync();
+  if (find_ != nullptr) find_->sync();
 }
 
 void DeckWindow::checkFile() {
