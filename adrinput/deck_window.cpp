@@ -6,6 +6,7 @@
 #include "adrinput/design_page.hpp"
 #include "adrinput/drawing_panel.hpp"
 #include "adrinput/evaluation.hpp"
+#include "adrinput/find_dialog.hpp"
 #include "adrinput/help_text.hpp"
 #include "adrinput/lubricant_panel.hpp"
 #include "adrinput/notice_bar.hpp"

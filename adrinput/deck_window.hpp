@@ -23,6 +23,7 @@ class AccuracyPanel;
 class CompareDialog;
 class DesignPage;
 class DrawingPanel;
+class FindDialog;
 class LubricantPanel;
 class EvaluationPanel;
 class FileWatch;
@@ -106,6 +107,8 @@ class DeckWindow : public QMainWindow {
   void runInNewFolder();
   void continueRun();
   void askForSweep();
+  /// The value of an input at which a result meets a target.
+  void askForFind();
   void switchTheme();
   /// A separate window for a study of this deck, after that has a name.
   void newStudy(const QString& kind);
@@ -206,6 +209,7 @@ class DeckWindow : public QMainWindow {
             *search_notice_ = nullptr;
   FileWatch* watch_ = nullptr;
   QPointer<CompareDialog> compare_;
+  QPointer<FindDialog> find_;
   QAction* other_units_ = nullptr;
   bool leaving_ = false;
 };

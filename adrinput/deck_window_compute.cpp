@@ -3,6 +3,7 @@
 #include "adrinput/design_form.hpp"
 #include "adrinput/design_page.hpp"
 #include "adrinput/evaluation.hpp"
+#include "adrinput/find_dialog.hpp"
 #include "adrinput/record_page.hpp"
 #include "adrinput/run_panel.hpp"
 #include "adrinput/solution_charts.hpp"
@@ -108,6 +109,14 @@ void DeckWindow::continueRun() {
   if (run_->busy() || !readyToCompute()) return;
   withSavedDeck(
       [this] { run_->continueAny(document_.path(), document_.deck(), document_.options()); });
+}
+
+void DeckWindow::askForFind() {
+  if (!readyToCompute()) return;
+  delete find_;
+  find_ = new FindDialog(document_, this);
+  connect(find_, &FindDialog::applied, this, [this] { page_->sync(true); });
+  find_->show();
 }
 
 void DeckWindow::askForSweep() {

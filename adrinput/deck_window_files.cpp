@@ -142,6 +142,7 @@ void DeckWindow::makeOtherMenus() {
   connect(run, &QMenu::aboutToShow, this, [this, go_on] { run_->nameContinuation(*go_on); });
   run->addSeparator();
   run->addAction(tr("S&weep a variable …"), this, &DeckWindow::askForSweep);
+  run->addAction(tr("&Find the value of an input …"), this, &DeckWindow::askForFind);
   run->addAction(tr("Study &accuracy"), QKeySequence(Qt::Key_F9), this, &DeckWindow::studyAccuracy);
   run->addSeparator();
   run->addAction(tr("Ca&lculators …"), this, [this] { (new CalculatorDialog(this))->show(); })

@@ -3,6 +3,7 @@
 #include "adrinput/design_page.hpp"
 #include "adrinput/file_names.hpp"
 #include "adrinput/file_watch.hpp"
+#include "adrinput/find_dialog.hpp"
 #include "adrinput/help_text.hpp"
 #include "adrinput/notice_bar.hpp"
 #include "adrinput/options_page.hpp"
@@ -163,6 +164,7 @@ void DeckWindow::refreshNotices() {
                          }}});
   }
   if (compare_ != nullptr) compare_->sync();
+  if (find_ != nullptr) find_->sync();
 }
 
 void DeckWindow::checkFile() {

@@ -283,7 +283,7 @@ std::vector<std::string> answer_lines(const FindReport& report) {
     std::string list;
     constexpr std::size_t kListed = 5;
     for (std::size_t k = 0; k < std::min(outcome.turns.size(), kListed); ++k)
-      list += fmt::format("{}{:.4g}", k == 0 ? "" : ", ", outcome.turns[k]);
+      list += fmt::format("{}{:.6g}", k == 0 ? "" : ", ", outcome.turns[k]);
     out.push_back(fmt::format("{} is not monotonic: it turns near {} = {}{}{}.", y.name, x.name,
                               list, outcome.turns.size() > kListed ? " ..." : "",
                               x.unit.empty() || x.unit == "-" ? "" : " " + x.unit));

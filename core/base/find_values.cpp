@@ -16,9 +16,10 @@ namespace {
 constexpr double kRatioForGeometric = 100.0;  ///< of the bounds
 constexpr double kTolerance = 1e-9;           ///< of x, relative
 constexpr double kNearZero = 1e-3;            ///< of the range: x below it counts as this
-constexpr double kJump = 0.01;   ///< change of f that is left in the last interval, relative
-constexpr double kNoise = 1e-7;  ///< of the span of f: smaller changes are no turn
-constexpr double kTouch = 1e-8;  ///< distance of a touching curve, relative to its neighbors
+constexpr double kJump = 0.01;      ///< change of f that is left in the last interval, relative
+constexpr double kNoise = 1e-7;     ///< of the span of f: smaller changes are no turn
+constexpr double kAccuracy = 1e-9;  ///< of f, relative to its size: smaller changes are rounding
+constexpr double kTouch = 1e-8;     ///< distance of a touching curve, relative to its neighbors
 constexpr int kMaxPoints = 2001, kMaxSteps = 100, kMaxTurns = 8;
 
 /// End of a piece of constant side.
@@ -425,9 +426,10 @@ class Search {
         least_value = std::min(least_value, p.value);
         largest = std::max(largest, p.value);
       }
-    const double noise =
-        std::isfinite(largest - least_value) ? kNoise * (largest - least_value) : 0.0;
-    out_.constant = largest - least_value <= kNoise * kNoise * std::abs(largest);
+    const double size = std::max(std::abs(least_value), std::abs(largest));
+    const double span = largest - least_value;
+    const double noise = std::isfinite(span) ? std::max(kNoise * span, kAccuracy * size) : 0.0;
+    out_.constant = std::isfinite(span) ? span <= kAccuracy * size : least_value == largest;
     int direction = 0;
     const FindSample* extreme = nullptr;
     for (const FindSample& p : out_.samples) {

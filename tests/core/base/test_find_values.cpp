@@ -118,6 +118,14 @@ TEST_CASE("find_values(): constant part on the target → its edge", "[unit][fin
   CHECK(find_values(between(1.0, 3.0, 0.0), clipped).constant);
 }
 
+TEST_CASE("find_values(): rounding of a constant result → constant, no turns", "[unit][find]") {
+  const FindOutcome out = find_values(between(0.0, 1.0, 2.0),
+                                      [](double x) { return 1500.0 + 1e-8 * std::sin(99.0 * x); });
+  CHECK(out.constant);
+  CHECK(out.monotonic);
+  CHECK(out.answer == FindAnswer::None);
+}
+
 TEST_CASE("find_values(): exact hit at a scan point or a bound → one solution", "[unit][find]") {
   for (const double hit : {0.0, 2.5, 10.0}) {
     const FindOutcome out =
