@@ -52,6 +52,10 @@ void DeckWindow::showCharts() {
   if (statics_->tables() == nullptr) return;
   charts_->setSolution(*statics_->tables());
   charts_->setStale(statics_->stale());
+  if (designShown()) {  // which has the space of the docks
+    charts_dock_->setProperty("waiting", true);
+    return;
+  }
   if (!drawing_dock_->isHidden() || !charts_dock_->isHidden()) {
     const int made = width() < kNarrow ? kDrawingWidth * 2 / 3 : kDrawingWidth;
     const bool as_made = std::abs(drawing_dock_->width() - made) < kDrawingWidth / 10;

@@ -57,6 +57,10 @@ void DeckWindow::leaveDesign() {
   tabs_->show();
   restoreState(std::exchange(docks_, {}));
   hideEmptyPanels();
+  if (charts_dock_->property("waiting").toBool()) {  // a solution came meanwhile
+    charts_dock_->setProperty("waiting", false);
+    showCharts();
+  }
   list_->setCurrent(current_);
   page_->sync(true);
 }

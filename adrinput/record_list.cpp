@@ -188,7 +188,7 @@ RecordList::RecordList(Document& document, QWidget* parent)
   layout->addWidget(state_);
   design_->setObjectName("design");
   design_->setText(tr("Design page"));
-  design_->setToolTip(tr("Inputs and results of this bearing (F2)"));
+  design_->setToolTip(tr("Inputs and results of this bearing (Ctrl+B)"));
   design_->setCheckable(true);
   design_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   connect(design_, &QToolButton::clicked, this, &RecordList::designChosen);

@@ -78,7 +78,12 @@ std::string input_text(const deck::Deck& deck, const DesignInput& input) {
   const std::string unit = input.unit == "°" ? "deg" : input.unit;
   const auto units = deck::usual_units(spec.unit);
   const bool usual = std::find(units.begin(), units.end(), unit) != units.end();
-  return usual ? deck::number_in(value, spec.unit, deck.units(), unit) : fmt::format("{}", value);
+  if (!usual) return fmt::format("{}", value);
+  // Of a deck in other units, whose values have twelve digits, a person wants fewer.
+  constexpr std::size_t kMostDigits = 10;
+  const std::string exact = deck::number_in(value, spec.unit, deck.units(), unit);
+  if (exact.size() <= kMostDigits + 1) return exact;
+  return fmt::format("{:.9g}", std::stod(exact));
 }
 
 std::vector<DesignOil> design_oils(const deck::Deck& deck) {

@@ -24,7 +24,8 @@ struct DesignInput {
 /// Inputs that this deck has, in the order of the page.
 [[nodiscard]] std::vector<DesignInput> design_inputs(const deck::Deck& deck);
 
-/// The number in its unit, shortest text; empty: variables with different values.
+/// The number in its unit, at most nine digits if it has more than ten; empty: variables with
+/// different values.
 [[nodiscard]] std::string input_text(const deck::Deck& deck, const DesignInput& input);
 
 /// An oil that the page offers, and what it changes.
