@@ -395,9 +395,11 @@ class RunFigures {
       return moving->of(motion(), *equilibrium_of_motion_);
     if (name == "exponent") return exponent(row);
     if (name == "spread") return spread(row);
-    if (name == "torque_less_rib")
-      return value("friction_torque", prepared()) -
-             value("rib_torque", prepare(request_of(run_.deck, with(sets_, run_.subtract))));
+    if (name == "torque_less_rib") {
+      DeckRequest rib = request_of(run_.deck, with(sets_, run_.subtract));
+      rib.options = run_.options;
+      return value("friction_torque", prepared()) - value("rib_torque", prepare(rib));
+    }
     if (name == "fitting_rolling") return fitting_rolling(row);
     if (name == "pair_offset")
       return pair_offset(row_under_thrust(), demand_part(row.from, "from"), thrust());

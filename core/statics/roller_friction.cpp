@@ -57,6 +57,7 @@ struct FrictionSet {
   const RollerMotionForces& forces;
   std::vector<std::size_t>* lost = nullptr;  ///< rollers whose search ended nowhere
   bool central = false;                      ///< differences
+  bool fresh = false;  ///< derivatives at each place of the race, where those kept mislead
 };
 using FrictionRace = RaceState<FrictionRoller>;
 
@@ -65,7 +66,7 @@ double reference_stiffness(const FrictionSet& set, double load) {
   return reference_stiffness(set.model, load);
 }
 bool is_conservative(const FrictionSet&) { return false; }
-double first_accuracy(const FrictionSet&) { return 0.03; }
+double first_accuracy(const FrictionSet& set) { return set.fresh ? 0.0 : 0.03; }
 
 Races<double> races_of(const FrictionSet& set, const Vec5& q) {
   return races_at<double>(set.model, q);
@@ -234,6 +235,7 @@ bool update_race(const FrictionSet& set, const Vec5& q, FrictionRace& race, doub
       continue;
     }
     follow(set, roller, change, q, here);
+    if (set.fresh) roller.by_u = roller.by_q = false;
     bool found = find_balance(set, roller, q, here, accuracy);
     if (found && !(roller.by_u && roller.by_q))
       differentiate(set, roller, q, here, !roller.by_q, set.central);
@@ -359,7 +361,7 @@ bool balance_rollers(const Bearing& bearing, const RollerOptions& options, const
   out.friction.computed = true;
   const RollerMotionForces forces(bearing, model, out.max_load);
   std::vector<std::size_t> lost;
-  const FrictionSet set{model, forces, &lost, false};
+  FrictionSet set{model, forces, &lost};
   FrictionRace race;
   race.q = without.q;
   for (const RollerState& roller : without.elements) race.elements.emplace_back().state = roller;
@@ -382,7 +384,9 @@ bool balance_rollers(const Bearing& bearing, const RollerOptions& options, const
           lost.push_back(k);
       settled = lost.empty();
     } else if (lost.empty()) {
-      break;
+      if (set.fresh) break;
+      set.fresh = true;
+      continue;
     }
     for (const std::size_t k : lost) race.elements[k].balanced = false;
     if (settled) race = std::move(trial);

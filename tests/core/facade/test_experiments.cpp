@@ -271,9 +271,10 @@ TEST_CASE("experiments: a changed input or definition changes the row", "[unit][
                                "x.json")
           .front();
   CHECK_THROWS_AS(facade::run_experiment(data), InputError);
-  // What the source subtracts is subtracted: nine tenths of a rib of 0.05 come back with 0.005.
+  // What the source subtracts is subtracted: nine tenths of a rib of 0.05 come back with 0.005,
+  // where its friction does not change its load.
   const std::string rib =
-      R"({"condition": "c", "deck": "trb-32008", "subtract": {"reFlngTC2": 0.005}, "certainty":
+      R"({"condition": "c", "deck": "trb-32008", "options": {"rollerFriction": "none"}, "subtract": {"reFlngTC2": 0.005}, "certainty":
           "none", "kind": "part", "rows": [{"of": "torque_less_rib", "unit": "N.mm"}]})";
   const double less = ours_of(experiment_json(rib));
   const double whole =
