@@ -53,20 +53,23 @@ FaultFrequencies nominal_frequencies(const Prepared& prepared) {
 FaultFrequencies static_frequencies(const Prepared& prepared) {
   double orbit = 0.0, spin = 0.0, all_orbit = 0.0, all_spin = 0.0;
   int loaded = 0, all = 0;
-  const auto add = [&](const auto& element, bool carries) {
-    all_orbit += element.orbital_speed;
-    all_spin += std::abs(element.spin_speed);
+  const auto add = [&](double orbital_speed, double spin_speed, bool carries) {
+    all_orbit += orbital_speed;
+    all_spin += std::abs(spin_speed);
     ++all;
     if (!carries) return;
-    orbit += element.orbital_speed;
-    spin += std::abs(element.spin_speed);
+    orbit += orbital_speed;
+    spin += std::abs(spin_speed);
     ++loaded;
   };
-  if (prepared.rollers)
-    for (const statics::StaticRoller& roller : prepared.rollers->rollers)
-      add(roller, roller.race[1].load > 0.0);
-  else
-    for (const statics::StaticBall& ball : prepared.statics.balls) add(ball, ball.Q[1] > 0.0);
+  if (const auto& solution = prepared.rollers) {
+    for (const statics::StaticRoller& roller : solution->rollers)
+      add(roller.balanced ? roller.orbital_speed : solution->orbital_speed,
+          roller.balanced ? roller.spin_speed : solution->spin_speed, roller.race[1].load > 0.0);
+  } else {
+    for (const statics::StaticBall& ball : prepared.statics.balls)
+      add(ball.orbital_speed, ball.spin_speed, ball.Q[1] > 0.0);
+  }
   const double share = loaded > 0 ? 1.0 / loaded : 1.0 / std::max(1, all);
   return frequencies(prepared.bearing, share * (loaded > 0 ? orbit : all_orbit),
                      share * (loaded > 0 ? spin : all_spin));

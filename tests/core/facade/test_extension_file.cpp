@@ -276,6 +276,16 @@ TEST_CASE("passing frequencies: nominal from the geometry, computed from the orb
   CHECK(computed.outer + computed.inner == Approx(balls.count * turns));
   CHECK(computed.outer == Approx(nominal.outer).epsilon(0.02));
   CHECK(computed.spin.value() == Approx(nominal.spin.value()).epsilon(0.02));
+  for (const char* type : {"cylindrical", "tapered", "spherical"}) {
+    deck::Deck deck = deck::new_deck(type);
+    deck.set_all(Sets{{"mode", "-1"}});
+    const facade::Prepared rollers = prepared(deck);
+    INFO(type);
+    CHECK(facade::static_frequencies(rollers).outer ==
+          Approx(facade::nominal_frequencies(rollers).outer).epsilon(0.05));
+    CHECK(facade::static_frequencies(rollers).spin.value() ==
+          Approx(facade::nominal_frequencies(rollers).spin.value()).epsilon(0.05));
+  }
 }
 
 TEST_CASE("crown radius 0: a straight roller", "[physics][extension]") {
