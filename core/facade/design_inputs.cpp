@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "deck/catalogue.hpp"
 #include "deck/lookup.hpp"
+#include "deck/number.hpp"
 #include "deck/quantity.hpp"
 #include "deck/unit_change.hpp"
 
@@ -83,15 +84,19 @@ std::string input_text(const deck::Deck& deck, const DesignInput& input) {
   constexpr std::size_t kMostDigits = 10;
   const std::string exact = deck::number_in(value, spec.unit, deck.units(), unit);
   if (exact.size() <= kMostDigits + 1) return exact;
-  return fmt::format("{:.9g}", std::stod(exact));
+  double number = value;
+  const bool read = !deck::parse_real(exact, number);
+  demand(read, "a printed number can be read");
+  return fmt::format("{:.9g}", number);
 }
 
 std::vector<DesignOil> design_oils(const deck::Deck& deck) {
   std::vector<DesignOil> out;
   const bool english = deck.units() == deck::UnitSystem::English;
   for (const deck::OptionSpec& one : deck::option_table("@lubricants")) {
-    const int code = std::stoi(std::string(one.code));
-    if (code < 0 || code == 9) continue;  // routine and own coefficients: in the records
+    long long code = 0;
+    if (deck::parse_integer(one.code, code) || code < 0 || code == 9)
+      continue;  // routine and own coefficients: in the records
     DesignOil oil;
     oil.name = code == 0 ? "none (dry friction)" : std::string(one.meaning);
     oil.sets.emplace_back("kTrac", std::string(one.code));

@@ -1,5 +1,6 @@
 #include "facade/moving_deck.hpp"
 
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "bearing/bearing.hpp"
 #include "deck/lookup.hpp"
@@ -290,9 +291,10 @@ void add_run(Changes& changes, const RunScales& scales) {
   changes.number("tol", 1e-5);
   changes.number("qFac", 0.0);
   changes.say(
-      fmt::format("Mode 0: every body moves for {:.3g} revolutions ({:.3g} ms), about {} "
+      fmt::format("Mode 0: every body moves for {} ({:.3g} ms), about {} "
                   "stored pictures. Both races keep the position of the static solution.",
-                  kMovingRevolutions, end * 1e3, steps / between));
+                  counted(fmt::format("{:.3g}", kMovingRevolutions), "revolution"), end * 1e3,
+                  steps / between));
 }
 
 }  // namespace

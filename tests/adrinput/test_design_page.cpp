@@ -169,7 +169,7 @@ TEST_CASE("design page: 7208 → a moving picture in at most 8 actions",
                       [](const auto& launch) { return launch.first == "agore"; }) == 1);
   const fs::path out = folder.path().toStdString();
   CHECK(fs::file_size(out / "SOL8") > 100000);
-  CHECK(front.window.runPanel().text().contains("3.2 revolutions"));
+  CHECK(note(front.window).contains("3.2 revolutions"));
 }
 
 TEST_CASE("design page: window of 1280x800 → results and at least 10 inputs are visible",
