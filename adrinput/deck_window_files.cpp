@@ -118,7 +118,8 @@ void DeckWindow::makeOtherMenus() {
   edit->addAction(tr("&Find variable"), QKeySequence::Find, this, [this] { list_->startSearch(); });
 
   QMenu* go = menuBar()->addMenu(tr("&Go"));
-  go->addAction(tr("&Design page"), QKeySequence(Qt::CTRL | Qt::Key_B), this, &DeckWindow::showDesign);
+  go->addAction(tr("&Design page"), QKeySequence(Qt::CTRL | Qt::Key_B), this,
+                &DeckWindow::showDesign);
   QAction* back = go->addAction(tr("Go &Back"), this, &DeckWindow::goBack);
   back->setShortcuts({QKeySequence(Qt::Key_PageUp), QKeySequence(Qt::ALT | Qt::Key_Left)});
   QAction* next = go->addAction(tr("&Next Rec"), this, &DeckWindow::nextRecord);

@@ -74,12 +74,26 @@ std::string of_result(const std::string& id, const deck::Deck& deck, const std::
   if (id == "viscosity_ratio" && deck.integer("kTrac") <= 0)
     return "the deck has no lubricant (kTrac = 0) and no oil by grade (record X2 in ADORE.json)";
   if (starts_with_one_of(id, {"bpfo_", "bpfi_", "ftf_"}) && deck.integer("mode") < 0) return {};
-  const bool of_start = starts_with_one_of(
-      id,
-      {"displacement_", "load_x", "load_y", "load_z", "load_about_", "largest_pressure_",
-       "stiffness_", "friction_", "least_element_load_", "largest_approach_", "gyroscopic_ratio",
-       "bsf_", "viscosity_ratio", "outer_race_temperature", "inner_race_temperature",
-       "element_temperature", "coolant_exit_", "operating_", "outer_fit_", "inner_fit_"});
+  const bool of_start = starts_with_one_of(id, {"displacement_",
+                                                "load_x",
+                                                "load_y",
+                                                "load_z",
+                                                "load_about_",
+                                                "largest_pressure_",
+                                                "stiffness_",
+                                                "friction_",
+                                                "least_element_load_",
+                                                "largest_approach_",
+                                                "gyroscopic_ratio",
+                                                "bsf_",
+                                                "viscosity_ratio",
+                                                "outer_race_temperature",
+                                                "inner_race_temperature",
+                                                "element_temperature",
+                                                "coolant_exit_",
+                                                "operating_",
+                                                "outer_fit_",
+                                                "inner_fit_"});
   if (of_start)
     return deck.integer("mode") < 0
                ? ""

@@ -208,7 +208,7 @@ TEST_CASE("adrinput: deck without motion → reported next to the end time and i
   window.show();
   window.showRecord("2.1");
   REQUIRE(QTest::qWaitFor([&] { return window.document().scales().has_value(); }, 60000));
-  const auto sweep_says = [&](const QString& typed) {
+  const auto sweep_message = [&](const QString& typed) {
     for (QAction* action : window.findChildren<QAction*>())
       if (action->text().contains("weep a variable")) action->trigger();
     auto* dialog = window.findChild<QInputDialog*>("sweep");
@@ -220,13 +220,13 @@ TEST_CASE("adrinput: deck without motion → reported next to the end time and i
     return said;
   };
   CHECK_FALSE(beside(window, "fTime").contains("maxStps"));
-  CHECK_FALSE(sweep_says("appLoadZ=1:2:3").contains("The runs have no motion"));
+  CHECK_FALSE(sweep_message("appLoadZ=1:2:3").contains("The runs have no motion"));
   window.document().edit(cell("maxStps"), "0");
   window.checkNow();
   CHECK(beside(window, "fTime").contains("maxStps is 0"));
   CHECK_FALSE(beside(window, "fTime").contains("revolution"));  // which nobody will see
-  CHECK(sweep_says("appLoadZ=1:2:3").contains("The runs have no motion"));
-  CHECK_FALSE(sweep_says("maxStps=10:20:2").contains("The runs have no motion"));
+  CHECK(sweep_message("appLoadZ=1:2:3").contains("The runs have no motion"));
+  CHECK_FALSE(sweep_message("maxStps=10:20:2").contains("The runs have no motion"));
 }
 
 TEST_CASE("adrinput: header of a deck → result of a run is announced", "[gui][adrinput][daily]") {

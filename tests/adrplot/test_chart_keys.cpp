@@ -238,8 +238,8 @@ TEST_CASE("plot_window: the keys of the chart are its own, and a frame shows whe
 namespace {
 
 /// Every action has an effect, or is gray with a reason.
-void check_deeds(ChartView& view, const QList<QAction*>& actions, const QStringList& read,
-                 int& done, int& grey) {
+void check_actions(ChartView& view, const QList<QAction*>& actions, const QStringList& read,
+                   int& done, int& grey) {
   // Performing one changes the state for the next: what they are is tried from many states.
   for (int d = 0; d < desktop::kChartDeeds; ++d) {
     const auto deed = static_cast<ChartDeed>(d);
@@ -283,11 +283,11 @@ TEST_CASE("plot_window: a key of the chart does something or is gray and says wh
         INFO("kind " << static_cast<int>(kind) << " domain " << static_cast<int>(domain) << " page "
                      << page);
         read.clear();
-        check_deeds(shown.view(), actions, read, done, grey);
+        check_actions(shown.view(), actions, read, done, grey);
         for (const ChartDeed first : {ChartDeed::ZoomIn, ChartDeed::ReadFarOn, ChartDeed::CursorB,
                                       ChartDeed::EnlargeValues, ChartDeed::FarLeft})
           shown.view().perform(first);
-        check_deeds(shown.view(), actions, read, done, grey);
+        check_actions(shown.view(), actions, read, done, grey);
       }
     }
   }

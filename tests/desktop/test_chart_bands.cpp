@@ -138,7 +138,7 @@ namespace {
 
 constexpr const char* kSaid = "Min–max bands reach beyond.";
 
-bool says_pale(const ChartScene& scene) {
+bool note_on_pale_bands(const ChartScene& scene) {
   QString out;
   for (const QGraphicsItem* item : scene.items())
     if (const auto* text = qgraphicsitem_cast<const QGraphicsSimpleTextItem*>(item))
@@ -154,7 +154,7 @@ int pale_pixels(ChartScene& scene, const ChartPage& page, QSize size) {
   ChartScene other;
   other.setTheme(theme(ThemeKind::Light));
   other.setPageSize(size);
-  bare.note += says_pale(scene) ? kSaid : "";
+  bare.note += note_on_pale_bands(scene) ? kSaid : "";
   bare.band_note.clear();
   other.setPage(bare);
   // The same axes: what differs is the area alone.
@@ -211,7 +211,7 @@ TEST_CASE("chart_scene: visible min-max band → explained in every picture size
           last.high[120] = std::max(last.y[119], last.y[120]) + (0.8 + pixels) * pixel;
           page.band_note = kSaid;
           scene.setPage(page);
-          const bool said = says_pale(scene);
+          const bool said = note_on_pale_bands(scene);
           const int pale = pale_pixels(scene, page, size);
           INFO(size.width() << " wide, " << panels << " panels, slope " << slope << ", " << pixels
                             << " px: " << pale << " pale pixels");

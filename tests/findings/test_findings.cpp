@@ -36,7 +36,7 @@ const Json& table() {
 }
 
 /// Standard output of the program.
-std::string adore_says(const QStringList& arguments) {
+std::string output_of_adore(const QStringList& arguments) {
   adore::test::use_qt();
   QProcess program;
   program.start(QString::fromStdString(adore::test::program("adore").string()), arguments);
@@ -75,7 +75,7 @@ struct Said {
   bool error = false;
 
   void add(const QStringList& arguments) {
-    const Json findings = Json::parse(adore_says(arguments)).at("findings");
+    const Json findings = Json::parse(output_of_adore(arguments)).at("findings");
     last.clear();
     add_codes(findings, last);
     all.insert(last.begin(), last.end());
@@ -95,7 +95,7 @@ Said said_by_cli(const Json& deck, const QString& folder) {
   const Json sets = deck.value("set", Json::object());
   for (const auto& [name, value] : sets.items())
     make << "--set" << QString::fromStdString(name + "=" + text_of(value));
-  adore_says(make << "--out" << file);
+  output_of_adore(make << "--out" << file);
   const fs::path path = folder.toStdString();
   if (deck.contains("opt")) std::ofstream(path / "ADORE.json") << deck.at("opt").dump();
   const Json files = deck.value("files", Json::object());
@@ -103,7 +103,7 @@ Said said_by_cli(const Json& deck, const QString& folder) {
   Said out;
   if (!deck.contains("runs")) {
     out.add({"check", file, "--json"});
-    if (!out.error) adore_says({"run", file, "--until", "1e-6s", "--quiet"});
+    if (!out.error) output_of_adore({"run", file, "--until", "1e-6s", "--quiet"});
     return out;
   }
   for (const Json& step : deck.at("runs")) {
@@ -229,12 +229,12 @@ TEST_CASE("findings: a run with all codes of the register → each is listed in 
 TEST_CASE("findings: runs of a study → counted by code in REPORT.txt", "[findings][gui]") {
   const QTemporaryDir folder;
   const std::string path = folder.path().toStdString();
-  adore_says({"new", "angular-218", "--out", folder.path() + "/DATA.txt"});
+  output_of_adore({"new", "angular-218", "--out", folder.path() + "/DATA.txt"});
   std::ofstream(path + "/a.json") << R"({"adore_study": 1, "kind": "tolerance", "deck": "DATA.txt",
     "options": {"ballFriction": "spin-rule"},
     "variables": [{"name": "rpm2", "uniform": [9900, 10100]}], "sampling": {"runs": 3},
     "quantities": ["load_x_N"]})";
-  adore_says({"study", "run", folder.path() + "/a.json", "--quiet"});
+  output_of_adore({"study", "run", folder.path() + "/a.json", "--quiet"});
   const std::string report = adore::test::bytes_of(path + "/a.study/REPORT.txt");
   for (const char* line :
        {"3        warning   statics.shoulder", "3        warning   statics.gyroscopic"})

@@ -45,7 +45,7 @@ double result(const facade::RunOutcome& run, const char* id) {
   return std::nan("");
 }
 
-bool says_tolerance(const facade::RunOutcome& run) {
+bool reports_tolerance(const facade::RunOutcome& run) {
   for (const Issue& issue : run.warnings)
     if (issue.message.find("films broke down") != std::string::npos) return true;
   return false;
@@ -64,7 +64,7 @@ TEST_CASE(
         run_of("240", "13", mode, 1e-6, folder / fmt::format("{}u", mode));
     const facade::RunOutcome tight =
         run_of("240", "13", mode, 1e-8, folder / fmt::format("{}t", mode));
-    CHECK(says_tolerance(usual));
+    CHECK(reports_tolerance(usual));
     CHECK(result(usual, "mean_power_loss_W") ==
           Approx(result(tight, "mean_power_loss_W")).epsilon(0.01));
     CHECK(result(usual, "mean_cage_ratio") ==
@@ -74,5 +74,5 @@ TEST_CASE(
 
 TEST_CASE("oil at 320 K: contacts roll, and the tolerance stays the deck's", "[validation][film]") {
   const testing::TemporaryFolder folder;
-  CHECK_FALSE(says_tolerance(run_of("320", "13", "0", 1e-6, folder / "warm")));
+  CHECK_FALSE(reports_tolerance(run_of("320", "13", "0", 1e-6, folder / "warm")));
 }
