@@ -252,8 +252,8 @@ class DeckVariables:
     """Record 5A [m]. Composite rms roughness of rolling element and inner race: square root of the sum of both
     squared values. The film parameter is film thickness divided by this value."""
     bReCrn: float
-    """Record 5B.1 [m]. Crown radius of the roller profile. For a roller without crown, enter 1.0e+10 here and
-    bReCenLen = bReLen."""
+    """Record 5B.1 [m]. Crown radius of the roller profile. 0 is a straight roller without crown, whatever bReCenLen
+    is."""
     bReLen: float
     """Record 5B.1 [m]. Roller length from end to end."""
     bReCenLen: float
@@ -1221,3 +1221,56 @@ class DeckVariables:
     gravityVecZ: float
     """Record 11 [m/s^2]. Gravity acceleration along z. A negative value points away from the usual direction of the
     radial load."""
+    ratingC: float
+    """Record X1 [N]. Dynamic load rating C that the maker publishes. It replaces the ISO 281 estimate."""
+    ratingC0: float
+    """Record X1 [N]. Static load rating C0 that the maker publishes. It replaces the ISO 76 estimate."""
+    ratingCu: float
+    """Record X1 [N]. Fatigue load limit Cu (Pu) that the maker publishes. It replaces the ISO 281 estimate."""
+    ratingE: float
+    """Record X1. Limit e of the ratio of axial to radial load, above which X and Y apply."""
+    ratingX: float
+    """Record X1. Radial load factor X for axial loads above e times the radial load."""
+    ratingY: float
+    """Record X1. Axial load factor Y for axial loads above e times the radial load."""
+    ratingVM: float
+    """Record X1 [N/m^2]. Von Mises fatigue limit stress of both races. It replaces the limit of the material in the
+    stress-life models."""
+    oilName: str
+    """Record X2. Name of the oil; for documentation only."""
+    kOilBase: int
+    """Record X2. Base oil, for estimates of properties that are not given. Not given: mineral oil."""
+    kGrease: int
+    """Record X2. Oil or grease."""
+    oilGrade: int
+    """Record X2. ISO viscosity grade: the viscosity at 40 °C in mm^2/s."""
+    oilVisc1: float
+    """Record X2 [mm^2/s]. Kinematic viscosity at oilTemp1, instead of a grade."""
+    oilTemp1: float
+    """Record X2 [K]. Temperature of oilVisc1. Not given: 40 °C."""
+    oilVisc2: float
+    """Record X2 [mm^2/s]. Kinematic viscosity at oilTemp2."""
+    oilTemp2: float
+    """Record X2 [K]. Temperature of oilVisc2. Not given: 100 °C."""
+    oilIndex: float
+    """Record X2. Viscosity index, with a grade or with oilVisc1 at 40 °C. Not given: 95 for mineral oil, 140 for
+    polyalphaolefin and ester, 200 for polyglycol (estimates)."""
+    oilDen: float
+    """Record X2 [kg/m^3]. Density at 15 °C. Not given: estimated from the base oil."""
+    oilPrCoeff: float
+    """Record X2 [m^2/N]. Pressure-viscosity coefficient at 40 °C. Not given: estimated from viscosity and base oil."""
+    oilTemp: float
+    """Record X2 [K]. Temperature of the bearing for the viscosity ratio of ISO 281. Not given: mean of the race
+    temperatures."""
+    matEM: np.ndarray
+    """Record X3 [N/m^2]. Elastic modulus of outer race, inner race and rolling elements. One value applies to all
+    three. It replaces the value of the material."""
+    matPR: np.ndarray
+    """Record X3. Poisson ratio of outer race, inner race and rolling elements."""
+    matDen: np.ndarray
+    """Record X3 [kg/m^3]. Density of outer race, inner race and rolling elements."""
+    matCTE: np.ndarray
+    """Record X3 [1/K]. Thermal expansion coefficient of outer race, inner race and rolling elements."""
+    startAngle: float
+    """Record X4 [deg]. Azimuth of element 1 at the start and in the quasi-static solution, positive from the radial
+    direction z about the bearing axis. Not given: 0."""
