@@ -7,7 +7,7 @@ include(CMakePackageConfigHelpers)
 set(ADORE_NOT_IN_THE_SHARED_LIBRARY drawing reference)
 
 set(ADORE_PUBLIC_HEADERS
-    base/errors.hpp base/finding.hpp base/interrupted.hpp base/version.hpp base/write_folder.hpp bearing/life_inputs.hpp
+    base/errors.hpp base/finding.hpp base/interrupted.hpp base/version.hpp base/write_folder.hpp bearing/grade_oil.hpp bearing/life_inputs.hpp bearing/lubrication.hpp
     calculators/adapter.hpp calculators/calculator_description.hpp calculators/calculators.hpp
     deck/deck.hpp deck/defaults.hpp deck/difference.hpp deck/keep_text.hpp deck/no_part.hpp deck/schema.hpp deck/templates.hpp
     deck/unit_change.hpp deck/units.hpp

@@ -297,7 +297,6 @@ std::vector<std::string> answer_lines(const FindReport& report) {
   for (const FindFailure& failure : outcome.failures)
     out.push_back(fmt::format("Not computed for {} from {:.6g} to {}: {}", x.name, failure.from,
                               with_unit(failure.to, x.unit), failure.reason));
-  for (const std::string& remark : report.remarks) out.push_back(remark);
   return out;
 }
 
@@ -340,7 +339,6 @@ Json find_json(const FindReport& report) {
   for (const FindFailure& failure : outcome.failures)
     out["not_computed"].push_back(
         {{"from", failure.from}, {"to", failure.to}, {"reason", failure.reason}});
-  out["remarks"] = report.remarks;
   out["scan"] = Json::array();
   for (const FindSample& sample : outcome.samples)
     out["scan"].push_back({{"value", sample.x}, {"target", number(sample.value)}});

@@ -39,7 +39,6 @@ struct FindReport {
   FindUnknown unknown;
   FindTarget target;
   FindOutcome outcome;
-  std::vector<std::string> remarks;  ///< what limits the answer: sentences
 };
 
 /// "one", "not_monotonic", "many", "everywhere", "none", "not_computed"

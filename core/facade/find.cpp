@@ -156,7 +156,7 @@ FindReport find_in_deck(const FindRequest& request, std::stop_token stop,
   if (!idle.empty())
     throw InputError(
         fmt::format("unknown {}: the deck does not use it ({}). Choose another "
-                    "variable, or change the deck with --set.",
+                    "variable, or change the deck.",
                     request.unknown.name, idle));
   return out;
 }

@@ -46,11 +46,12 @@ void read_profile(const Deck& deck, Type type, bearing::RollerGeometry& out) {
   out.diameter = deck.si("bReDia");
   out.length = deck.si("bReLen");
   out.crown_radius = deck.si("bReCrn");
-  out.central_length = given(deck, "bReCenLen");
-  if (!barrel && out.crown_radius == 0.0) {  // a straight roller
+  if (!barrel && out.crown_radius == 0.0) {  // a straight roller: bReCenLen plays no part
     constexpr double kStraight = 1e10;       // [m]
     out.crown_radius = kStraight;
     out.central_length = out.length;
+  } else {
+    out.central_length = given(deck, "bReCenLen");
   }
   out.corner_radius = {given(deck, "bReCorRad1"), given(deck, "bReCorRad2")};
   out.end_radius = {given(deck, "bReEndRad1"), given(deck, "bReEndRad2")};

@@ -94,6 +94,7 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (is_one_of(name, {"appLoadX", "appLoadY", "appLoadZ", "appMomY", "appMomZ", "appDispX",
                        "appDispY", "appDispZ", "appMis12", "appMis22"}))
     return "kFS1 to kFS5 select the other quantity (load or displacement) for this direction";
+  if (name == "bReCenLen") return "a straight roller (bReCrn = 0) has no central land";
   if (name == "freeIntCls") return "freeConAng above 0 sets the clearance";
   if (name.starts_with("rpmRange"))
     return "the table has one speed only, so the last speed is "

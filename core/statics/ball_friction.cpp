@@ -401,9 +401,10 @@ std::optional<CageOrbit> cage_orbit(const Bearing& bearing, const std::vector<Ba
                                     const StaticSolution& solution) {
   if (!bearing.cage) return std::nullopt;
   const double clearance = bearing.cage->pocket_clearance_1;
-  double load = 0.0, heaviest = 0.0, mean = 0.0;
+  double load = 0.0, heaviest = 0.0, mean = 0.0, radius = 0.0;
   int count = 0;
   for (std::size_t k = 0; k < balls.size(); ++k) {
+    radius += solution.balls[k].r / static_cast<double>(balls.size());
     if (!balls[k].balanced) continue;
     if (solution.balls[k].Q[1] > load) {
       load = solution.balls[k].Q[1];
@@ -412,14 +413,16 @@ std::optional<CageOrbit> cage_orbit(const Bearing& bearing, const std::vector<Ba
     mean += balls[k].orbit;
     ++count;
   }
-  if (count < 2) return std::nullopt;
+  if (count < 2 || mean == 0.0) return std::nullopt;
   mean /= count;
+  // The mean radius and orbit: the departures then add up to nothing around the bearing, so that
+  // the variation does not depend on the ball that is counted first.
   std::vector<double> departure(balls.size(), 0.0);
   double place = 0.0, least = 0.0, most = 0.0;  // ahead of the cage [m]
   for (std::size_t k = 0; k < balls.size(); ++k) {
     if (balls[k].balanced) departure[k] = balls[k].orbit - mean;
-    place += departure[k] / heaviest * 2.0 * std::numbers::pi / static_cast<double>(balls.size()) *
-             solution.balls[k].r;
+    place +=
+        departure[k] / mean * 2.0 * std::numbers::pi / static_cast<double>(balls.size()) * radius;
     least = std::min(least, place);
     most = std::max(most, place);
   }

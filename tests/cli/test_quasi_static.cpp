@@ -69,36 +69,40 @@ TEST_CASE("roller decks in SI and in English units give the same results", "[cli
       }
     write_deck(si, folder / "SI.txt");
     write_deck(english, folder / "EN.txt");
-    std::array<json, 2> result;
-    for (const std::size_t k : {0U, 1U}) {
-      const fs::path out = folder / (k == 0 ? "si" : "en");
-      const Result run = run_adore("run " + (folder / (k == 0 ? "SI.txt" : "EN.txt")).string() +
-                                   " --quiet --out " + out.string());
-      INFO(type << "\n" << run.out);
-      REQUIRE(run.code == 0);
-      result[k] = json::parse(read(out / "RUN.json")).at("summary");
-    }
-    // A result that is small compared with others of its unit (a load from rounding, a tilt) has
-    // the accuracy of the largest of them.
-    std::map<std::string, double> scale;
-    const auto unit_of = [](const std::string& key) {
-      return std::string(results::find_key_result(key).unit->si);
-    };
-    for (const auto& [key, value] : result[0].items())
-      if (value.is_number()) {
-        double& largest = scale[unit_of(key)];
-        largest = std::max(largest, std::abs(value.get<double>()));
+    // Friction equilibria of rollers have derivatives by differences, which amplify rounding.
+    for (const auto& [options, accuracy] :
+         {std::pair{std::string(" --opt rollerFriction=none"), 1e-10}, {std::string(), 1e-6}}) {
+      std::array<json, 2> result;
+      for (const std::size_t k : {0U, 1U}) {
+        const fs::path out = folder / (k == 0 ? "si" : "en");
+        const Result run = run_adore("run " + (folder / (k == 0 ? "SI.txt" : "EN.txt")).string() +
+                                     " --quiet --overwrite --out " + out.string() + options);
+        INFO(type << "\n" << run.out);
+        REQUIRE(run.code == 0);
+        result[k] = json::parse(read(out / "RUN.json")).at("summary");
       }
-    scale["N.m"] = std::max(scale["N.m"], 0.01 * scale["N"]);  // loads times a centimeter
-    int compared = 0;
-    for (const auto& [key, value] : result[0].items()) {
-      if (!value.is_number() || result[1].at(key).is_null()) continue;
-      CAPTURE(type, key);
-      CHECK(result[1].at(key).get<double>() ==
-            Approx(value.get<double>()).epsilon(1e-10).margin(1e-10 * scale[unit_of(key)]));
-      ++compared;
+      // A result that is small compared with others of its unit (a load from rounding, a tilt) has
+      // the accuracy of the largest of them.
+      std::map<std::string, double> scale;
+      const auto unit_of = [](const std::string& key) {
+        return std::string(results::find_key_result(key).unit->si);
+      };
+      for (const auto& [key, value] : result[0].items())
+        if (value.is_number()) {
+          double& largest = scale[unit_of(key)];
+          largest = std::max(largest, std::abs(value.get<double>()));
+        }
+      scale["N.m"] = std::max(scale["N.m"], 0.01 * scale["N"]);  // loads times a centimeter
+      int compared = 0;
+      for (const auto& [key, value] : result[0].items()) {
+        if (!value.is_number() || result[1].at(key).is_null()) continue;
+        CAPTURE(type, key, options);
+        CHECK(result[1].at(key).get<double>() ==
+              Approx(value.get<double>()).epsilon(accuracy).margin(accuracy * scale[unit_of(key)]));
+        ++compared;
+      }
+      CHECK(compared > 15);
     }
-    CHECK(compared > 15);
   }
 }
 

@@ -4,7 +4,7 @@
 >>> deck = adore.new("ball")                         # or adore.read("DATA.txt")
 >>> deck.rpm2 = 12000
 >>> round(deck.statics().summary["largest_contact_load_N"])
-398
+397
 >>> run = deck.run(until="0.02rev", progress=False)  # Ctrl-C leaves valid files
 >>> run["contact.load"].shape[1:]                    # after the step axis: elements, races [N]
 (12, 2)

@@ -204,7 +204,8 @@ TEST_CASE(
     "[validation][film][slow]") {
   const testing::TemporaryFolder folder;
   Sets sets = cold_against();
-  sets.emplace_back("maxStps", "40");
+  for (const auto& one : Sets{{"maxStps", "40"}, {"intMet", "5"}, {"stpMax", "0.5"}})
+    sets.push_back(one);
   Sets coarse = sets;
   coarse.emplace_back("tol", "1.0e-4");
   const testing::Ran loose =

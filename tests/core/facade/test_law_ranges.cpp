@@ -136,7 +136,7 @@ std::vector<Left> left_ranges() {
         {}}},
       {"cage.yield",
        {"ball",
-        {{"rpm2", "11388.0"}, {"appLoadX", "394.0"}, {"appLoadZ", "693.0"}, {"maxStps", "40"}},
+        {{"rpm2", "21000.0"}, {"appLoadX", "394.0"}, {"appLoadZ", "693.0"}, {"maxStps", "40"}},
         {}},
        true,
        "yields"},

@@ -107,6 +107,8 @@ TEST_CASE("mode 2: rollers that barely touch → the inner race stays in balance
   const auto at = [](const char* substeps) {
     return run("tapered",
                {{"nStps", substeps},
+                {"intMet", "5"},
+                {"stpMax", "0.5"},
                 {"appLoadY", "97.2130434"},
                 {"appLoadZ", "-62.9025898"},
                 {"appLoadX", "107.435588"},

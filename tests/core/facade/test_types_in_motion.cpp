@@ -263,9 +263,13 @@ TEST_CASE("crowned raceways: decks run, and the crown acts", "[validation][rolle
     const std::string flat = pressure("flat", {});
     CHECK(pressure("land only", {{"raceCenLen2", "0.004"}}) == flat);
     CHECK(pressure("crown", {{"raceCrn2", "1"}, {"raceCenLen2", "0.002"}}) != flat);
-    const Ran ran =
-        run_deck(deck_of(type, {{"raceCrn1", "2"}, {"raceCrn2", "1"}, {"raceCenLen2", "0.002"}}),
-                 folder / "motion");
+    const Ran ran = run_deck(deck_of(type, {{"raceCrn1", "2"},
+                                            {"raceCrn2", "1"},
+                                            {"raceCenLen2", "0.002"},
+                                            {"intMet", "5"},
+                                            {"stpMax", "0.5"},
+                                            {"tol", "1e-6"}}),
+                             folder / "motion");
     CHECK(std::abs(ran.outcome.energy_residual) < 1e-5 * ran.outcome.energy_scale);
     CHECK_THAT(ran.print, Catch::Contains("Crown radius of the inner race"));
     CHECK_THAT(
