@@ -22,6 +22,13 @@ void add_lives(KeyResults& out, const life::BearingLife& life) {
         life::life_hours(life.state.of(model, modification).L_S, life.state.relative_speed)));
   };
   add(LifeModel::Original, LifeModification::None);
+  const bearing::LifeChoices& choices = life.parameters.choices;
+  if (choices.stored_model != LifeModel::Original ||
+      choices.stored_modification != LifeModification::None)
+    add(choices.stored_model, choices.stored_modification);
+}
+
+void add_iso_lives(KeyResults& out, const life::BearingLife& life) {
   if (life.iso) {
     const auto hours = [&](const char* id, const std::optional<double>& L) {
       if (L) out.push_back(key_result(id, life::life_hours(*L, life.state.relative_speed)));
@@ -32,10 +39,6 @@ void add_lives(KeyResults& out, const life::BearingLife& life) {
     if (life.iso->kappa && life.iso->kappa_origin == "oil")
       out.push_back(key_result("viscosity_ratio", *life.iso->kappa));
   }
-  const bearing::LifeChoices& choices = life.parameters.choices;
-  if (choices.stored_model != LifeModel::Original ||
-      choices.stored_modification != LifeModification::None)
-    add(choices.stored_model, choices.stored_modification);
 }
 
 void add_fits(KeyResults& out, const bearing::OperatingFits& fits) {
@@ -98,10 +101,12 @@ KeyResults static_results(const Prepared& prepared) {
 
 KeyResults equilibrium_results(const Prepared& prepared) {
   KeyResults out = static_results(prepared);
-  add_extremes(out, prepared);
   add_heat(out, prepared);
   if (prepared.bearing.operating) add_fits(out, *prepared.bearing.operating);
   add_lives(out, prepared.life);
+  // Later ones at the end: scripts may count the columns of tables.
+  add_iso_lives(out, prepared.life);
+  add_extremes(out, prepared);
   add_frequencies(out, prepared, static_frequencies(prepared));
   return out;
 }

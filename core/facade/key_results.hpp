@@ -35,6 +35,8 @@ void add_fits(KeyResults& out, const bearing::OperatingFits& fits);
 /// Life of the bearing by the original theory, and by the model that run option sol7Life asks for
 /// if that is another one [hr]: life_lp_hours, life_gz_stle_hours.
 void add_lives(KeyResults& out, const life::BearingLife& life);
+/// By ISO 281 and ISO/TS 16281, and the viscosity ratio of an oil by grade.
+void add_iso_lives(KeyResults& out, const life::BearingLife& life);
 
 /// Elastic energy of the contacts in the quasi-static solution that the run starts from [J].
 [[nodiscard]] double static_elastic(const Prepared& prepared);

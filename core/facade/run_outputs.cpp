@@ -748,7 +748,6 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   run.measured_from = s.continued_at;
   s.key_results = dynamic_results(s.last, s.averages.averages(), s.mean_load());
   add_lives(s.key_results, s.prepared.life);
-  add_frequencies(s.key_results, s.prepared, motion_frequencies(s.prepared, s.averages.averages()));
   const listing::RunLife run_life = s.life.run_life();
   if (run_life.damage.seconds() > 0.0) {
     s.key_results.push_back(
@@ -758,6 +757,8 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
     if (!std::isnan(run_life.relative_error))
       s.key_results.push_back(results::key_result("run_life_spread", run_life.relative_error));
   }
+  add_iso_lives(s.key_results, s.prepared.life);
+  add_frequencies(s.key_results, s.prepared, motion_frequencies(s.prepared, s.averages.averages()));
   run.summary = s.key_results;
   run.accuracy["means"] = results::mean_errors_json(s.averages.errors());
   run.life["run"] = listing::run_life_json(run_life);

@@ -52,7 +52,8 @@ TEST_CASE("every sentence of the program that names an option has words for the 
   // Only who gives these options meets these sentences, and the window gives none; scripts;
   // examples of the help.
   const QRegularExpression not_ours(
-      "^(--until \\{|--tol \\{|--integrator \\{| --opt \\{| --set \\{|--reproducible|#!|adore find )");
+      "^(--until \\{|--tol \\{|--integrator \\{| --opt \\{| --set \\{|--reproducible|#!|adore find "
+      ")");
   int sentences = 0;
   for (const auto& entry : fs::recursive_directory_iterator(test::source_dir() / "core")) {
     // Command lines to be copied, whole.
