@@ -413,16 +413,16 @@ std::optional<CageOrbit> cage_orbit(const Bearing& bearing, const std::vector<Ba
     mean += balls[k].orbit;
     ++count;
   }
-  if (count < 2 || mean == 0.0) return std::nullopt;
+  if (count < 2 || heaviest == 0.0) return std::nullopt;
   mean /= count;
-  // The mean radius and orbit: the departures then add up to nothing around the bearing, so that
-  // the variation does not depend on the ball that is counted first.
+  // With one radius the departures add up to nothing around the bearing, so that the variation does
+  // not depend on the ball that is counted first.
   std::vector<double> departure(balls.size(), 0.0);
   double place = 0.0, least = 0.0, most = 0.0;  // ahead of the cage [m]
   for (std::size_t k = 0; k < balls.size(); ++k) {
     if (balls[k].balanced) departure[k] = balls[k].orbit - mean;
-    place +=
-        departure[k] / mean * 2.0 * std::numbers::pi / static_cast<double>(balls.size()) * radius;
+    place += departure[k] / heaviest * 2.0 * std::numbers::pi / static_cast<double>(balls.size()) *
+             radius;
     least = std::min(least, place);
     most = std::max(most, place);
   }
