@@ -350,7 +350,7 @@ void DesignForm::take(Field& field, bool finished) {
   const bool valid = !document_.parse(cells.front(), meant).problem;
   paint_invalid(*field.line, !valid);
   if (!valid && !finished) return;  // incomplete
-  // The user goes on typing: the field is not replaced meanwhile.
+  // The text of a field that is being edited is not replaced.
   taking_ = true;
   if (cells.size() == 1) {
     document_.edit(cells.front(), valid ? meant : typed);

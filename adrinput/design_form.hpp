@@ -25,7 +25,7 @@ class DesignForm : public QWidget {
 
   /// The document has changed.
   void sync();
-  /// A valid text that is still being typed becomes the value; the user goes on typing.
+  /// Enters the text into the deck if it is valid, and leaves it in the field.
   void accept();
   /// The same for any text, as when its field is left.
   void finish();

@@ -280,7 +280,7 @@ void Reader::read_extension() {
     record_reader_.read(spec, 1);
     if (again) state_.deck().records.pop_back();
   }
-  // In the order of the schema, whatever their order in the text.
+  // Sorted as in the schema.
   std::vector<RecordData>& all = state_.deck().records;
   const auto first = std::find_if(all.begin(), all.end(),
                                   [](const RecordData& data) { return is_extension(data.id); });

@@ -80,7 +80,8 @@ double gauss(double z) { return std::exp(-0.5 * z * z); }
 /// Long tails: conventions of makers.
 double student(double z) { return std::pow(1.0 + z * z / 4.0, -2.5); }
 
-/// Habits of a type of roller bearings: shares of section, width and circle.
+/// Usual proportions of a type of roller bearings: shares of section, width and circle
+/// [estimated].
 struct RollerHabit {
   double section, section_spread, width, width_spread, fill, fill_spread, rating_factor;
 };

@@ -14,10 +14,12 @@
 /// odd 64ths and whole or half millimeters less likely), or rollers in steps of 0.5 mm, and every
 /// Z. Equations (γ = D cos α / dm, inner ring rotating, outer ring at rest, per revolution):
 ///   BPFO = Z (1 - γ)/2   BPFI = Z (1 + γ)/2   FTF = (1 - γ)/2   BSF = (dm/D)(1 - γ²)/2
-///   balls    C = 1.3 f_c (i cos α)^0.7 Z^(2/3) D^1.8 (3.647 D^1.4 above 25.4 mm)   C0 = f_0 i Z D²
-///   cos α rollers  C = b_m f_c (i L cos α)^(7/9) Z^(3/4) D^(29/27)     C0 = 44 (1 - γ) i Z L D cos
-///   α
-/// with f_c and f_0 of core/life (ISO 281, ISO 76). L of rollers follows from C0, else from C.
+///   balls    C = 1.3 f_c (i cos α)^0.7 Z^(2/3) D^1.8 (3.647 D^1.4 above 25.4 mm)
+///   balls    C0 = f_0 i Z D² cos α
+///   rollers  C = b_m f_c (i L cos α)^(7/9) Z^(3/4) D^(29/27)
+///   rollers  C0 = 44 (1 - γ) i Z L D cos α
+/// in N with lengths in mm, with f_c and f_0 of core/life (ISO 281, ISO 76). L of rollers follows
+/// from C0, else from C.
 /// dm is the mean of bore and outside diameter within 3 %, or follows from the fault factors.
 /// Conventions of makers, each a hypothesis with its own spread (fitted to the bearings "rules" of
 /// tests/candidates): grooves of 0.52 (C 1.015 ± 0.035, C0/C 1.02 ± 0.02 times those of the
