@@ -3,6 +3,7 @@
 #include "desktop/axis_scale.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,20 @@ struct ChartCurve {
   [[nodiscard]] double value(std::size_t i) const { return y[i] - lift; }
 };
 
+/// Vertical axis and colors of a panel whose curves are the rows of a map: each curve is one row at
+/// its place on the axis, each value a color. Values of a map have no gaps between stored places:
+/// a color reaches half the distance to the neighbors.
+struct ChartRows {
+  std::string title, unit;       ///< vertical axis: "Time", "s"
+  std::vector<double> at;        ///< place of each curve; increasing
+  std::string value_title;       ///< of the color bar: "Amplitude"
+  double low = 0.0, high = 1.0;  ///< values of the first and last color, in the unit of the panel
+};
+
+/// Limits between the neighbors of increasing places, half a distance beyond the first and last:
+/// one more than places.
+[[nodiscard]] std::vector<double> limits_between(const std::vector<double>& places);
+
 struct ChartPanel {
   std::string title;  ///< "Contact load"
   std::string unit;   ///< unit string of the result files, "" for a pure number
@@ -44,7 +59,9 @@ struct ChartPanel {
   /// Its lines are drawn above each other, each with its name next to it: instead of numbers on the
   /// axis, a bar shows the scale.
   bool scale_bar = false;
-  bool log = false;  ///< logarithmic axis; values of 0 and less cannot be drawn
+  bool log = false;                    ///< logarithmic axis; values of 0 and less cannot be drawn
+  int group = -1;  ///< that a user-defined chart gave to its curves
+  std::optional<ChartRows> rows = {};  ///< the curves are rows of a map
 };
 
 struct ChartMark {

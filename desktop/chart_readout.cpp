@@ -74,7 +74,7 @@ QStringList ChartScene::readoutParts(QPointF position) const {
                 : tr("%1 runs (first: %2). Click to open.").arg(runs.size()).arg(runs.front())};
   if (isPlane()) return planeReadout(position);
   if (page_.equal_axes || page_.x.empty() || !panelAt(position)) return {};
-  return storedParts(0, nearest_index(page_.x, abscissaAt(position.x())));
+  return storedParts(rowAt(position).value_or(0), nearest_index(page_.x, abscissaAt(position.x())));
 }
 
 QStringList ChartScene::storedParts(std::size_t of_orbit, std::size_t i) const {
@@ -89,6 +89,15 @@ QStringList ChartScene::storedParts(std::size_t of_orbit, std::size_t i) const {
   QStringList parts;
   for (std::size_t p = 0; p < page_.panels.size(); ++p) {
     const ChartPanel& panel = page_.panels[p];
+    if (panel.rows) {
+      const std::size_t row = std::min(of_orbit, panel.rows->at.size() - 1);
+      parts << "   " +
+                   told(panel.title,
+                        text_of(pretty_quantity(panel.rows->at[row], panel.rows->unit, 5)) + ": " +
+                            text_of(pretty_quantity(panel.curves[row].value(i), panel.unit,
+                                                    digitsOf(p, row))));
+      continue;
+    }
     bool first = true;
     for (std::size_t c = 0; c < panel.curves.size(); ++c) {
       const ChartCurve& curve = panel.curves[c];

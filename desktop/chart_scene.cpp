@@ -23,7 +23,7 @@ ChartScene::Metrics ChartScene::metrics() const {
 }
 
 QRectF ChartScene::space(const Metrics& m) const {
-  return {m.left, m.top, size_.width() - m.left - m.right - lineNamesWidth(m),
+  return {m.left, m.top, size_.width() - m.left - m.right - lineNamesWidth(m) - colorBarWidth(m),
           size_.height() - m.top - m.bottom};
 }
 
@@ -251,7 +251,7 @@ bool has_heads(const ChartPage& page) {
   constexpr qreal kShort = 200.0;
   const QFontMetricsF metrics(ui_font(13));
   return std::any_of(page.panels.begin(), page.panels.end(), [&](const ChartPanel& panel) {
-    return !panel.one_colour || metrics.horizontalAdvance(text_of(panel.title)) > kShort;
+    return (!panel.one_colour && !panel.rows) || metrics.horizontalAdvance(text_of(panel.title)) > kShort;
   });
 }
 
