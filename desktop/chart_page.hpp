@@ -26,11 +26,6 @@ struct ChartCurve {
   std::vector<bool> stored = {};
   bool hidden = false;     ///< by its entry in the legend
   std::string brief = {};  ///< complete name for readouts; empty: title and name
-  /// Offset contained in y, so that lines are drawn above each other.
-  double lift = 0.0;
-  double foot = 0.0;  ///< the value at which such a line begins, with its name
-  /// A value for readouts and tables.
-  [[nodiscard]] double value(std::size_t i) const { return y[i] - lift; }
 };
 
 /// Vertical axis and colors of a panel whose curves are the rows of a map: each curve is one row at
@@ -54,13 +49,9 @@ struct ChartPanel {
   bool wraps = false;  ///< an angle in degrees: jumps by more than half a revolution are not joined
   double least_span =
       0.0;  ///< smallest range of the vertical axis; finer detail is rounding of the data
-  std::string message = {};  ///< a message instead of curves without values
-  bool one_colour = false;   ///< curves of one family, without a legend
-  /// Its lines are drawn above each other, each with its name next to it: instead of numbers on the
-  /// axis, a bar shows the scale.
-  bool scale_bar = false;
+  std::string message = {};            ///< a message instead of curves without values
   bool log = false;                    ///< logarithmic axis; values of 0 and less cannot be drawn
-  int group = -1;  ///< that a user-defined chart gave to its curves
+  int group = -1;                      ///< that a user-defined chart gave to its curves
   std::optional<ChartRows> rows = {};  ///< the curves are rows of a map
 };
 

@@ -159,8 +159,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
                            ? addLegend(panel, shown, below_legend, labelsTop(area, y_axis, m), m)
                            : area.right();
   // A title too long for the side of its panel, even without its unit, is above it.
-  const bool numbered = scaled && !panel.scale_bar;
-  QString y_title = numbered ? with_unit(text_of(panel.title), y_axis) : text_of(panel.title);
+  QString y_title = scaled ? with_unit(text_of(panel.title), y_axis) : text_of(panel.title);
   qreal head = area.left();
   const QFontMetricsF title_metrics(ui_font(m.text_font));
   // One direction for the page.
@@ -177,8 +176,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
     head += title_metrics.horizontalAdvance(y_title) + 16.0;
     y_title.clear();
   }
-  addFrame(area, x_axis_, y_axis, x_title, y_title, bottom, numbered, m);
-  if (scaled && panel.scale_bar) addScaleBar(panel, area, y_axis, m);
+  addFrame(area, x_axis_, y_axis, x_title, y_title, bottom, scaled, m);
   std::vector<QPolygonF> drawn;
   for (const ShownCurve& one : shown)  // below all curves: none has the color of another's area
     if (!panel.curves[one.curve].low.empty())
@@ -192,7 +190,6 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
     addMessage(area, panel.message.empty() ? tr("The file has no values.") : text_of(panel.message),
                m);
   if (log_of_none) addMessage(area, tr("No value is above 0 (logarithmic axis)."), m);
-  if (panel.one_colour && scaled) addLineNames(panel, area, y_axis, m);
   if (scaled && !y_axis.offset_text.empty())
     addBase(y_axis, area, head, names_above ? head : legend, drawn, m);
   // Lines would cross the text of a message; their names are also at the panels below.

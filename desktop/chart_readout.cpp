@@ -38,8 +38,7 @@ void ChartScene::studyDigits() {
     for (const ChartCurve& curve : panel.curves) {
       Extent extent;
       for (const double v : curve.y) extent.include(v);
-      of_panel.push_back(
-          extent.empty() ? kDigits : digits_for(extent.low - curve.lift, extent.high - curve.lift));
+      of_panel.push_back(extent.empty() ? kDigits : digits_for(extent.low, extent.high));
     }
   }
 }
@@ -60,7 +59,7 @@ QString ChartScene::bandAt(std::size_t panel, std::size_t index, std::size_t pla
   const ChartCurve& curve = of.curves[index];
   if (place >= curve.low.size() || place >= curve.high.size()) return {};
   const auto text = [&](double v) {
-    return text_of(pretty_quantity(v - curve.lift, of.unit, digitsOf(panel, index)));
+    return text_of(pretty_quantity(v, of.unit, digitsOf(panel, index)));
   };
   const QString low = text(curve.low[place]), high = text(curve.high[place]);
   const bool known = std::isfinite(curve.low[place]) && std::isfinite(curve.high[place]);
@@ -94,7 +93,7 @@ QStringList ChartScene::storedParts(std::size_t of_orbit, std::size_t i) const {
       parts << "   " +
                    told(panel.title,
                         text_of(pretty_quantity(panel.rows->at[row], panel.rows->unit, 5)) + ": " +
-                            text_of(pretty_quantity(panel.curves[row].value(i), panel.unit,
+                            text_of(pretty_quantity(panel.curves[row].y[i], panel.unit,
                                                     digitsOf(p, row))));
       continue;
     }
@@ -102,7 +101,7 @@ QStringList ChartScene::storedParts(std::size_t of_orbit, std::size_t i) const {
     for (std::size_t c = 0; c < panel.curves.size(); ++c) {
       const ChartCurve& curve = panel.curves[c];
       if (i >= curve.y.size() || curve.hidden) continue;
-      QString value = text_of(pretty_quantity(curve.value(i), panel.unit, digitsOf(p, c)));
+      QString value = text_of(pretty_quantity(curve.y[i], panel.unit, digitsOf(p, c)));
       value += bandAt(p, c, i);
       const bool whole = !curve.brief.empty();
       QString part = whole                ? text_of(curve.brief) + ": " + value

@@ -234,19 +234,13 @@ QString ChartView::cursorReport() const {
                      ":";
       const auto value = [&](double x) {
         const std::size_t i = nearest_index(page.x, x);
-        return i < curve.y.size() ? curve.value(i) : kNone;
+        return i < curve.y.size() ? curve.y[i] : kNone;
       };
       const int digits = scene_->digitsOf(p, c);
       if (a) line += tr("  A %1").arg(quantity(value(cursors_[0]), panel.unit, digits));
       if (b) line += tr("  B %1").arg(quantity(value(cursors_[1]), panel.unit, digits));
       if (a && b) {
-        std::vector<double> lowered;
-        if (curve.lift != 0.0) {
-          lowered = curve.y;
-          for (double& v : lowered) v -= curve.lift;
-        }
-        const CurveStatistics s = statistics_between(page.x, lowered.empty() ? curve.y : lowered,
-                                                     cursors_[0], cursors_[1]);
+        const CurveStatistics s = statistics_between(page.x, curve.y, cursors_[0], cursors_[1]);
         line += tr("  B − A %1").arg(quantity(value(cursors_[1]) - value(cursors_[0]), panel.unit));
         if (s.count > 0)
           line +=
@@ -260,8 +254,8 @@ QString ChartView::cursorReport() const {
           line += tr(" (%1 to %2)").arg(quantity(s.first, unit), quantity(s.last, unit));
         if (const auto band = band_between(page.x, curve, cursors_[0], cursors_[1]))
           line += tr("  band %1 to %2")
-                      .arg(quantity(band->first - curve.lift, panel.unit, digits),
-                           quantity(band->second - curve.lift, panel.unit, digits));
+                      .arg(quantity(band->first, panel.unit, digits),
+                           quantity(band->second, panel.unit, digits));
       }
       lines << line;
     }
@@ -277,9 +271,9 @@ QString ChartView::rowsReport(const ChartPanel& panel) const {
     const std::size_t i = nearest_index(scene_->page().x, at);
     std::size_t best = 0;
     for (std::size_t r = 0; r < panel.curves.size(); ++r)
-      if (panel.curves[r].value(i) > panel.curves[best].value(i)) best = r;
+      if (panel.curves[r].y[i] > panel.curves[best].y[i]) best = r;
     out += tr("  %1 maximum %2 at %3")
-               .arg(name, quantity(panel.curves[best].value(i), panel.unit, 5),
+               .arg(name, quantity(panel.curves[best].y[i], panel.unit, 5),
                     quantity(panel.rows->at[best], panel.rows->unit));
   }
   return out;
