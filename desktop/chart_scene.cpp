@@ -4,7 +4,6 @@
 #include "desktop/chart_scene_parts.hpp"
 #include "desktop/study_picture.hpp"
 
-#include <QFontMetricsF>
 #include <QImage>
 #include <QPainter>
 
