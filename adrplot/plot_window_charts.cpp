@@ -41,10 +41,12 @@ void PlotWindow::makeSide(QWidget* pages) {
   auto* tabs = qobject_cast<QTabWidget*>(pages);
   channels_ = new ChannelTree(this);
   tabs->addTab(channels_, tr("Channels"));
-  connect(channels_, &ChannelTree::addWanted, this,
-          [this] { addToChart(selectedPicks(), std::nullopt); });
-  connect(channels_, &ChannelTree::chartWanted, this,
-          [this] { addChart(selectedPicks(), Combine::Overlay); });
+  connect(channels_, &ChannelTree::addWanted, this, [this] {
+    if (auto picks = selectedPicks(); !picks.empty()) addToChart(std::move(picks), std::nullopt);
+  });
+  connect(channels_, &ChannelTree::chartWanted, this, [this] {
+    if (const auto picks = selectedPicks(); !picks.empty()) addChart(picks, Combine::Overlay);
+  });
   connect(channels_, &ChannelTree::formulaWanted, this,
           [this] { openFormulaDialog(channels_->selected()); });
   connect(channels_, &ChannelTree::pageWanted, this, [this] {
@@ -80,9 +82,15 @@ CurvePick PlotWindow::pickOf(const ChannelRef& ref) const {
   return out;
 }
 
-std::vector<CurvePick> PlotWindow::selectedPicks() const {
+/// Empty after a message.
+std::vector<CurvePick> PlotWindow::selectedPicks() {
   std::vector<CurvePick> out;
-  for (const ChannelRef& ref : channels_->selected()) out.push_back(pickOf(ref));
+  try {
+    for (const ChannelRef& ref : channels_->selected()) out.push_back(pickOf(ref));
+  } catch (const std::exception& error) {
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    out.clear();
+  }
   return out;
 }
 
