@@ -11,7 +11,10 @@
 #include "command_line/tree.hpp"
 #include "deck/catalogue.hpp"
 #include "deck/keep_text.hpp"
+#include "deck/number.hpp"
+#include "deck/quantity.hpp"
 #include "deck/templates.hpp"
+#include "deck/units.hpp"
 #include "facade/bearing_candidates.hpp"
 #include "facade/check.hpp"
 #include "facade/deck_story.hpp"
@@ -27,6 +30,7 @@
 #include <ctime>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace adore::cli {
@@ -157,13 +161,48 @@ struct NewOptions {
   int choose = 0;
   bool list = false, json = false;
   std::vector<std::string> sets;
-  facade::OperatingPoint point;
+  std::string radial, axial, speed, temperature, oil;  ///< as written, with or without unit
 };
+
+/// A number in `unit`, or with a unit of the same dimension: "4kN". Empty text: not given.
+std::optional<double> quantity(const char* option, const std::string& text,
+                               const deck::UnitPair& unit, const char* example) {
+  if (text.empty()) return std::nullopt;
+  double value = 0.0;
+  if (const deck::NumberProblem problem =
+          deck::parse_quantity(text, unit, deck::UnitSystem::SI, value))
+    throw InputError(
+        fmt::format("{} = \"{:.60}\" {}. Enter a number in {} or with a unit, such as {}.", option,
+                    text, problem.message, unit.si, example));
+  return value;
+}
+
+/// Degrees Celsius of a plain number, else of a temperature with unit.
+std::optional<double> celsius(const std::string& text) {
+  constexpr double kZeroCelsius = 273.15;
+  double value = 0.0;
+  if (!text.empty() && !deck::parse_real(text, value)) return value;
+  std::optional<double> kelvin =
+      quantity("--temperature", text, deck::unit::kTemperature, "70degC");
+  if (kelvin) *kelvin -= kZeroCelsius;
+  return kelvin;
+}
+
+facade::OperatingPoint operating_point(const NewOptions& o) {
+  facade::OperatingPoint out;
+  out.radial = quantity("--radial", o.radial, deck::unit::kForce, "4kN");
+  out.axial = quantity("--axial", o.axial, deck::unit::kForce, "500N");
+  out.speed = quantity("--speed", o.speed, deck::unit::kRotation, "3000rpm");
+  out.temperature = celsius(o.temperature);
+  out.oil = o.oil;
+  return out;
+}
 
 /// --set entries of the operating point; later ones win.
 std::vector<std::string> operating_sets(const NewOptions& o) {
   std::vector<std::string> out;
-  for (const auto& [name, value] : facade::sets_of(o.point)) out.push_back(name + "=" + value);
+  for (const auto& [name, value] : facade::sets_of(operating_point(o)))
+    out.push_back(name + "=" + value);
   out.insert(out.end(), o.sets.begin(), o.sets.end());
   return out;
 }
@@ -369,17 +408,22 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
             ->needs(list),
         deck::type_words());
     command->add_flag("--json", o->json, "print the list or the candidates as JSON");
-    command->add_option("--radial", o->point.radial, "radial load (appLoadZ) [N]")->type_name("N");
-    command->add_option("--axial", o->point.axial, "axial load (appLoadX) [N]")->type_name("N");
-    command->add_option("--speed", o->point.speed, "speed of the inner race (rpm2) [rpm]")
-        ->type_name("RPM");
+    command->add_option("--radial", o->radial, "radial load (appLoadZ) [N], or with unit: 4kN")
+        ->type_name("LOAD");
+    command->add_option("--axial", o->axial, "axial load (appLoadX) [N], or with unit: 500N")
+        ->type_name("LOAD");
     command
-        ->add_option("--temperature", o->point.temperature,
-                     "temperature of housing, shaft, races and elements [degrees Celsius]")
-        ->type_name("C");
+        ->add_option("--speed", o->speed,
+                     "speed of the inner race (rpm2) [rpm], or with unit: 314rad/s")
+        ->type_name("SPEED");
+    command
+        ->add_option("--temperature", o->temperature,
+                     "temperature of housing, shaft, races and elements [degrees Celsius], or with "
+                     "unit: 343K")
+        ->type_name("TEMPERATURE");
     command
         ->add_option(
-            "--oil", o->point.oil,
+            "--oil", o->oil,
             "oil: number (kTrac) or the beginning of a name of the manual's table, such as "
             "FVA-3")
         ->type_name("OIL");
@@ -389,7 +433,7 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
         "Examples\n"
         "  adore new ball --out DATA.txt\n"
         "  adore new --list --bore 25 --type deep-groove\n"
-        "  adore new --catalogue 6205 --radial 1500 --speed 3000 --temperature 70 --out DATA.txt\n"
+        "  adore new --catalogue 6205 --radial 1.5kN --speed 3000 --temperature 70 --out DATA.txt\n"
         "  adore new --from FACTS.json\n"
         "  adore new --from FACTS.json --choose 1 --out DATA.txt");
     add_sets(*command, o->sets);
