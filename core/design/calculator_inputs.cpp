@@ -37,7 +37,6 @@ Json film_of_ball(const runs::Prepared& p, const statics::LubricantFilms& films,
             {"k", ball.a[j] / ball.b[j]}}}};
 }
 
-<<<<<<< HEAD:core/facade/calculator_inputs.cpp
 /// Sum of the curvatures of roller and race along the rolling direction [1/m].
 double rolling_curvature(const bearing::RollerGeometry& g, std::size_t k, std::size_t j) {
   const int race = static_cast<int>(j);
@@ -48,9 +47,6 @@ double rolling_curvature(const bearing::RollerGeometry& g, std::size_t k, std::s
 }
 
 Json film_of_roller(const runs::Prepared& p, const statics::LubricantFilms& films, std::size_t k,
-=======
-Json film_of_roller(const runs::Prepared& p, const statics::LubricantFilms& films, std::size_t k,
->>>>>>> lead:core/design/calculator_inputs.cpp
                     std::size_t j) {
   const statics::RollerRaceContact& at = p.rollers->rollers[k].race[j];
   if (!(at.load > 0.0 && at.length > 0.0)) return nullptr;
@@ -108,13 +104,9 @@ Json line_of_roller(const runs::Prepared& p, std::size_t k, std::size_t j) {
 
 }  // namespace
 
-<<<<<<< HEAD:core/facade/calculator_inputs.cpp
 Json calculator_inputs(const runs::Prepared& p, const std::string& calculator, int element) {
   Json whole = bearing_calculator_inputs(p, calculator);
   if (!whole.is_null()) return whole;
-=======
-Json calculator_inputs(const runs::Prepared& p, const std::string& calculator, int element) {
->>>>>>> lead:core/design/calculator_inputs.cpp
   const int count = p.bearing.element_count();
   if (element < 1 || element > count)
     throw InputError(
