@@ -16,6 +16,8 @@
 using namespace adore;
 using namespace adore::runs;
 using namespace adore::studies;
+using results::AccuracyErrors;
+using results::kAccuracyQuantities;
 
 namespace {
 
