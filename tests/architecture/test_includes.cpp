@@ -44,7 +44,7 @@ Rule dependency_rule() {
 /// decks.
 const std::set<std::string> kAppsMaySee = {"base",    "deck",    "results",
                                            "listing", "drawing", "calculators",
-                                           "facade",  "studies", "command_line"};
+                                           "facade",  "studies", "assembly", "command_line"};
 
 std::vector<fs::path> sources(const fs::path& folder) {
   std::vector<fs::path> out;
