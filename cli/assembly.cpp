@@ -11,7 +11,7 @@
 #include "cli/signals.hpp"
 #include "cli/streams.hpp"
 #include "cli/text_io.hpp"
-#include "facade/output_folder.hpp"
+#include "runs/output_folder.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -22,7 +22,7 @@ namespace adore::cli {
 namespace {
 
 void fill(const DeckOptions& options, assembly::AssemblyRequest& request) {
-  facade::DeckRequest deck;
+  runs::DeckRequest deck;
   options.fill(deck);
   if (!options.user.empty())
     throw InputError("--user: user routines are not available for assemblies; remove the option");
@@ -69,7 +69,7 @@ int run_assembly(const DeckOptions& options, const AssemblyRunOptions& run) {
   const auto solve = [&]() -> assembly::AssemblyOutcome {
     try {
       return assembly::run_assembly(request, watch.token());
-    } catch (const facade::ResultsExist& found) {
+    } catch (const runs::ResultsExist& found) {
       if (!ask(fmt::format("{}\nReplace these files?", found.what())).value_or(false)) throw;
     }
     request.overwrite = true;

@@ -4,7 +4,7 @@
 #include "base/errors.hpp"
 #include "base/write_folder.hpp"
 #include "deck/keep_text.hpp"
-#include "facade/deck_request.hpp"
+#include "runs/deck_request.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,15 +15,15 @@ namespace fs = std::filesystem;
 
 std::string row_deck(const std::string& text,
                      const std::vector<std::pair<std::string, std::string>>& sets) {
-  facade::DeckRequest request;
+  runs::DeckRequest request;
   request.text = text;
   request.deck = "deck of a row";
   request.in_memory = true;
   request.sets = sets;
-  const deck::Deck given = facade::load_deck(request).deck;
+  const deck::Deck given = runs::load_deck(request).deck;
   if (given.integer("mode") >= 0) request.sets.emplace_back("mode", "-1");
   if (given.integer("kStif") > 0) request.sets.emplace_back("kStif", "0");
-  return request.sets.empty() ? text : deck::with_deck(text, facade::load_deck(request).deck).text;
+  return request.sets.empty() ? text : deck::with_deck(text, runs::load_deck(request).deck).text;
 }
 
 Assembly named_assembly(const std::string& arrangement) {

@@ -90,9 +90,9 @@ std::variant<statics::BallModel, statics::RollerModel> model_of(
 
 }  // namespace
 
-RowModel::RowModel(const facade::Prepared& prepared, RowCondition condition)
+RowModel::RowModel(const runs::Prepared& prepared, RowCondition condition)
     : bearing_(condition == RowCondition::Operation ? prepared.bearing : prepared.as_built),
-      ball_options_(facade::ball_options(prepared)),
+      ball_options_(runs::ball_options(prepared)),
       roller_options_(prepared.options.rollers) {
   if (condition == RowCondition::Unmounted) {
     bearing_.speed = {};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "facade/prepare.hpp"
+#include "runs/prepare.hpp"
 #include "statics/ball_model.hpp"
 #include "statics/race_equilibrium.hpp"
 #include "statics/roller_model.hpp"
@@ -35,7 +35,7 @@ struct RowState {
 class RowModel {
  public:
   /// @throws InputError for a geometry that is not a bearing
-  RowModel(const facade::Prepared& prepared, RowCondition condition);
+  RowModel(const runs::Prepared& prepared, RowCondition condition);
 
   /// @throws SolverError where an element has no equilibrium
   [[nodiscard]] RowState at(const Vec5& own) const;

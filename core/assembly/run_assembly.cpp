@@ -5,10 +5,10 @@
 #include "base/checksum.hpp"
 #include "base/errors.hpp"
 #include "base/write_folder.hpp"
-#include "facade/check.hpp"
-#include "facade/output_folder.hpp"
-#include "facade/results_folder.hpp"
 #include "results/run_json.hpp"
+#include "runs/check.hpp"
+#include "runs/output_folder.hpp"
+#include "runs/results_folder.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -23,10 +23,10 @@ namespace fs = std::filesystem;
 
 std::string row_folder(std::size_t k) { return fmt::format("row-{}", k + 1); }
 
-facade::RunRequest run_of_row(const AssemblyRunRequest& request, const AssemblyResult& result,
-                              std::size_t k, const fs::path& out) {
-  facade::RunRequest row;
-  static_cast<facade::DeckRequest&>(row) = row_request(request, result.assembly, k);
+runs::RunRequest run_of_row(const AssemblyRunRequest& request, const AssemblyResult& result,
+                            std::size_t k, const fs::path& out) {
+  runs::RunRequest row;
+  static_cast<runs::DeckRequest&>(row) = row_request(request, result.assembly, k);
   row.changes = result.rows[k].changes;
   row.out = out;
   row.below = row_folder(k);
@@ -34,15 +34,15 @@ facade::RunRequest run_of_row(const AssemblyRunRequest& request, const AssemblyR
   return row;
 }
 
-facade::Outputs outputs_of(const fs::path& folder, std::vector<fs::path> inputs) {
+runs::Outputs outputs_of(const fs::path& folder, std::vector<fs::path> inputs) {
   return {folder, {"PRINT.txt", "RUN.json"}, std::move(inputs)};
 }
 
 /// Digest of the request: the assembly and the decks of its rows.
-std::string digest(const std::vector<facade::RunRequest>& rows, const Assembly& assembly) {
+std::string digest(const std::vector<runs::RunRequest>& rows, const Assembly& assembly) {
   std::string text = assembly_text(assembly);
-  for (const facade::RunRequest& row : rows)
-    text += facade::request_digest(row, facade::load_deck(row)) + "\n";
+  for (const runs::RunRequest& row : rows)
+    text += runs::request_digest(row, runs::load_deck(row)) + "\n";
   return fmt::format("{:016x}", checksum(text));
 }
 
@@ -88,26 +88,26 @@ AssemblyOutcome run_assembly(const AssemblyRunRequest& request, std::stop_token 
   out.result = solve_assembly(request, stop);
   const fs::path source = assembly_folder(request.folder);
   out.folder = request.out ? *request.out : source;
-  std::vector<facade::RunRequest> rows;
+  std::vector<runs::RunRequest> rows;
   std::vector<fs::path> inputs{source / kFileName};
   for (std::size_t k = 0; k < out.result.rows.size(); ++k) {
     rows.push_back(run_of_row(request, out.result, k, out.folder));
-    inputs.push_back(facade::deck_path(rows.back().deck));
+    inputs.push_back(runs::deck_path(rows.back().deck));
   }
-  facade::check_room(outputs_of(out.folder, inputs), request.overwrite);
+  runs::check_room(outputs_of(out.folder, inputs), request.overwrite);
   for (std::size_t k = 0; k < rows.size(); ++k)
-    facade::check_room(outputs_of(out.folder / row_folder(k), inputs), request.overwrite);
-  const facade::ResultsFolder made(out.folder);
-  const facade::FolderLock lock(made.folder());
-  const fs::path away = facade::make_room(outputs_of(out.folder, inputs), made.folder());
+    runs::check_room(outputs_of(out.folder / row_folder(k), inputs), request.overwrite);
+  const runs::ResultsFolder made(out.folder);
+  const runs::FolderLock lock(made.folder());
+  const fs::path away = runs::make_room(outputs_of(out.folder, inputs), made.folder());
   if (!away.empty())
     out.result.findings.push_back(make_finding(
         "run.moved_results",
         fmt::format(
             "result files of an earlier run that this run does not replace were moved to {}",
             away.string())));
-  for (const facade::RunRequest& row : rows) {
-    const facade::RunOutcome done = facade::run(row, {}, stop);
+  for (const runs::RunRequest& row : rows) {
+    const runs::RunOutcome done = runs::run(row, {}, stop);
     out.files.insert(out.files.end(), done.files.begin(), done.files.end());
   }
   results::RunSummary run = summary_of(out.result, digest(rows, out.result.assembly));
@@ -141,10 +141,10 @@ AssemblyCheck check_assembly(const AssemblyRequest& request, std::stop_token sto
   }
   out.rows = assembly.rows.size();
   for (std::size_t k = 0; k < assembly.rows.size(); ++k) try {
-      facade::DeckRequest row = row_request(request, assembly, k);
-      check_row(facade::load_deck(row).deck, k);
+      runs::DeckRequest row = row_request(request, assembly, k);
+      check_row(runs::load_deck(row).deck, k);
       for (auto& set : held_sets(Vec5::Zero())) row.sets.push_back(std::move(set));
-      add_prefixed(out, facade::check(row, stop).issues, k);
+      add_prefixed(out, runs::check(row, stop).issues, k);
     } catch (const InputError& error) {
       add_errors(error);
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "assembly/solve_assembly.hpp"
-#include "facade/run.hpp"
+#include "runs/run.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -24,7 +24,7 @@ struct AssemblyOutcome {
 
 /// Solves and writes: PRINT.txt and RUN.json of the set, and in row-N/ the files of a run of each
 /// deck at the displacement of its row. Nothing is written before all rows are solved.
-/// @throws InputError, facade::ResultsExist, SolverError, Interrupted
+/// @throws InputError, runs::ResultsExist, SolverError, Interrupted
 [[nodiscard]] AssemblyOutcome run_assembly(const AssemblyRunRequest& request,
                                            std::stop_token stop = {});
 

@@ -4,8 +4,8 @@
 #include "assembly/set_life.hpp"
 #include "base/errors.hpp"
 #include "base/interrupted.hpp"
-#include "facade/equilibrium.hpp"
-#include "facade/prepare.hpp"
+#include "runs/equilibrium.hpp"
+#include "runs/prepare.hpp"
 #include "setup/race_motions.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +34,7 @@ double result_of(const results::KeyResults& list, std::string_view id) {
 }
 
 /// Rows turn with one shaft.
-void check_speeds(const std::vector<facade::Prepared>& rows) {
+void check_speeds(const std::vector<runs::Prepared>& rows) {
   for (std::size_t k = 1; k < rows.size(); ++k) {
     const deck::Deck& deck = rows[k].input.deck;
     for (const char* name : {"rpm1", "rpm2"})
@@ -45,15 +45,15 @@ void check_speeds(const std::vector<facade::Prepared>& rows) {
   }
 }
 
-facade::Prepared prepare_row(const AssemblyRequest& request, const Assembly& assembly,
-                             std::size_t k, const std::stop_token& stop) {
-  facade::DeckRequest row = row_request(request, assembly, k);
-  check_row(facade::load_deck(row).deck, k);
+runs::Prepared prepare_row(const AssemblyRequest& request, const Assembly& assembly, std::size_t k,
+                           const std::stop_token& stop) {
+  runs::DeckRequest row = row_request(request, assembly, k);
+  check_row(runs::load_deck(row).deck, k);
   row.changes = held_sets(Vec5::Zero());
-  return facade::prepare(row, stop);
+  return runs::prepare(row, stop);
 }
 
-RowSet set_of(const std::vector<facade::Prepared>& rows, const Assembly& assembly,
+RowSet set_of(const std::vector<runs::Prepared>& rows, const Assembly& assembly,
               const std::vector<double>& at, RowCondition condition) {
   RowSet out;
   for (std::size_t k = 0; k < rows.size(); ++k)
@@ -165,9 +165,9 @@ void add_findings(AssemblyResult& out, const fs::path& file) {
 void solve_row(const AssemblyRequest& request, const Assembly& assembly, std::size_t k,
                const std::stop_token& stop, AssemblyResult& out) {
   RowResult& row = out.rows[k];
-  facade::DeckRequest own = row_request(request, assembly, k);
+  runs::DeckRequest own = row_request(request, assembly, k);
   own.changes = row.changes;
-  facade::Equilibrium solution = facade::solve_equilibrium(own, stop);
+  runs::Equilibrium solution = runs::solve_equilibrium(own, stop);
   row.of = std::move(solution.results);
   for (Finding& finding : solution.remarks) {
     finding.message = fmt::format("row {}: {}", k + 1, finding.message);
@@ -178,9 +178,9 @@ void solve_row(const AssemblyRequest& request, const Assembly& assembly, std::si
 
 }  // namespace
 
-facade::DeckRequest row_request(const AssemblyRequest& request, const Assembly& assembly,
-                                std::size_t k) {
-  facade::DeckRequest out;
+runs::DeckRequest row_request(const AssemblyRequest& request, const Assembly& assembly,
+                              std::size_t k) {
+  runs::DeckRequest out;
   out.deck = assembly_folder(request.folder) / assembly.rows[k].deck;
   out.sets = request.sets;
   out.options = request.options;
@@ -224,13 +224,12 @@ AssemblyResult solve_assembly(const AssemblyRequest& request, std::stop_token st
   AssemblyResult out;
   out.assembly = read_assembly_file(request.folder);
   const Assembly& assembly = out.assembly;
-  std::vector<facade::Prepared> prepared;
+  std::vector<runs::Prepared> prepared;
   for (std::size_t k = 0; k < assembly.rows.size(); ++k)
     prepared.push_back(prepare_row(request, assembly, k, stop));
   check_speeds(prepared);
   std::vector<double> widths;
-  for (const facade::Prepared& row : prepared)
-    widths.push_back(row.as_built.envelope.race_width[1]);
+  for (const runs::Prepared& row : prepared) widths.push_back(row.as_built.envelope.race_width[1]);
   const std::vector<double> at = positions(assembly, widths);
   RowSet unmounted = set_of(prepared, assembly, at, RowCondition::Unmounted);
   RowSet operation = set_of(prepared, assembly, at, RowCondition::Operation);

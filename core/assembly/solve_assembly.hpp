@@ -3,8 +3,8 @@
 #include "assembly/assembly.hpp"
 #include "assembly/preload.hpp"
 #include "base/finding.hpp"
-#include "facade/deck_request.hpp"
 #include "results/key_results.hpp"
+#include "runs/deck_request.hpp"
 
 #include <array>
 #include <filesystem>
@@ -59,8 +59,8 @@ inline constexpr int kCurvePoints = 41, kPreloadPoints = 16;
                                             std::stop_token stop = {});
 
 /// The request for the deck of row k (from 0) as the user wrote it.
-[[nodiscard]] facade::DeckRequest row_request(const AssemblyRequest& request,
-                                              const Assembly& assembly, std::size_t k);
+[[nodiscard]] runs::DeckRequest row_request(const AssemblyRequest& request,
+                                            const Assembly& assembly, std::size_t k);
 /// All displacements given, zero: what a row is prepared with.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> held_sets(const Vec5& own);
 /// Errors of a row's deck that only an assembly has. @throws InputError

@@ -1,7 +1,7 @@
 #include "assembly/preload.hpp"
 #include "base/errors.hpp"
-#include "facade/prepare.hpp"
 #include "pair_folder.hpp"
+#include "runs/prepare.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -23,13 +23,13 @@ Assembly preloaded(const std::string& arrangement, double force, double distance
   return set;
 }
 
-facade::Prepared single(const std::string& deck, Sets sets) {
-  facade::DeckRequest request;
+runs::Prepared single(const std::string& deck, Sets sets) {
+  runs::DeckRequest request;
   request.text = deck;
   request.deck = "single";
   request.in_memory = true;
   request.sets = std::move(sets);
-  return facade::prepare(request);
+  return runs::prepare(request);
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ TEST_CASE("pair DB of B7012-C: stiffness and unloading force of the maker", "[ph
 
 TEST_CASE("pair DB: identical to two single rows at the preload", "[physics][assembly]") {
   const std::string deck = timken_deck();
-  const facade::Prepared row = single(
+  const runs::Prepared row = single(
       deck, {{"appLoadX", "560"}, {"kFS4", "1"}, {"kFS5", "1"}, {"kFS2", "1"}, {"kFS3", "1"}});
   const auto& K = row.race_result().stiffness;
   const double L = 0.04;

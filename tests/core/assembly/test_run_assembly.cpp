@@ -1,10 +1,10 @@
 #include "assembly/run_assembly.hpp"
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
-#include "facade/output_folder.hpp"
 #include "pair_folder.hpp"
 #include "results/run_json.hpp"
 #include "results/static_tables.hpp"
+#include "runs/output_folder.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -71,7 +71,7 @@ TEST_CASE("run_assembly(): existing results are kept unless overwriting is allow
   request.folder = folder.path();
   (void)run_assembly(request);
   const std::string before = read_text_file(folder.path() / "row-1" / "PRINT.txt");
-  CHECK_THROWS_AS(run_assembly(request), facade::ResultsExist);
+  CHECK_THROWS_AS(run_assembly(request), runs::ResultsExist);
   request.overwrite = true;
   (void)run_assembly(request);
   CHECK(read_text_file(folder.path() / "row-1" / "PRINT.txt") == before);
