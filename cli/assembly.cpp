@@ -32,7 +32,9 @@ void fill(const DeckOptions& options, assembly::AssemblyRequest& request) {
 }
 
 nlohmann::ordered_json summary_json(const assembly::AssemblyOutcome& outcome) {
-  nlohmann::ordered_json out{{"status", "done"}, {"folder", outcome.folder.string()}};
+  nlohmann::ordered_json out{{"status", outcome.untrusted.empty() ? "done" : "untrusted"},
+                             {"folder", outcome.folder.string()}};
+  if (!outcome.untrusted.empty()) out["message"] = outcome.untrusted;
   out["files"] = nlohmann::ordered_json::array();
   for (const std::filesystem::path& file : outcome.files) out["files"].push_back(file.string());
   out["computing_s"] = outcome.result.seconds;
@@ -77,11 +79,12 @@ int run_assembly(const DeckOptions& options, const AssemblyRunOptions& run) {
   };
   const assembly::AssemblyOutcome outcome = solve();
   print_warnings(outcome.result.findings);
+  if (!outcome.untrusted.empty()) tell(fmt::format("adore: {}\n", outcome.untrusted));
   if (run.json)
     write_text("", "", dump_json(summary_json(outcome), 2) + "\n");
   else if (!run.quiet)
     write_text("", "", text_of(outcome));
-  return 0;
+  return outcome.untrusted.empty() ? 0 : 3;
 }
 
 int check_assembly(const DeckOptions& options, bool json) {

@@ -189,7 +189,7 @@ int run_set(const RunOptions& options, bool tolerance_given) {
   refuse(options.threads != 0, "--threads");
   runs::RunRequest request;
   options.fill(request);
-  if (runs::is_sweep(request))
+  if (studies::is_sweep(request))
     throw InputError("--set: sweeps are not available for an assembly; give --set a single value");
   return run_assembly(options, {options.out, options.overwrite, options.json, options.quiet});
 }

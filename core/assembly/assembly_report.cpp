@@ -173,18 +173,21 @@ results::StaticTable preload_table(const AssemblyResult& result) {
   return out;
 }
 
-/// A table of RUN.json as a page of PRINT.txt.
-void print_table(listing::Report& page, const results::StaticTable& table, const char* name_title) {
-  if (table.columns.empty() || table.columns.front().values.empty()) return;
+/// Columns of a table of RUN.json from `first`, under short titles, in PRINT.txt.
+void print_table(listing::Report& page, const results::StaticTable& table, const char* name_title,
+                 std::size_t first, const std::vector<std::string>& titles) {
+  if (table.columns.size() < first + titles.size()) return;
   std::vector<listing::Report::Column> columns;
-  for (const results::StaticColumn& one : table.columns) columns.push_back({one.name, one.unit});
+  for (std::size_t k = 0; k < titles.size(); ++k)
+    columns.push_back({titles[k], table.columns[first + k].unit});
   std::vector<listing::Report::Row> rows;
   for (std::size_t i = 0; i < table.columns.front().values.size(); ++i) {
     listing::Report::Row row{std::to_string(i + 1), {}};
-    for (const results::StaticColumn& one : table.columns) row.values.push_back(one.values[i]);
+    for (std::size_t k = 0; k < titles.size(); ++k)
+      row.values.push_back(table.columns[first + k].values[i]);
     rows.push_back(std::move(row));
   }
-  page.table(name_title, columns, rows, 6);
+  if (!rows.empty()) page.table(name_title, columns, rows, 6);
 }
 
 }  // namespace
@@ -216,7 +219,10 @@ std::string listing_of(const AssemblyResult& result) {
       "row to +x and that of a - row to -x. Axial loads of rows are positive when they press the "
       "row.");
   page.heading("Rows");
-  print_table(page, rows_table(result), "row");
+  print_table(page, rows_table(result), "row", 0,
+              {"x", "offset", "axial load", "load x", "load y", "load z", "moment y", "moment z"});
+  page.blank();
+  print_table(page, rows_table(result), "row", 8, {"angle o", "angle i", "largest Q", "pressure"});
   for (std::size_t k = 0; k < result.rows.size(); ++k)
     page.text(fmt::format("Row {} {}: {}. Its files are in row-{}/.", k + 1,
                           sign_of(result.rows[k].orientation), result.rows[k].deck, k + 1));
@@ -239,9 +245,12 @@ std::string listing_of(const AssemblyResult& result) {
     add_preload(result, lines);
     for (const std::string& line : lines) page.text(line);
     page.heading("Axial force over displacement of the shaft from the unloaded set");
-    print_table(page, curve_table(result), "point");
+    std::vector<std::string> titles{"shift", "force", "stiffness"};
+    for (std::size_t k = 0; k < result.rows.size(); ++k)
+      titles.push_back(fmt::format("row {}", k + 1));
+    print_table(page, curve_table(result), "point", 0, titles);
     page.heading("Preload over axial offset of the set, unmounted");
-    print_table(page, preload_table(result), "point");
+    print_table(page, preload_table(result), "point", 0, {"offset", "preload", "stiffness"});
   }
   if (!result.findings.empty()) {
     page.heading("Findings");

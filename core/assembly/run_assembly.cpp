@@ -46,12 +46,14 @@ std::string digest(const std::vector<runs::RunRequest>& rows, const Assembly& as
   return fmt::format("{:016x}", checksum(text));
 }
 
-results::RunSummary summary_of(const AssemblyResult& result, const std::string& request) {
+results::RunSummary summary_of(const AssemblyResult& result, const std::string& request,
+                               const std::string& untrusted) {
   results::RunSummary out;
   out.run_id = result.assembly.name;
   out.deck_file = kFileName;
   out.request = request;
-  out.status = "done";
+  out.status = untrusted.empty() ? "done" : "untrusted";
+  out.message = untrusted;
   out.plan = nlohmann::ordered_json::object();
   out.findings = result.findings;
   // Files of a run name no folder: a run gives the same bytes wherever it is.
@@ -109,8 +111,11 @@ AssemblyOutcome run_assembly(const AssemblyRunRequest& request, std::stop_token 
   for (const runs::RunRequest& row : rows) {
     const runs::RunOutcome done = runs::run(row, {}, stop);
     out.files.insert(out.files.end(), done.files.begin(), done.files.end());
+    if (done.status == runs::RunStatus::Untrusted && out.untrusted.empty())
+      out.untrusted = fmt::format("{}: {}", row.below.string(), done.message);
   }
-  results::RunSummary run = summary_of(out.result, digest(rows, out.result.assembly));
+  results::RunSummary run =
+      summary_of(out.result, digest(rows, out.result.assembly), out.untrusted);
   for (const char* name : {"PRINT.txt", "RUN.json"}) {
     run.files.emplace_back(name);
     out.files.push_back(out.folder / name);

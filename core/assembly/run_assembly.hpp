@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 /// Runs and checks of an assembly: `adore run FOLDER`, `adore check FOLDER`.
@@ -20,6 +21,7 @@ struct AssemblyOutcome {
   AssemblyResult result;
   std::filesystem::path folder;              ///< PRINT.txt, RUN.json, row-1/, row-2/ ...
   std::vector<std::filesystem::path> files;  ///< all of them
+  std::string untrusted;                     ///< reason; empty: the results can be trusted
 };
 
 /// Solves and writes: PRINT.txt and RUN.json of the set, and in row-N/ the files of a run of each

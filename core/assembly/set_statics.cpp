@@ -82,6 +82,11 @@ Placed place(const SetRow& row, const Vec5& q, double shift) {
   return out;
 }
 
+bool has_friction(const RowSet& set) {
+  return std::any_of(set.rows.begin(), set.rows.end(),
+                     [](const SetRow& row) { return row.model.has_friction(); });
+}
+
 bool is_elastic(const RowSet& set) {
   return std::any_of(set.compliance.begin(), set.compliance.end(),
                      [](double c) { return c > 0.0; });
@@ -122,13 +127,13 @@ bool place_all(const RowSet& set, const Vec5& q, std::vector<double> shifts,
   };
   rows = evaluate(shifts);
   if (!is_elastic(set)) return true;
-  constexpr double kAccuracy = 1e-15;  // [m]
+  const double accuracy = has_friction(set) ? 1e-11 : 1e-15;  // [m]
   for (int n = 0; n < 40; ++n) {
     const Spacers now = spacers(set, rows);
     const Eigen::PartialPivLU<Eigen::MatrixXd> lu(now.by_shift);
     const Eigen::VectorXd step = -lu.solve(now.residual);
     if (!step.allFinite()) return false;
-    if (step.cwiseAbs().maxCoeff() < kAccuracy) {
+    if (step.cwiseAbs().maxCoeff() < accuracy) {
       shift_by_q = -lu.solve(now.by_q);
       return true;
     }
@@ -140,7 +145,7 @@ bool place_all(const RowSet& set, const Vec5& q, std::vector<double> shifts,
       std::vector<Placed> moved = evaluate(trial);
       if (half < 19 &&
           spacers(set, moved).residual.norm() > (1.0 - 1e-4 * t) * now.residual.norm() &&
-          now.residual.norm() > kAccuracy)
+          now.residual.norm() > accuracy)
         continue;
       shifts = std::move(trial);
       rows = std::move(moved);
@@ -210,8 +215,7 @@ Vec5 load_in_set(const SetRow& row, const RowState& state) {
 }
 
 SetSolution solve_set(const RowSet& set, const statics::RaceTask& task, const Vec5& start) {
-  const bool friction = std::any_of(set.rows.begin(), set.rows.end(),
-                                    [](const SetRow& row) { return row.model.has_friction(); });
+  const bool friction = has_friction(set);
   const double target = friction ? 1e-7 : 1e-11;
   SetSolution out;
   out.state.q = start;
