@@ -66,12 +66,26 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
   command_line::one_of(command->add_option("--domain", request->domain, "chart type")
                            ->capture_default_str()
                            ->type_name("WHAT"),
-                       {"history", "spectrum", "waterfall"});
+                       {"history", "spectrum", "spectrogram"});
   command
-      ->add_option("--curve", request->curve,
-                   "curve of the waterfall: its name, part of its name, or its number on the page")
+      ->add_option(
+          "--curve", request->curve,
+          "curve of the spectrogram: its name, part of its name, or its number on the page")
       ->type_name("CURVE")
       ->default_str("first curve");
+  command_line::one_of(
+      command
+          ->add_option("--scale", request->scale,
+                       "amplitudes of spectra: in units of the curve, in dB of 1 unit, or relative "
+                       "to the maximum (default: units)")
+          ->type_name("SCALE"),
+      {"units", "db", "relative"});
+  command_line::one_of(
+      command
+          ->add_option("--rows", request->rows,
+                       "vertical axis of spectrograms: time or shaft speed (default: time)")
+          ->type_name("WHAT"),
+      {"time", "speed"});
   command->add_flag("--time", *time, "the same as --abscissa time")->group("");
   command->add_flag("--dark", request->dark, "dark theme");
   add_progress(*command, request->progress);

@@ -15,7 +15,8 @@ namespace adore::cli {
 
 struct PlotRequest {
   std::vector<std::string> files;
-  std::string out = ".", progress = "auto", abscissa = "rev", domain = "history", curve;
+  std::string out = ".", progress = "auto", abscissa = "rev", domain = "history", curve, scale,
+              rows;
   int page = 0;              ///< 0: all
   int lubricant = 0;         ///< kTrac of the charts drawn instead of files; 0: none
   double temperature = 0.0;  ///< of its charts [K]; 0: the usual one

@@ -60,7 +60,7 @@ void plot(const PlotRequest& request) {
   options.progress = make_count_progress("file", request.progress);
   options.tell = [](const std::string& sentence) { print(stderr, "adore: note: {}\n", sentence); };
   if (request.abscissa == "time") options.view.abscissa = adrplot::Abscissa::Time;
-  adrplot::set_domain(options.view, request.domain, request.curve);
+  adrplot::set_domain(options.view, request.domain, request.curve, request.scale, request.rows);
   print_files(adrplot::render_plots({request.files.begin(), request.files.end()}, options));
 }
 
