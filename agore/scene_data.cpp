@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -65,16 +66,14 @@ void add(std::vector<float>& out, const Vec3& place, const Mat3& attitude) {
     out.push_back(static_cast<float>(v));
 }
 
-Vec3 outside(double azimuth) { return outwards(azimuth); }
-
 /// Columns: the axis of the roller, then the direction of its mark.
 Mat3 attitude_of(const Animation& animation, const results::Sol8Element& e) {
   if (e.angles != std::array<double, 3>{}) return rotation(e.angles);
   if (animation.file.bearing_type == 1) return Mat3::Identity();
   const double lean = nominal_lean(animation);  // its turning was not followed
   Mat3 out;
-  out.col(0) = std::cos(lean) * Vec3::UnitX() + std::sin(lean) * outside(e.theta);
-  out.col(2) = -std::sin(lean) * Vec3::UnitX() + std::cos(lean) * outside(e.theta);
+  out.col(0) = std::cos(lean) * Vec3::UnitX() + std::sin(lean) * outwards(e.theta);
+  out.col(2) = -std::sin(lean) * Vec3::UnitX() + std::cos(lean) * outwards(e.theta);
   out.col(1) = out.col(2).cross(out.col(0));
   return out;
 }
@@ -142,7 +141,7 @@ Json cage_json(const Animation& animation, double factor) {
         for (const auto& [angle, u] :
              {std::pair{r.hole_angle, r.hole_u}, {r.edge_angle, r.edge_u}}) {
           const QPointF p = leaned(0.0, pitch_radius, profile.lean, u, height);
-          const Vec3 at = unit * (p.x() * Vec3::UnitX() + p.y() * outside(pocket.azimuth + angle));
+          const Vec3 at = unit * (p.x() * Vec3::UnitX() + p.y() * outwards(pocket.azimuth + angle));
           for (const double v : {at.x(), at.y(), at.z()}) of.push_back(static_cast<float>(v));
         }
     const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
@@ -226,7 +225,7 @@ std::string scene_data(const Animation& animation, const ViewOptions& view,
     RunRange whole;
     if (values[q].channel != nullptr) whole = run_range(*values[q].channel);
     quantities.push_back({{"name", of.name},
-                          {"unit", of.unit.si},
+                          {"unit", std::string(of.unit.si)},
                           {"colours", of.colours && whole.largest > 0.0},
                           {"lowest", 0.0},
                           {"largest", values[q].factor * whole.largest}});

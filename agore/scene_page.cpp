@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <utility>
 
 namespace adore::agore {
@@ -70,10 +71,10 @@ std::string html_text(std::string_view text) {
   return out;
 }
 
-/// A text in a script element must not end it.
-std::string script_text(std::string text, std::string_view replacement) {
-  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos;)
-    text.replace(at, 2, replacement);
+/// A text in a script element must not end it: "<\\/" means "</" in strings of JSON and scripts.
+std::string script_text(std::string text, std::string_view end) {
+  for (std::size_t at = 0; (at = text.find(end, at)) != std::string::npos; at += 2)
+    text.insert(at + 1, 1, '\\');
   return text;
 }
 
@@ -128,7 +129,7 @@ ScenePage scene_page(const Animation& animation, const ScenePageOptions& options
   const std::pair<std::string_view, std::string> parts[] = {
       {"{{title}}", html_text(run.empty() ? "Bearing" : run)},
       {"{{licence}}", kLicence},
-      {"{{three}}", script_text(library, "<\\/")},
+      {"{{three}}", script_text(library, "</script")},
       {"{{data}}", data}};
   ScenePage out{page_template(), size.frames, size.every};
   std::size_t at = 0;  // a text that is put in is not searched
