@@ -124,7 +124,7 @@ ScenePage scene_page(const Animation& animation, const ScenePageOptions& options
   const ScenePageSize size = scene_page_size(animation, options);
   const std::string library = read_text_file(three);
   const std::string data = script_text(
-      scene_data(animation, options.view, range_of(animation, options), size.every), "<\\/");
+      scene_data(animation, options.view, range_of(animation, options), size.every), "</");
   const std::string& run = animation.file.run_id;
   const std::pair<std::string_view, std::string> parts[] = {
       {"{{title}}", html_text(run.empty() ? "Bearing" : run)},
