@@ -28,6 +28,7 @@ struct PlotRequest {
 struct AnimateRequest {
   std::string file, out = ".", view = "bearing", race, colour = "none", scale = "usual", movie,
                     progress = "auto";
+  std::string html;  ///< page with the 3D scene
   std::string beside;
   double yaw = 32.0, elevation = 18.0;
   int frame = 0, first = 1, last = 0, every = 1, frames_per_second = 25, element = 1;
