@@ -246,18 +246,18 @@ void PlotWindow::removeCurve(std::size_t panel, std::size_t curve) {
   updateOwn();
 }
 
-void PlotWindow::takeDrop(const QMimeData* data, std::optional<std::size_t> panel) {
-  if (data->hasFormat(kChannelsMime)) {
+void PlotWindow::takeDrop(const QMimeData* mime, std::optional<std::size_t> panel) {
+  if (mime->hasFormat(kChannelsMime)) {
     try {
       std::vector<CurvePick> picks;
-      for (const ChannelRef& ref : channels_in(*data))
+      for (const ChannelRef& ref : channels_in(*mime))
         if (ref.file >= 0 && ref.file < fileCount()) picks.push_back(pickOf(ref));
       return addToChart(std::move(picks), panel);
     } catch (const std::exception& error) {
       return desktop::show_message(this, QString::fromUtf8(error.what()), true);
     }
   }
-  const QList<QByteArray> words = data->data(desktop::ChartView::kCurveMime).split(' ');
+  const QList<QByteArray> words = mime->data(desktop::ChartView::kCurveMime).split(' ');
   if (words.size() != 2) return;
   const int curve = words[1].toInt();
   moveCurve(words[0].toULong(),
