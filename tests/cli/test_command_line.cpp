@@ -93,7 +93,7 @@ TEST_CASE("cli new: load, speed and temperature with units → same deck as plai
   const Result plain = run_as_given(
       "new --catalogue 6205 --radial 4000 --axial 500 --speed 3000 --temperature 70");
   const Result units = run_as_given(
-      "new --catalogue 6205 --radial 4kN --axial 0.5kN --speed 314.159265358979rad/s "
+      "new --catalogue 6205 --radial 4kN --axial 0.5kN --speed 3000rpm "
       "--temperature 343.15K");
   CHECK(plain.code == 0);
   CHECK(units.out == plain.out);

@@ -328,8 +328,8 @@ TEST_CASE("inputs of calculators from a deck: each name of the list → inputs f
   const runs::Prepared balls = prepared(bearing_6309());
   for (const std::string_view name : design::deck_calculators()) {
     int accepted = 0;
-    for (const runs::Prepared* deck : {&rollers, &balls}) try {
-        accepted += design::calculator_inputs(*deck, std::string(name), 1).empty() ? 0 : 1;
+    for (const runs::Prepared* one : {&rollers, &balls}) try {
+        accepted += design::calculator_inputs(*one, std::string(name), 1).empty() ? 0 : 1;
       } catch (const InputError&) {  // of the other kind of element, or without oil
       }
     INFO(name);
