@@ -209,6 +209,7 @@ class PlotWindow : public QMainWindow {
   QTableView* statistics_ = nullptr;
   StatisticsModel* statistics_model_ = nullptr;
   QAction* statistics_action_ = nullptr;
+  std::pair<double, double> statistics_range_;  ///< that the table shows
   QTreeWidget* tree_;
   desktop::FindingsBar* findings_;
   std::string findings_seen_;  ///< folder and time of the RUN.json that they are of
