@@ -94,11 +94,11 @@ bool is_position(std::string_view unit) {
   return std::find(kPositions.begin(), kPositions.end(), unit) != kPositions.end();
 }
 
-constexpr double kLeastSpan = 2e-5;  ///< range over value of axes with at most seven digits
+constexpr double kMinSpan = 2e-5;  ///< range over value of axes with at most seven digits
 
 /// An axis without an offset, with numbers of at most seven digits.
 Limits readable(const Limits& limits, std::string_view unit) {
-  const double least = kLeastSpan * std::max(std::abs(limits.low), std::abs(limits.high));
+  const double least = kMinSpan * std::max(std::abs(limits.low), std::abs(limits.high));
   if (is_position(unit) || limits.high - limits.low >= least) return limits;
   const double middle = 0.5 * (limits.low + limits.high);
   return {middle - 0.5 * least, middle + 0.5 * least};
@@ -197,7 +197,7 @@ AxisScale value_axis(double low, double high, std::string_view unit, int parts) 
 
 AxisScale tight_axis(double low, double high, std::string_view unit, int parts) {
   // The exact range: enlarged values of other units get an offset when they need eight digits.
-  return scaled(drawable(low, high), unit, parts, is_position(unit) ? kOffsetBelow : kLeastSpan);
+  return scaled(drawable(low, high), unit, parts, is_position(unit) ? kOffsetBelow : kMinSpan);
 }
 
 void take_common_unit(AxisScale& axis, const std::vector<AxisScale>& all) {

@@ -67,10 +67,10 @@ bool paints_pixels(const QPainter& painter) {
 namespace {
 
 /// Fewer points are stroked as quickly.
-constexpr qsizetype kFewest = 16;
+constexpr qsizetype kMinPoints = 16;
 
 bool goes_right(const QPolygonF& line) {
-  return line.size() >= kFewest &&
+  return line.size() >= kMinPoints &&
          std::is_sorted(line.begin(), line.end(),
                         [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
 }
