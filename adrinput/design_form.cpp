@@ -99,11 +99,10 @@ DesignForm::DesignForm(Document& document, QWidget* parent)
   oil_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   oil_->setMinimumContentsLength(9);
   oil_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  auto* oils = new QHBoxLayout(oil_row_);
-  oils->setContentsMargins(0, 0, 0, 0);
-  auto* oil_name = new QLabel(tr("Oil"), oil_row_);
-  oils->addWidget(oil_name);
-  oils->addWidget(oil_, 1);
+  auto* oil_line = new QHBoxLayout(oil_row_);
+  oil_line->setContentsMargins(0, 0, 0, 0);
+  oil_line->addWidget(new QLabel(tr("Oil"), oil_row_));
+  oil_line->addWidget(oil_, 1);
   oil_->setFocusPolicy(Qt::StrongFocus);
   new WheelGuard(oil_);
   connect(oil_, &QComboBox::activated, this, [this](int index) {
