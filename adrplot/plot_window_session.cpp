@@ -1,12 +1,15 @@
+#include "adrplot/channel_tree.hpp"
 #include "adrplot/plot_window.hpp"
 #include "adrplot/session.hpp"
 #include "base/errors.hpp"
 #include "desktop/chart_view.hpp"
+#include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/window_place.hpp"
 
 #include <QComboBox>
 #include <QFileDialog>
+#include <QProgressDialog>
 #include <QTreeWidget>
 
 #include <algorithm>
