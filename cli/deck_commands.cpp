@@ -224,7 +224,8 @@ void write_bearing(const deck::CatalogueBearing& bearing, const NewOptions& o) {
 
 std::vector<assembly::RowText> rows_of(const NewOptions& o) {
   NewOptions row = o;  // the load is that of the set
-  row.point.radial = row.point.axial = std::nullopt;
+  row.radial.clear();
+  row.axial.clear();
   DeckOptions options;
   options.sets = operating_sets(row);
   const auto sets = options.pairs_of_sets();
@@ -251,7 +252,8 @@ void new_set(const NewOptions& o) {
     throw InputError(
         "--assembly needs the rows: give the name of an example, --catalogue BEARING, or --deck "
         "FILE (once, or once for each row)");
-  write_assembly({o.arrangement, o.out, o.preload, o.offset, o.point.axial, o.point.radial}, rows);
+  const runs::OperatingPoint point = operating_point(o);
+  write_assembly({o.arrangement, o.out, o.preload, o.offset, point.axial, point.radial}, rows);
 }
 
 /// Without --choose: the table of candidates only.
