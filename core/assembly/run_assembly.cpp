@@ -147,8 +147,9 @@ AssemblyCheck check_assembly(const AssemblyRequest& request, std::stop_token sto
   out.rows = assembly.rows.size();
   for (std::size_t k = 0; k < assembly.rows.size(); ++k) try {
       runs::DeckRequest row = row_request(request, assembly, k);
-      check_row(runs::load_deck(row).deck, k);
-      for (auto& set : held_sets(Vec5::Zero())) row.sets.push_back(std::move(set));
+      const deck::Deck deck = runs::load_deck(row).deck;
+      check_row(deck, k);
+      for (auto& set : held_sets(Vec5::Zero(), deck.units())) row.sets.push_back(std::move(set));
       add_prefixed(out, runs::check(row, stop).issues, k);
     } catch (const InputError& error) {
       add_errors(error);

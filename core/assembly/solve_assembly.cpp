@@ -4,6 +4,7 @@
 #include "assembly/set_life.hpp"
 #include "base/errors.hpp"
 #include "base/interrupted.hpp"
+#include "deck/units.hpp"
 #include "runs/equilibrium.hpp"
 #include "runs/prepare.hpp"
 #include "setup/race_motions.hpp"
@@ -48,8 +49,9 @@ void check_speeds(const std::vector<runs::Prepared>& rows) {
 runs::Prepared prepare_row(const AssemblyRequest& request, const Assembly& assembly, std::size_t k,
                            const std::stop_token& stop) {
   runs::DeckRequest row = row_request(request, assembly, k);
-  check_row(runs::load_deck(row).deck, k);
-  row.changes = held_sets(Vec5::Zero());
+  const deck::Deck deck = runs::load_deck(row).deck;
+  check_row(deck, k);
+  row.changes = held_sets(Vec5::Zero(), deck.units());
   return runs::prepare(row, stop);
 }
 
@@ -187,14 +189,16 @@ runs::DeckRequest row_request(const AssemblyRequest& request, const Assembly& as
   return out;
 }
 
-std::vector<std::pair<std::string, std::string>> held_sets(const Vec5& own) {
+std::vector<std::pair<std::string, std::string>> held_sets(const Vec5& own,
+                                                           deck::UnitSystem system) {
   std::vector<std::pair<std::string, std::string>> out;
   for (const char* flag : {"kFS1", "kFS2", "kFS3", "kFS4", "kFS5"}) out.emplace_back(flag, "1");
   constexpr std::array<const char*, 5> kNames{"appDispX", "appDispY", "appDispZ", "appMis12",
                                               "appMis22"};
+  const double length = system == deck::UnitSystem::English ? deck::unit::kLength.en_factor : 1.0;
   for (int k = 0; k < 5; ++k)
     out.emplace_back(kNames[static_cast<std::size_t>(k)],
-                     fmt::format("{:.17g} {}", own(k), k < 3 ? "m" : "rad"));
+                     fmt::format("{:.17g}", k < 3 ? own(k) / length : own(k)));
   return out;
 }
 
@@ -258,7 +262,7 @@ AssemblyResult solve_assembly(const AssemblyRequest& request, std::stop_token st
     one.offset = row.offset;
     one.state = out.loaded.state.elements[k];
     one.load = load_in_set(row, one.state);
-    one.changes = held_sets(one.state.own);
+    one.changes = held_sets(one.state.own, prepared[k].input.deck.units());
     out.rows.push_back(std::move(one));
     solve_row(request, assembly, k, stop, out);
   }

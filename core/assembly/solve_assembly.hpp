@@ -3,6 +3,7 @@
 #include "assembly/assembly.hpp"
 #include "assembly/preload.hpp"
 #include "base/finding.hpp"
+#include "deck/deck.hpp"
 #include "results/key_results.hpp"
 #include "runs/deck_request.hpp"
 
@@ -61,8 +62,9 @@ inline constexpr int kCurvePoints = 41, kPreloadPoints = 16;
 /// The request for the deck of row k (from 0) as the user wrote it.
 [[nodiscard]] runs::DeckRequest row_request(const AssemblyRequest& request,
                                             const Assembly& assembly, std::size_t k);
-/// All displacements given, zero: what a row is prepared with.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> held_sets(const Vec5& own);
+/// Values of a deck that hold the inner ring at `own` [m, rad], as `system` has them.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> held_sets(const Vec5& own,
+                                                                         deck::UnitSystem system);
 /// Errors of a row's deck that only an assembly has. @throws InputError
 void check_row(const deck::Deck& deck, std::size_t k);
 

@@ -4,6 +4,7 @@
 #include "agore/short_run.hpp"
 #include "agore/shown_window.hpp"
 #include "agore/view_bar.hpp"
+#include "core/results/synthetic.hpp"
 #include "support/qt_app.hpp"
 
 #include <QAction>
@@ -123,9 +124,9 @@ TEST_CASE("cage whirl: center near the axis → no value, and the page states th
   test::use_qt();
   const testing::TemporaryFolder folder;
   const bearing::Bearing bearing = testing::make_bearing(8);
-  results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, results::channel_table());
+  results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, testing::channel_table());
   results::H5Writer h5 =
-      results::H5Writer::create(folder / "RESULTS.h5", bearing, results::channel_table());
+      results::H5Writer::create(folder / "RESULTS.h5", bearing, testing::channel_table());
   constexpr std::size_t kNear = 12;
   for (std::size_t step = 0; step <= 30; ++step) {
     scene::Snapshot snapshot = testing::make_snapshot(bearing, static_cast<long>(step));
