@@ -5,6 +5,7 @@
 #include "adrplot/run_beside.hpp"
 #include "adrplot/sentence_words.hpp"
 #include "adrplot/spectrum_page.hpp"
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "results/channels.hpp"
 
@@ -141,8 +142,8 @@ class H5Pages {
     end_ = std::min(reader_.steps(), static_cast<std::size_t>(std::max<long>(range.to, 1)));
     asked_every_ = static_cast<std::size_t>(std::max<long>(range.every, 1));
     if (first_ >= end_)
-      throw InputError(fmt::format("{} has {} stored steps; select a step up to {}", path_.string(),
-                                   reader_.steps(), reader_.steps()));
+      throw InputError(fmt::format("{} has {}; select a step up to {}", path_.string(),
+                                   counted(reader_.steps(), "stored step"), reader_.steps()));
     for (const H5Reader::ChannelInfo& info : reader_.channels()) {
       if (info.size() == 0) continue;
       channels_.push_back(view_of(info));
@@ -194,9 +195,8 @@ class H5Pages {
     set_axis(chart, motion, every, options);
     add_curves(chart, page, channel, values_of(channel, every));
     if (every > asked_every_)
-      add_note(chart, fmt::format("Shown: one of every {} stored steps; peaks between them are "
-                                  "missing.",
-                                  every));
+      add_note(chart, fmt::format("Shown: one of every {}; peaks between them are missing.",
+                                  counted(every, "stored step")));
     if (!channel.known)
       add_note(chart, "This version does not know the channel. Label and unit are from the file.");
     show_domain(chart, motion, oscillates(every), options);

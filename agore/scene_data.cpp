@@ -4,6 +4,7 @@
 #include "agore/solid_model.hpp"
 #include "agore/view_layout.hpp"
 #include "agore/view_scene.hpp"
+#include "base/json_text.hpp"
 #include "desktop/axis_scale.hpp"
 #include "results/quantities.hpp"
 
@@ -242,7 +243,7 @@ std::string scene_data(const Animation& animation, const ViewOptions& view,
   out["revolutions"] = base64(revolutions);
   out["bodies"] = base64(bodies);
   if (animation.contacts) out["contacts"] = base64(contacts);
-  return out.dump();
+  return dump_json(out);
 }
 
 }  // namespace adore::agore

@@ -1,5 +1,6 @@
 #include "assembly/assembly_file.hpp"
 
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "base/input_file.hpp"
 #include "base/json_members.hpp"
@@ -209,17 +210,18 @@ Assembly read_assembly(std::string_view json, std::string_view name) {
   const bool custom = out.arrangement == "custom";
   for (JsonMembers& row : in.objects("rows", "row")) out.rows.push_back(row_of(row, custom));
   if (out.rows.empty() || out.rows.size() > kMaxRows)
-    in.reject(fmt::format("rows: {} rows; enter 1 to {}", out.rows.size(), kMaxRows));
+    in.reject(fmt::format("rows: {}; enter 1 to {}", counted(out.rows.size(), "row"), kMaxRows));
   const std::vector<int> signs = orientations(out.arrangement);
   if (!custom && signs.size() != out.rows.size())
-    in.reject(fmt::format("arrangement {} has {} rows, but rows lists {}", out.arrangement,
-                          signs.size(), out.rows.size()));
+    in.reject(fmt::format("arrangement {} has {}, but rows lists {}", out.arrangement,
+                          counted(signs.size(), "row"), out.rows.size()));
   for (std::size_t k = 0; k < signs.size(); ++k) out.rows[k].orientation = signs[k];
   for (JsonMembers& spacer : in.objects("spacers", "spacer"))
     out.spacers.push_back(spacer_of(spacer));
   if (!out.spacers.empty() && out.spacers.size() + 1 != out.rows.size())
-    in.reject(fmt::format("spacers: {} entries for {} rows; enter one less than rows, or none",
-                          out.spacers.size(), out.rows.size()));
+    in.reject(fmt::format("spacers: {} for {}; enter one less than rows, or none",
+                          counted(out.spacers.size(), "entry", "entries"),
+                          counted(out.rows.size(), "row")));
   check_order(in, out);
   const auto object = [&](const char* member) -> std::optional<JsonMembers> {
     const nlohmann::json* value = in.find(member);

@@ -34,9 +34,10 @@ CatalogueRatings catalogue_ratings(const deck::RatedBearing& b) {
     case deck::RatedType::DoubleAngular:
       return {life::iso_dynamic_rating(g), life::iso_static_rating(g).value(), false};
     case deck::RatedType::SelfAligning:
-      // The outer race is a sphere: groove radius 0.53 (1/gamma + 1) D.
+      // The outer race is a sphere: its radius is the limit 0.5 (1/gamma + 1) D of a groove. ISO
+      // 281 takes 0.53, which changes C by less than 0.5 %.
       g.conformity_inner = 0.53;
-      g.conformity_outer = 0.53 * (1.0 / life::iso_gamma(g) + 1.0);
+      g.conformity_outer = 0.4999 * (1.0 / life::iso_gamma(g) + 1.0);
       return {life::iso_dynamic_rating(g), life::iso_self_aligning_static_rating(g), false};
     case deck::RatedType::Needle:
       g.type = life::IsoType::RadialRoller;
