@@ -86,6 +86,7 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   column->addWidget(cursors_area_);
   makeReadout();
   auto* tabs = new QTabWidget(this);
+  tabs->setAccessibleName(tr("Files and channels"));
   tabs->setObjectName("side");
   tabs->setDocumentMode(true);
   tabs->setMinimumWidth(180);

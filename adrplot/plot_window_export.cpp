@@ -14,6 +14,7 @@
 #include <QGuiApplication>
 #include <QImage>
 #include <QLabel>
+#include <QTableView>
 
 #include <algorithm>
 #include <exception>
@@ -192,6 +193,7 @@ QString plain(QString text) {
 
 void PlotWindow::copyPicture() {
   if (!document()) return;
+  if (statistics_->hasFocus()) return copyTable();
   // Selected text of the statistics is copied.
   if (cursors_->hasSelectedText()) {
     QGuiApplication::clipboard()->setText(plain(cursors_->selectedText()));

@@ -63,7 +63,7 @@ void PlotWindow::makeMenus() {
                   &PlotWindow::askForFolder);
   desktop::add_recent_menu(*file, kApp, [this](const QString& name) { openSeveral({name}); });
   file->addAction(tr("Open Sessio&n..."), this, [this] { askForSession(false); });
-  file->addAction(tr("Save Session &As..."), Qt::CTRL | Qt::SHIFT | Qt::Key_S, this,
+  file->addAction(tr("Save Sess&ion As..."), Qt::CTRL | Qt::SHIFT | Qt::Key_S, this,
                   [this] { askForSession(true); });
   file->addAction(tr("&Close File"), QKeySequence::Close, this, &PlotWindow::closeFile);
   file->addSeparator();
@@ -166,7 +166,7 @@ void PlotWindow::makeChartMenu(QMenu* menu) {
             constexpr std::array kWindows{Window::Hann, Window::FlatTop, Window::None};
             o.spectrum.window = kWindows.at(static_cast<std::size_t>(i));
           });
-  choices(tr("Spectrogram: &Vertical Axis"), {tr("time"), tr("shaft speed")},
+  choices(tr("Spectrogram: Vertical A&xis"), {tr("time"), tr("shaft speed")},
           [](PageOptions& o, int i) { o.spectrum.over_speed = i == 1; });
   curve_menu_ = menu->addMenu(tr("Spectrogram: Cu&rve"));
   curve_menu_->setObjectName("curves");

@@ -33,8 +33,6 @@ void PlotWindow::makeStatistics() {
   statistics_->setSelectionBehavior(QAbstractItemView::SelectRows);
   statistics_->setContextMenuPolicy(Qt::ActionsContextMenu);
   auto* copy = new QAction(tr("&Copy"), statistics_);
-  copy->setShortcut(QKeySequence::Copy);
-  copy->setShortcutContext(Qt::WidgetShortcut);
   connect(copy, &QAction::triggered, this, &PlotWindow::copyTable);
   auto* save = new QAction(tr("&Export as CSV..."), statistics_);
   connect(save, &QAction::triggered, this, &PlotWindow::exportStatistics);
