@@ -109,6 +109,8 @@ DesignForm::DesignForm(Document& document, QWidget* parent)
   connect(oil_, &QComboBox::activated, this, [this](int index) {
     const std::vector<design::DesignOil> oils = design::design_oils(document_.deck());
     if (index < 0 || index >= static_cast<int>(oils.size())) return;
+    // Each typed letter of a name activates an entry.
+    if (design::design_oil_of(document_.deck()) == static_cast<std::size_t>(index)) return;
     document_.change(oils[static_cast<std::size_t>(index)].sets);
   });
   auto* row = new QHBoxLayout;
