@@ -56,7 +56,8 @@ Interference without(Interference fit, double smoothing) {
 }
 
 Fits fits_of(const Json& in) {
-  const bearing::RingClass ring = bearing::ring_class(in.value("ring_class", std::string("Normal")));
+  const bearing::RingClass ring =
+      bearing::ring_class(in.value("ring_class", std::string("Normal")));
   const double bore = get(in, "bore"), od = get(in, "od");
   require(od > bore, "od: it must be above the bore. Enter both in meters.");
   const RingTolerance inner = bearing::bore_tolerance(ring, bore);

@@ -317,9 +317,8 @@ TEST_CASE("Motion reference cases", "[validation]") {
 }
 
 TEST_CASE("Ratings and tolerances: printed values of catalogs", "[validation][ratings]") {
-  for (const char* name :
-       {"rating_static", "rating_reference_speed", "rating_oscillation", "rating_minimum_load",
-        "rating_size_limits", "rating_bearing_fit"})
+  for (const char* name : {"rating_static", "rating_reference_speed", "rating_oscillation",
+                           "rating_minimum_load", "rating_size_limits", "rating_bearing_fit"})
     expect_covered(name);
 }
 
