@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <sstream>
 #include <string_view>
@@ -42,7 +41,7 @@ bool is_heading(const std::vector<std::string_view>& names) {
 }  // namespace
 
 bool is_sweep(const std::filesystem::path& path) {
-  std::ifstream file(path);
+  InputFile file(path);
   std::string line;
   std::getline(file, line);
   return is_heading(fields(line));

@@ -97,6 +97,7 @@ TEST_CASE("sources: only base/input_file.cpp opens files for reading", "[unit][a
                         "core/results/run_findings.cpp",      // the same; in the reading process
                         "core/studies/study_table_read.cpp",  // STUDY.h5, after refuse_pipe()
                         "core/runs/output_folder.cpp",        // locks
+                        "agore/scene_page.cpp",               // a resource of the program
                         "core/results/h5_process.cpp", "core/studies/slurm.cpp",
                         "cli/streams.cpp"}) == "");  // these three: /dev/null
 }
