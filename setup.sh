@@ -36,7 +36,6 @@ packages=(
   slurm-wlm munge        # a cluster of one node (tests/slurm)
   python3-h5py           # tables of studies (tests/cli/open_tables.py)
   codespell              # spelling (tests/language)
-  chromium               # pages with the 3D scene
 )
 [ "${1:-}" = --docs ] && packages+=(
   python3-sphinx python3-myst-parser doxygen  # the documentation site, ./docs.sh
