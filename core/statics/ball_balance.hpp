@@ -1,5 +1,6 @@
 #pragma once
 
+#include "statics/ball_position.hpp"
 #include "statics/contact_laws.hpp"
 #include "statics/friction_balance.hpp"
 #include "tribology/bearing_drag.hpp"

@@ -12,7 +12,6 @@
 namespace adore::statics {
 namespace {
 
-using Places = Eigen::Matrix<double, 5, 1>;
 using Index = Eigen::Index;
 
 /// Contacts of a ball minus those at which its tractions are given.
