@@ -18,6 +18,8 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace adore::statics {
 namespace {
@@ -149,7 +151,7 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
     }
   }
   add_drag(bearing, orbit, spin, out);
-  out.notes = balance.notes();
+  for (std::string& note : balance.notes()) out.notes.push_back(std::move(note));
   if (!balance.balls.empty() && balance.failure.empty() && balance.left.empty())
     out.notes.emplace_back(
         "ball speeds, spin axes, loads and heat are calculated from friction equilibrium; kAngVel "
