@@ -13,6 +13,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QLabel>
+#include <QMenu>
 #include <QProgressDialog>
 #include <QScrollArea>
 #include <QScrollBar>

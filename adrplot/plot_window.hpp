@@ -179,7 +179,7 @@ class PlotWindow : public QMainWindow {
   void showChartMenu(const QPoint& at);
   void addOwn(std::shared_ptr<OwnChart> chart);
   [[nodiscard]] CurvePick pickOf(const ChannelRef& ref) const;
-  [[nodiscard]] std::vector<CurvePick> selectedPicks() const;
+  [[nodiscard]] std::vector<CurvePick> selectedPicks();
   [[nodiscard]] FormulaInput inputOf(const ChannelRef& ref) const;
   void openFormulaDialog(const std::vector<ChannelRef>& channels);
   void showPageOf(const ChannelRef& ref);
@@ -209,6 +209,7 @@ class PlotWindow : public QMainWindow {
   QTableView* statistics_ = nullptr;
   StatisticsModel* statistics_model_ = nullptr;
   QAction* statistics_action_ = nullptr;
+  std::pair<double, double> statistics_range_;  ///< that the table shows
   QTreeWidget* tree_;
   desktop::FindingsBar* findings_;
   std::string findings_seen_;  ///< folder and time of the RUN.json that they are of

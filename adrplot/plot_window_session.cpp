@@ -59,7 +59,7 @@ bool PlotWindow::saveSession(const QString& path) {
     session.log_x = log_x_;
     session.log_y = log_y_;
     // In the order in which they are opened again.
-    const auto rank = [this](const Document& one) { return one.on_disk ? 0 : one.own ? 2 : 1; };
+    const auto rank = [](const Document& one) { return one.on_disk ? 0 : one.own ? 2 : 1; };
     int before = 0;
     for (int d = 0; d < fileCount(); ++d) {
       const Document* one = documents_[static_cast<std::size_t>(d)].get();

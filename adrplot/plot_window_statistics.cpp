@@ -51,7 +51,10 @@ void PlotWindow::makeStatistics() {
   });
   for (auto signal : {&desktop::ChartView::cursorsChanged, &desktop::ChartView::curvesChanged})
     connect(view_, signal, this, &PlotWindow::fillStatistics);
-  connect(view_, &desktop::ChartView::viewChanged, this, &PlotWindow::fillStatistics);
+  // Also emitted while only the pointer moves.
+  connect(view_, &desktop::ChartView::viewChanged, this, [this] {
+    if (statisticsRange() != statistics_range_) fillStatistics();
+  });
 }
 
 void PlotWindow::showStatistics(bool on) { statistics_dock_->setVisible(on); }
@@ -65,7 +68,8 @@ std::pair<double, double> PlotWindow::statisticsRange() const {
 
 void PlotWindow::fillStatistics() {
   if (statistics_dock_->isHidden()) return;
-  const auto [from, to] = statisticsRange();
+  statistics_range_ = statisticsRange();
+  const auto [from, to] = statistics_range_;
   const bool cursors = std::isfinite(view_->cursorAt(0)) && std::isfinite(view_->cursorAt(1));
   statistics_model_->setRows(statistics_rows(view_->chartScene().page(), from, to));
   statistics_->resizeColumnsToContents();

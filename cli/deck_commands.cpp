@@ -14,9 +14,11 @@
 #include "deck/keep_text.hpp"
 #include "deck/number.hpp"
 #include "deck/quantity.hpp"
+#include "deck/rated_bearings.hpp"
 #include "deck/templates.hpp"
 #include "deck/units.hpp"
 #include "design/bearing_candidates.hpp"
+#include "design/catalogue_ratings.hpp"
 #include "runs/check.hpp"
 #include "runs/deck_story.hpp"
 #include "runs/operating_point.hpp"
@@ -27,6 +29,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <iterator>
@@ -164,7 +167,7 @@ struct NewOptions {
   std::optional<double> preload, offset;
   double bore = 0.0;
   int choose = 0;
-  bool list = false, json = false;
+  bool list = false, json = false, ratings = false;
   std::vector<std::string> sets;
   std::string radial, axial, speed, temperature, oil;  ///< as written, with or without unit
 };
@@ -269,6 +272,40 @@ int new_from_facts(const NewOptions& o) {
   return report.candidates.empty() ? 2 : 0;
 }
 
+/// Ratings of a bearing that no deck describes.
+void print_ratings(const deck::RatedBearing& bearing, const NewOptions& o) {
+  if (!o.ratings)
+    throw InputError(fmt::format(
+        "{}: no deck describes a {} yet. Give --ratings for its dimensions and estimated ratings.",
+        bearing.designation, deck::rated_type_name(bearing.type)));
+  if (!o.json) return print("{}", text_of(design::ratings_story(bearing)));
+  const design::CatalogueRatings r = design::catalogue_ratings(bearing);
+  const nlohmann::ordered_json out{{"name", bearing.designation},
+                                   {"type", deck::rated_type_name(bearing.type)},
+                                   {"bore [m]", bearing.envelope.bore},
+                                   {"outside [m]", bearing.envelope.outside},
+                                   {"width [m]", bearing.envelope.width},
+                                   {"contact_angle [deg]", bearing.angle},
+                                   {"C [N]", r.C},
+                                   {"C0 [N]", r.C0},
+                                   {"axial", r.axial},
+                                   {"estimate", true},
+                                   {"source", bearing.source}};
+  print("{}\n", dump_json(out, 2));
+}
+
+/// Bearings of --bore that no deck describes; none with --type.
+std::vector<deck::RatedBearing> listed_rated(const NewOptions& o) {
+  if (!o.bearing_type.empty()) return {};
+  std::vector<deck::RatedBearing> all = deck::rated_bearings();
+  constexpr double kSame = 0.5e-3;
+  if (o.bore > 0.0)
+    std::erase_if(all, [&](const deck::RatedBearing& one) {
+      return std::abs(one.envelope.bore - 1e-3 * o.bore) > kSame;
+    });
+  return all;
+}
+
 void list_catalogue(const NewOptions& o) {
   const std::vector<deck::CatalogueBearing> all = deck::catalogue_list(o.bore, o.bearing_type);
   if (o.json) {
@@ -281,6 +318,14 @@ void list_catalogue(const NewOptions& o) {
                      {"width [m]", one.envelope.width},
                      {"contact_angle [deg]", one.angle},
                      {"test_rig", one.rig}});
+    for (const deck::RatedBearing& one : listed_rated(o))
+      out.push_back({{"name", one.designation},
+                     {"type", deck::rated_type_name(one.type)},
+                     {"bore [m]", one.envelope.bore},
+                     {"outside [m]", one.envelope.outside},
+                     {"width [m]", one.envelope.width},
+                     {"contact_angle [deg]", one.angle},
+                     {"ratings_only", true}});
     print("{}\n", dump_json(out, 2));
     return;
   }
@@ -288,7 +333,14 @@ void list_catalogue(const NewOptions& o) {
     print("{:<20} {:<16} {:>8g} x {:g} x {:g} mm{}\n", one.designation, deck::type_word(one.type),
           one.envelope.bore * 1e3, one.envelope.outside * 1e3, one.envelope.width * 1e3,
           one.rig ? "  public test rig" : "");
-  print("{} bearings. `adore new --catalogue NAME` writes a deck\n", all.size());
+  const std::vector<deck::RatedBearing> rated = listed_rated(o);
+  for (const deck::RatedBearing& one : rated)
+    print("{:<20} {:<16} {:>8g} x {:g} x {:g} mm  ratings only\n", one.designation,
+          deck::rated_type_name(one.type), one.envelope.bore * 1e3, one.envelope.outside * 1e3,
+          one.envelope.width * 1e3);
+  print("{} bearings. `adore new --catalogue NAME` writes a deck", all.size());
+  if (!rated.empty()) print(". {} with --ratings only", counted(rated.size(), "bearing"));
+  print("\n");
 }
 
 const deck::TemplateInfo& example(const std::string& name) {
@@ -420,6 +472,11 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
                 "rigs")
             ->type_name("BEARING")
             ->excludes(name);
+    command
+        ->add_flag("--ratings", o->ratings,
+                   "with --catalogue: print dimensions and estimated ratings of a bearing that no "
+                   "deck describes (QJ2, QJ3, 32, 33, 12, 13, 22, 23, NA49, 511, 512, 811, 812)")
+        ->needs(catalogue);
     CLI::Option* from =
         command
             ->add_option(
@@ -508,7 +565,15 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
         exit_code = new_from_facts(*o);
         return;
       }
-      if (!o->designation.empty()) return write_bearing(deck::find_bearing(o->designation), *o);
+      if (!o->designation.empty()) {
+        if (const auto rated = deck::find_rated_bearing(o->designation))
+          return print_ratings(*rated, *o);
+        if (o->ratings)
+          throw InputError(
+              "--ratings is for bearings that no deck describes (`adore new --list`). Run the deck "
+              "of this bearing; its results have the ratings.");
+        return write_bearing(deck::find_bearing(o->designation), *o);
+      }
       if (o->type.empty())
         throw InputError(
             "give the name of an example (`adore examples` lists them), a bearing with --catalogue "

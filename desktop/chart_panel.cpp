@@ -109,8 +109,8 @@ void ChartScene::addMapPanel(std::size_t index, const QRectF& area, const AxisSc
                              bool any, bool bottom, const Metrics& m) {
   const ChartPanel& panel = page_.panels[index];
   const QString x_title = bottom ? with_unit_and_base(text_of(page_.x_title), x_axis_) : QString();
-  addFrame(area, x_axis_, y_axis, x_title, with_unit(text_of(panel.rows->title), y_axis), bottom,
-           any, m);
+  addFrame(area, x_axis_, y_axis, x_title, with_unit_and_base(text_of(panel.rows->title), y_axis),
+           bottom, any, m);
   if (any) addRows(panel, area, y_axis, m);
   if (!any) addMessage(area, text_of(panel.message), m);
   if (any) addMarks(area, y_axis, index == 0, true, m);

@@ -273,7 +273,7 @@ QString ChartView::rowsReport(const ChartPanel& panel) const {
     for (std::size_t r = 0; r < panel.curves.size(); ++r)
       if (panel.curves[r].y[i] > panel.curves[best].y[i]) best = r;
     out += tr("  %1 maximum %2 at %3")
-               .arg(name, quantity(panel.curves[best].y[i], panel.unit, 5),
+               .arg(QString(name), quantity(panel.curves[best].y[i], panel.unit, 5),
                     quantity(panel.rows->at[best], panel.rows->unit));
   }
   return out;

@@ -3,9 +3,11 @@
 #include <QApplication>
 #include <QDrag>
 #include <QDropEvent>
+#include <QFontMetrics>
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPixmap>
 
 #include <algorithm>
 
@@ -38,28 +40,28 @@ void ChartView::takeDrops(const QStringList& types) {
 void ChartView::startDrag(std::size_t panel, std::optional<std::size_t> curve) {
   const auto& panels = scene_->page().panels;
   if (drop_types_.isEmpty() || panel >= panels.size() || scene_->page().equal_axes) return;
-  auto* data = new QMimeData;
-  data->setData(kCurveMime, QByteArray::number(static_cast<qulonglong>(panel)) + ' ' +
+  auto* mime = new QMimeData;
+  mime->setData(kCurveMime, QByteArray::number(static_cast<qulonglong>(panel)) + ' ' +
                                 (curve ? QByteArray::number(static_cast<qulonglong>(*curve))
                                        : QByteArray("-1")));
   const std::string& name = curve ? panels[panel].curves.at(*curve).name : panels[panel].title;
-  data->setText(QString::fromStdString(name));
+  mime->setText(QString::fromStdString(name));
   auto* drag = new QDrag(this);
-  drag->setMimeData(data);
+  drag->setMimeData(mime);
   const QFontMetrics metrics(font());
-  QPixmap label(metrics.horizontalAdvance(data->text()) + 16, metrics.height() + 8);
+  QPixmap label(metrics.horizontalAdvance(mime->text()) + 16, metrics.height() + 8);
   label.fill(palette().color(QPalette::ToolTipBase));
   QPainter painter(&label);
   painter.setPen(palette().color(QPalette::ToolTipText));
-  painter.drawText(label.rect(), Qt::AlignCenter, data->text());
+  painter.drawText(label.rect(), Qt::AlignCenter, mime->text());
   painter.end();
   drag->setPixmap(label);
   drag->exec(Qt::MoveAction | Qt::CopyAction, Qt::MoveAction);
 }
 
-bool ChartView::takesDrop(const QMimeData* data) const {
+bool ChartView::takesDrop(const QMimeData* mime) const {
   return std::any_of(drop_types_.begin(), drop_types_.end(),
-                     [data](const QString& type) { return data->hasFormat(type); });
+                     [mime](const QString& type) { return mime->hasFormat(type); });
 }
 
 void ChartView::showDropPlace(std::optional<QPoint> at) {

@@ -19,8 +19,8 @@ using bearing::SizeLimits;
 
 std::optional<Json> size_limits_case(const Json& the_case) {
   const Json& in = the_case.at("inputs");
-  if (in.contains("class")) {
-    const bearing::RingClass ring = bearing::ring_class(in.at("class").get<std::string>());
+  if (in.contains("ring_class")) {
+    const bearing::RingClass ring = bearing::ring_class(in.at("ring_class").get<std::string>());
     const RingTolerance bore = bearing::bore_tolerance(ring, get(in, "bore"));
     const RingTolerance outside = bearing::outside_tolerance(ring, get(in, "od"));
     return Json{{"bore_lower", bore.limits.lower},
@@ -56,7 +56,7 @@ Interference without(Interference fit, double smoothing) {
 }
 
 Fits fits_of(const Json& in) {
-  const bearing::RingClass ring = bearing::ring_class(in.value("class", std::string("Normal")));
+  const bearing::RingClass ring = bearing::ring_class(in.value("ring_class", std::string("Normal")));
   const double bore = get(in, "bore"), od = get(in, "od");
   require(od > bore, "od: it must be above the bore. Enter both in meters.");
   const RingTolerance inner = bearing::bore_tolerance(ring, bore);
@@ -96,7 +96,7 @@ Json assembly_inputs(const Json& in) {
     out["materials"][part] = steel;
   }
   Json given = in;
-  for (const char* own : {"class", "shaft", "housing", "smoothing_shaft", "smoothing_housing",
+  for (const char* own : {"ring_class", "shaft", "housing", "smoothing_shaft", "smoothing_housing",
                           "clearance_least", "clearance_most"})
     given.erase(own);
   out.merge_patch(given);

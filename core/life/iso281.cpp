@@ -151,6 +151,12 @@ double iso_thrust_static_rating(const IsoGeometry& g) {
          load_at_pressure(balls_of(g), kModulus, kPoisson, kPressure, g.contact_angle);
 }
 
+double iso_self_aligning_static_rating(const IsoGeometry& g) {
+  constexpr double kModulus = 207e9, kPoisson = 0.3, kPressure = 4.6e9, kShare = 5.0;
+  return g.rows * g.count * std::cos(g.contact_angle) *
+         load_at_pressure(balls_of(g), kModulus, kPoisson, kPressure, g.contact_angle) / kShare;
+}
+
 std::optional<double> iso_static_rating(const IsoGeometry& g) {
   const double cosine = std::cos(g.contact_angle);
   if (g.type == IsoType::RadialBall)

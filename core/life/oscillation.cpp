@@ -15,7 +15,7 @@ namespace adore::life {
 Oscillation oscillation(const OscillationInput& in) {
   if (in.count < 2 || !(in.gamma >= 0.0 && in.gamma < 1.0))
     throw InputError(fmt::format(
-        "oscillation: {} elements with gamma = {:.4g}. Enter at least 2 elements and gamma from 0 "
+        "oscillation: Z = {} with gamma = {:.4g}. Enter Z of 2 or more, and gamma from 0 "
         "to below 1.",
         in.count, in.gamma));
   if (!(in.swing > 0.0))
