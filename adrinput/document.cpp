@@ -412,6 +412,7 @@ void Document::add_refusals() {
   if (!refusals_.empty()) return;
   for (Issue issue : start_refusals_) {
     issue.severity = Severity::Note;
+    issue.code = "deck.refused";
     issue.message = "`adore run` will refuse this deck: " + issue.message;
     add_problem(std::move(issue), true);
   }

@@ -185,7 +185,7 @@ QIcon warning_icon() {
 }
 
 int element_of_body(const std::string& body) {
-  for (const char* word : {"ball ", "roller ", "element "}) {
+  for (const char* word : {"ball ", "roller ", "element ", "balls ", "rollers ", "elements "}) {
     const std::size_t at = body.find(word);
     if (at == std::string::npos) continue;
     int number = 0;

@@ -49,6 +49,11 @@ void Checker::warning(std::string_view name, std::string message, std::string re
   add(deck_.issue(Severity::Warning, name, std::move(message), std::move(remedy), instance));
 }
 
+void Checker::no_effect(std::string_view name, std::string message, std::string remedy) {
+  warning(name, std::move(message), std::move(remedy));
+  issues_.back().code = "deck.no_effect";
+}
+
 std::vector<Issue> check_deck(const Deck& deck, const Reported& reported) {
   std::vector<Issue> issues;
   Checker checker(deck, reported, issues);

@@ -50,6 +50,8 @@ class Checker {
   void error(std::string_view name, std::string message, std::string remedy = {}, int instance = 1);
   void warning(std::string_view name, std::string message, std::string remedy = {},
                int instance = 1);
+  /// A warning of a value without effect: finding deck.no_effect.
+  void no_effect(std::string_view name, std::string message, std::string remedy);
   void add(Issue issue) { issues_.push_back(std::move(issue)); }
 
  private:

@@ -127,7 +127,8 @@ void check_cage_body(Checker& c) {
     check_cage_between_races(c);
   const auto cut = c.raw("cageAngCut");
   if (c.is("nCseg", 1) && cut && *cut != 0.0)
-    c.warning("cageAngCut", "a one-piece cage has no cut; the value has no effect", "set it to 0");
+    c.no_effect("cageAngCut", "a one-piece cage has no cut; the value has no effect",
+                "set it to 0");
 }
 
 void check_lands(Checker& c) {
@@ -180,7 +181,7 @@ void check_lands(Checker& c) {
                 "enter a distance of at most half the cage width", land);
   }
   if (!guided && c.is("kGsHydro", 1))
-    c.warning("kGsHydro", "no land is guided by a race; the switch has no effect", "set it to 0");
+    c.no_effect("kGsHydro", "no land is guided by a race; the switch has no effect", "set it to 0");
 }
 
 /// Segments are identical: the same number of elements each, all cut the same way.
@@ -190,7 +191,7 @@ void check_segments(Checker& c) {
   if (!segments || *segments < 2) return;
   for (const std::string_view name : {"kPocHydro", "kGsHydro"})
     if (c.is(name, 1))
-      c.warning(
+      c.no_effect(
           name,
           "hydrodynamic forces are not available for a segmented cage; the switch has no effect",
           "set it to 0");

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace adore::facade {
@@ -70,6 +69,7 @@ ModelCheck examine_model(const deck::Deck& deck) {
   for (Issue& issue : issues)
     if (issue.severity == Severity::Error) {
       issue.severity = Severity::Note;
+      issue.code = "deck.refused";
       issue.message = "`adore run` will refuse this deck: " + issue.message;
       out.refusals.push_back(issue);
     }
@@ -83,8 +83,7 @@ ModelCheck examine_model(const deck::Deck& deck) {
   model.reads = std::make_shared<deck::ReadLog>();
   try {
     const bearing::Bearing operating = thermal::operating_bearing(setup::build_bearing(model));
-    for (Issue& issue : operating_warnings(operating, deck.file))
-      issues.push_back(std::move(issue));
+    for (Finding& one : operating_warnings(operating, deck.file)) issues.push_back(std::move(one));
     check_rest(model, operating);
     if (runs) {
       if (std::optional<Issue> note = nothing_moves(model)) issues.push_back(std::move(*note));
@@ -119,12 +118,17 @@ void check_options(const DeckRequest& request) {
   (void)setup::build_run_options(options);
 }
 
-/// Adds what is not said yet.
+/// Adds what is not said yet; of two equal texts, the one with a value is kept.
 void add_new(std::vector<Finding>& said, std::vector<Finding> more) {
-  std::set<std::string> texts;
-  for (const Issue& issue : said) texts.insert(issue.text());
-  for (Finding& issue : more)
-    if (texts.insert(issue.text()).second) said.push_back(std::move(issue));
+  std::map<std::string, std::size_t> places;
+  for (std::size_t k = 0; k < said.size(); ++k) places.emplace(said[k].text(), k);
+  for (Finding& one : more) {
+    const auto [place, is_new] = places.emplace(one.text(), said.size());
+    if (is_new)
+      said.push_back(std::move(one));
+    else if (one.measured && !said[place->second].measured)
+      said[place->second] = std::move(one);
+  }
 }
 
 }  // namespace

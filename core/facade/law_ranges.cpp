@@ -476,13 +476,20 @@ void LawRanges::restore(const nlohmann::json& outside_validity) {
   }
 }
 
-std::string LawRanges::given_coefficient() const {
+std::optional<Finding> LawRanges::given_coefficient() const {
   const Impl& s = *impl_;
-  if (!(s.given_largest > registered().coefficient.bounds.most)) return {};
-  return fmt::format("Friction coefficient from the deck or a routine: largest {:.3g}, at {}{}.",
-                     s.given_largest, s.given_body,
-                     std::isnan(s.given_time) ? std::string(", quasi-static solution")
-                                              : fmt::format(", t = {:.6g} s", s.given_time));
+  const double most = registered().coefficient.bounds.most;
+  if (!(s.given_largest > most)) return std::nullopt;
+  const bool at_rest = std::isnan(s.given_time);
+  Finding out = make_finding(
+      "friction.coefficient",
+      fmt::format("Friction coefficient from the deck or a routine: largest {:.3g}, at {}{}.",
+                  s.given_largest, s.given_body,
+                  at_rest ? std::string(", quasi-static solution")
+                          : fmt::format(", t = {:.6g} s", s.given_time)));
+  out.of(s.given_body).measure(s.given_largest, most);
+  if (!at_rest) out.at(s.given_time);
+  return out;
 }
 
 std::vector<validity::Finding> without(std::vector<validity::Finding> findings,

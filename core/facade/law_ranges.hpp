@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "base/validity.hpp"
 #include "bearing/bearing.hpp"
 #include "life/bearing_life.hpp"
@@ -50,8 +51,8 @@ class LawRanges {
   /// Left ranges, and friction coefficients that carry 1 % or more of load × slip.
   [[nodiscard]] std::vector<validity::Finding> findings() const;
   /// Largest friction coefficient of a curve of the deck or a routine, when it is above
-  /// traction.coefficient: a sentence; else empty.
-  [[nodiscard]] std::string given_coefficient() const;
+  /// traction.coefficient.
+  [[nodiscard]] std::optional<Finding> given_coefficient() const;
 
  private:
   struct Impl;

@@ -179,11 +179,11 @@ std::vector<Finding> MotionWatch::findings(results::UnitSystem units) const {
   for (std::size_t race = 0; race < 2; ++race) {
     life::RaceStrength one{};
     one[race] = strength[race];
-    for (std::string& text : life::strength_warnings(bearing_, one))
-      add("motion.yield", fmt::format("at t = {:.6g} s, the worst of all stored steps: {}",
-                                      heaviest_time_[race], text))
-          .of(fmt::format("{} race", kRace[race]))
-          .at(heaviest_time_[race]);
+    for (Finding& yield : life::strength_warnings("motion.yield", bearing_, one)) {
+      yield.message = fmt::format("at t = {:.6g} s, the worst of all stored steps: {}",
+                                  heaviest_time_[race], yield.message);
+      out.push_back(std::move(yield.at(heaviest_time_[race])));
+    }
     const Worst& over = shoulder_[race];
     if (over.steps > 0)
       add("motion.shoulder",

@@ -68,14 +68,6 @@ std::array<double, 2> mean_contact_angles(const statics::StaticSolution& solutio
   return out;
 }
 
-/// A warning of a module below, recognized by its phrase (base/finding.hpp).
-Finding warning(const std::string& text) {
-  Issue issue;
-  issue.severity = Severity::Warning;
-  issue.message = text;
-  return issue;
-}
-
 /// Equilibria do not evaluate the routine that kTrac = -1 or kRFTrac = -1 asks for. The curves of
 /// record 10, which such a deck has as well, do not stand in for it: balls keep the spin rule, also
 /// at the start of a motion, and mode -1 has no friction.
@@ -129,10 +121,6 @@ std::vector<Issue> remarks_after_sets(const deck::Deck& given, const deck::Deck&
   return out;
 }
 
-void to_deck_units(std::vector<std::string>& texts, deck::UnitSystem units) {
-  for (std::string& text : texts) text = deck::message_in_units(text, units);
-}
-
 template <class Remarks>
 void remarks_to_deck_units(Remarks& remarks, deck::UnitSystem units) {
   for (Issue& issue : remarks) {
@@ -145,16 +133,16 @@ void remarks_to_deck_units(Remarks& remarks, deck::UnitSystem units) {
 void say_in_deck_units(Prepared& out) {
   const deck::UnitSystem units = out.input.deck.units();
   remarks_to_deck_units(out.input.warnings, units);
-  to_deck_units(out.statics.notes, units);
-  to_deck_units(out.start.notes, units);
-  if (out.rollers) to_deck_units(out.rollers->notes, units);
-  if (out.bearing.operating) to_deck_units(out.bearing.operating->warnings, units);
+  remarks_to_deck_units(out.statics.notes, units);
+  remarks_to_deck_units(out.start.notes, units);
+  if (out.rollers) remarks_to_deck_units(out.rollers->notes, units);
+  if (out.bearing.operating) remarks_to_deck_units(out.bearing.operating->warnings, units);
   for (statics::StiffnessRow& row : out.stiffness)
-    if (row.operating) to_deck_units(row.operating->warnings, units);
-  to_deck_units(out.life.notes, units);
+    if (row.operating) remarks_to_deck_units(row.operating->warnings, units);
+  remarks_to_deck_units(out.life.notes, units);
   for (scene::EffectEntry& effect : out.plan.effects)
     effect.because = deck::message_in_units(effect.because, units);
-  if (out.life.iso) to_deck_units(out.life.iso->notes, units);
+  if (out.life.iso) remarks_to_deck_units(out.life.iso->notes, units);
 }
 
 /// Nodes of balls in oil, unless the options ask for others: those made for films that follow the
@@ -210,18 +198,16 @@ void set_film_options(Prepared& out) {
 /// range. @throws statics::DeckFault
 void doubt_fluids(Prepared& out) {
   const bearing::Bearing& b = out.bearing;
-  const auto warn = [&](const std::string& text) {
-    if (!text.empty()) add_remark(out, warning(text));
-  };
   using statics::FilmsOf;
   const FilmsOf use = !out.control.dynamic ? FilmsOf::Equilibrium
                       : b.thermal          ? FilmsOf::ThermalSteps
                                            : FilmsOf::Motion;
   if (const auto& films = out.race_result().films)
-    for (const std::string& text : statics::film_doubts(*films, use)) warn(text);
+    for (Finding& one : statics::film_doubts(*films, use)) add_remark(out, std::move(one));
   const auto flows = [&](const char* flag, double kelvin, const char* place) {
     const tribology::Lubricant oil = tribology::lubricant_of(*b.lubrication);
-    warn(statics::flow_doubt(flag, oil.name, kelvin, oil.base_viscosity(kelvin), place));
+    if (auto one = statics::flow_doubt(flag, oil.name, kelvin, oil.base_viscosity(kelvin), place))
+      add_remark(out, std::move(*one));
   };
   if (out.control.dynamic && b.lubrication && b.cage && b.cage_films) {
     const bearing::CageFilms& cage = *b.cage_films;
@@ -282,8 +268,7 @@ void find_left_ranges(Prepared& out) {
                "drag.temperature", "materials.temperature", "rolling.strips"});
   for (const validity::Finding& left : new_ones) add_remark(out, finding_of_range(left));
   fill_from_ranges(out.input.warnings, out.left_ranges);
-  if (const std::string text = ranges.given_coefficient(); !text.empty())
-    add_remark(out, make_finding("friction.coefficient", text));
+  if (auto one = ranges.given_coefficient()) add_remark(out, std::move(*one));
   if (const std::string text = traction_spread(out); !text.empty())
     add_remark(out, make_finding("friction.spread", text));
 }
@@ -400,13 +385,15 @@ Prepared prepare_model(LoadedDeck input) {
     out.thermal = thermal::solve_steady_state(out.as_built, out.options.rollers, interrupt);
     out.as_built = out.thermal->as_built;
     out.bearing = out.thermal->operating;
-    for (const std::string& note : out.thermal->heat.notes)
-      add_remark(out, finding_of_note("thermal analysis: " + note, "thermal."));
+    for (Finding note : out.thermal->heat.notes) {
+      note.message = "thermal analysis: " + note.message;
+      add_remark(out, std::move(note));
+    }
   } else {
     out.bearing = thermal::operating_bearing(out.as_built);
   }
-  for (Issue& issue : operating_warnings(out.bearing, out.input.path.string()))
-    out.input.warnings.push_back(std::move(issue));
+  for (Finding& one : operating_warnings(out.bearing, out.input.path.string()))
+    out.input.warnings.push_back(std::move(one));
   out.control = setup::build_run_control(deck);
   if (out.control.dynamic)
     for (bearing::Bearing* one : {&out.as_built, &out.bearing})
@@ -436,17 +423,19 @@ Prepared prepare_model(LoadedDeck input) {
   for (const statics::StiffnessRow& row : out.stiffness) {
     if (!row.operating || row.operating->warnings.empty()) continue;
     constexpr double kRpm = 30.0 / std::numbers::pi;
-    for (const std::string& text : row.operating->warnings)
+    for (const Finding& one : row.operating->warnings)
       add_remark(
           out, make_finding(
                    "fit.stiffness_table",
                    fmt::format("stiffness over speed: from rpm1 = {:g} and rpm2 = {:g} upwards, {}",
-                               kRpm * row.speed[0], kRpm * row.speed[1], text)));
+                               kRpm * row.speed[0], kRpm * row.speed[1], one.message))
+                   .of(one.body)
+                   .measure("speed of the inner race", kRpm * row.speed[1], "rpm"));
     break;
   }
   const auto judge = [&](const life::RaceStrength& strength) {
-    for (const std::string& text : life::strength_warnings(out.bearing, strength))
-      add_remark(out, make_finding("statics.yield", text));
+    for (Finding& one : life::strength_warnings("statics.yield", out.bearing, strength))
+      add_remark(out, std::move(one));
   };
   ask_to_go_on(out.input);
   if (out.bearing.rollers()) {
@@ -620,22 +609,20 @@ LoadedDeck load_deck(const DeckRequest& request) {
   return out;
 }
 
-std::vector<Issue> operating_warnings(const bearing::Bearing& bearing, const std::string& file) {
-  std::vector<Issue> out;
-  if (!bearing.operating) return out;
-  for (const std::string& text : bearing.operating->warnings) out.push_back(warning(text));
-  for (Issue& issue : out) issue.file = file;
+std::vector<Finding> operating_warnings(const bearing::Bearing& bearing, const std::string& file) {
+  std::vector<Finding> out;
+  if (bearing.operating) out = bearing.operating->warnings;
+  for (Finding& one : out) one.file = file;
   return out;
 }
 
 std::vector<Finding> solution_notes(const Prepared& prepared) {
-  std::vector<Finding> out;
-  for (const std::string& text : prepared.race_result().notes)
-    out.push_back(finding_of_note(text, "statics."));
-  for (const std::string& text : prepared.life.notes) out.push_back(finding_of_note(text, "life."));
-  if (prepared.life.iso)
-    for (const std::string& text : prepared.life.iso->notes)
-      out.push_back(finding_of_note(text, "life."));
+  std::vector<Finding> out = prepared.race_result().notes;
+  const auto add = [&out](const std::vector<Finding>& notes) {
+    out.insert(out.end(), notes.begin(), notes.end());
+  };
+  add(prepared.life.notes);
+  if (prepared.life.iso) add(prepared.life.iso->notes);
   for (Finding& finding : out) finding.file = prepared.input.path.string();
   return out;
 }

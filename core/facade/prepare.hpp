@@ -66,8 +66,8 @@ struct Prepared {
 
 /// What operating_bearing warned of (lost clearance, loose fit, overstressed ring), as remarks on
 /// the deck.
-[[nodiscard]] std::vector<Issue> operating_warnings(const bearing::Bearing& bearing,
-                                                    const std::string& file);
+[[nodiscard]] std::vector<Finding> operating_warnings(const bearing::Bearing& bearing,
+                                                      const std::string& file);
 
 /// Azimuth of element 1 at the start (record X4); 0 where it is not given [rad].
 [[nodiscard]] double start_angle(const deck::Deck& deck);

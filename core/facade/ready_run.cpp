@@ -73,8 +73,8 @@ bool restore_thermal(ThermalRun& thermal, Prepared& prepared, const fs::path& ma
   std::error_code error;
   if (!fs::exists(master, error)) return false;
   if (!thermal.restore(results::read_master(master).averages, master)) return false;
-  for (const std::string& text : move_to(prepared, thermal.operating()))
-    add_remark(prepared, make_finding("thermal.geometry", text));
+  for (const Finding& doubt : move_to(prepared, thermal.operating()))
+    add_remark(prepared, renamed(doubt, "thermal.geometry", doubt.message));
   return true;
 }
 

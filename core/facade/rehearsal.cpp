@@ -36,8 +36,7 @@ std::vector<Finding> findings_of_start(const RunRequest& request, Prepared& prep
   for (const validity::Finding& one :
        without(ranges.findings(), {"hertz.shoulder", "hertz.yield", "cage.yield"}))
     out.push_back(finding_of_range(one));
-  if (const std::string text = ranges.given_coefficient(); !text.empty())
-    out.push_back(make_finding("friction.coefficient", text));
+  if (auto one = ranges.given_coefficient()) out.push_back(std::move(*one));
   return out;
 }
 

@@ -65,9 +65,9 @@ void move_to_speeds(Prepared& prepared, ThermalRun* thermal, const std::array<do
   (void)move_at_speed(prepared, operating);
 }
 
-std::vector<std::string> move_at_speed(Prepared& prepared, const bearing::Bearing& operating) {
+std::vector<Finding> move_at_speed(Prepared& prepared, const bearing::Bearing& operating) {
   const std::array<double, 2> at_start = prepared.as_built.speed;
-  std::vector<std::string> doubts;
+  std::vector<Finding> doubts;
   try {
     doubts = move_to(prepared, operating);
   } catch (const SolverError&) {

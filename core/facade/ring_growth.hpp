@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "facade/prepare.hpp"
 
 #include <array>
@@ -45,7 +46,7 @@ void move_to_speeds(Prepared& prepared, ThermalRun* thermal, const std::array<do
 /// move_to() of a bearing at its present speeds, for laws that keep the speeds of t = 0. Where the
 /// present speeds leave no equilibrium under the specified load (a tapered row without enough
 /// thrust), that of t = 0 places the race. @return as move_to()
-[[nodiscard]] std::vector<std::string> move_at_speed(Prepared& prepared,
-                                                     const bearing::Bearing& operating);
+[[nodiscard]] std::vector<Finding> move_at_speed(Prepared& prepared,
+                                                 const bearing::Bearing& operating);
 
 }  // namespace adore::facade

@@ -695,8 +695,7 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   for (const validity::Finding& one :
        without(left, {"hertz.shoulder", "hertz.yield", "cage.yield"}))
     s.remark(finding_of_range(one));
-  if (const std::string text = s.ranges.given_coefficient(); !text.empty())
-    s.remark(make_finding("friction.coefficient", text));
+  if (auto one = s.ranges.given_coefficient()) s.remark(std::move(*one));
   s.files.written.push_back(s.path(s.control.final_file));
   s.files.written.push_back(s.path(s.control.master_file));
   if (const std::string missed =

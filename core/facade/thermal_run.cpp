@@ -318,7 +318,7 @@ thermal::RaceConductance race_conductance(const Prepared& p) {
                         : thermal::race_conductance(p.bearing, p.start);
 }
 
-std::vector<std::string> move_to(Prepared& p, bearing::Bearing operating) {
+std::vector<Finding> move_to(Prepared& p, bearing::Bearing operating) {
   p.bearing = std::move(operating);
   std::optional<statics::LubricantFilms> films;
   if (p.bearing.rollers()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "facade/prepare.hpp"
 #include "scene/snapshot.hpp"
 #include "thermal/bearing_heat.hpp"
@@ -91,6 +92,6 @@ class ThermalRun {
 /// A prepared dynamic deck whose bearing now is `operating`: races and elements in the equilibrium
 /// of this geometry. @throws SolverError when there is none, or the oil has become a glass
 /// @return what is to be doubted of its films
-std::vector<std::string> move_to(Prepared& prepared, bearing::Bearing operating);
+std::vector<Finding> move_to(Prepared& prepared, bearing::Bearing operating);
 
 }  // namespace adore::facade

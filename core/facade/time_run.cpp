@@ -125,11 +125,13 @@ void TimeRun::thermal_step() {
       thermal.close(system().snapshot(t, y), race_conductance(parts_.prepared));
   remark_thermal(done, thermal.settled() && !settled);
   try {
-    const std::vector<std::string> doubts = move_at_speed(parts_.prepared, thermal.operating());
-    for (const std::string& text : doubts)
+    const std::vector<Finding> doubts = move_at_speed(parts_.prepared, thermal.operating());
+    for (const Finding& doubt : doubts)
       if (!films_doubted_)
-        parts_.outputs.remark(make_finding(
-            "thermal.film_doubt", fmt::format("from thermal step {} on: {}", done.number, text)));
+        parts_.outputs.remark(
+            renamed(doubt, "thermal.film_doubt",
+                    fmt::format("from thermal step {} on: {}", done.number, doubt.message))
+                .at(t));
     films_doubted_ = !doubts.empty();
     dynamics::System next = make_system(parts_.prepared);
     move_into(std::move(next), t, y, fmt::format("thermal step {}", done.number));

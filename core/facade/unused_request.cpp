@@ -32,6 +32,7 @@ Issue note(const Prepared& prepared, const std::vector<std::string>& names,
            const std::string& because) {
   Issue issue;
   issue.severity = Severity::Note;
+  issue.code = "run.unused_request";
   issue.file = prepared.input.path.string();
   issue.message = fmt::format("{} {} without effect, because {}", listed(names),
                               names.size() == 1 ? "is" : "are", because);
@@ -76,6 +77,7 @@ std::optional<Issue> nothing_moves(const deck::Deck& deck) {
   const bool steps = why.rfind("maxStps", 0) == 0;
   Issue out;
   out.severity = Severity::Note;
+  out.code = "deck.no_step";
   out.file = deck.file;
   out.record = steps ? "1" : "2.1";
   out.variable = steps ? "maxStps" : "fTime";

@@ -48,6 +48,11 @@ std::optional<double> film_parameter(const BearingContacts& contacts, std::size_
   return outer && inner ? std::min(outer, inner) : std::nullopt;
 }
 
+Finding& add_note(std::vector<Finding>& notes, const char* code, std::string text) {
+  notes.push_back(make_finding(code, std::move(text)));
+  return notes.back();
+}
+
 /// Point or line contact, with the reason.
 void note_shapes(BearingLife& out, std::size_t slices) {
   const LifeState& state = out.state;
@@ -57,24 +62,28 @@ void note_shapes(BearingLife& out, std::size_t slices) {
     const double share = state.major_axis[i] / out.effective_length;
     lines = lines || state.model[0].line[i];
     if (!(share > 0.0)) {
-      out.notes.push_back(fmt::format(
-          "{}: line contact, because the rollers are unloaded at this race or have no crown",
-          name));
+      add_note(out.notes, "life.line_unloaded",
+               fmt::format("{}: line contact, because the rollers are unloaded at this race or "
+                           "have no crown",
+                           name))
+          .of(name);
       continue;
     }
     const std::string ellipse = fmt::format(
         "{}: the calculated contact ellipse of the most loaded roller is {:.3g} times as long as "
         "the effective roller length",
         name, share);
+    const auto shape = [&](const std::string& rest) {
+      add_note(out.notes, "life.shape", ellipse + rest).of(name).measure(share);
+    };
     switch (state.shape[i]) {
       case ContactShape::Point:
-        out.notes.push_back(ellipse +
-                            ", so the contact is a point contact (ratio below 1; rule of Harris, "
-                            "quoted from memory)");
+        shape(
+            ", so the contact is a point contact (ratio below 1; rule of Harris, quoted from "
+            "memory)");
         break;
       case ContactShape::Line:
-        out.notes.push_back(
-            ellipse +
+        shape(
             ", so the contact is a line contact (ratio above 1.5 with the straight land, or a land "
             "longer than the ellipse; rule of Harris, quoted from memory)");
         break;
@@ -89,20 +98,23 @@ void note_shapes(BearingLife& out, std::size_t slices) {
           return fmt::format("{} in{}", what, text);
         };
         const std::string point = list(points, "point contact"), line = list(all, "line contact");
-        out.notes.push_back(
-            fmt::format("{}, which is between point and line contact (rule of Harris, quoted from "
+        shape(
+            fmt::format(", which is between point and line contact (rule of Harris, quoted from "
                         "memory), so each model uses the shorter of both lives: {}{}{}",
-                        ellipse, point, point.empty() || line.empty() ? "" : "; ", line));
+                        point, point.empty() || line.empty() ? "" : "; ", line));
         break;
       }
     }
   }
   if (lines)
-    out.notes.push_back(slices > 1
-                            ? "line contacts are evaluated slice by slice; these lives do not "
-                              "include edge stresses above the slice pressures"
-                            : "line contacts are assumed uniform over the effective length, "
-                              "because the solution has one ellipse per contact and no slices");
+    out.notes.push_back(
+        slices > 1
+            ? make_finding("life.line_slices",
+                           "line contacts are evaluated slice by slice; these lives do not include "
+                           "edge stresses above the slice pressures")
+            : make_finding("life.line_contact",
+                           "line contacts are assumed uniform over the effective length, because "
+                           "the solution has one ellipse per contact and no slices"));
 }
 
 void set_temperatures(LifeParameters& out, const bearing::Bearing& bearing) {
@@ -415,49 +427,68 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
       r.stress_capacity[m] = law(m, i, r.line).stress_capacity(*patch, track, nu, peaks_);
     const std::string& name = parameters_.part[i].name;
     if (r.Q_max > r.Q_c)
-      out.notes.push_back(
-          fmt::format("WARNING: {}: the largest load exceeds the load capacity; life models are "
-                      "not valid below 1e6 revolutions",
-                      name));
-    if (!validity::range("life.pressure").bounds.contains(r.p_max))
-      out.notes.push_back(
-          fmt::format("WARNING: {}: the pressure {:.3g} GPa exceeds 4.2 GPa, the static rating; "
-                      "plastic deformation is not modeled",
-                      name, 1e-9 * r.p_max));
+      add_note(out.notes, "life.load",
+               fmt::format("WARNING: {}: the largest load exceeds the load capacity; life models "
+                           "are not valid below 1e6 revolutions",
+                           name))
+          .of(name)
+          .measure(r.Q_max, r.Q_c);
+    if (const validity::Range& range = validity::range("life.pressure");
+        !range.bounds.contains(r.p_max))
+      add_note(out.notes, "life.pressure",
+               fmt::format("WARNING: {}: the pressure {:.3g} GPa exceeds 4.2 GPa, the static "
+                           "rating; plastic deformation is not modeled",
+                           name, 1e-9 * r.p_max))
+          .of(name)
+          .measure(r.p_max / range.per, range.bounds.most / range.per);
     if (out.state.factors.residual_refused[i])
-      out.notes.push_back(fmt::format(
-          "WARNING: {}: the compressive residual stress is at least twice the largest shear "
-          "stress, so the residual-stress life factor is not valid and is not applied",
-          name));
+      add_note(out.notes, "life.residual_stress",
+               fmt::format("WARNING: {}: the compressive residual stress is at least twice the "
+                           "largest shear stress, so the residual-stress life factor is not valid "
+                           "and is not applied",
+                           name))
+          .of(name)
+          .measure(-1e-6 * parameters_.part[i].residual_stress,
+                   2e-6 * r.peaks.max_shear * patch->p_max);
   }
   const auto& films = out.state.factors.film_parameter;
   if (parameters_.choices.film_parameter) {
-    out.notes.push_back(
-        fmt::format("film parameter {} (run option lifeLambda) is used at every contact instead of "
-                    "the computed value",
-                    *parameters_.choices.film_parameter));
+    add_note(out.notes, "life.film_given",
+             fmt::format("film parameter {} (run option lifeLambda) is used at every contact "
+                         "instead of the computed value",
+                         *parameters_.choices.film_parameter))
+        .measure(*parameters_.choices.film_parameter);
   } else if (films[0] || films[1]) {
     for (std::size_t i = 0; i < 2; ++i)
       if (films[i] && *films[i] <= scene::kNoFilmLeft)
-        out.notes.push_back(
-            fmt::format("{}: there is no film at the most loaded contact; the film factor for the "
-                        "smallest tabulated film parameter is used",
-                        parameters_.part[i].name));
+        add_note(out.notes, "life.no_film_left",
+                 fmt::format("{}: there is no film at the most loaded contact; the film factor for "
+                             "the smallest tabulated film parameter is used",
+                             parameters_.part[i].name))
+            .of(parameters_.part[i].name);
       else if (films[i])
-        out.notes.push_back(
-            fmt::format("{}: film parameter {:.3g}, computed for the most loaded contact with the "
-                        "lubricant of the deck",
-                        parameters_.part[i].name, *films[i]));
+        add_note(out.notes, "life.film_computed",
+                 fmt::format("{}: film parameter {:.3g}, computed for the most loaded contact with "
+                             "the lubricant of the deck",
+                             parameters_.part[i].name, *films[i]))
+            .of(parameters_.part[i].name)
+            .measure(*films[i]);
   } else {
-    out.notes.push_back(
-        "no lubricant film is computed, so the lives assume a full film: the film factor is 1, and "
-        "the Tallian-type factor has no asperity term. To assume another film parameter, set the "
-        "run option lifeLambda");
+    add_note(out.notes, "life.no_film",
+             "no lubricant film is computed, so the lives assume a full film: the film factor is "
+             "1, and the Tallian-type factor has no asperity term. To assume another film "
+             "parameter, set the run option lifeLambda");
   }
-  if (out.state.factors.thin_film)
-    out.notes.push_back(
-        "thin film (film parameter below 1): the product of the STLE factors for material, process "
-        "and hardness is limited to 1");
+  if (out.state.factors.thin_film) {
+    double least = 1.0;
+    for (const std::optional<double>& film : films)
+      if (film) least = std::min(least, *film);
+    add_note(out.notes, "life.thin_film",
+             "thin film (film parameter below 1): the product of the STLE factors for material, "
+             "process and hardness is limited to 1")
+        .measure(least)
+        .at_least(1.0);
+  }
   return out;
 }
 

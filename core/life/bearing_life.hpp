@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "life/contact_shape.hpp"
 #include "life/contacts.hpp"
 #include "life/factors.hpp"
@@ -88,7 +89,7 @@ struct IsoReport {
   bool outside = false;                                     ///< κ < 0.1
   std::optional<ReferenceLife> reference;                   ///< ISO 16281
   std::optional<double> L_nmr;
-  std::vector<std::string> notes;
+  std::vector<Finding> notes;
 };
 
 struct BearingLife {
@@ -98,7 +99,7 @@ struct BearingLife {
   std::array<RaceReport, 2> race;
   std::array<std::array<double, 3>, 3> pressure_exponent{};  ///< [model - 1][part]
   std::optional<IsoReport> iso;
-  std::vector<std::string> notes;
+  std::vector<Finding> notes;
 };
 
 /// All models of one bearing, calibrated once; evaluated for any set of contacts.

@@ -69,23 +69,29 @@ HeaviestContacts heaviest_contacts(std::span<const scene::ElementSnapshot> eleme
   return heaviest;
 }
 
-std::vector<std::string> strength_warnings(const Bearing& bearing, const RaceStrength& strength) {
+std::vector<Finding> strength_warnings(const char* code, const Bearing& bearing,
+                                       const RaceStrength& strength) {
   const std::string element = bearing.rollers() ? "roller" : "ball";
-  std::vector<std::string> out;
+  std::vector<Finding> out;
   for (std::size_t race = 0; race < 2; ++race)
     for (std::size_t body = 0; body < 2; ++body) {
       const ContactStrength& s = strength[race][body];
       if (!s.yields()) continue;
-      const std::string where = body == 0 ? fmt::format("the {} race", kRaceName[race])
-                                          : fmt::format("{} {}", element, s.element);
+      const std::string race_name = fmt::format("{} race", kRaceName[race]);
+      const std::string where =
+          body == 0 ? "the " + race_name : fmt::format("{} {}", element, s.element);
       const Material& material = body == 0 ? bearing.race_material[race] : bearing.element_material;
       out.push_back(
-          fmt::format("{} ({}) yields at the contact of {} {} with the {} race: the von Mises "
-                      "stress is {:.4g} MPa at a pressure of {:.4g} MPa, but the elastic limit is "
-                      "{:.4g} MPa (strain limit {:.4g} times the modulus). Elastic contact loads "
-                      "and lives are not valid above this limit",
-                      where, material.name, element, s.element, kRaceName[race], 1e-6 * s.von_mises,
-                      1e-6 * s.pressure, 1e-6 * s.elastic_limit, material.elastic_strain_limit));
+          make_finding(
+              code,
+              fmt::format("{} ({}) yields at the contact of {} {} with the {}: the von Mises "
+                          "stress is {:.4g} MPa at a pressure of {:.4g} MPa, but the elastic limit "
+                          "is {:.4g} MPa (strain limit {:.4g} times the modulus). Elastic contact "
+                          "loads and lives are not valid above this limit",
+                          where, material.name, element, s.element, race_name, 1e-6 * s.von_mises,
+                          1e-6 * s.pressure, 1e-6 * s.elastic_limit, material.elastic_strain_limit))
+              .of(body == 0 ? race_name : fmt::format("{} {}, {}", element, s.element, race_name))
+              .measure(s.von_mises / s.elastic_limit, 1.0));
     }
   return out;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "bearing/bearing.hpp"
 #include "scene/snapshot.hpp"
 #include "statics/ball_statics.hpp"
@@ -49,9 +50,10 @@ using HeaviestContacts = std::array<HeaviestContact, 2>;  ///< outer, inner race
 [[nodiscard]] RaceStrength contact_strength(const bearing::Bearing& bearing,
                                             const HeaviestContacts& heaviest);
 
-/// A sentence for each body that yields, naming element, race, stress and limit; empty when all
-/// stay elastic.
-[[nodiscard]] std::vector<std::string> strength_warnings(const bearing::Bearing& bearing,
-                                                         const RaceStrength& strength);
+/// A finding of this code for each body that yields, with element, race, stress and limit; empty
+/// when all stay elastic.
+[[nodiscard]] std::vector<Finding> strength_warnings(const char* code,
+                                                     const bearing::Bearing& bearing,
+                                                     const RaceStrength& strength);
 
 }  // namespace adore::life

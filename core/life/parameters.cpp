@@ -43,7 +43,7 @@ Marked factor_or(const std::optional<double>& value, const Marked& otherwise) {
 }
 
 void set_factors(PartParameters& out, const LifeComponentInput& input, const Material& material,
-                 std::vector<std::string>& notes) {
+                 std::vector<Finding>& notes) {
   const LifeConstants& c = constants();
   const bool own = material.code == kDeckMaterial;
   const auto stle = c.stle_by_code.find(table_code(material));
@@ -67,16 +67,22 @@ void set_factors(PartParameters& out, const LifeComponentInput& input, const Mat
   out.asperity_traction = given_or(input.asperity_traction, {c.asperity_traction, "derived"});
   out.residual_stress = input.residual_stress;
   if (!own && !has_stle)
-    notes.push_back(fmt::format(
-        "{}: no STLE factors are known for {}; material and process factors are set to 1", out.name,
-        material.name));
+    notes.push_back(
+        make_finding("life.stle", fmt::format("{}: no STLE factors are known for {}; "
+                                              "material and process factors are set to 1",
+                                              out.name, material.name))
+            .of(out.name));
   if (!own && !has_tallian)
-    notes.push_back(fmt::format("{}: no Tallian factors are known for {}; the factors are set to 1",
-                                out.name, material.name));
+    notes.push_back(
+        make_finding(
+            "life.tallian",
+            fmt::format("{}: no Tallian factors are known for {}; the factors are set to 1",
+                        out.name, material.name))
+            .of(out.name));
 }
 
 void set_limit(PartParameters& out, const Material& material, double limit_factor,
-               std::vector<std::string>& notes) {
+               std::vector<Finding>& notes) {
   if (material.code == kDeckMaterial)
     out.fatigue_limit = {material.fatigue_limit_stress, "deck"};
   else if (const auto known = fatigue_limit_of_code(table_code(material)))
@@ -85,10 +91,13 @@ void set_limit(PartParameters& out, const Material& material, double limit_facto
     out.fatigue_limit = {0.0, "none known"};
   out.fatigue_limit.value *= limit_factor;
   if (out.fatigue_limit.value == 0.0)
-    notes.push_back(fmt::format(
-        "{}: no fatigue limit is known for {}. The limit is set to 0, so no life is infinite. The "
-        "Ioannides-Harris lives are far too short, because the model was calibrated with 684 MPa",
-        out.name, material.name));
+    notes.push_back(
+        make_finding("life.fatigue_limit",
+                     fmt::format("{}: no fatigue limit is known for {}. The limit is set to 0, so "
+                                 "no life is infinite. The Ioannides-Harris lives are far too "
+                                 "short, because the model was calibrated with 684 MPa",
+                                 out.name, material.name))
+            .of(out.name));
 }
 
 }  // namespace
@@ -133,21 +142,28 @@ LifeParameters life_parameters(const bearing::LifeInputs& inputs, bool line,
       part.fatigue_limit = {*inputs.race_limit * inputs.limit_factor, "maker"};
     set_factors(part, input, material, out.notes);
     // Elastic constants are hidden in the constant of the original theory.
+    constexpr double kLeastSteel = 185e9, kMostSteel = 225e9;  // [Pa]
     if (i != bearing::kElementPart &&
-        !(material.elastic_modulus > 185e9 && material.elastic_modulus < 225e9))
+        !(material.elastic_modulus > kLeastSteel && material.elastic_modulus < kMostSteel))
       out.notes.push_back(
-          fmt::format("{}: the original Lundberg-Palmgren life is valid for steel only, not for a "
-                      "modulus of {:.4g} GPa; the stress models account for the modulus",
-                      part.name, 1e-9 * material.elastic_modulus));
+          make_finding("life.not_steel",
+                       fmt::format("{}: the original Lundberg-Palmgren life is valid for steel "
+                                   "only, not for a modulus of {:.4g} GPa; the stress models "
+                                   "account for the modulus",
+                                   part.name, 1e-9 * material.elastic_modulus))
+              .of(part.name)
+              .measure(1e-9 * material.elastic_modulus, 1e-9 * kMostSteel)
+              .at_least(1e-9 * kLeastSteel));
   }
   constexpr double kCeramicModulus = 250e9;
   out.ceramic_elements =
       element.code == 150 || element.code == 151 ||
       (element.code == kDeckMaterial && element.elastic_modulus > kCeramicModulus);
   if (out.ceramic_elements && out.choices.elements == bearing::ElementLife::Zaretsky)
-    out.notes.push_back(
+    out.notes.push_back(make_finding(
+        "life.ceramic",
         "ceramic rolling elements follow other failure laws, so the life of the bearing does not "
-        "include them (run option lifeElements=all includes them)");
+        "include them (run option lifeElements=all includes them)"));
   return out;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "bearing/bearing.hpp"
 #include "bearing/life_inputs.hpp"
 #include "life/constants.hpp"
@@ -45,7 +46,8 @@ struct LifeParameters {
   bool ceramic_elements = false;
   bool modulus_follows_temperature = false;  ///< material laws on (kMatPropMod = 1)
   bearing::LifeChoices choices;
-  std::vector<std::string> notes;  ///< assumptions for unknown values
+  std::vector<Finding>
+      notes;  ///< life.stle, life.fatigue_limit ...: assumptions for unknown values
 };
 
 /// @param element, race materials; code 1 is the deck's own

@@ -167,9 +167,9 @@ Json life_json(const life::BearingLife& life) {
   for (std::size_t i = 0; i < 2; ++i) out["races"][kParts[i]] = race(life, i);
   for (std::size_t i = 0; i < 3; ++i) out["parameters"][kParts[i]] = part(life, i);
   if (life.iso) out["ISO"] = iso(*life.iso, life.state.relative_speed);
-  out["notes"] = life.notes;
+  out["notes"] = sentences_of(life.notes);
   if (life.iso)
-    for (const std::string& note : life.iso->notes) out["notes"].push_back(note);
+    for (const Finding& note : life.iso->notes) out["notes"].push_back(note.message);
   return out;
 }
 

@@ -109,7 +109,7 @@ void network(Report& report, const thermal::BearingHeat& heat) {
     report.text(
         "Ladder (thermalModel=ladder): half of the heat of a contact flows into each body. "
         "Raceways have the temperature of the rolling elements. The heat balance is not closed.");
-  for (const std::string& note : heat.notes) report.text(note);
+  for (const Finding& note : heat.notes) report.text(note.message);
 }
 
 std::string quantity(double si, const UnitPair& unit, UnitSystem units) {

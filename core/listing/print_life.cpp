@@ -351,9 +351,9 @@ void print_life(Report& report, const BearingLife& life) {
   factors(report, life);
   if (life.iso) iso(report, *life.iso);
   report.heading("Notes on life");
-  for (const std::string& note : life.notes) report.text(note);
+  for (const Finding& note : life.notes) report.text(note.message);
   if (life.iso)
-    for (const std::string& note : life.iso->notes) report.text(note);
+    for (const Finding& note : life.iso->notes) report.text(note.message);
 }
 
 void print_run_life(Report& report, const RunLife& run) {

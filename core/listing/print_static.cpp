@@ -233,7 +233,7 @@ void print_quasi_static(Report& report, const statics::StaticSolution& solution,
   print_cage_operation(report, bearing);
   if (solution.notes.empty()) return;
   report.heading("Notes");
-  for (const std::string& note : solution.notes) report.text(note);
+  for (const Finding& note : solution.notes) report.text(note.message);
 }
 
 }  // namespace adore::listing

@@ -30,7 +30,7 @@ std::string titled(const char* name, const UnitPair& unit, UnitSystem units) {
 }
 
 std::vector<std::string> warnings_of(const statics::StiffnessRow& row) {
-  return row.operating ? row.operating->warnings : std::vector<std::string>();
+  return row.operating ? sentences_of(row.operating->warnings) : std::vector<std::string>();
 }
 
 void print_row(Report& report, const statics::StiffnessRow& row) {

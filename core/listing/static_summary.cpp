@@ -221,7 +221,7 @@ void lives(Report& report, const life::BearingLife& life) {
 }
 
 void remarks(Report& report, const std::vector<std::string>& warnings,
-             const std::vector<std::string>& notes) {
+             const std::vector<Finding>& notes) {
   report.text(fmt::format("Warnings: {}. Notes: {}.", warnings.size(), notes.size()));
   // Complete if there is room, cut to one line otherwise; the last line is kept free.
   const auto shown = [&](const std::string& text) {
@@ -232,9 +232,10 @@ void remarks(Report& report, const std::vector<std::string>& warnings,
     report.text(whole ? text : text.substr(0, kWidth - 4) + " ...", 6);
     return true;
   };
-  for (const auto* list : {&warnings, &notes})
-    for (const std::string& text : *list)
-      if (!shown(text)) return report.text("    More on the following pages.", 0);
+  std::vector<std::string> all = warnings;
+  for (const Finding& note : notes) all.push_back(note.message);
+  for (const std::string& text : all)
+    if (!shown(text)) return report.text("    More on the following pages.", 0);
 }
 
 /// "55.3 kN (maker's)"
@@ -359,7 +360,7 @@ std::string datum_text(const Bearing& bearing, UnitSystem units) {
 
 void print_static_summary(Report& report, const StaticSummary& s, const Bearing& bearing,
                           const life::BearingLife& life, const std::vector<std::string>& warnings,
-                          const std::vector<std::string>& notes) {
+                          const std::vector<Finding>& notes) {
   report.new_page("QUASI-STATIC SOLUTION: SUMMARY");
   report.text(fmt::format(
       "{} {}s; outer race {:.6g} rpm, inner race {:.6g} rpm. Tables of every contact follow.",

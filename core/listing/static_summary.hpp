@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "bearing/bearing.hpp"
 #include "life/bearing_life.hpp"
 #include "life/contact_strength.hpp"
@@ -50,7 +51,7 @@ struct StaticSummary {
 void print_static_summary(Report& report, const StaticSummary& summary,
                           const bearing::Bearing& bearing, const life::BearingLife& life,
                           const std::vector<std::string>& warnings,
-                          const std::vector<std::string>& notes);
+                          const std::vector<Finding>& notes);
 
 /// Displacement, largest contact load and pressure, life: one line each, in the deck's units.
 [[nodiscard]] std::vector<std::string> summary_lines(const StaticSummary& summary,

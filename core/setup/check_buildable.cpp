@@ -84,6 +84,15 @@ class Checker {
         deck_.issue(Severity::Warning, variable, std::move(message), std::move(remedy)));
   }
 
+  /// A warning of a value without effect: finding deck.no_effect.
+  void no_effect(const std::string& variable, std::string message, std::string remedy,
+                 int index = 1) {
+    Issue issue =
+        deck_.issue(Severity::Warning, variable, std::move(message), std::move(remedy), index);
+    issue.code = "deck.no_effect";
+    add(std::move(issue));
+  }
+
   void note(const char* variable, std::string message) {
     issues_.push_back(deck_.issue(Severity::Note, variable, std::move(message), {}));
   }
@@ -144,13 +153,14 @@ void check_waves(const Deck& deck, Checker& check) {
       if (!wave || !deck.has(amplitude) || deck.real(amplitude) == 0.0) continue;
       const std::string phase = std::string(stem) + "3" + race;
       if (deck.real(waves) == 0.0 && std::abs(std::sin(deck.si(phase))) < 1e-9)
-        check.warning(amplitude.c_str(),
-                      fmt::format("has no effect: {} = 0 waves and phase {} = {:.6g} degrees make "
-                                  "the deviation zero everywhere",
-                                  waves, phase, deck.real(phase)),
-                      fmt::format("give a number of waves in {}, or a phase of 90 degrees for a "
-                                  "constant deviation",
-                                  waves));
+        check.no_effect(
+            amplitude,
+            fmt::format("has no effect: {} = 0 waves and phase {} = {:.6g} degrees make "
+                        "the deviation zero everywhere",
+                        waves, phase, deck.real(phase)),
+            fmt::format("give a number of waves in {}, or a phase of 90 degrees for a "
+                        "constant deviation",
+                        waves));
       if (deck.real(waves) == std::round(deck.real(waves))) continue;
       const std::string step =
           "is not a whole number of waves per revolution: the surface has a step at the z axis of "
@@ -254,15 +264,15 @@ void check_land_errors(const Deck& deck, Checker& check) {
         error(2, fmt::format("is too many waves for the contact law of land {}", index),
               fmt::format("give at most {:g} waves per revolution", kMostWaves));
       if (v[1] == 0.0 && std::abs(std::sin(v[2])) < 1e-9)
-        check.add(deck.issue(
-            Severity::Warning, variable(1),
+        check.no_effect(
+            variable(1),
             fmt::format("has no effect: {} = 0 waves and phase {} = {:.6g} degrees make the "
                         "deviation zero everywhere",
                         variable(2), variable(3), v[2] * 180.0 / std::numbers::pi),
             fmt::format("give a number of waves in {}, or a phase of 90 degrees for a constant "
                         "deviation",
                         variable(2)),
-            index));
+            index);
       const double most = kMost * radius / std::max(1.0, std::abs(v[1]));
       if (std::abs(v[0]) > most)
         error(1,
@@ -410,7 +420,7 @@ std::vector<Issue> check_buildable(const Deck& deck, const UserHooks* user) {
   if (deck.integer("kBrg") == 1)
     for (const char* flange : {"kFlngInd11", "kFlngInd21", "kFlngInd12", "kFlngInd22"})
       if (deck.integer(flange) != 0)
-        check.warning(flange, "a ball bearing has no roller flanges: no effect");
+        check.no_effect(flange, "a ball bearing has no roller flanges: no effect", {});
   return check.take();
 }
 

@@ -189,6 +189,7 @@ std::optional<Issue> note_of(const std::vector<deck::NoPart>& values, const Deck
   Issue out;
   out.severity = Severity::Note;
   out.file = deck.file;
+  out.code = "deck.unused";
   out.message = fmt::format("without effect on this run: {}", names);
   out.remedy = "PRINT.txt and RUN.json list all values without effect";
   return out;

@@ -146,6 +146,10 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
                        std::string remedy) {
     out.push_back(deck.issue(severity, name, std::move(message), std::move(remedy)));
   };
+  const auto no_effect = [&](const std::string& name, std::string message, std::string remedy) {
+    add(Severity::Warning, name, std::move(message), std::move(remedy));
+    out.back().code = "deck.no_effect";
+  };
   for (int race = 1; race <= 2; ++race) {
     const char* const body = kRaces[static_cast<std::size_t>(race - 1)];
     const auto clash = [&](const std::string& name, const std::string& flag, const char* what) {
@@ -176,15 +180,16 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
     }
   }
   if (deck.integer("kRotFrame") == 1 && deck.has("brgAngVel") && deck.real("brgAngVel") == 0.0)
-    add(Severity::Warning, "brgAngVel",
-        "the base frame of record 9.5 does not rotate, so kRotFrame has no effect",
-        "give the speed of the frame, or set kRotFrame to 0");
+    no_effect("brgAngVel",
+              "the base frame of record 9.5 does not rotate, so kRotFrame has no effect",
+              "give the speed of the frame, or set kRotFrame to 0");
   if (deck.integer("kRotFrame") == 1 && deck.integer("kFS2") == 1 && deck.integer("kFS3") == 1)
     for (int race = 1; race <= 2; ++race)
       if (const std::string share = fmt::format("brgLoadFrac{}", race);
           given_and_not_zero(deck, share) && !translation_free(deck, 2, race) &&
           !translation_free(deck, 3, race))
-        add(Severity::Warning, share,
+        no_effect(
+            share,
             "has no effect, because kFS2 and kFS3 give the position of the inner race, not its "
             "load",
             "set it to 0, or kFS2 or kFS3 to 0");
@@ -236,9 +241,8 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
   if (deck.integer("mode") > 0)
     for (const char* code : {"kRaceIP1", "kRaceIP2"})
       if (deck.integer(code) == 1)
-        add(Severity::Warning, code,
-            "has no effect: the inertia record of a race is used in mode 0 only",
-            fmt::format("set {} to 0", code));
+        no_effect(code, "has no effect: the inertia record of a race is used in mode 0 only",
+                  fmt::format("set {} to 0", code));
   return out;
 }
 

@@ -347,7 +347,7 @@ class Balls {
     fill_summary(model_, solution);
     return true;
   }
-  [[nodiscard]] std::vector<std::string> notes(const StaticSolution& solution) const {
+  [[nodiscard]] std::vector<Finding> notes(const StaticSolution& solution) const {
     return report_notes(model_, solution.balls);
   }
   void add_difference(double share, StaticSolution& solution) const {
@@ -600,13 +600,15 @@ FrictionBalance balance_balls(const Bearing& bearing, const StaticsOptions& opti
   for (std::size_t k = 0; k < solution.balls.size(); ++k)
     if (out.balls[k].balanced) give_ratios(bearing, laws, out.balls[k], frame, solution.balls[k]);
   // Notes of the balls at their new places; those of the spin rule only while a ball keeps it.
-  const std::vector<std::string> old = balls.notes(before);
-  std::erase_if(solution.notes, [&](const std::string& note) {
-    const bool of_rule =
-        note.starts_with("race control: ") || note.starts_with("minimum-heat spin axis: ");
-    return std::count(old.begin(), old.end(), note) > 0 || (of_rule && out.left.empty());
+  const std::vector<Finding> old = balls.notes(before);
+  std::erase_if(solution.notes, [&](const Finding& note) {
+    const bool of_rule = note.code == "statics.race_control" || note.code == "statics.least_heat";
+    return (of_rule && out.left.empty()) ||
+           std::any_of(old.begin(), old.end(), [&](const Finding& one) {
+             return one.code == note.code && one.message == note.message;
+           });
   });
-  for (std::string& note : balls.notes(solution)) solution.notes.push_back(std::move(note));
+  for (Finding& note : balls.notes(solution)) solution.notes.push_back(std::move(note));
   return out;
 }
 

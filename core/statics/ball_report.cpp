@@ -189,31 +189,39 @@ std::vector<std::size_t> balls_that(const std::vector<StaticBall>& balls, Predic
 
 /// Balls on both halves of a split race, and ellipses that the split cuts.
 void note_split_race(const BallModel& m, std::size_t j, const std::vector<StaticBall>& balls,
-                     std::vector<std::string>& notes) {
+                     std::vector<Finding>& notes) {
   if (!(m.balls.shim[j] > 0.0)) return;
+  const auto note = [&](const char* code, const std::vector<std::size_t>& numbers,
+                        std::string text) -> Finding& {
+    notes.push_back(make_finding(code, std::move(text)));
+    return notes.back().of(fmt::format("{}, {} race", number_list(numbers, "ball"), kRaceName[j]));
+  };
   const auto dual = balls_that(balls, [&](const StaticBall& b) { return b.second[j].Q > 0.0; });
   if (!dual.empty()) {
     double heaviest = 0.0;
     for (const StaticBall& b : balls) heaviest = std::max(heaviest, b.second[j].Q);
-    notes.push_back(
-        fmt::format("{}: dual contact with both halves of the split {} race; the load of the "
-                    "second contact is up to {:.4g} N",
-                    number_list(dual, "ball"), kRaceName[j], heaviest));
+    note("statics.dual_contact", dual,
+         fmt::format("{}: dual contact with both halves of the split {} race; the load of the "
+                     "second contact is up to {:.4g} N",
+                     number_list(dual, "ball"), kRaceName[j], heaviest))
+        .measure(heaviest);
   }
   const auto forward = balls_that(
       balls, [&](const StaticBall& b) { return b.alpha[j] > 0.0 && !(b.second[j].Q > 0.0); });
   const auto backward = balls_that(
       balls, [&](const StaticBall& b) { return b.alpha[j] < 0.0 && !(b.second[j].Q > 0.0); });
   if (!forward.empty() && !backward.empty())
-    notes.push_back(fmt::format(
-        "the balls touch both halves of the split {} race: {} on one half, {} on the other half",
-        kRaceName[j], number_list(forward, "ball"), number_list(backward, "ball")));
+    note("statics.split_race", forward,
+         fmt::format("the balls touch both halves of the split {} race: {} on one half, {} on the "
+                     "other half",
+                     kRaceName[j], number_list(forward, "ball"), number_list(backward, "ball")));
   const auto cut = balls_that(
       balls, [&](const StaticBall& b) { return b.share[j] < 1.0 && !(b.second[j].Q > 0.0); });
   if (!cut.empty())
-    notes.push_back(fmt::format(
-        "{}: the split of the {} race cuts the contact ellipse, so dual contact is possible",
-        number_list(cut, "ball"), kRaceName[j]));
+    note("statics.dual_contact", cut,
+         fmt::format("{}: the split of the {} race cuts the contact ellipse, so dual contact is "
+                     "possible",
+                     number_list(cut, "ball"), kRaceName[j]));
 }
 
 /// One contact of a ball, and where it is cut by a split.
@@ -360,32 +368,40 @@ StaticBall report_ball(const BallModel& m, const std::array<double, 5>& q, const
   return s;
 }
 
-std::vector<std::string> report_notes(const BallModel& m, const std::vector<StaticBall>& balls) {
-  std::vector<std::string> notes;
+std::vector<Finding> report_notes(const BallModel& m, const std::vector<StaticBall>& balls) {
+  std::vector<Finding> notes;
+  const auto note = [&](const char* code, const std::vector<std::size_t>& numbers,
+                        const char* text) -> Finding& {
+    const std::string list = number_list(numbers, "ball");
+    notes.push_back(make_finding(code, fmt::format("{}: {}", list, text)));
+    return notes.back().of(list);
+  };
   const auto outer_only =
       balls_that(balls, [](const StaticBall& b) { return b.Q[0] > 0.0 && !b.inner_contact; });
   if (!outer_only.empty()) {
-    notes.push_back(
-        fmt::format("{}: contact with the outer race only; position: where the normal of the outer "
-                    "groove is parallel to the centrifugal force",
-                    number_list(outer_only, "ball")));
+    note("statics.outer_only", outer_only,
+         "contact with the outer race only; position: where the normal of the outer groove is "
+         "parallel to the centrifugal force");
   }
   const auto unloaded =
       balls_that(balls, [](const StaticBall& b) { return b.Q[0] == 0.0 && b.Q[1] == 0.0; });
   if (!unloaded.empty()) {
-    notes.push_back(
-        fmt::format("{}: no load; assumed position at rest: touching the outer race, on the line "
-                    "between the groove centers",
-                    number_list(unloaded, "ball")));
+    note("statics.unloaded", unloaded,
+         "no load; assumed position at rest: touching the outer race, on the line between the "
+         "groove centers");
   }
   const auto steep = balls_that(balls, [](const StaticBall& b) {
     return std::abs(b.alpha[0]) > 0.5 * std::numbers::pi ||
            std::abs(b.alpha[1]) > 0.5 * std::numbers::pi;
   });
   if (!steep.empty()) {
-    notes.push_back(
-        fmt::format("{}: a contact angle beyond 90 degrees, which is not possible in a real groove",
-                    number_list(steep, "ball")));
+    double largest = 0.0;
+    for (const std::size_t k : steep)
+      for (const double alpha : balls[k - 1].alpha)
+        if (std::isfinite(alpha)) largest = std::max(largest, std::abs(alpha));
+    note("statics.steep_angle", steep,
+         "a contact angle beyond 90 degrees, which is not possible in a real groove")
+        .measure(largest * 180.0 / std::numbers::pi, 90.0);
   }
   for (std::size_t j = 0; j < 2; ++j) {
     note_split_race(m, j, balls, notes);

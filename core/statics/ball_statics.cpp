@@ -134,7 +134,7 @@ std::string ball_numbers(const std::vector<std::size_t>& indices) {
 /// ball that wants to go back to the outer race stays there; where inner control has no
 /// equilibrium, outer control is kept. Both are noted.
 void settle_race_control(BallModel& m, const RaceTask& task, BallRace& state, RaceSolve& solve,
-                         std::vector<std::string>& notes) {
+                         std::vector<Finding>& notes) {
   std::vector<int> changes(state.elements.size(), 0);
   for (int pass = 0; pass < 4; ++pass) {
     std::vector<std::size_t> changed;
@@ -162,9 +162,12 @@ void settle_race_control(BallModel& m, const RaceTask& task, BallRace& state, Ra
       m.own_speed_share = 1.0;
       state = before;
       notes.push_back(
-          fmt::format("race control: the inner race would control the spin of {}, but the bearing "
-                      "has no equilibrium with inner race control; outer race control is used",
-                      ball_numbers(changed)));
+          make_finding("statics.race_control",
+                       fmt::format("race control: the inner race would control the spin of {}, but "
+                                   "the bearing has no equilibrium with inner race control; outer "
+                                   "race control is used",
+                                   ball_numbers(changed)))
+              .of(ball_numbers(changed)));
       return;
     }
     solve = staged.solve;
@@ -177,9 +180,12 @@ void settle_race_control(BallModel& m, const RaceTask& task, BallRace& state, Ra
     }
   }
   if (!undecided.empty()) {
-    notes.push_back(fmt::format(
-        "race control: either race may control the spin of {}; outer race control is used",
-        ball_numbers(undecided)));
+    notes.push_back(
+        make_finding("statics.race_control",
+                     fmt::format("race control: either race may control the spin of {}; outer race "
+                                 "control is used",
+                                 ball_numbers(undecided)))
+            .of(ball_numbers(undecided)));
   }
 }
 
@@ -238,9 +244,10 @@ StaticSolution solve_from(ColdStart start, const bearing::Bearing& bearing,
   if (staged.reached < 1.0 && (options.warm_start || nothing_guessed != given)) {
     state = balls_at(model, law, cold_start(model, task, nothing_guessed, start));
     staged = solve_in_stages(model, task, state, true);
-    solution.notes.push_back(
+    solution.notes.push_back(make_finding(
+        "statics.first_guess",
         "no equilibrium was found from the first guess of the displacement; this one was found "
-        "without the guess");
+        "without the guess"));
   }
   if (staged.reached < 1.0) {
     give_up(model, task, staged.solve, state, staged.reached);
@@ -264,7 +271,7 @@ StaticSolution solve_from(ColdStart start, const bearing::Bearing& bearing,
     solution.balls.push_back(report_ball(model, solution.displacement, state.elements[k]));
     solution.balls.back().azimuth = model.azimuth[k];
   }
-  for (std::string& note : held_notes(solve.held, solution.displacement)) {
+  for (Finding& note : held_notes(solve.held, solution.displacement)) {
     solution.notes.push_back(std::move(note));
   }
   const double k_ref = reference_stiffness(model, std::max(state.largest_contact, 1e-300));
@@ -272,7 +279,7 @@ StaticSolution solve_from(ColdStart start, const bearing::Bearing& bearing,
     solution.other_equilibria = equilibria_beside(model, task, state, mode);
     solution.notes.push_back(instability_note(mode, solution.other_equilibria));
   }
-  for (std::string& note : report_notes(model, solution.balls)) {
+  for (Finding& note : report_notes(model, solution.balls)) {
     solution.notes.push_back(std::move(note));
   }
   fill_summary(model, solution);

@@ -102,7 +102,7 @@ class HeatOfBall {
 
 void settle_least_heat(const bearing::Bearing& bearing, const BallModel& model,
                        const RaceTask& task, BallRace& state, RaceSolve& solve,
-                       std::vector<std::string>& notes) {
+                       std::vector<Finding>& notes) {
   if (bearing.speed[0] == bearing.speed[1] || !model.per_ball_speeds ||
       (!bearing.lubrication && !(tribology::largest_traction(bearing.race_traction) > 0.0)))
     return;
@@ -130,10 +130,12 @@ void settle_least_heat(const bearing::Bearing& bearing, const BallModel& model,
   if (solve.converged && change <= kAccepted) return;
   state = before;
   solve = first;
-  notes.push_back(fmt::format(
-      "minimum-heat spin axis: {}. The spin axes for a constant friction coefficient are used",
-      solve.converged ? "spin axes and loads did not converge"
-                      : "no equilibrium with the traction law of the deck"));
+  notes.push_back(make_finding(
+      "statics.least_heat",
+      fmt::format(
+          "minimum-heat spin axis: {}. The spin axes for a constant friction coefficient are used",
+          solve.converged ? "spin axes and loads did not converge"
+                          : "no equilibrium with the traction law of the deck")));
 }
 
 }  // namespace adore::statics

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "bearing/bearing.hpp"
 #include "statics/ball_race.hpp"
 
@@ -28,6 +29,6 @@ namespace adore::statics {
 /// constant coefficient, with a note.
 void settle_least_heat(const bearing::Bearing& bearing, const BallModel& model,
                        const RaceTask& task, BallRace& state, RaceSolve& solve,
-                       std::vector<std::string>& notes);
+                       std::vector<Finding>& notes);
 
 }  // namespace adore::statics

@@ -129,18 +129,25 @@ UnstableMode unstable_mode(const RaceScales& scales, const RaceTask& task, const
   return mode;
 }
 
-std::string instability_note(const UnstableMode& mode,
-                             const std::vector<std::array<double, 5>>& stable_ones) {
+Finding instability_note(const UnstableMode& mode,
+                         const std::vector<std::array<double, 5>>& stable_ones) {
   Eigen::Index largest = 0;
   mode.direction.cwiseAbs().maxCoeff(&largest);
+  const double stiffness = mode.stiffness * mode.lever * mode.lever;
+  const char* const unit = largest < 3 ? "N/m" : "N.m/rad";
+  const auto finding = [&](std::string text) {
+    return make_finding("statics.unstable", std::move(text))
+        .of("inner race")
+        .measure("stiffness", stiffness, unit)
+        .at_least(0.0);
+  };
   std::string text = fmt::format(
       "this equilibrium is not stable: the stiffness of the inner race, mainly {}, is negative "
       "({:.3g} {}), so a disturbance grows. If the shaft prevents this displacement, prescribe "
       "it. ",
-      kDirection[static_cast<std::size_t>(largest)], mode.stiffness * mode.lever * mode.lever,
-      largest < 3 ? "N/m" : "N.m/rad");
+      kDirection[static_cast<std::size_t>(largest)], stiffness, unit);
   if (stable_ones.empty()) {
-    return text + "No stable equilibrium was found nearby";
+    return finding(text + "No stable equilibrium was found nearby");
   }
   text += stable_ones.size() == 1 ? "A stable equilibrium nearby:" : "Stable equilibria nearby:";
   for (std::size_t k = 0; k < stable_ones.size(); ++k) {

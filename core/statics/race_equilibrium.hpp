@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "statics/slope_search.hpp"
 
 #include <Eigen/Core>
@@ -118,9 +119,9 @@ struct UnstableMode {
 [[nodiscard]] UnstableMode unstable_mode(const RaceScales& scales, const RaceTask& task,
                                          const Mat5& stiffness, double k_ref);
 
-/// What PRINT.txt says of an unstable equilibrium and of the stable ones beside it.
-[[nodiscard]] std::string instability_note(const UnstableMode& mode,
-                                           const std::vector<std::array<double, 5>>& stable_ones);
+/// Finding statics.unstable, with the stable equilibria nearby.
+[[nodiscard]] Finding instability_note(const UnstableMode& mode,
+                                       const std::vector<std::array<double, 5>>& stable_ones);
 
 enum class RaceSearch : unsigned char { Accepted, NoProgress, ElementFailed, RanAway };
 

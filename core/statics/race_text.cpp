@@ -42,14 +42,18 @@ std::string how_far(const RaceSolve& solve) {
                            counted(solve.iterations, "step"));
 }
 
-std::vector<std::string> held_notes(const std::vector<int>& held,
-                                    const std::array<double, 5>& displacement) {
-  std::vector<std::string> notes;
+std::vector<Finding> held_notes(const std::vector<int>& held,
+                                const std::array<double, 5>& displacement) {
+  std::vector<Finding> notes;
   for (const int k : held) {
     const auto i = static_cast<std::size_t>(k);
-    notes.push_back(fmt::format(
-        "the inner race has no load and no support {}: the displacement remains at {:.6g} {}",
-        kDirection[i], displacement[i], k < 3 ? "m" : "rad"));
+    const char* const unit = k < 3 ? "m" : "rad";
+    notes.push_back(
+        make_finding("statics.held", fmt::format("the inner race has no load and no support {}: "
+                                                 "the displacement remains at {:.6g} {}",
+                                                 kDirection[i], displacement[i], unit))
+            .of("inner race")
+            .measure(fmt::format("displacement {}", kDirection[i]), displacement[i], unit));
   }
   return notes;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "bearing/bearing.hpp"
 #include "statics/race_equilibrium.hpp"
 
@@ -24,9 +25,9 @@ inline constexpr std::array<const char*, 5> kDirection{"along x", "along y", "al
 /// after 7 steps".
 [[nodiscard]] std::string how_far(const RaceSolve& solve);
 
-/// What is said of directions that nothing holds or loads.
-[[nodiscard]] std::vector<std::string> held_notes(const std::vector<int>& held,
-                                                  const std::array<double, 5>& displacement);
+/// Findings statics.held: directions without load and support.
+[[nodiscard]] std::vector<Finding> held_notes(const std::vector<int>& held,
+                                              const std::array<double, 5>& displacement);
 
 /// "balls 1-4, 7" of the numbers 1, 2, 3, 4, 7; `one` is the word for a single element.
 [[nodiscard]] std::string number_list(const std::vector<std::size_t>& numbers,

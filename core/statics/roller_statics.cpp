@@ -250,11 +250,12 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
     RollerRace from_cold = rollers_at(model, nullptr, cold);
     const RaceSolve second = solve_race_surely(model, task, from_cold, 1e-12, hopeless);
     if (!solve.converged || (second.converged && !unstable_at(model, task, from_cold))) {
-      out.notes.push_back(solve.converged
-                              ? "the equilibrium found from the first guess of the displacement is "
-                                "not stable; this one was found without the guess"
-                              : "the search from the first guess of the displacement found no "
-                                "equilibrium; this equilibrium was found without that guess");
+      out.notes.push_back(make_finding(
+          "statics.first_guess",
+          solve.converged ? "the equilibrium found from the first guess of the displacement is "
+                            "not stable; this one was found without the guess"
+                          : "the search from the first guess of the displacement found no "
+                            "equilibrium; this equilibrium was found without that guess"));
       state = std::move(from_cold);
       solve = second;
     }
@@ -309,14 +310,14 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
   if (options.difference_share > 0.0 && !with_friction) {
     add_difference_stiffness(model, state, options.difference_share, out);
   }
-  for (std::string& note : held_notes(solve.held, out.displacement)) {
+  for (Finding& note : held_notes(solve.held, out.displacement)) {
     out.notes.push_back(std::move(note));
   }
   if (const UnstableMode mode = unstable_at(model, task, state)) {
     out.other_equilibria = equilibria_beside(model, task, state, mode);
     out.notes.push_back(instability_note(mode, out.other_equilibria));
   }
-  for (std::string& note : roller_notes(model, out.rollers)) {
+  for (Finding& note : roller_notes(model, out.rollers)) {
     out.notes.push_back(std::move(note));
   }
   return out;

@@ -317,41 +317,54 @@ void list_ladder(BearingHeat& heat) {
 /// Notes on the result.
 void add_notes(BearingHeat& out, const Bearing& b, double cage_speed) {
   const bearing::ThermalInputs& in = *b.thermal;
+  const auto note = [&](const char* code, std::string text) -> Finding& {
+    out.notes.push_back(make_finding(code, std::move(text)));
+    return out.notes.back();
+  };
   if (!(b.envelope.shaft_bore > 0.0))
-    out.notes.emplace_back(
-        "the shaft is solid (shftID = 0): the thermal network uses a shaft bore of 1 % of the "
-        "bearing bore");
+    note("thermal.solid_shaft",
+         "the shaft is solid (shftID = 0): the thermal network uses a shaft bore of 1 % of the "
+         "bearing bore");
   constexpr std::array<const char*, 2> kRing{"outer", "inner"}, kMate{"housing", "shaft"};
   for (std::size_t j = 0; j < 2; ++j)
     if (out.turned_back[j] > 0.0)
-      out.notes.push_back(
+      note(
+          "thermal.ladder",
           fmt::format("ladder: with {:.4g} W through the {} race, the {} would be colder than the "
                       "coldest given temperature. So only {:.4g} W flow through this race, and the "
                       "remaining heat is removed by {}",
                       out.flows.race[j] + out.turned_back[j], kRing[j], kMate[j], out.flows.race[j],
                       out.coolant ? "the coolant"
                       : j == 1    ? "the outer race"
-                                  : "the inner race"));
+                                  : "the inner race"))
+          .of(fmt::format("{} race", kRing[j]))
+          .measure("heat flow that is removed elsewhere", out.turned_back[j], "W", 0.0);
   if (out.clamped)
-    out.notes.emplace_back(
-        "ladder: housing or shaft would be colder than the coldest given temperature, so the "
-        "coldest given temperature is used. The heat balance is not closed; thermalModel=network "
-        "closes it");
+    note("thermal.ladder",
+         "ladder: housing or shaft would be colder than the coldest given temperature, so the "
+         "coldest given temperature is used. The heat balance is not closed; thermalModel=network "
+         "closes it");
   const double T_mean = out.temperature.coolant_mean;
   if (out.coolant && out.coolant->outside(T_mean))
-    out.notes.push_back(fmt::format(
-        "the properties of the coolant are known from {:g} to {:g} K. The mean temperature of the "
-        "coolant is {:.4g} K, so the properties at the nearer limit are used",
-        out.coolant->T_min, out.coolant->T_max, T_mean));
+    note("thermal.coolant_range",
+         fmt::format("the properties of the coolant are known from {:g} to {:g} K. The mean "
+                     "temperature of the coolant is {:.4g} K, so the properties at the nearer "
+                     "limit are used",
+                     out.coolant->T_min, out.coolant->T_max, T_mean))
+        .measure(T_mean, out.coolant->T_max)
+        .at_least(out.coolant->T_min);
   if (out.coolant && b.cage && !in.convection_given) {
     const double reynolds = out.coolant->density * std::abs(cage_speed - b.speed[0]) *
                             b.cage->outer_diameter * b.cage->outer_diameter /
                             (2.0 * out.coolant->viscosity);
-    if (reynolds > 4e5)
-      out.notes.push_back(
-          fmt::format("convection of the cage is extrapolated: the Reynolds number is {:.3g}, but "
-                      "the correlation was measured only up to 4e5",
-                      reynolds));
+    constexpr double kMeasured = 4e5;
+    if (reynolds > kMeasured)
+      note("thermal.convection",
+           fmt::format("convection of the cage is extrapolated: the Reynolds number is {:.3g}, but "
+                       "the correlation was measured only up to {:.0e}",
+                       reynolds, kMeasured))
+          .of("cage")
+          .measure(reynolds, kMeasured);
   }
 }
 

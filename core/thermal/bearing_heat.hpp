@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "bearing/bearing.hpp"
 #include "thermal/network.hpp"
 
@@ -88,7 +89,7 @@ struct BearingHeat {
   double stored = 0.0;                     ///< heat that stays in the parts; 0: steady [W]
   std::array<double, 2> turned_back{};     ///< by the guard of the ladder [W]
   bool clamped = false;                    ///< likewise: nodes held at the coldest temperature
-  std::vector<std::string> notes;          ///< extrapolations, whole sentences
+  std::vector<Finding> notes;              ///< thermal.ladder, thermal.coolant_range ...
 
   [[nodiscard]] double to_coolant() const noexcept { return coolant ? flows.coolant : 0.0; }
   /// Sources less what leaves and what stays in the parts [W]; rounding only.

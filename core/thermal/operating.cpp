@@ -163,20 +163,32 @@ void move_play(const std::string& name, int race, double cage_diameter, double& 
     entry.operating = land_clearance(race, race_radius, u_race, cage_radius, u_cage);
   if (entry.free >= 0.0 && entry.operating < 0.0)
     report.warnings.push_back(
-        fmt::format("the cage loses its clearance: the clearance of {} is {:.4g} m cold and {:.4g} "
-                    "m in operation",
-                    name, entry.free, entry.operating));
+        make_finding("fit.cage_clearance",
+                     fmt::format("the cage loses its clearance: the clearance of {} is {:.4g} m "
+                                 "cold and {:.4g} m in operation",
+                                 name, entry.free, entry.operating))
+            .of("cage")
+            .measure(entry.operating)
+            .at_least(0.0));
   play = entry.operating;
   report.plays.push_back(entry);
+}
+
+void warn_of_pocket(OperatingFits& report, double clearance, std::string text) {
+  report.warnings.push_back(make_finding("fit.pocket_clearance", std::move(text))
+                                .of("cage")
+                                .measure(clearance)
+                                .at_least(0.0));
 }
 
 void move_pocket(const std::string& name, double& clearance, double diameter, double g_cage,
                  double g_ball, OperatingFits& report) {
   bearing::CagePlay entry{name, clearance, pocket_clearance(clearance, diameter, g_cage, g_ball)};
   if (entry.free >= 0.0 && entry.operating < 0.0)
-    report.warnings.push_back(fmt::format(
-        "the cage clamps its rolling elements: {} is {:.4g} m cold and {:.4g} m in operation", name,
-        entry.free, entry.operating));
+    warn_of_pocket(report, entry.operating,
+                   fmt::format("the cage clamps its rolling elements: {} is {:.4g} m cold and "
+                               "{:.4g} m in operation",
+                               name, entry.free, entry.operating));
   clearance = entry.operating;
   report.plays.push_back(entry);
 }
@@ -206,9 +218,10 @@ void report_tightest_pocket(const bearing::Cage& cage, std::size_t which, double
   if (tightest == own.end()) return;
   double clearance = nominal + tightest->clearance[which];
   if (nominal >= 0.0 && clearance < 0.0)
-    report.warnings.push_back(fmt::format(
-        "pocket {} of the cage clamps its rolling element: pocket clearance {} is {:.4g} m",
-        tightest - own.begin() + 1, which == 0 ? "I" : "II", clearance));
+    warn_of_pocket(report, clearance,
+                   fmt::format("pocket {} of the cage clamps its rolling element: pocket clearance "
+                               "{} is {:.4g} m",
+                               tightest - own.begin() + 1, which == 0 ? "I" : "II", clearance));
   move_pocket(fmt::format("pocket clearance {}, {} {}", which == 0 ? "I" : "II",
                           own.size() > 1 ? "least: no." : "pocket", tightest - own.begin() + 1),
               clearance, diameter, g_cage, g_ball, report);
@@ -267,29 +280,36 @@ void move_cage(bearing::Cage& cage, const Bearing& free, const MountedState& sta
 }
 
 void warn(OperatingFits& report, const Bearing& free) {
-  const auto say = [&](std::string text) { report.warnings.push_back(std::move(text)); };
+  const auto say = [&](const char* code, const std::string& body, std::string text) -> Finding& {
+    report.warnings.push_back(make_finding(code, std::move(text)));
+    return report.warnings.back().of(body);
+  };
   // The clearance of cones is the axial setting, which the bearing's position on the shaft
   // determines.
   if (!report.axial_setting && report.operating.clearance < 0.0 && report.free.clearance >= 0.0)
-    say(
+    say("fit.clearance", "",
         fmt::format("the clearance turns negative: {:.4g} m unmounted, {:.4g} m mounted, {:.4g} m "
                     "in operation. Fits and growth preload the bearing radially",
-                    report.free.clearance, report.mounted.clearance, report.operating.clearance));
+                    report.free.clearance, report.mounted.clearance, report.operating.clearance))
+        .measure(report.operating.clearance)
+        .at_least(0.0);
   for (std::size_t j = 0; j < 2; ++j) {
     const bearing::FitState& fit = report.fit[j];
     const bool wall = j == 0 ? free.envelope.housing_diameter > free.envelope.outer_diameter
                              : free.envelope.shaft_bore < free.envelope.bore;
     if (wall && fit.allowance > 0.0 && fit.interference <= 0.0)
-      say(
+      say("fit.loose", fmt::format("{} race", kRaceName[j]),
           fmt::format("the {} race comes loose from the {}: the interference is {:.4g} m when "
                       "mounted, but in operation there is a clearance of {:.4g} m",
-                      kRaceName[j], kMateName[j], fit.allowance, -fit.interference));
+                      kRaceName[j], kMateName[j], fit.allowance, -fit.interference))
+          .measure(-fit.interference, 0.0);
     const auto check = [&](const char* what, double stress, double limit) {
       if (limit > 0.0 && std::abs(stress) > limit)
-        say(
+        say("fit.hoop_stress", what,
             fmt::format("the hoop stress of the {} is {:.4g} Pa, above its elastic limit of {:.4g} "
                         "Pa: the elastic fit calculation is not valid",
-                        what, stress, limit));
+                        what, stress, limit))
+            .measure(stress, limit);
     };
     check(j == 0 ? "outer race" : "inner race", fit.race_hoop, fit.race_limit);
     check(kMateName[j], fit.mate_hoop, fit.mate_limit);

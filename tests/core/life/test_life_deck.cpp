@@ -350,7 +350,7 @@ TEST_CASE("ISO: rating of the nominal bearing, independent of growth in operatio
     const life::IsoReport made = iso_of("100.0", "293.15", "293.15");
     // Not as it is made: only with a note.
     const auto told = std::count_if(made.notes.begin(), made.notes.end(), [](const auto& note) {
-      return note.find("is rated as a deep-groove bearing (angle 0)") != std::string::npos;
+      return note.message.find("is rated as a deep-groove bearing (angle 0)") != std::string::npos;
     });
     CHECK(told == (degrees < 15.0 ? 1 : 0));
     for (const auto& [rpm, ball, race] :

@@ -62,7 +62,8 @@ statics::StaticSolution make_solution() {
     solution.balls.push_back(ball);
   }
   solution.max_load = 102.0;
-  solution.notes = {"ball 3 touches the outer race only"};
+  solution.notes = {
+      adore::make_finding("statics.outer_only", "ball 3 touches the outer race only")};
   return solution;
 }
 

@@ -282,8 +282,11 @@ TEST_CASE("an unstable equilibrium is told from a stable one", "[unit][statics][
   CHECK(unstable_mode(scales, task, K, 1e8).stiffness == Approx(-0.5e8));
   K(1, 2) = 0.0;
   K(4, 4) = -1e4;
-  CHECK_THAT(instability_note(unstable_mode(scales, task, K, 1e8), {}),
-             Catch::Contains("mainly about z"));
+  const adore::Finding note = instability_note(unstable_mode(scales, task, K, 1e8), {});
+  CHECK_THAT(note.message, Catch::Contains("mainly about z"));
+  CHECK(note.code == "statics.unstable");
+  CHECK(note.measured.value_or(0.0) < 0.0);
+  CHECK(note.unit == "N.m/rad");
   task.given[4] = true;  // held: harmless
   CHECK_FALSE(unstable_mode(scales, task, K, 1e8));
 }

@@ -254,8 +254,9 @@ TEST_CASE("split race: gap to the other half and dual contact", "[physics][stati
   bearing.balls().shim = {0.0, shim};
   const double s = 0.02 * 0.0127;
   const auto has_note = [](const StaticSolution& solution, const char* text) {
-    return std::any_of(solution.notes.begin(), solution.notes.end(),
-                       [&](const std::string& n) { return n.find(text) != std::string::npos; });
+    return std::any_of(solution.notes.begin(), solution.notes.end(), [&](const adore::Finding& n) {
+      return n.message.find(text) != std::string::npos;
+    });
   };
   // Distance of the ball from the points of the other half, by trying them: an arc about a center
   // the shim further on the side of the contact, as far as the split half way between the centers.

@@ -134,8 +134,8 @@ TEST_CASE("ladder: solid or hollow shaft → no node is colder than the coldest 
           CHECK(std::abs(heat.imbalance()) < 1e-10 * sources.total());
           const bool acted = heat.clamped || heat.turned_back[0] + heat.turned_back[1] > 0.0;
           bool noted = false;
-          for (const std::string& note : heat.notes)
-            noted = noted || note.find("ladder: ") != std::string::npos;
+          for (const adore::Finding& note : heat.notes)
+            noted = noted || note.code == "thermal.ladder";
           CHECK(noted == acted);
           if (acted) ++guarded;
         }
@@ -223,14 +223,17 @@ TEST_CASE("cryogenic coolants: coolant temperature kept, extrapolation reported"
   b.thermal->base_temperature = 22.0;
   b.thermal->flow = 1e-3;
   const BearingHeat cold = thermal::solve_bearing_heat(b, kHeat, 3000.0);
-  for (const std::string& note : cold.notes) CHECK_THAT(note, !Catch::Contains("nearer limit"));
+  for (const adore::Finding& note : cold.notes) CHECK(note.code != "thermal.coolant_range");
   CHECK(cold.temperature.coolant_in == Approx(22.0));
   CHECK(cold.bulk.element < 60.0);
   CHECK(cold.coolant->provenance == tribology::fluid_properties(4, 22.0).provenance);
   b.thermal->base_temperature = 300.0;  // no liquid any more
   const BearingHeat warm = thermal::solve_bearing_heat(b, kHeat, 3000.0);
   REQUIRE_FALSE(warm.notes.empty());
-  CHECK_THAT(warm.notes.front(), Catch::Contains("the properties at the nearer limit are used"));
+  CHECK_THAT(warm.notes.front().message,
+             Catch::Contains("the properties at the nearer limit are used"));
+  CHECK(warm.notes.front().code == "thermal.coolant_range");
+  CHECK(warm.notes.front().measured.value_or(0.0) > warm.notes.front().limit.value_or(1e9));
 }
 
 TEST_CASE("network: hollow shaft, oil at 330 K, room at 293 K → no node below the room",
