@@ -41,23 +41,30 @@ std::string specified_jumps(const Prepared& prepared) {
                    out;
 }
 
-std::string change_remark(const dynamics::NewEquilibrium& change, const std::string& cause,
-                          const std::string& specified) {
+Finding excess_finding(const std::string& text, double ratio) {
+  return make_finding("run.start_excess", text)
+      .measure(100.0 * ratio, 100.0 * dynamics::kExcessWarned);
+}
+
+std::optional<Finding> change_remark(const dynamics::NewEquilibrium& change,
+                                     const std::string& cause, const std::string& specified) {
   if (!change.why_not.empty())
-    return fmt::format(
-        "{}: {}, so the stored state is kept unchanged. The next revolutions contain a vibration",
-        cause, change.why_not);
+    return make_finding("run.start_excess",
+                        fmt::format("{}: {}, so the stored state is kept unchanged. The next "
+                                    "revolutions contain a vibration",
+                                    cause, change.why_not));
   const double ratio = change.ratio();
-  if (!(ratio > dynamics::kExcessWarned)) return {};
+  if (!(ratio > dynamics::kExcessWarned)) return std::nullopt;
   const std::string text = fmt::format(
       "{}: excess energy = {:.3g} J, {:.0f} % of the elastic energy of the equilibrium ({:.3g} J)",
       cause, change.excess, 100.0 * ratio, change.elastic);
-  if (!specified.empty()) return text + ": " + specified + "; the run continues";
+  if (!specified.empty())
+    return excess_finding(text + ": " + specified + "; the run continues", ratio);
   if (ratio > dynamics::kExcessRefused)
     throw SolverError(text +
                       ": this change of the bearing acts like an impact on the contacts. Change "
                       "it in smaller steps, or start from the equilibrium (kIcOpt = 0)");
-  return text + ", so the loads of the next revolutions contain a vibration";
+  return excess_finding(text + ", so the loads of the next revolutions contain a vibration", ratio);
 }
 
 dynamics::MovingScene moving_scene(const Prepared& prepared, dynamics::System& system) {

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,16 @@ namespace adore::facade {
 /// velocities and spins; empty: none.
 [[nodiscard]] std::string specified_jumps(const Prepared& prepared);
 
-/// Message about a change; empty: none. @param cause noun phrase: "thermal step 2"
+/// Finding run.start_excess with the ratio of an excess energy to the elastic energy.
+[[nodiscard]] Finding excess_finding(const std::string& text, double ratio);
+
+/// Finding about a change; empty: none. @param cause noun phrase: "thermal step 2"
 /// @param specified from specified_shocks()
 /// @throws SolverError when the excess energy is above dynamics::kExcessRefused, unless shocks are
 /// specified
-[[nodiscard]] std::string change_remark(const dynamics::NewEquilibrium& change,
-                                        const std::string& cause, const std::string& specified);
+[[nodiscard]] std::optional<Finding> change_remark(const dynamics::NewEquilibrium& change,
+                                                   const std::string& cause,
+                                                   const std::string& specified);
 
 /// @param prepared outlives it
 [[nodiscard]] dynamics::MovingScene moving_scene(const Prepared& prepared,

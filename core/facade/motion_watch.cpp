@@ -193,6 +193,7 @@ std::vector<Finding> MotionWatch::findings(results::UnitSystem units) const {
                       over.steps, kRace[race], over.element, over.time,
                       quantity(over.value, results::unit::kLength, units)))
           .of(fmt::format("ball {}, {} race", over.element, kRace[race]))
+          .measure(over.value / validity::range("hertz.shoulder").per, 0.0)
           .at(over.time);
   }
   if (cage_.steps > 0)

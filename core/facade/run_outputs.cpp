@@ -422,10 +422,9 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
       change.why_not =
           fmt::format("the model of the stored state cannot be built ({})", failure.what());
     }
-    if (const std::string text = change_remark(change, "start from " + file.filename().string(),
-                                               specified_shocks(s.prepared));
-        !text.empty())
-      s.remark(make_finding("run.start_excess", text));
+    if (auto excess = change_remark(change, "start from " + file.filename().string(),
+                                    specified_shocks(s.prepared)))
+      s.remark(std::move(*excess));
     if (change.moved)
       s.remark(make_finding(
           "run.start_moved",
@@ -495,11 +494,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
       if (!from.remark.empty()) s.remark(make_finding("run.start_friction", from.remark));
       system.set_start(out.time, out.y);
       check_cage_start(s.prepared, system.snapshot(out.time, out.y));
-      if (const StartJudgement start_energy = judge_start_energy(s.prepared, system, out.y);
-          !start_energy.text.empty())
-        s.remark(make_finding(
-            start_energy.severity == Severity::Warning ? "run.start_excess" : "run.start_unknown",
-            start_energy.text));
+      if (auto excess = judge_start_energy(s.prepared, system, out.y)) s.remark(std::move(*excess));
       if (const std::string jumps = specified_jumps(s.prepared); !jumps.empty())
         s.remark(make_finding("run.specified_jumps", jumps));
     } catch (const SolverError& refused) {

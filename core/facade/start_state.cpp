@@ -67,26 +67,28 @@ std::string free_directions(const scene::ScenePlan& plan) {
 
 }  // namespace
 
-StartJudgement judge_start_energy(const Prepared& prepared, dynamics::System& system,
-                                  const std::vector<double>& y) {
-  if (prepared.plan.suppressed.of_elements()) return {};
+std::optional<Finding> judge_start_energy(const Prepared& prepared, dynamics::System& system,
+                                          const std::vector<double>& y) {
+  if (prepared.plan.suppressed.of_elements()) return std::nullopt;
   const dynamics::NewEquilibrium start =
       dynamics::judge_start(moving_scene(prepared, system), 0.0, y);
   if (!start.why_not.empty())
-    return {"excess energy of the start is not judged, because " + start.why_not, Severity::Note};
-  if (!(start.ratio() > dynamics::kExcessWarned)) return {};
+    return make_finding("run.start_unknown",
+                        "excess energy of the start is not judged, because " + start.why_not);
+  if (!(start.ratio() > dynamics::kExcessWarned)) return std::nullopt;
   const std::string text = fmt::format(
       "start: excess energy = {:.3g} J, {:.0f} % of the elastic energy of the equilibrium ({:.3g} "
       "J)",
       start.excess, 100.0 * start.ratio(), start.elastic);
   if (const std::string specified = specified_shocks(prepared); !specified.empty())
-    return {text + ": " + specified + "; the run continues", Severity::Warning};
+    return excess_finding(text + ": " + specified + "; the run continues", start.ratio());
   if (start.ratio() > dynamics::kExcessRefused)
     throw SolverError(text +
                       ": the contacts start with an impact. Check the clearances and "
                       "displacements of the races" +
                       free_directions(prepared.plan));
-  return {text + ", so the loads of the first revolutions contain a vibration", Severity::Warning};
+  return excess_finding(text + ", so the loads of the first revolutions contain a vibration",
+                        start.ratio());
 }
 
 }  // namespace adore::facade

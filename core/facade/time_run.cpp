@@ -190,9 +190,8 @@ void TimeRun::move_into(dynamics::System next, double t, std::span<double> y,
                                     moving_scene(parts_.prepared, next), t, y);
   dynamics::book_change(system(), y_before, next, t, y);
   parts_.system.emplace(std::move(next));
-  if (const std::string text = change_remark(change, cause, specified_shocks(parts_.prepared));
-      !text.empty())
-    add_remark(parts_.prepared, make_finding("run.start_excess", text).at(parts_.stepper.time()));
+  if (auto excess = change_remark(change, cause, specified_shocks(parts_.prepared)))
+    add_remark(parts_.prepared, excess->at(parts_.stepper.time()));
 }
 
 bool TimeRun::follow_growth() {

@@ -103,7 +103,8 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
               over.text(), kRace[j], quantity(-worst.shoulder_depth[j], unit::kLength, units),
               quantity(worst.beyond[j], unit::kForce, units),
               quantity(worst.Q[j], unit::kForce, units), 100.0 * worst.beyond[j] / worst.Q[j],
-              100.0 * lost / carried));
+              100.0 * lost / carried))
+          .measure(-worst.shoulder_depth[j] / validity::range("hertz.shoulder").per, 0.0);
     }
     const double radius = 0.5 * bearing.balls().diameter;
     const Offenders wide = offenders(balls, validity::range("hertz.ellipse").bounds.most * radius,
@@ -119,7 +120,8 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
               "contact reaches that load",
               wide.text(), kRace[j], quantity(worst.a[j], unit::kLength, units),
               quantity(radius, unit::kLength, units), bearing.balls().groove_factor[j],
-              quantity(worst.Q[j] * std::pow(radius / worst.a[j], 3), unit::kForce, units)));
+              quantity(worst.Q[j] * std::pow(radius / worst.a[j], 3), unit::kForce, units)))
+          .measure(worst.a[j] / radius, validity::range("hertz.ellipse").bounds.most);
     }
   }
   return out;

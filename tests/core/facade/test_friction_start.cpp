@@ -141,13 +141,16 @@ TEST_CASE("start: an element pressed into its races → excess energy is judged"
     dynamics::System system = facade::make_system(ready);
     std::vector<double> y = facade::start_state(ready, system).y;
     system.set_start(0.0, y);
-    CHECK(facade::judge_start_energy(ready, system, y).text.empty());
+    CHECK_FALSE(facade::judge_start_energy(ready, system, y));
     double& r = y[static_cast<std::size_t>(slice(system, "element.r").first)];
     const double rest = r;
     r = rest + (ready.roller_scene ? 4e-6 : 1e-5);
-    const facade::StartJudgement warned = facade::judge_start_energy(ready, system, y);
-    CHECK(warned.severity == Severity::Warning);
-    CHECK(warned.text.find("start: excess energy") == 0);
+    const std::optional<Finding> warned = facade::judge_start_energy(ready, system, y);
+    REQUIRE(warned);
+    CHECK(warned->code == "run.start_excess");
+    CHECK(warned->severity == Severity::Warning);
+    CHECK(warned->message.starts_with("start: excess energy"));
+    CHECK(warned->measured.value_or(0.0) > warned->limit.value_or(1e9));
     r = rest + 1e-4;
     CHECK_THROWS_WITH(facade::judge_start_energy(ready, system, y),
                       Catch::Contains("start: excess energy"));
@@ -159,13 +162,16 @@ TEST_CASE("change_remark(): jumps that the deck specifies → run continues", "[
   change.moved = true;
   change.elastic = 1.0;
   change.excess = 0.05;
-  CHECK(facade::change_remark(change, "thermal step 2", {}).empty());
+  CHECK_FALSE(facade::change_remark(change, "thermal step 2", {}));
   change.excess = 2.0;
   CHECK_THROWS_WITH(facade::change_remark(change, "thermal step 2", {}),
                     Catch::Contains("thermal step 2: excess energy = 2 J, 200 %"));
-  CHECK_THAT(
-      facade::change_remark(change, "thermal step 2", "routine ADRX1 specifies loads"),
-      Catch::Contains("200 %") && Catch::Contains("ADRX1") && Catch::Contains("the run continues"));
+  const std::optional<Finding> specified =
+      facade::change_remark(change, "thermal step 2", "routine ADRX1 specifies loads");
+  REQUIRE(specified);
+  CHECK(specified->measured == 200.0);
+  CHECK_THAT(specified->message, Catch::Contains("200 %") && Catch::Contains("ADRX1") &&
+                                     Catch::Contains("the run continues"));
 }
 
 TEST_CASE("balance_race(): step that increases the residual → undone", "[physics][facade]") {
