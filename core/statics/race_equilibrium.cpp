@@ -156,7 +156,7 @@ Finding instability_note(const UnstableMode& mode,
         fmt::format("{} x, y, z = {:.4g} m, {:.4g} m, {:.4g} m, about y, z = {:.4g}, {:.4g} rad",
                     k == 0 ? "" : ";", q[0], q[1], q[2], q[3], q[4]);
   }
-  return text;
+  return finding(std::move(text));
 }
 
 }  // namespace adore::statics
