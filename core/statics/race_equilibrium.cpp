@@ -6,6 +6,8 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace adore::statics {
 namespace {
 
