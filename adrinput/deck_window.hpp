@@ -87,6 +87,10 @@ class DeckWindow : public QMainWindow {
   void newDeck(const QString& template_name);
   void openStudyFile(const std::filesystem::path& file);
   void askForFile();
+  /// Lists the deck and its run in PROJECT.json of a folder that the user selects.
+  void addToProject();
+  /// Lists the decks of a project.
+  void askForProject();
   void newFromCatalogue();
   /// Puts a proposal for the inside into the deck, from its bore, outside diameter and widths.
   void proposeInside();

@@ -100,6 +100,8 @@ void DeckWindow::makeFileMenu() {
   file->addAction(tr("&Save"), QKeySequence::Save, this, &DeckWindow::save);
   file->addAction(tr("Save &As …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), this,
                   &DeckWindow::saveAs);
+  file->addAction(tr("Add to pro&ject …"), this, &DeckWindow::addToProject);
+  file->addAction(tr("Open deck of a projec&t …"), this, &DeckWindow::askForProject);
   file->addAction(tr("Save as &draft …"), this, &DeckWindow::parkDraft);
   file->addAction(tr("Recover &unsaved decks …"), this, &DeckWindow::unsavedWanted);
   file->addSeparator();

@@ -75,6 +75,9 @@ class RunPanel : public QWidget {
   void openAnimation();
   void showListing();
 
+  /// Of the last run, or where the next one writes.
+  [[nodiscard]] std::filesystem::path resultFolder() const;
+
  signals:
   /// The Run button or an entry of the menu next to it was used.
   void wanted();
@@ -95,7 +98,6 @@ class RunPanel : public QWidget {
              const RunOptionValues& options);
   void launchRun(bool overwrite);
   void launchRequest(runs::RunRequest request);
-  [[nodiscard]] std::filesystem::path resultFolder() const;
   void askToReplace();
   /// A run or a sweep that can be continued.
   struct Way {

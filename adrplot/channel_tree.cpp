@@ -29,7 +29,8 @@ QString leaf_name(const std::string& panel, const std::string& curve, const std:
   return text_of(panel == page || curve.starts_with(panel) ? curve : panel + ", " + curve);
 }
 
-void add_page(QStandardItem* branch, const PlotDocument::Entry& entry, int file, int page) {
+void add_page(QStandardItem* branch, const QString& file_name, const PlotDocument::Entry& entry,
+              int file, int page) {
   auto* item = item_of(text_of(entry.title));
   for (std::size_t p = 0; p < entry.curves.size(); ++p)
     for (const std::string& curve : entry.curves[p]) {
@@ -37,7 +38,7 @@ void add_page(QStandardItem* branch, const PlotDocument::Entry& entry, int file,
       leaf->setData(QJsonArray{file, page, static_cast<int>(p), text_of(curve)},
                     ChannelModel::kRefRole);
       leaf->setData(
-          branch->text() + ' ' + text_of(entry.group) + ' ' + item->text() + ' ' + leaf->text(),
+          file_name + ' ' + text_of(entry.group) + ' ' + item->text() + ' ' + leaf->text(),
           ChannelModel::kPathRole);
       item->appendRow(leaf);
     }
@@ -76,7 +77,7 @@ void ChannelModel::fill(const std::vector<const PlotDocument*>& files) {
         if (group == nullptr) root->appendRow(group = item_of(text_of(entry.group)));
         branch = group;
       }
-      add_page(branch, entry, static_cast<int>(f), static_cast<int>(p) + 1);
+      add_page(branch, root->text(), entry, static_cast<int>(f), static_cast<int>(p) + 1);
     }
     if (root->hasChildren())
       appendRow(root);

@@ -107,7 +107,11 @@ struct PageView {
 std::vector<PanelView> panels_of(const ChannelView& channel) {
   const std::vector<std::size_t>& sizes = channel.info.dimensions;
   const std::string label = capital(channel.info.label);
-  if (sizes.empty()) return {{label, {{"", 0}}}};
+  if (sizes.empty()) {
+    PanelView panel{label, {}};
+    panel.curves.push_back({"", 0});
+    return {panel};
+  }
   const bool bodies = has_bodies(channel.per) || !channel.known;
   const std::size_t curves = bodies ? sizes[0] : 1;
   const std::size_t others = curves > 0 ? channel.info.size() / curves : 0;

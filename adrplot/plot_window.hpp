@@ -179,7 +179,7 @@ class PlotWindow : public QMainWindow {
   void showChartMenu(const QPoint& at);
   void addOwn(std::shared_ptr<OwnChart> chart);
   [[nodiscard]] CurvePick pickOf(const ChannelRef& ref) const;
-  [[nodiscard]] std::vector<CurvePick> selectedPicks() const;
+  [[nodiscard]] std::vector<CurvePick> selectedPicks();
   [[nodiscard]] FormulaInput inputOf(const ChannelRef& ref) const;
   void openFormulaDialog(const std::vector<ChannelRef>& channels);
   void showPageOf(const ChannelRef& ref);

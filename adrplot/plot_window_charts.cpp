@@ -41,10 +41,12 @@ void PlotWindow::makeSide(QWidget* pages) {
   auto* tabs = qobject_cast<QTabWidget*>(pages);
   channels_ = new ChannelTree(this);
   tabs->addTab(channels_, tr("Channels"));
-  connect(channels_, &ChannelTree::addWanted, this,
-          [this] { addToChart(selectedPicks(), std::nullopt); });
-  connect(channels_, &ChannelTree::chartWanted, this,
-          [this] { addChart(selectedPicks(), Combine::Overlay); });
+  connect(channels_, &ChannelTree::addWanted, this, [this] {
+    if (auto picks = selectedPicks(); !picks.empty()) addToChart(std::move(picks), std::nullopt);
+  });
+  connect(channels_, &ChannelTree::chartWanted, this, [this] {
+    if (const auto picks = selectedPicks(); !picks.empty()) addChart(picks, Combine::Overlay);
+  });
   connect(channels_, &ChannelTree::formulaWanted, this,
           [this] { openFormulaDialog(channels_->selected()); });
   connect(channels_, &ChannelTree::pageWanted, this, [this] {
@@ -80,9 +82,15 @@ CurvePick PlotWindow::pickOf(const ChannelRef& ref) const {
   return out;
 }
 
-std::vector<CurvePick> PlotWindow::selectedPicks() const {
+/// Empty after a message.
+std::vector<CurvePick> PlotWindow::selectedPicks() {
   std::vector<CurvePick> out;
-  for (const ChannelRef& ref : channels_->selected()) out.push_back(pickOf(ref));
+  try {
+    for (const ChannelRef& ref : channels_->selected()) out.push_back(pickOf(ref));
+  } catch (const std::exception& error) {
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    out.clear();
+  }
   return out;
 }
 
@@ -238,18 +246,18 @@ void PlotWindow::removeCurve(std::size_t panel, std::size_t curve) {
   updateOwn();
 }
 
-void PlotWindow::takeDrop(const QMimeData* data, std::optional<std::size_t> panel) {
-  if (data->hasFormat(kChannelsMime)) {
+void PlotWindow::takeDrop(const QMimeData* mime, std::optional<std::size_t> panel) {
+  if (mime->hasFormat(kChannelsMime)) {
     try {
       std::vector<CurvePick> picks;
-      for (const ChannelRef& ref : channels_in(*data))
+      for (const ChannelRef& ref : channels_in(*mime))
         if (ref.file >= 0 && ref.file < fileCount()) picks.push_back(pickOf(ref));
       return addToChart(std::move(picks), panel);
     } catch (const std::exception& error) {
       return desktop::show_message(this, QString::fromUtf8(error.what()), true);
     }
   }
-  const QList<QByteArray> words = data->data(desktop::ChartView::kCurveMime).split(' ');
+  const QList<QByteArray> words = mime->data(desktop::ChartView::kCurveMime).split(' ');
   if (words.size() != 2) return;
   const int curve = words[1].toInt();
   moveCurve(words[0].toULong(),

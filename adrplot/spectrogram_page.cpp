@@ -200,12 +200,12 @@ void to_spectrogram(desktop::ChartPage& page, const RunMotion& motion,
     ends.push_back(last_above(gram.frequency, piece, kVisible * largest));
   // Races without relative rotation have no speed.
   const bool steady = turns.empty() || !(turns.back() > turns.front()) || keeps_speed(times, turns);
-  const Places places = places_of(motion, gram, options.over_speed && !steady);
+  const Places rows = places_of(motion, gram, options.over_speed && !steady);
   const bool decibel = options.scale == SpectrumScale::Decibel;
   desktop::ChartPanel panel{name, spectrum_unit(options.scale, source.unit), {}, false};
   double highest = 0.0;
-  for (std::size_t row = 0; row < places.at.size(); ++row) {
-    const std::size_t piece = places.piece[row];
+  for (std::size_t row = 0; row < rows.at.size(); ++row) {
+    const std::size_t piece = rows.piece[row];
     desktop::ChartCurve curve{desktop::pretty_quantity(gram.time[piece], "s", 4), {}, {}};
     if (!steady) curve.name += ", " + rpm_text(speed_of_piece(motion, gram, piece));
     for (const double a : gram.amplitude[piece])
@@ -213,9 +213,9 @@ void to_spectrogram(desktop::ChartPage& page, const RunMotion& motion,
     panel.curves.push_back(std::move(curve));
   }
   highest = scaled_amplitude(largest, largest, options.scale);
-  panel.rows = desktop::ChartRows{places.speed ? "Shaft speed" : "Time",
-                                  places.speed ? "rpm" : "s",
-                                  places.at,
+  panel.rows = desktop::ChartRows{rows.speed ? "Shaft speed" : "Time",
+                                  rows.speed ? "rpm" : "s",
+                                  rows.at,
                                   "Amplitude",
                                   decibel ? lowest_color(panel, highest) : 0.0,
                                   highest};
@@ -225,13 +225,13 @@ void to_spectrogram(desktop::ChartPage& page, const RunMotion& motion,
   page.view_high = decibel ? gram.frequency.back() : end_of_view(gram.frequency, ends);
   page.x_title = "Frequency";
   page.x_unit = "Hz";
-  page.marks = marks_of(motion, steady, gram, places);
+  page.marks = marks_of(motion, steady, gram, rows);
   std::string told = fmt::format(
       "{} ({}) of {} each, line spacing {}; mean and trend of each are removed.",
       capital(counted(gram.time.size(), "spectrum", "spectra")),
       signal::window_name(options.window), desktop::pretty_quantity(gram.length, "s", 3),
       desktop::pretty_quantity(gram.frequency.front(), "Hz", 3));
-  if (options.over_speed && !places.speed)
+  if (options.over_speed && !rows.speed)
     told += steady
                 ? " The shaft speed is constant, so the axis is time."
                 : " The shaft speed does not increase or decrease steadily, so the axis is time.";

@@ -92,6 +92,9 @@ class AgoreWindow : public QMainWindow {
   /// Reads at most `most_frames` frames. False, after a message with the reason, if the file is
   /// rejected.
   bool openFile(const std::filesystem::path& path, long most_frames = 1'000'000'000);
+  /// Lists the runs of a project in the menu File, and opens the first that is there. False, after a
+  /// message, if PROJECT.json is damaged or newer.
+  bool openProject(const std::filesystem::path& path);
   /// The same file once more, as far as it has grown, at the same moment and with the same views.
   void reload();
   /// The same for an animation in memory.
@@ -140,6 +143,7 @@ class AgoreWindow : public QMainWindow {
   void saveFilm();
   void saveScene();
   void askForFile();
+  void askForProject();
   void playForward();
   void playBackward();
   void frameForward();

@@ -5,11 +5,13 @@
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/findings_bar.hpp"
+#include "desktop/project.hpp"
 #include "results/run_findings.hpp"
 #include "results/run_folder.hpp"
 
 #include <QAction>
 #include <QElapsedTimer>
+#include <QMenu>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,6 +43,7 @@ std::string state_of(const std::filesystem::path& path) {
 }  // namespace
 
 bool AgoreWindow::openFile(const std::filesystem::path& named, long most_frames) {
+  if (named.filename() == desktop::kProjectFile) return openProject(named);
   std::filesystem::path path;
   try {
     path = results::animation_file(named);
@@ -64,6 +67,45 @@ bool AgoreWindow::openFile(const std::filesystem::path& named, long most_frames)
     told << tr("RESULTS.h5 is not used: %1.").arg(QString::fromStdString(why));
   if (!told.isEmpty()) desktop::show_message(this, told.join(' '));
   return true;
+}
+
+bool AgoreWindow::openProject(const std::filesystem::path& path) {
+  std::optional<desktop::Project> project;
+  try {
+    project = desktop::Project::open(path);
+  } catch (const std::exception& error) {
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    return false;
+  }
+  desktop::remember_file(kApp, QString::fromStdString(project->file().string()));
+  auto* menu = findChild<QMenu*>("projectMenu");
+  menu->clear();
+  QStringList missing;
+  std::optional<std::filesystem::path> first;
+  for (const desktop::Project::Entry& run : project->runs()) {
+    const QString name = QString::fromStdString(run.name);
+    QAction* action = menu->addAction(run.missing ? tr("%1 (missing)").arg(name) : name, this,
+                                      [this, folder = run.path] { openFile(folder); });
+    action->setEnabled(!run.missing);
+    if (run.missing)
+      missing << name;
+    else if (!first)
+      first = run.path;
+  }
+  menu->setEnabled(!menu->isEmpty());
+  if (first) openFile(*first);
+  if (menu->isEmpty())
+    desktop::show_message(this, tr("The project lists no runs. Add them in AdrInput (File > Add to "
+                                   "Project)."));
+  else if (!missing.isEmpty())
+    desktop::show_message(this,
+                          tr("Runs of the project without files: %1.").arg(missing.join(", ")));
+  return true;
+}
+
+void AgoreWindow::askForProject() {
+  desktop::ask_file(this, kApp, tr("Open project"), desktop::kProjectFile,
+                    [this](const QString& name) { openProject(name.toStdString()); });
 }
 
 void AgoreWindow::reload() {

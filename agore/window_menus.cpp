@@ -93,6 +93,11 @@ void AgoreWindow::makeMenus() {
   file->addAction(tr("&Open..."), QKeySequence::Open, this, &AgoreWindow::askForFile);
   desktop::add_recent_menu(*file, kApp,
                            [this](const QString& name) { openFile(name.toStdString()); });
+  file->addAction(tr("Open Pro&ject..."), Qt::CTRL | Qt::SHIFT | Qt::Key_O, this,
+                  &AgoreWindow::askForProject);
+  QMenu* runs = file->addMenu(tr("Project R&uns"));
+  runs->setObjectName("projectMenu");
+  runs->setEnabled(false);
   file->addAction(tr("Re&load"), Qt::Key_F5, this, &AgoreWindow::reload);
   follow_ = file->addAction(tr("&Follow a Running Solver"));  // as AdrPlot has it
   follow_->setObjectName("followAction");
@@ -143,6 +148,7 @@ void AgoreWindow::makeMenus() {
        {tr("band around a curve"), tr("minimum to maximum between stored steps")},
        {tr("Ctrl+E"), tr("save a movie")},
        {tr("Ctrl+Shift+E"), tr("save the 3D scene as a page that a browser plays")},
+       {tr("Ctrl+Shift+O"), tr("open a project and list its runs in the menu File")},
        {tr("F5, F"), tr("reload the file, follow an active run")}});
 }
 

@@ -44,9 +44,11 @@ Json thrust_rating(const Json& in) {
 std::optional<Json> static_case(const Json& the_case) {
   const Json& in = the_case.at("inputs");
   if (in.contains("Dw")) return thrust_rating(in);
-  life::StaticFactors factors =
-      life::static_factors(static_type(in.at("type")), in.value("alpha_deg", 0.0) * kDegree,
-                           whole_or(in, "rows", 1, 1, 2));
+  const std::string type = in.at("type");
+  require(in.contains("alpha_deg") || type == "deep_groove" || type == "cylindrical_roller",
+          "alpha_deg is missing: P0 of this type depends on the contact angle. Enter alpha_deg.");
+  life::StaticFactors factors = life::static_factors(
+      static_type(type), in.value("alpha_deg", 0.0) * kDegree, whole_or(in, "rows", 1, 1, 2));
   if (in.contains("X0") || in.contains("Y0")) factors.provenance = "given";
   factors.X0 = in.value("X0", factors.X0);
   factors.Y0 = in.value("Y0", factors.Y0);
@@ -69,6 +71,8 @@ std::optional<Json> reference_speed_case(const Json& the_case) {
   b.width = 1e-3 * in.value("B", 0.0);
   b.static_rating = get(in, "C0");
   b.thrust_roller = in.value("type", std::string("radial")) == "thrust_roller";
+  require(b.thrust_roller || in.contains("B"),
+          "B is missing: the seats of a radial bearing need its width. Enter B.");
   std::string origin = "given";
   if (in.contains("series")) {
     b.friction = life::reference_friction(in.at("series").get<std::string>());

@@ -53,10 +53,9 @@ ReferenceSpeed reference_speed(const ReferenceBearing& b) {
   };
   require(b.bore > 0.0 && b.outside > b.bore,
           "bore and outside diameter: the bore must be above 0 and below the outside diameter. "
-          "Enter both in meters.");
+          "Enter both.");
   require(b.thrust_roller || b.width > 0.0,
-          "width: it must be above 0. Enter the width in meters (the total width of tapered "
-          "bearings).");
+          "width: it must be above 0. Enter the width (the total width of tapered bearings).");
   require(b.static_rating > 0.0, "C0: it must be above 0. Enter the static rating in N.");
   require(b.friction.f0r > 0.0 && b.friction.f1r >= 0.0,
           "f0r must be above 0 and f1r at least 0. Enter both, or the series.");

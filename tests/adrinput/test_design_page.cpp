@@ -6,6 +6,7 @@
 #include "adrinput/run_driver.hpp"
 #include "adrinput/search.hpp"
 #include "deck/catalogue.hpp"
+#include "desktop/project.hpp"
 
 #include <QApplication>
 #include <QComboBox>
@@ -333,6 +334,24 @@ TEST_CASE("design page: invalid inputs → a reason, and the deck keeps or marks
   front.window.undo();
   CHECK_FALSE(front.document().has_errors());
   CHECK(deck::write_deck(front.document().deck()) == before);
+}
+
+TEST_CASE("deck_window: Add to Project → PROJECT.json lists the deck", "[gui][adrinput][project]") {
+  const QtInUse qt;
+  const QTemporaryDir folder;
+  const fs::path file = folder.filePath("DATA.txt").toStdString();
+  Front front;
+  front.window.addToProject();
+  CHECK(front.window.findChild<QFileDialog*>("project") == nullptr);  // not saved yet
+  front.document().save(file);
+  front.window.addToProject();
+  auto* dialog = front.window.findChild<QFileDialog*>("project");
+  REQUIRE(dialog != nullptr);
+  emit dialog->fileSelected(folder.path());
+  const desktop::Project project = desktop::Project::open(folder.path().toStdString());
+  REQUIRE(project.decks().size() == 1);
+  CHECK(project.decks()[0].name == "DATA.txt");
+  CHECK(project.runs().empty());
 }
 
 TEST_CASE("design page: saved → comments of the bearing that the deck has",

@@ -469,8 +469,7 @@ TEST_CASE("plot_window: any history has a spectrum and a spectrogram", "[gui]") 
   CHECK(lines.unit == "N");
   const std::string table = desktop::page_csv(scene.page());
   const std::string row = table.substr(table.rfind('\n', table.size() - 2) + 1);
-  CHECK(std::stod(row.substr(row.rfind(',') + 1)) ==
-        Approx(last.y.back()).margin(1e-9));
+  CHECK(std::stod(row.substr(row.rfind(',') + 1)) == Approx(last.y.back()).margin(1e-9));
   const QRectF& area = scene.plotAreas().front();
   const QString told = scene.readout({area.left() + 0.5 * area.width(), area.center().y()});
   INFO(told.toStdString());

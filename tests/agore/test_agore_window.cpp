@@ -5,6 +5,7 @@
 #include "agore/shown_window.hpp"
 #include "base/errors.hpp"
 #include "desktop/mp4_writer.hpp"
+#include "desktop/project.hpp"
 #include "support/drops.hpp"
 #include "support/qt_app.hpp"
 #include "support/result_files.hpp"
@@ -17,6 +18,7 @@
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QLabel>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -179,6 +181,36 @@ TEST_CASE("agore_window: movie from a frame or time to another → length displa
     CHECK(said.startsWith(QString("Saved %1: %2 picture").arg(film).arg(count)));
     CHECK(said.contains("one of every") == (count < 20));
   }
+}
+
+TEST_CASE("agore_window: project → its runs in the menu, missing ones listed, damaged file kept",
+          "[gui][project]") {
+  test::use_qt();
+  QTemporaryDir base;
+  const std::filesystem::path folder = base.path().toStdString();
+  for (const char* run : {"first", "second"}) {
+    std::filesystem::create_directories(folder / run);
+    test::write_text(folder / run / "SOL8",
+                     test::sol8_text(test::synthetic_sol8(short_run(run[0] == 'f' ? 20 : 10))));
+  }
+  desktop::Project project = desktop::Project::of_folder(folder);
+  for (const char* run : {"gone", "first", "second"}) project.add_run(folder / run);
+  project.save();
+  AgoreWindow window;
+  window.show();
+  REQUIRE(window.openFile(project.file()));
+  CHECK(test::take_message(window).contains("gone"));
+  CHECK(window.frameCount() == 20);
+  const QList<QAction*> runs = window.findChild<QMenu*>("projectMenu")->actions();
+  REQUIRE(runs.size() == 3);
+  CHECK(runs[0]->text() == "gone (missing)");
+  CHECK_FALSE(runs[0]->isEnabled());
+  runs[2]->trigger();
+  CHECK(window.frameCount() == 10);
+  test::write_text(project.file(), "{\"format\": \"adore-pro");
+  CHECK_FALSE(window.openFile(project.file()));
+  CHECK(test::take_message(window).contains("damaged"));
+  CHECK(window.frameCount() == 10);
 }
 
 TEST_CASE("agore_window: selected additional view → exchanged with the first view", "[gui]") {

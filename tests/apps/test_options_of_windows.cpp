@@ -37,16 +37,18 @@ QMap<QString, bool> options_of(const char* program) {
 }
 
 /// A value that differs from the default of the window.
-const QMap<QString, QString> kValues{
-    {"--size", "900x700"},   {"--page", "2"},         {"--from", "2"},
-    {"--to", "5"},           {"--every", "2"},        {"--abscissa", "time"},
-    {"--view", "cage"},      {"--beside", "element"}, {"--race", "outer"},
-    {"--element", "2"},      {"--exaggerate", "7"},   {"--frame", "2"},
-    {"--movie", "film.gif"}, {"--fps", "5"},          {"--slow", "1e-4"},
-    {"--colour", "load"},    {"--scale", "run"},      {"--domain", "spectrum"},
-    {"--curve", "2"}};
+const QMap<QString, QString> kValues{{"--size", "900x700"},    {"--page", "2"},
+                                     {"--from", "2"},          {"--to", "5"},
+                                     {"--every", "2"},         {"--abscissa", "time"},
+                                     {"--view", "cage"},       {"--beside", "element"},
+                                     {"--race", "outer"},      {"--element", "2"},
+                                     {"--exaggerate", "7"},    {"--frame", "2"},
+                                     {"--html", "scene.html"}, {"--movie", "film.gif"},
+                                     {"--fps", "5"},           {"--slow", "1e-4"},
+                                     {"--colour", "load"},     {"--scale", "run"},
+                                     {"--domain", "spectrum"}, {"--curve", "2"}};
 /// Of pictures alone: no window comes.
-const QSet<QString> kOfPictures{"--size", "--frame", "--movie", "--fps", "--slow"};
+const QSet<QString> kOfPictures{"--size", "--frame", "--movie", "--html", "--fps", "--slow"};
 
 }  // namespace
 

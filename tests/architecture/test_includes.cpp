@@ -205,7 +205,8 @@ TEST_CASE("decisions: entries have numbers of their own, stand in the index, and
           "[unit][architecture]") {
   const fs::path root = adore::test::source_dir(), folder = root / "resources/docs/decisions";
   const std::string index = text_of(folder / "README.md");
-  static const std::regex heading(R"((?:^|\n)## (\d{3}(?:, \d{3})*) ([^\n]+))"), number(R"(\d{3})");
+  static const std::regex heading(R"((?:^|\n)## (\d{3,4}(?:, \d{3,4})*) ([^\n]+))"),
+      number(R"(\d{3,4})");
   std::set<std::string> numbers;
   std::size_t entries = 0;
   for (const auto& file : fs::directory_iterator(folder)) {
@@ -225,7 +226,8 @@ TEST_CASE("decisions: entries have numbers of their own, stand in the index, and
   CHECK(std::count(index.begin(), index.end(), '\n') > static_cast<std::ptrdiff_t>(entries));
 
   // "decision 041", "decisions 800 and 815", "(decision 041, 063)", also over a line's end.
-  static const std::regex cited(R"([Dd]ecisions?[ \n/#*]+(\d{3}(?:(?:, | and |, and )\d{3})*))");
+  static const std::regex cited(
+      R"([Dd]ecisions?[ \n/#*]+(\d{3,4}(?:(?:, | and |, and )\d{3,4})*))");
   int citations = 0;
   for (const char* part : {"core", "desktop", "adrinput", "adrplot", "agore", "cli", "tests"})
     for (const fs::path& file : sources(root / part)) {

@@ -221,6 +221,7 @@ TEST_CASE("outputs of pictures: no obstacle leads a write to another place", "[c
   try_all({"animate r --frame 1 --out p", {run}});
   try_all({"animate r --movie film.gif", {run}});
   try_all({"animate r --movie film.avi", {run}});
+  try_all({"animate r --html scene.html", {run}});
 }
 
 TEST_CASE("outputs of accuracy studies: no obstacle leads a write to another place",
