@@ -106,11 +106,10 @@ TEST_CASE("sources: remarks are Finding; lists of sentences are texts of a listi
           "[unit][architecture]") {
   static const Pattern list(
       R"(std::vector<(std::string|Issue)> *&? *(notes|remarks|warnings|hints)_?\b *(=|;|\)|,|\{))");
-  CHECK(faults(list, {"core/statics/friction.hpp",  // below the table of friction in PRINT
-                                                    // texts of findings for a listing
-                      "core/listing/static_summary.hpp", "core/listing/static_summary.cpp",
-                      "core/listing/print_file.hpp", "core/listing/print_file.cpp",
-                      "core/runs/run_outputs.cpp",
+  CHECK(faults(list, {"core/statics/friction.hpp",        // below the table of friction in PRINT
+                      "core/listing/static_summary.hpp",  // and texts for a listing
+                      "core/listing/static_summary.cpp", "core/listing/print_file.hpp",
+                      "core/listing/print_file.cpp", "core/runs/run_outputs.cpp",
                       // about a drawing, a change of the deck, a page of experiments
                       "core/drawing/outline.hpp", "core/drawing/outline_model.hpp",
                       "core/deck/monitored_bodies.cpp", "core/python/bindings/deck.cpp",
