@@ -99,11 +99,29 @@ struct Ring {
   [[nodiscard]] std::array<double, 2> slopes(double chi) const {
     const double c = std::cos(chi), s = std::sin(chi);
     const Vec3 Y = middle + c * e1 + s * e2, d1 = -s * e1 + c * e2, d2 = -c * e1 - s * e2;
-    const double r = std::hypot(Y[1], Y[2]);
+    const double r = std::sqrt(Y[1] * Y[1] + Y[2] * Y[2]);
     const double dr = (Y[1] * d1[1] + Y[2] * d1[2]) / r;
     const double ddr = (d1[1] * d1[1] + d1[2] * d1[2] + Y[1] * d2[1] + Y[2] * d2[2] - dr * dr) / r;
     return {face.m_x * d1[0] + face.m_r * dr, face.m_x * d2[0] + face.m_r * ddr};
   }
+  /// χ near the only minimum, where there is no second one for sure; else a NaN. σ is A cos(χ - χ0)
+  /// with the opposite of A's direction as its least place, and m_r (r - e·Y), whose slope and
+  /// second derivative are at most k1 and k2 [derived]: all critical points have |sin(χ - χ0)| <=
+  /// k1/A.
+  [[nodiscard]] double single_minimum(double ring_radius) const {
+    const double z0 = middle.tail<2>().norm(), e_y = middle[1] / z0, e_z = middle[2] / z0;
+    const double along1 = face.m_x * e1[0] + face.m_r * (e_y * e1[1] + e_z * e1[2]);
+    const double along2 = face.m_x * e2[0] + face.m_r * (e_y * e2[1] + e_z * e2[2]);
+    const double square = along1 * along1 + along2 * along2;
+    const double w = ring_radius, z = z0 - w;
+    if (!(z > w)) return kNone;
+    const double k1 = std::abs(face.m_r) * w * (w / z) * (1.0 + 0.5 * w / z);
+    const double turning = 1.0 + w / z;
+    const double k2 = std::abs(face.m_r) * (w * w / z) * (turning * turning + 1.0 + 0.5 * w / z);
+    if (!(k1 * k1 + k2 * k2 < square)) return kNone;
+    return std::atan2(-along2, -along1);
+  }
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   /// Local minimum bracketed by [low, high] (slope < 0 at low, > 0 at high): Newton, else
   /// bisection.
   [[nodiscard]] double minimum(double low, double high) const {
@@ -139,29 +157,35 @@ bool torus_on_face(const FlangeFace& face, const PlacedEnd& placed, FlangeContac
     return out;
   }();
   const Ring ring(face, placed);
-  std::array<double, kScan + 1> slope{};
-  for (std::size_t k = 0; k < kScan; ++k) slope[k] = ring.rising(kTurns[k]);
-  slope[kScan] = slope[0];  // the same point, so no minimum falls between two roundings
   beyond = kInfinity;
   bool found = false;
-  for (int k = 0; k < kScan; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    if (!(slope[i] < 0.0 && slope[i + 1] >= 0.0)) continue;
-    const double chi = ring.minimum(2.0 * kPi * k / kScan, 2.0 * kPi * (k + 1) / kScan);
-    const Vec3 Y = ring.at(chi);
+  const auto take = [&](double low, double high) {
+    const Vec3 Y = ring.at(ring.minimum(low, high));
     const double r = std::hypot(Y[1], Y[2]), tau = face.tau(Y[0], r);
     const double gap = face.sigma(Y[0], r) - placed.end.corner_radius;
     if (tau > face.reach) {
       beyond = std::min(beyond, gap);
-      continue;
+      return;
     }
-    if (found && gap >= best.gap) continue;
+    if (found && gap >= best.gap) return;
     found = true;
     best.gap = gap;
     best.height = tau;
     best.normal = in_meridian_of(Y, face.m_x, face.m_r);
     best.point = Y - placed.end.corner_radius * best.normal;
     best.surface = Surface::Torus;
+  };
+  if (const double near = ring.single_minimum(placed.end.ring_radius); !std::isnan(near)) {
+    take(near - 0.5 * kPi, near + 0.5 * kPi);
+    return found;
+  }
+  std::array<double, kScan + 1> slope{};
+  for (std::size_t k = 0; k < kScan; ++k) slope[k] = ring.rising(kTurns[k]);
+  slope[kScan] = slope[0];  // the same point, so no minimum falls between two roundings
+  for (int k = 0; k < kScan; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (slope[i] < 0.0 && slope[i + 1] >= 0.0)
+      take(2.0 * kPi * k / kScan, 2.0 * kPi * (k + 1) / kScan);
   }
   return found;
 }
@@ -433,6 +457,24 @@ FlangeContact flange_contact(const FlangeFace& face, const RollerEnd& end, const
 FlangeContact flange_overlap(const FlangeFace& face, const RollerEnd& end, const Vec3& centre,
                              const Vec3& axis) noexcept {
   return contact_of(face, PlacedEnd(end, centre, axis), Open::Nearest);
+}
+
+double flange_gap_bound(const FlangeFace& face, const RollerEnd& end, const Vec3& centre,
+                        const Vec3& axis) noexcept {
+  const Vec3 out = end.sign * axis, middle = centre + end.ring * out;
+  // A dome may reach a little farther across than its ring.
+  const double z0 = middle.tail<2>().norm(), wide = 1.1 * (end.ring_radius + end.corner_radius);
+  const Vec3 v(face.m_x, face.m_r * middle[1] / z0, face.m_r * middle[2] / z0);
+  const double towards = v.dot(out);
+  // The side behind the end must be farther away than the end.
+  if (!(towards < 0.0 && z0 > wide)) return -kInfinity;
+  double bound =
+      face.sigma(middle[0], z0) - end.ring_radius * (v - towards * out).norm() - end.corner_radius;
+  if (!end.flat()) {
+    const Vec3 to_dome = (end.dome_centre - end.ring) * out;
+    bound = std::min(bound, face.sigma(middle[0], z0) + v.dot(to_dome) - end.end_radius);
+  }
+  return bound + std::min(face.m_r, 0.0) * wide * wide / (2.0 * (z0 - wide));
 }
 
 double dome_centre_radius(const RollerEnd& end, const Vec3& centre, const Vec3& axis) noexcept {

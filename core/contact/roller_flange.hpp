@@ -92,8 +92,9 @@ struct FlangeContact {
 };
 
 /// Contact of one end of a roller with centre C and axis a, in the race frame. Hot path: no throw,
-/// no allocation. The dome on its face is closed form; corners cost a scan of 16 points and a
-/// safeguarded Newton iteration, lips a scan of 16 points and a root, open ones a search.
+/// no allocation. The dome on its face is closed form. Corners cost a safeguarded Newton iteration,
+/// after a scan of 16 points where several minima are possible; lips a scan of 16 points and a
+/// root, open ones a search.
 [[nodiscard]] FlangeContact flange_contact(const FlangeFace& face, const RollerEnd& end,
                                            const Vec3& centre, const Vec3& axis) noexcept;
 
@@ -101,6 +102,15 @@ struct FlangeContact {
 /// motion of the roller's points by less closes. For forces.
 [[nodiscard]] FlangeContact flange_overlap(const FlangeFace& face, const RollerEnd& end,
                                            const Vec3& centre, const Vec3& axis) noexcept;
+
+/// A lower bound of flange_overlap's gap, without a search [m]; -infinity where none is known.
+/// With e the radial unit vector of the ring's middle, z0 the radius there and R the ring's radius,
+/// r = |(y, z)| is at least e·X and, at a distance of up to w = 1.1 (R + r_c) from e, at most
+/// e·X + w²/(2 (z0 - w)). So σ differs little from a function linear in X with the gradient
+/// v = (m_x, m_r e). Its least value over the ring is that at the middle less R times the part of v
+/// across the axis [derived].
+[[nodiscard]] double flange_gap_bound(const FlangeFace& face, const RollerEnd& end,
+                                      const Vec3& centre, const Vec3& axis) noexcept;
 
 /// Distance of the dome centre from the race axis [m]; must be positive and not small beside the
 /// roller.

@@ -47,12 +47,12 @@ struct SliceContact {
 [[nodiscard]] inline SliceContact slice_contact(const RaceSurface& race, const Vec3& centre,
                                                 const Vec3& axis,
                                                 const RollerSlice& slice) noexcept {
-  double r = 0.0, tan_chi = 0.0;
+  double r = 0.0;
   const MeridianTurn turn = meridian_turn(centre[1], centre[2], r);
   const double way = axis[0] < 0.0 ? -1.0 : 1.0;  // s along -a is -s along a
   const Triple<double> a = turn.into(Triple<double>{axis[0], axis[1], axis[2]});
   const SliceDeepest<double> d = deepest_on_slice(race, slice_axes(way * a.z, way * a.y), centre[0],
-                                                  r, way * slice.s, slice.radius, tan_chi);
+                                                  r, way * slice.s, slice.radius);
   const Triple<double> X = turn.back(d.X), n = turn.back(d.at.n);
   return {d.at.depth, {X.x, X.y, X.z}, {n.x, n.y, n.z}};
 }

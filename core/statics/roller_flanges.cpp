@@ -88,6 +88,10 @@ std::vector<FlangePair> flange_pairs(bearing::Type type, const bearing::RollerGe
   return out;
 }
 
+double FlangePair::gap_bound(const Vec4& p) const noexcept {
+  return contact::flange_gap_bound(face, end, Vec3(p(0), 0.0, p(1)), axis_of(p(2), p(3)));
+}
+
 FlangeTouch flange_touch(const FlangePair& pair, const Vec4& p) {
   FlangeTouch out;
   out.contact =

@@ -34,8 +34,11 @@ struct FlangePair {
   [[nodiscard]] bool surely_open(const Vec4& p) const noexcept {
     const Vec4 d = p - open_pose;
     return open_gap >
-           std::abs(d(0)) + std::abs(d(1)) + 1.1 * reach * (std::abs(d(2)) + std::abs(d(3)));
+               std::abs(d(0)) + std::abs(d(1)) + 1.1 * reach * (std::abs(d(2)) + std::abs(d(3))) ||
+           gap_bound(p) > 0.0;
   }
+  /// contact::flange_gap_bound() [m].
+  [[nodiscard]] double gap_bound(const Vec4& p) const noexcept;
 };
 
 /// The flanges of both races with their faces placed (rollers.md 5): two on one race leave the

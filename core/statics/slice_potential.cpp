@@ -50,8 +50,6 @@ void add_slices(const SliceSet& set, const Vec4& p, PairPotential& sum,
   const SliceTurns axes = slice_turns(p(2), p(3));
   SliceSums<Lanes> sums;
   EdgeSums<double> edges;
-  Lanes tan_chi = 0.0;
-  Lanes last = 0.0;
   for (std::size_t first = 0; first < set.slices.size(); first += kLanes) {
     const std::size_t count = std::min(kLanes, set.slices.size() - first);
     const auto slice = [&](std::size_t lane) -> const contact::RollerSlice& {
@@ -59,12 +57,7 @@ void add_slices(const SliceSet& set, const Vec4& p, PairPotential& sum,
     };
     const Lanes s([&](auto lane) { return slice(lane).s; });
     const Lanes radius([&](auto lane) { return slice(lane).radius; });
-    const SliceDeepest<Lanes> d =
-        contact::deepest_on_slice(set.race, axes, p(0), p(1), s, radius, tan_chi);
-    // χ changes evenly along the roller: the next slices start from its extrapolation.
-    const Lanes found = tan_chi;
-    tan_chi = first == 0 ? found : 2.0 * found - last;
-    last = found;
+    const SliceDeepest<Lanes> d = contact::deepest_on_slice(set.race, axes, p(0), p(1), s, radius);
     std::array<contact::LandWidth, kLanes> land;
     std::array<contact::SliceLoad, kLanes> q;
     bool loaded = false;
@@ -140,8 +133,7 @@ void add_slices_linear(const SliceSet& set, const Vec4& p, PairPotential& sum,
 void add_point(const PointSet& set, const Vec4& p, PairPotential& sum, SliceResult* each) {
   const SliceTurns axes = slice_turns(p(2), p(3));
   const auto deepest = [&](const contact::RaceSurface& race, const contact::RollerSlice& slice) {
-    double tan_chi = 0.0;
-    return contact::deepest_on_slice(race, axes, p(0), p(1), slice.s, slice.radius, tan_chi);
+    return contact::deepest_on_slice(race, axes, p(0), p(1), slice.s, slice.radius);
   };
   SliceDeepest<double> d = deepest(set.race, set.centre);
   if (d.at.depth > 0.0 || each != nullptr) {

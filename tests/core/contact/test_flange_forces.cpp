@@ -162,3 +162,29 @@ TEST_CASE("The gap of a flange does not jump as the roller moves over face, corn
   CHECK(met[Mode::Corner] > 1000);
   CHECK(met[Mode::None] == 0);
 }
+
+TEST_CASE("flange_gap_bound: any pose → at most the gap, and close to it for aligned rollers",
+          "[physics][rollers]") {
+  Dice dice;
+  int open = 0, known = 0, aligned = 0, known_aligned = 0;
+  for (int n = 0; n < 3000; ++n) {
+    const Scene s = random_scene(dice);
+    // Away from the flange, by some clearance of a bearing.
+    const Vec3 away = -s.end.sign * dice.between(0.0, 5e-5) * s.pose.axis;
+    const Pose pose = moved(s.pose, away, Vec3::Zero());
+    const double gap = s.at(pose).gap;
+    const double bound = flange_gap_bound(s.face, s.end, pose.centre, pose.axis);
+    CAPTURE(n, gap, bound, s.end.corner_radius, s.end.end_radius);
+    CHECK(bound <= gap + 1e-15);
+    if (gap < 1e-5) continue;
+    ++open;
+    known += bound > 0.0;
+    if (std::abs(pose.axis[1]) > 3e-4) continue;
+    ++aligned;
+    known_aligned += bound > 0.0;
+  }
+  CHECK(open > 1000);
+  CHECK(known > open / 2);
+  CHECK(aligned > 200);
+  CHECK(known_aligned > 8 * aligned / 10);
+}
