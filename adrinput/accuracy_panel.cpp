@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kBarSteps = 1000;
 
-QString row_text(const facade::AccuracyRow& row) {
+QString row_text(const studies::AccuracyRow& row) {
   return QString::fromStdString(
       row.failure.empty() ? fmt::format("{:<40} {:.3g} s, error {:.2g} %", row.setting.name,
                                         row.seconds, 100.0 * row.errors.largest())
@@ -32,9 +32,9 @@ QString row_text(const facade::AccuracyRow& row) {
 
 AccuracyPanel::AccuracyPanel(QWidget* parent)
     : QWidget(parent),
-      study([](const facade::AccuracyRequest& request, const facade::AccuracySink& row,
+      study([](const studies::AccuracyRequest& request, const studies::AccuracySink& row,
                std::stop_token stop) {
-        return facade::study_accuracy(request, row, std::move(stop));
+        return studies::study_accuracy(request, row, std::move(stop));
       }) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 6, 8, 6);
@@ -75,8 +75,8 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
                    &AccuracyPanel::cancel);
   target_ = number(tr("target error"), "accuracy-target", 1.0, 0.01, 50.0, " %");
   budget_ = number(tr("time limit"), "accuracy-budget", 120.0, 1.0, 100000.0, " s");
-  turns_ = number(tr("run length"), "accuracy-turns", facade::AccuracyRequest().turns, 0.1, 10000.0,
-                  tr(" rev"));
+  turns_ = number(tr("run length"), "accuracy-turns", studies::AccuracyRequest().turns, 0.1,
+                  10000.0, tr(" rev"));
   turns_->setToolTip(tr(
       "Simulated shaft revolutions of the runs that compare the best settings (fewer if the time "
       "limit is reached). The first round compares all settings in shorter runs (see the table)."));
@@ -125,7 +125,7 @@ void AccuracyPanel::start(const deck::Deck& deck, const RunOptionValues& options
   bar_->setValue(0);
   headline_ = tr("Computing the reference run …");
   note_->setText(headline_);
-  facade::AccuracyRequest request;
+  studies::AccuracyRequest request;
   request.text = deck::write_deck(deck);
   for (const auto& [name, value] : options) request.options.emplace_back(name, value);
   request.target = target_->value() / 100.0;
@@ -133,15 +133,15 @@ void AccuracyPanel::start(const deck::Deck& deck, const RunOptionValues& options
   request.turns = turns_->value();
   round_.clear();
   struct End {
-    facade::AccuracyStudy study;
+    studies::AccuracyStudy study;
     std::string failure;
   };
   auto end = std::make_shared<End>();
-  const auto row_done = [this](const facade::AccuracyRow& row,
-                               const facade::AccuracyStudy& so_far) {
+  const auto row_done = [this](const studies::AccuracyRow& row,
+                               const studies::AccuracyStudy& so_far) {
     const double used = so_far.seconds;
     background_.report([this, line = row_text(row), used,
-                        round = QString::fromStdString(facade::round_text(row, so_far))] {
+                        round = QString::fromStdString(studies::round_text(row, so_far))] {
       showRow(line, round, used);
     });
   };
@@ -169,16 +169,16 @@ void AccuracyPanel::showRow(const QString& line, const QString& round, double us
                      .arg(budget_->value(), 0, 'f', 0));
 }
 
-void AccuracyPanel::show(const facade::AccuracyStudy& study_made, const QString& failure) {
+void AccuracyPanel::show(const studies::AccuracyStudy& study_made, const QString& failure) {
   if (!failure.isEmpty()) {
     headline_ = tr("The study failed: %1").arg(failure);
   } else if (!study_made.complete) {
     headline_ = tr("The study was stopped before it was complete.");
   } else {
     bar_->setValue(kBarSteps);
-    if (!dropped_) sets_ = facade::recommended_sets(study_made);
-    headline_ = QString::fromStdString(facade::recommendation(study_made));
-    view_->setPlainText(QString::fromStdString(facade::accuracy_table(study_made)));
+    if (!dropped_) sets_ = studies::recommended_sets(study_made);
+    headline_ = QString::fromStdString(studies::recommendation(study_made));
+    view_->setPlainText(QString::fromStdString(studies::accuracy_table(study_made)));
   }
   showNote();
   enableButtons();

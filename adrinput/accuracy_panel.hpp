@@ -3,7 +3,7 @@
 #include "adrinput/background.hpp"
 #include "adrinput/evaluation.hpp"
 #include "deck/deck.hpp"
-#include "facade/accuracy.hpp"
+#include "studies/accuracy.hpp"
 
 #include <QWidget>
 
@@ -31,9 +31,9 @@ class AccuracyPanel : public QWidget {
   using Sets = std::vector<std::pair<std::string, std::string>>;
   explicit AccuracyPanel(QWidget* parent = nullptr);
 
-  /// The study; facade::study_accuracy unless a test looks on.
-  std::function<facade::AccuracyStudy(const facade::AccuracyRequest&, const facade::AccuracySink&,
-                                      std::stop_token)>
+  /// The study; studies::study_accuracy unless a test looks on.
+  std::function<studies::AccuracyStudy(const studies::AccuracyRequest&,
+                                       const studies::AccuracySink&, std::stop_token)>
       study;
 
   /// Studies the deck of the form, which has no errors.
@@ -61,7 +61,7 @@ class AccuracyPanel : public QWidget {
 
  private:
   void showRow(const QString& line, const QString& round, double used);
-  void show(const facade::AccuracyStudy& study, const QString& failure);
+  void show(const studies::AccuracyStudy& study, const QString& failure);
   void showNote();
   void enableButtons();
 

@@ -121,9 +121,9 @@ CatalogueDialog::CatalogueDialog(QWidget* parent)
 
 QString CatalogueDialog::story() const { return story_->text(); }
 
-std::optional<facade::BearingFacts> CatalogueDialog::facts() const {
+std::optional<design::BearingFacts> CatalogueDialog::facts() const {
   constexpr double kKilonewton = 1e3;
-  facade::BearingFacts out;
+  design::BearingFacts out;
   out.C = number_in(*C_);
   out.C0 = number_in(*C0_);
   out.BPFO = number_in(*BPFO_);
@@ -151,8 +151,8 @@ std::optional<facade::BearingFacts> CatalogueDialog::facts() const {
   return out;
 }
 
-facade::OperatingPoint CatalogueDialog::operatingPoint() const {
-  facade::OperatingPoint out;
+runs::OperatingPoint CatalogueDialog::operatingPoint() const {
+  runs::OperatingPoint out;
   out.radial = number_in(*radial_);
   out.axial = number_in(*axial_);
   out.speed = number_in(*speed_);
@@ -165,8 +165,8 @@ void CatalogueDialog::look() {
   report_.reset();
   try {
     (void)operatingPoint();
-    const std::optional<facade::BearingFacts> given = facts();
-    if (given) report_ = facade::find_candidates(*given);
+    const std::optional<design::BearingFacts> given = facts();
+    if (given) report_ = design::find_candidates(*given);
     showCandidates();
     showBearing();
     // The list opens after this, and would hide the description of the bearing and take its Enter.
@@ -182,7 +182,7 @@ void CatalogueDialog::showCandidates() {
   const QSignalBlocker quiet(candidates_);
   candidates_->clear();
   if (report_)
-    for (const facade::BearingCandidate& one : report_->candidates) {
+    for (const design::BearingCandidate& one : report_->candidates) {
       const QString length =
           one.length > 0.0 ? tr(", length %1 mm").arg(one.length * 1e3, 0, 'g', 3) : QString();
       candidates_->addItem(tr("%1 of %2 mm%3, BPFO %4, BPFI %5 (weight %6 %)")
@@ -201,11 +201,11 @@ void CatalogueDialog::showBearing() {
   QStringList lines;
   deck::CatalogueBearing found;
   if (report_ && report_->candidates.empty()) {
-    story_->setText(QString::fromStdString(facade::candidates_text(*report_)));
+    story_->setText(QString::fromStdString(design::candidates_text(*report_)));
     return;
   }
   if (report_) {
-    found = facade::chosen_candidate(*report_, std::max(candidates_->currentRow(), 0) + 1);
+    found = design::chosen_candidate(*report_, std::max(candidates_->currentRow(), 0) + 1);
     if (!report_->decisive.empty()) lines << QString::fromStdString(report_->decisive);
   } else {
     found = deck::find_bearing(name_->text().toStdString());
@@ -245,10 +245,10 @@ void CatalogueDialog::showEvent(QShowEvent* event) {
 void CatalogueDialog::take() {
   try {
     const deck::CatalogueBearing bearing =
-        report_ ? facade::chosen_candidate(*report_, std::max(candidates_->currentRow(), 0) + 1)
+        report_ ? design::chosen_candidate(*report_, std::max(candidates_->currentRow(), 0) + 1)
                 : deck::find_bearing(name_->text().toStdString());
     const QString text = QString::fromStdString(
-        facade::with_operating_point(deck::catalogue_deck(bearing), operatingPoint()));
+        runs::with_operating_point(deck::catalogue_deck(bearing), operatingPoint()));
     accept();
     emit chosen(text);
   } catch (const InputError& error) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "facade/bearing_candidates.hpp"
-#include "facade/operating_point.hpp"
+#include "design/bearing_candidates.hpp"
+#include "runs/operating_point.hpp"
 
 #include <QDialog>
 
@@ -38,8 +38,8 @@ class CatalogueDialog : public QDialog {
   void look();
   /// Empty: no field of published facts has a value. @throws InputError for a field without a
   /// number
-  [[nodiscard]] std::optional<facade::BearingFacts> facts() const;
-  [[nodiscard]] facade::OperatingPoint operatingPoint() const;
+  [[nodiscard]] std::optional<design::BearingFacts> facts() const;
+  [[nodiscard]] runs::OperatingPoint operatingPoint() const;
   void showCandidates();
   void showBearing();
   void showError(const QString& designation, const InputError& error);
@@ -51,7 +51,7 @@ class CatalogueDialog : public QDialog {
   QLabel* story_;
   QScrollArea* area_ = nullptr;
   QPushButton* take_;
-  std::optional<facade::CandidateReport> report_;  ///< of published facts
+  std::optional<design::CandidateReport> report_;  ///< of published facts
 };
 
 }  // namespace adore::adrinput

@@ -96,14 +96,14 @@ DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
   check_->setInterval(kCheckPause);
   connect(check_, &QTimer::timeout, this, &DeckWindow::checkNow);
   scale_ = new TimeScale(this);
-  scale_->found = [this](const deck::Deck& of, const std::optional<facade::RunScales>& scales) {
+  scale_->found = [this](const deck::Deck& of, const std::optional<runs::RunScales>& scales) {
     const bool edited = check_->isActive();
     document_.set_scales(of, scales);
     const bool taken = take_waiting_times(document_);
     if (!edited && !taken) check_->stop();  // nothing of the deck changed
   };
   start_check_ = new StartCheck(this);
-  start_check_->found = [this](const Document::Candidate& of, facade::Rehearsal rehearsal) {
+  start_check_->found = [this](const Document::Candidate& of, runs::Rehearsal rehearsal) {
     const bool edited = check_->isActive();
     document_.set_rehearsal(of, std::move(rehearsal.refusals), std::move(rehearsal.remarks));
     if (edited) return;  // checkNow() comes

@@ -9,7 +9,7 @@
 #include "adrinput/solution_charts.hpp"
 #include "adrinput/sweep_range.hpp"
 #include "desktop/dialogs.hpp"
-#include "facade/unused_request.hpp"
+#include "runs/unused_request.hpp"
 
 #include <QDockWidget>
 #include <QInputDialog>
@@ -139,7 +139,7 @@ void DeckWindow::askForSweep() {
       const QString unit = QString::fromStdString(sweep_unit(document_, typed.toStdString()));
       if (!unit.isEmpty()) told = tr("Numbers without a unit are in %1.").arg(unit);
     }
-    const std::string none = facade::why_no_step(document_.deck());
+    const std::string none = runs::why_no_step(document_.deck());
     const QString end = QString::fromStdString(none.substr(0, none.find(' ')));
     if (!none.empty() && !typed.trimmed().startsWith(end))
       told += tr("\nThe runs have no motion (%1). The table contains static loads,\nbut no mean "

@@ -16,7 +16,7 @@
 #include "deck/templates.hpp"
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
-#include "facade/prepare.hpp"
+#include "runs/prepare.hpp"
 
 #include <QAction>
 #include <QCloseEvent>
@@ -196,7 +196,7 @@ bool DeckWindow::openFile(const std::filesystem::path& path) {
   const Waiting sign;
   try {
     // Paths relative to the start folder have no meaning in its dialogs.
-    const std::filesystem::path file = whole_path(facade::deck_path(path));
+    const std::filesystem::path file = whole_path(runs::deck_path(path));
     const bool reread = file == document_.path();
     document_.open(file);
     forgetResults(reread);

@@ -60,7 +60,7 @@ DesignCard::DesignCard(QWidget* parent)
   setSummary(std::nullopt, tr("Computing …"));
 }
 
-void DesignCard::setSummary(std::optional<facade::DesignSummary> summary, const QString& failure) {
+void DesignCard::setSummary(std::optional<design::DesignSummary> summary, const QString& failure) {
   failure_ = failure;
   stale_ = false;
   // Without a new summary the old values stay, pale.
@@ -81,7 +81,7 @@ void DesignCard::setStale(bool stale) {
 void DesignCard::build() {
   int row[2] = {0, 0};
   std::string group[2];
-  for (const facade::DesignValue& one : summary_->values) {
+  for (const design::DesignValue& one : summary_->values) {
     const int side = is_left(one.group) ? 0 : 1;
     const int column = side * kColumns;
     if (one.group != group[side]) {
@@ -119,11 +119,11 @@ void DesignCard::fill() {
   told.setColor(QPalette::WindowText, failure_.isEmpty() || !summary_ ? theme.muted : theme.red);
   state_->setPalette(told);
   if (summary_)
-    for (const facade::DesignValue& one : summary_->values) {
+    for (const design::DesignValue& one : summary_->values) {
       const Row& row = rows_.at(one.id);
       row.name->setText(QString::fromStdString(one.label));
       QLabel* label = row.value;
-      label->setText(QString::fromStdString(facade::quantity_text(one)));
+      label->setText(QString::fromStdString(design::quantity_text(one)));
       label->setToolTip(QString::fromStdString(one.note));
       QPalette palette = label->palette();
       palette.setColor(QPalette::WindowText, one.value && !old ? theme.text : theme.muted);

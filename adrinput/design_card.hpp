@@ -1,6 +1,6 @@
 #pragma once
 
-#include "facade/design_summary.hpp"
+#include "design/design_summary.hpp"
 
 #include <QString>
 #include <QWidget>
@@ -23,11 +23,11 @@ class DesignCard : public QWidget {
  public:
   explicit DesignCard(QWidget* parent = nullptr);
 
-  void setSummary(std::optional<facade::DesignSummary> summary, const QString& failure);
+  void setSummary(std::optional<design::DesignSummary> summary, const QString& failure);
   /// The values belong to an older deck: shown pale until the next summary.
   void setStale(bool stale);
   void setFindings(std::vector<Finding> findings);
-  [[nodiscard]] const std::optional<facade::DesignSummary>& summary() const { return summary_; }
+  [[nodiscard]] const std::optional<design::DesignSummary>& summary() const { return summary_; }
   /// "1.87 GPa" as shown; empty: no such value.
   [[nodiscard]] QString textOf(const std::string& id) const;
   /// Colors of the theme.
@@ -42,7 +42,7 @@ class DesignCard : public QWidget {
   void build();
   void fill();
 
-  std::optional<facade::DesignSummary> summary_;
+  std::optional<design::DesignSummary> summary_;
   QString failure_;
   bool stale_ = false;
   std::vector<Finding> findings_;

@@ -100,7 +100,7 @@ DesignForm::DesignForm(Document& document, QWidget* parent)
   oil_->setFocusPolicy(Qt::StrongFocus);
   new WheelGuard(oil_);
   connect(oil_, &QComboBox::activated, this, [this](int index) {
-    const std::vector<facade::DesignOil> oils = facade::design_oils(document_.deck());
+    const std::vector<design::DesignOil> oils = design::design_oils(document_.deck());
     if (index < 0 || index >= static_cast<int>(oils.size())) return;
     document_.change(oils[static_cast<std::size_t>(index)].sets);
   });
@@ -133,7 +133,7 @@ DesignForm::~DesignForm() {
   for (const Field& field : fields_) field.line->disconnect(this);
 }
 
-std::vector<Cell> DesignForm::cellsOf(const facade::DesignInput& input) const {
+std::vector<Cell> DesignForm::cellsOf(const design::DesignInput& input) const {
   std::vector<Cell> cells;
   for (const std::string& variable : input.variables) {
     const deck::VariableRef ref = deck::find_present(document_.deck(), variable);
@@ -153,7 +153,7 @@ void DesignForm::focusBearing() {
   bearing_->selectAll();
 }
 
-DesignForm::Field DesignForm::makeField(const facade::DesignInput& input) {
+DesignForm::Field DesignForm::makeField(const design::DesignInput& input) {
   Field field{input, new QLabel(this), new QLabel(this), new QLineEdit(this)};
   QLineEdit* line = field.line;
   line->setObjectName(text_of("design-" + input.variables.front()));
@@ -172,7 +172,7 @@ DesignForm::Field DesignForm::makeField(const facade::DesignInput& input) {
 void DesignForm::rebuild() {
   std::vector<Field> old = std::move(fields_);
   fields_.clear();
-  for (const facade::DesignInput& input : facade::design_inputs(document_.deck())) {
+  for (const design::DesignInput& input : design::design_inputs(document_.deck())) {
     const auto known = std::find_if(old.begin(), old.end(), [&](const Field& field) {
       return field.input.variables == input.variables;
     });
@@ -223,9 +223,9 @@ void DesignForm::rebuild() {
 
 void DesignForm::sync() {
   if (taking_) return;
-  const std::vector<facade::DesignInput> inputs = facade::design_inputs(document_.deck());
+  const std::vector<design::DesignInput> inputs = design::design_inputs(document_.deck());
   const bool same = std::equal(inputs.begin(), inputs.end(), fields_.begin(), fields_.end(),
-                               [](const facade::DesignInput& input, const Field& field) {
+                               [](const design::DesignInput& input, const Field& field) {
                                  return input.variables == field.input.variables &&
                                         input.label == field.input.label;
                                });
@@ -244,7 +244,7 @@ void DesignForm::sync() {
     field.line->setPlaceholderText(tr("different"));
     if (field.line->isModified()) continue;  // being typed
     const QString text = draft ? text_of(document_.text(cells.front()))
-                               : text_of(facade::input_text(document_.deck(), field.input));
+                               : text_of(design::input_text(document_.deck(), field.input));
     if (field.line->text() != text) field.line->setText(text);
     paint_invalid(*field.line, draft);
   }
@@ -253,12 +253,12 @@ void DesignForm::sync() {
 }
 
 void DesignForm::fillOils() {
-  const std::vector<facade::DesignOil> oils = facade::design_oils(document_.deck());
-  const auto now = facade::design_oil_of(document_.deck(), document_.options());
+  const std::vector<design::DesignOil> oils = design::design_oils(document_.deck());
+  const auto now = design::design_oil_of(document_.deck(), document_.options());
   const int count = static_cast<int>(oils.size()) + (now ? 0 : 1);
   if (oil_->count() != count) {
     oil_->clear();
-    for (const facade::DesignOil& one : oils) oil_->addItem(text_of(one.name));
+    for (const design::DesignOil& one : oils) oil_->addItem(text_of(one.name));
     if (!now) oil_->addItem(tr("as in records 10.0 to 10.4"));
   }
   oil_->setCurrentIndex(now ? static_cast<int>(*now) : count - 1);
@@ -272,13 +272,13 @@ void DesignForm::showBearing() {
   QString shown, facts;
   try {
     const deck::CatalogueBearing found = deck::find_bearing(designation);
-    const deck::Deck made = facade::with_bearing(deck, designation, false);
-    const auto inputs = facade::design_inputs(deck);
+    const deck::Deck made = design::with_bearing(deck, designation, false);
+    const auto inputs = design::design_inputs(deck);
     const bool as_made =
         made.integer("kBrg") == deck.integer("kBrg") &&
-        std::all_of(inputs.begin(), inputs.end(), [&](const facade::DesignInput& one) {
+        std::all_of(inputs.begin(), inputs.end(), [&](const design::DesignInput& one) {
           return one.group != "Geometry" ||
-                 facade::input_text(deck, one) == facade::input_text(made, one);
+                 design::input_text(deck, one) == design::input_text(made, one);
         });
     shown = text_of(found.designation);
     const std::vector<std::string> story = deck::catalogue_story(found);
@@ -306,7 +306,7 @@ void DesignForm::takeBearing() {
     const std::string designation = typed.toStdString();
     const bool pristine = document_.path().empty() && !document_.modified() &&
                           !document_.can_undo();  // the example of a new window
-    const deck::Deck next = facade::with_bearing(document_.deck(), designation, !pristine);
+    const deck::Deck next = design::with_bearing(document_.deck(), designation, !pristine);
     bearing_->completer()->popup()->hide();
     document_.replace(next, deck::catalogue_deck(deck::find_bearing(designation)));
   } catch (const InputError& error) {

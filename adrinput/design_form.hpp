@@ -1,7 +1,7 @@
 #pragma once
 
 #include "adrinput/document.hpp"
-#include "facade/design_inputs.hpp"
+#include "design/design_inputs.hpp"
 
 #include <QWidget>
 
@@ -43,18 +43,18 @@ class DesignForm : public QWidget {
 
  private:
   struct Field {
-    facade::DesignInput input;
+    design::DesignInput input;
     QLabel *name = nullptr, *unit = nullptr;
     QLineEdit* line = nullptr;
   };
-  [[nodiscard]] Field makeField(const facade::DesignInput& input);
+  [[nodiscard]] Field makeField(const design::DesignInput& input);
   void rebuild();
   void takeBearing();
   void take(Field& field, bool finished);
   void showBearing();
   void fillOils();
   /// Cells of an input in the deck.
-  [[nodiscard]] std::vector<Cell> cellsOf(const facade::DesignInput& input) const;
+  [[nodiscard]] std::vector<Cell> cellsOf(const design::DesignInput& input) const;
 
   Document& document_;
   QLineEdit* bearing_;

@@ -6,10 +6,10 @@
 #include "adrinput/drawing_view.hpp"
 #include "adrinput/moving_dialog.hpp"
 #include "adrinput/window_words.hpp"
+#include "design/moving_deck.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/static_pages.hpp"
-#include "facade/moving_deck.hpp"
 
 #include <QBoxLayout>
 #include <QGuiApplication>
@@ -81,7 +81,7 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
   connect(records, &QPushButton::clicked, this, &DesignPage::recordsWanted);
   connect(form_, &DesignForm::catalogueWanted, this, &DesignPage::catalogueWanted);
   connect(card_, &DesignCard::findingChosen, this, &DesignPage::findingChosen);
-  solver_->found = [this](std::optional<facade::DesignSummary> summary, const QString& failure) {
+  solver_->found = [this](std::optional<design::DesignSummary> summary, const QString& failure) {
     card_->setSummary(std::move(summary), failure);
     showFindings();
     if (!failure.isEmpty() || !card_->summary()) return;
@@ -187,11 +187,11 @@ void DesignPage::makeItMove() {
   if (document_.has_errors())
     return desktop::show_message(window(), tr("The deck has errors. Correct them first (F8)."),
                                  true);
-  facade::MovingDeck moving;
+  design::MovingDeck moving;
   QGuiApplication::setOverrideCursor(Qt::WaitCursor);
   QString failure;
   try {
-    moving = facade::moving_deck(document_.deck(), document_.options());
+    moving = design::moving_deck(document_.deck(), document_.options());
   } catch (const std::exception& error) {
     failure = QString::fromStdString(in_window_words(error.what()));
   }

@@ -44,14 +44,14 @@ void DesignSolver::start() {
   if (!wanted_ || background_.busy()) return;  // the end of the canceled one starts it
   running_ = std::exchange(wanted_, std::nullopt);
   struct Answer {
-    std::optional<facade::DesignSummary> summary;
+    std::optional<design::DesignSummary> summary;
     QString failure;
   };
   auto answer = std::make_shared<Answer>();
   background_.start(
       [request = *running_, answer](const std::stop_token& stop) {
         try {
-          answer->summary = facade::design_summary(request.deck, request.options, stop);
+          answer->summary = design::design_summary(request.deck, request.options, stop);
           for (Finding& one : answer->summary->findings) {
             one.message = in_window_words(std::move(one.message));
             one.remedy = in_window_words(std::move(one.remedy));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "adrinput/background.hpp"
-#include "facade/design_summary.hpp"
+#include "design/design_summary.hpp"
 
 #include <QObject>
 #include <QString>
@@ -30,7 +30,7 @@ class DesignSolver : public QObject {
   explicit DesignSolver(QObject* parent = nullptr);
 
   /// Called in the thread of this object: the summary, or the reason why there is none.
-  std::function<void(std::optional<facade::DesignSummary>, const QString& failure)> found;
+  std::function<void(std::optional<design::DesignSummary>, const QString& failure)> found;
 
   /// Nothing happens for the deck that is computed or being computed.
   void ask(Request request);

@@ -5,7 +5,7 @@
 #include "adrinput/window_words.hpp"
 #include "deck/lookup.hpp"
 #include "deck/templates.hpp"
-#include "facade/check.hpp"
+#include "runs/check.hpp"
 
 #include <fmt/format.h>
 
@@ -444,12 +444,12 @@ DeckState Document::deck_state() const {
 }
 
 void Document::check_model() {
-  facade::ModelCheck found;
+  runs::ModelCheck found;
   model_issues_.clear();
   find_problems();
   const bool examined = !has_error(problems_);
   if (examined) try {
-      found = facade::examine_model(state_.deck);
+      found = runs::examine_model(state_.deck);
     } catch (const std::exception& error) {
       Issue issue;
       issue.message = error.what();

@@ -3,8 +3,8 @@
 #include "adrinput/cell.hpp"
 #include "adrinput/typed.hpp"
 #include "base/finding.hpp"
-#include "facade/option_file.hpp"
-#include "facade/run_scales.hpp"
+#include "runs/option_file.hpp"
+#include "runs/run_scales.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -104,8 +104,8 @@ class Document {
 
   /// Scales of the dimensionless times of the deck, if known for the current deck (step control and
   /// name may differ).
-  void set_scales(const deck::Deck& of, const std::optional<facade::RunScales>& scales);
-  [[nodiscard]] std::optional<facade::RunScales> scales() const;
+  void set_scales(const deck::Deck& of, const std::optional<runs::RunScales>& scales);
+  [[nodiscard]] std::optional<runs::RunScales> scales() const;
   /// A text of a field as a value: also "5 rev" and "0.02 s" for times of a run.
   [[nodiscard]] Typed parse(const Cell& cell, std::string_view text) const;
 
@@ -175,7 +175,7 @@ class Document {
     }
   };
   [[nodiscard]] Candidate candidate() const { return {state_.deck, options(), path_}; }
-  /// Is it still unknown whether a run of this deck can start (facade/rehearsal.hpp)?
+  /// Is it still unknown whether a run of this deck can start (runs/rehearsal.hpp)?
   [[nodiscard]] bool wants_rehearsal() const;
   /// Result of a check of a deck, which may have changed since.
   /// @param remarks as `adore check` lists them
@@ -232,7 +232,7 @@ class Document {
   deck::Deck saved_deck_;
   std::map<Cell, std::string> saved_drafts_;
   std::map<std::string, std::string> saved_options_;
-  facade::OptionFile option_file_;  ///< ADORE.json as read
+  runs::OptionFile option_file_;  ///< ADORE.json as read
   std::filesystem::path path_;
   std::string original_;
   std::string saved_comments_;  ///< State::comments of the file
@@ -252,7 +252,7 @@ class Document {
   std::optional<Cell> step_cell_, typing_;
   bool together_ = false;  ///< changes of other cells belong to the step that is open
   std::filesystem::path draft_, kept_copy_;
-  std::optional<facade::RunScales> scales_;
+  std::optional<runs::RunScales> scales_;
   std::vector<deck::RecordData> scaled_;  ///< records that the scales are of
 };
 

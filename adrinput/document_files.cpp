@@ -6,7 +6,7 @@
 #include "base/write_folder.hpp"
 #include "deck/keep_text.hpp"
 #include "deck/lookup.hpp"
-#include "facade/check.hpp"
+#include "runs/check.hpp"
 
 #include <fmt/format.h>
 
@@ -131,14 +131,14 @@ void Document::open(const fs::path& name) {
   std::string bytes = bytes_of(path);
   if (!is_utf8(bytes)) read = read_as_latin1(bytes, path);
   State state;
-  option_file_ = facade::OptionFile::beside(path);
-  for (Issue& issue : facade::set_extension(read.deck, option_file_, path))
+  option_file_ = runs::OptionFile::beside(path);
+  for (Issue& issue : runs::set_extension(read.deck, option_file_, path))
     read.issues.push_back(std::move(issue));
   state.deck = std::move(read.deck);
   state.options = option_file_.values();
   path_ = path;
   original_ = std::move(bytes);
-  original_kept_ = deck::write_deck(facade::without_extension(state.deck)) == original_;
+  original_kept_ = deck::write_deck(runs::without_extension(state.deck)) == original_;
   file_issues_ = read.issues;
   broken_ = !read.ok();
   std::swap(state_, state);
@@ -208,7 +208,7 @@ void Document::save(const fs::path& name) {
   // The text of the file is kept as far as possible; foreign characters as UTF-8.
   const std::string& base = state_.comments.empty() ? original_ : state_.comments;
   // Records X go to ADORE.json.
-  const deck::Deck plain = facade::without_extension(state_.deck);
+  const deck::Deck plain = runs::without_extension(state_.deck);
   deck::KeptText kept{deck::write_deck(plain), original_.empty(), {}};
   if (!base.empty()) kept = deck::with_deck(is_utf8(base) ? base : utf8_of_latin1(base), plain);
   const bool replaced = state_.comments != saved_comments_;  // the file has another bearing

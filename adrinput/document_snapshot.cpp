@@ -195,7 +195,7 @@ std::string Document::restore(std::string_view bytes) {
     original_ = std::move(original);
     original_kept_ = kept;
     option_file_ =
-        has_options ? facade::OptionFile::from_text(std::move(option_text)) : facade::OptionFile();
+        has_options ? runs::OptionFile::from_text(std::move(option_text)) : runs::OptionFile();
     broken_ = std::any_of(issues.begin(), issues.end(),
                           [](const Issue& issue) { return issue.severity == Severity::Error; });
     file_issues_ = std::move(issues);

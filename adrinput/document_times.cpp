@@ -91,13 +91,13 @@ std::optional<deck::Deck> deck_without_scales(const Document& document) {
   return out;
 }
 
-void Document::set_scales(const deck::Deck& of, const std::optional<facade::RunScales>& scales) {
+void Document::set_scales(const deck::Deck& of, const std::optional<runs::RunScales>& scales) {
   scales_ = scales;
   scaled_ = deciding(of);
   notify();
 }
 
-std::optional<facade::RunScales> Document::scales() const {
+std::optional<runs::RunScales> Document::scales() const {
   return scales_ && deciding(state_.deck) == scaled_ ? scales_ : std::nullopt;
 }
 
@@ -115,7 +115,7 @@ Typed Document::parse(const Cell& cell, std::string_view text) const {
   const bool turns = !deck::parse_quantity(text, deck::unit::kRadian, deck::UnitSystem::SI, angle);
   if (!turns && deck::parse_quantity(text, deck::unit::kTime, deck::UnitSystem::SI, seconds))
     return plain;
-  const std::optional<facade::RunScales> now = scales();
+  const std::optional<runs::RunScales> now = scales();
   if (!now)
     return {{},
             {"is a time, but the time scale is not known yet",

@@ -4,12 +4,12 @@
 #include "desktop/axis_scale.hpp"
 #include "desktop/findings_bar.hpp"
 #include "desktop/listing_view.hpp"
-#include "facade/effect_costs.hpp"
-#include "facade/model_errors.hpp"
-#include "facade/prepare.hpp"
-#include "facade/solution_tables.hpp"
 #include "listing/print_file.hpp"
 #include "listing/print_life.hpp"
+#include "runs/effect_costs.hpp"
+#include "runs/prepare.hpp"
+#include "runs/solution_tables.hpp"
+#include "studies/model_errors.hpp"
 
 #include <QLabel>
 #include <QPlainTextEdit>
@@ -24,16 +24,16 @@
 namespace adore::adrinput {
 namespace {
 
-facade::Prepared prepared(const deck::Deck& deck, const std::filesystem::path& path,
-                          const RunOptionValues& options) {
-  facade::LoadedDeck input;
+runs::Prepared prepared(const deck::Deck& deck, const std::filesystem::path& path,
+                        const RunOptionValues& options) {
+  runs::LoadedDeck input;
   input.path = path.empty() ? std::filesystem::path("new deck") : path;
   input.deck = deck;
   input.option_values = options;
-  return facade::prepare(std::move(input));
+  return runs::prepare(std::move(input));
 }
 
-std::string key_results(const facade::Prepared& ready, deck::UnitSystem units) {
+std::string key_results(const runs::Prepared& ready, deck::UnitSystem units) {
   namespace unit = results::unit;
   const auto& found = ready.race_result();
   const auto text = [&](double value, const deck::UnitPair& pair) {
@@ -52,9 +52,9 @@ std::string key_results(const facade::Prepared& ready, deck::UnitSystem units) {
       text(found.stiffness(2, 2), unit::kStiffness));
 }
 
-std::vector<Finding> findings_of(const facade::Prepared& ready) {
+std::vector<Finding> findings_of(const runs::Prepared& ready) {
   std::vector<Finding> out = ready.input.warnings;
-  for (Finding& one : facade::solution_notes(ready)) out.push_back(std::move(one));
+  for (Finding& one : runs::solution_notes(ready)) out.push_back(std::move(one));
   for (Finding& one : out) {
     one.message = in_window_words(std::move(one.message));
     one.remedy = in_window_words(std::move(one.remedy));
@@ -66,12 +66,12 @@ std::vector<Finding> findings_of(const facade::Prepared& ready) {
 
 Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path,
                    const RunOptionValues& options) {
-  const facade::Prepared ready = prepared(deck, path, options);
-  std::string text = in_window_words(facade::plan_text(ready, facade::plan_with_estimates(ready)));
-  const std::string costs = facade::effect_costs_text(ready);
+  const runs::Prepared ready = prepared(deck, path, options);
+  std::string text = in_window_words(runs::plan_text(ready, runs::plan_with_estimates(ready)));
+  const std::string costs = runs::effect_costs_text(ready);
   if (!costs.empty()) text += "\n" + costs;
-  if (const auto models = facade::models_beside(ready.input))
-    text += "\n" + facade::model_table(*models);
+  if (const auto models = runs::models_beside(ready.input))
+    text += "\n" + runs::model_table(*models);
   return {{}, std::move(text), std::nullopt, findings_of(ready)};
 }
 
@@ -80,7 +80,7 @@ Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& 
   deck::Deck still = deck;
   still.set("mode", "-1");  // only the equilibrium, for any mode of the deck
   still.complete();
-  const facade::Prepared ready = prepared(still, path, options);
+  const runs::Prepared ready = prepared(still, path, options);
   listing::Report report(ready.bearing.run_id, deck.units());
   if (ready.rollers)
     listing::print_quasi_static(report, *ready.rollers, ready.bearing);
@@ -89,7 +89,7 @@ Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& 
   listing::print_life(report, ready.life);
   std::string text = report.take();
   std::replace(text.begin(), text.end(), '\f', '\n');
-  return {key_results(ready, deck.units()), std::move(text), facade::solution_tables(ready),
+  return {key_results(ready, deck.units()), std::move(text), runs::solution_tables(ready),
           findings_of(ready)};
 }
 

@@ -5,7 +5,7 @@
 #include "desktop/chart_view.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/spoken_name.hpp"
-#include "facade/run_ending.hpp"
+#include "runs/run_ending.hpp"
 
 #include <QComboBox>
 #include <QCompleter>
@@ -126,7 +126,7 @@ FindDialog::FindDialog(Document& document, QWidget* parent)
   question_->setObjectName("find-question");
   desktop::name_box(*question_, tr("Question"));
   question_->addItem(tr("Own question"), QString());
-  for (const facade::FindQuestion& one : facade::find_questions()) {
+  for (const design::FindQuestion& one : design::find_questions()) {
     if (!one.calculator.empty()) continue;
     const QString meaning = text_of(one.meaning);
     question_->addItem(meaning.left(1).toUpper() + meaning.mid(1), text_of(one.name));
@@ -137,7 +137,7 @@ FindDialog::FindDialog(Document& document, QWidget* parent)
     unknown_->addItem(text_of(name));
     unknown_->setItemData(unknown_->count() - 1, text_of(help), Qt::ToolTipRole);
   }
-  for (const facade::FindResultInfo& one : facade::find_results()) {
+  for (const design::FindResultInfo& one : design::find_results()) {
     target_->addItem(text_of(one.id), text_of(one.unit));
     target_->setItemData(target_->count() - 1, text_of(one.meaning), Qt::ToolTipRole);
   }
@@ -214,7 +214,7 @@ FindDialog::FindDialog(Document& document, QWidget* parent)
 
 void FindDialog::chooseQuestion(int row) {
   const std::string name = question_->itemData(row).toString().toStdString();
-  for (const facade::FindQuestion& one : facade::find_questions()) {
+  for (const design::FindQuestion& one : design::find_questions()) {
     if (one.name != name) continue;
     unknown_->setCurrentText(text_of(one.unknown));
     target_->setCurrentText(text_of(one.target));
@@ -253,7 +253,7 @@ void FindDialog::proposeBounds() {
 
 void FindDialog::find() {
   if (busy()) return;
-  facade::FindRequest request;
+  design::FindRequest request;
   sets_.clear();
   try {
     document_.end_step();  // includes the text being typed
@@ -271,8 +271,8 @@ void FindDialog::find() {
     request.in_memory = true;
     for (const auto& [name, value] : document_.options()) request.options.emplace_back(name, value);
     const std::string asked = question_->currentData().toString().toStdString();
-    for (const facade::FindQuestion& one : facade::find_questions())
-      if (one.name == asked && one.unknown == request.unknown.name) facade::add_sets(one, request);
+    for (const design::FindQuestion& one : design::find_questions())
+      if (one.name == asked && one.unknown == request.unknown.name) design::add_sets(one, request);
     sets_ = request.sets;
   } catch (const InputError& error) {
     report_.reset();
@@ -294,7 +294,7 @@ void FindDialog::find() {
   background_.start(
       [request = std::move(request), computed, end](std::stop_token stop) {
         try {
-          end->report = facade::find_in_deck(request, std::move(stop), computed);
+          end->report = design::find_in_deck(request, std::move(stop), computed);
         } catch (const std::exception& error) {
           end->failure = in_window_words(error.what());
         }
@@ -345,8 +345,7 @@ void FindDialog::apply() {
   const auto row = static_cast<std::size_t>(std::max(solution_->currentIndex(), 0));
   if (!report_ || row >= report_->outcome.solutions.size()) return;
   auto changes = sets_;
-  changes.emplace_back(report_->unknown.name,
-                       facade::value_text(report_->outcome.solutions[row].x));
+  changes.emplace_back(report_->unknown.name, runs::value_text(report_->outcome.solutions[row].x));
   try {
     document_.change(changes);
     asked_ = document_.deck();  // the answer is that of the deck as it is now

@@ -2,7 +2,7 @@
 
 #include "adrinput/background.hpp"
 #include "adrinput/document.hpp"
-#include "facade/find.hpp"
+#include "design/find.hpp"
 
 #include <QDialog>
 
@@ -21,7 +21,7 @@ class ChartView;
 
 namespace adore::adrinput {
 
-/// Inverse calculation on the deck in the window (facade/find.hpp): question or unknown and target,
+/// Inverse calculation on the deck in the window (design/find.hpp): question or unknown and target,
 /// the answer in sentences, the target over the unknown as a curve, and a button that sets a
 /// solution in the deck. Stays open next to the form. Values are in the units of the deck.
 class FindDialog : public QDialog {

@@ -7,7 +7,7 @@
 #include "base/write_folder.hpp"
 #include "deck/quantity.hpp"
 #include "deck/units.hpp"
-#include "facade/option_file.hpp"
+#include "runs/option_file.hpp"
 
 #include <fmt/format.h>
 
@@ -34,9 +34,9 @@ using Options = std::map<std::string, std::string>;
 /// Without values equal to the default.
 Options that_differ(const Options& given) {
   Options out;
-  for (const facade::RunOptionInfo& option : facade::run_options()) {
+  for (const runs::RunOptionInfo& option : runs::run_options()) {
     const auto found = given.find(option.name);
-    if (found != given.end() && !facade::same_option(found->second, option.default_value))
+    if (found != given.end() && !runs::same_option(found->second, option.default_value))
       out.insert(*found);
   }
   return out;
@@ -51,7 +51,7 @@ std::string sentence(std::string clause) {
 
 bool same(const Options& a, const Options& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
-    return x.first == y.first && facade::same_option(x.second, y.second);
+    return x.first == y.first && runs::same_option(x.second, y.second);
   });
 }
 
@@ -65,10 +65,10 @@ const deck::RecordSpec& options_record() {
     out.condition = "true";
     static std::vector<std::string> sentences;  // the specs refer to them
     std::size_t texts = 0;
-    for (const facade::RunOptionInfo& option : facade::run_options())
+    for (const runs::RunOptionInfo& option : runs::run_options())
       texts += 1 + option.choices.size();
     sentences.reserve(texts);
-    for (const facade::RunOptionInfo& option : facade::run_options()) {
+    for (const runs::RunOptionInfo& option : runs::run_options()) {
       sentences.push_back(sentence(option.meaning));
       deck::VariableSpec variable;
       variable.name = option.name;
@@ -123,7 +123,7 @@ void Document::edit_option(const Cell& cell, std::string_view typed) {
 
 void Document::find_option_problems() {
   for (const auto& [name, value] : state_.options) {
-    const std::string problem = facade::option_problem(name, value);
+    const std::string problem = runs::option_problem(name, value);
     if (problem.empty()) continue;
     Issue issue;
     issue.record = kOptionsPage;
@@ -143,7 +143,7 @@ void Document::find_option_problems() {
     add_problem(issue);
   }
   for (const std::string& name : option_file_.strange()) {
-    issue.message = "the option file next to the deck: " + facade::strange_name_text(name);
+    issue.message = "the option file next to the deck: " + runs::strange_name_text(name);
     issue.remedy = "correct the file in an editor; until then, runs of this deck are rejected";
     add_problem(issue);
   }
@@ -152,21 +152,21 @@ void Document::find_option_problems() {
 /// Writes the file only if its content changes. Changes of another program since reading, and
 /// unknown content, are kept in ADORE.json.bak.
 void Document::save_options(const fs::path& deck_file) {
-  const facade::OptionFile there = facade::OptionFile::beside(deck_file);
+  const runs::OptionFile there = runs::OptionFile::beside(deck_file);
   const Options wanted = options();
   std::string text = there.text();
   if (!same(wanted, that_differ(there.values())))
     text = (there.exists() ? there : option_file_).with(wanted);
   if (there.problem().empty() || text != there.text())
-    text = (text.empty() ? facade::OptionFile() : facade::OptionFile::from_text(text))
+    text = (text.empty() ? runs::OptionFile() : runs::OptionFile::from_text(text))
                .with_variables(state_.deck);
   if (text != there.text()) {
-    const fs::path path = facade::OptionFile::path_beside(deck_file);
+    const fs::path path = runs::OptionFile::path_beside(deck_file);
     const bool known = there.text() == option_file_.text();
     if (there.exists() && (!known || !there.problem().empty())) keep_copy(path, there.text());
     write_file_atomically(path, text);
   }
-  option_file_ = facade::OptionFile::beside(deck_file);
+  option_file_ = runs::OptionFile::beside(deck_file);
 }
 
 }  // namespace adore::adrinput

@@ -5,7 +5,7 @@
 #include "adrinput/options_page.hpp"
 #include "adrinput/search.hpp"
 #include "desktop/theme.hpp"
-#include "facade/unused_request.hpp"
+#include "runs/unused_request.hpp"
 
 #include <QIcon>
 #include <QKeyEvent>
@@ -233,7 +233,7 @@ void RecordList::syncState() {
       more = tr("Checking that the run can start");
       break;
     case DeckState::Ready:
-      if (const std::string none = facade::why_no_step(document_.deck()); !none.empty()) {
+      if (const std::string none = runs::why_no_step(document_.deck()); !none.empty()) {
         sign = RecordState::Doubtful;
         text = tr("Ready: no motion");
         more = tr("A run computes only the quasi-static solution because %1.")

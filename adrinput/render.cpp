@@ -9,7 +9,7 @@
 #include "base/input_file.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/theme.hpp"
-#include "facade/prepare.hpp"
+#include "runs/prepare.hpp"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -64,7 +64,7 @@ void scroll_through(QScrollBar& bar, int overlap, const Show& show) {
 }  // namespace
 
 std::vector<fs::path> render_pages(const fs::path& deck, const RenderOptions& options) {
-  const fs::path file = facade::deck_path(deck);
+  const fs::path file = runs::deck_path(deck);
   refuse_pipe(file);
   (void)deck::read_deck(file);  // throws for files that are not text, before a window asks
   desktop::make_folder(options.folder);

@@ -45,7 +45,7 @@ constexpr qint64 kMostShown = 4'000'000;  // bytes of PRINT.txt in a window
 
 QString from(const std::string& text) { return QString::fromStdString(text); }
 
-QString report(const facade::RunOutcome& outcome) {
+QString report(const runs::RunOutcome& outcome) {
   std::string text;
   for (const std::string& line : outcome.results) text += line + "\n";
   for (const Finding& one : shown_findings(outcome.warnings)) text += one.text() + "\n";
@@ -65,7 +65,7 @@ std::string sentence(std::string message) {
   return message;
 }
 
-QString headline_of(const facade::RunOutcome& outcome) {
+QString headline_of(const runs::RunOutcome& outcome) {
   const std::string done =
       outcome.steps > 0
           ? fmt::format("{}, {}, {:.6g} s simulated, computed in {}.",
@@ -75,7 +75,7 @@ QString headline_of(const facade::RunOutcome& outcome) {
           : fmt::format("Quasi-static solution computed in {}.", duration_text(outcome.seconds));
   const std::string message = sentence(in_window_words(outcome.message));
   switch (outcome.status) {
-    case facade::RunStatus::Done:
+    case runs::RunStatus::Done:
       // A message reports that the run was already complete.
       return from(
           "Done: " + (message.empty() ? done : message) +
@@ -83,13 +83,13 @@ QString headline_of(const facade::RunOutcome& outcome) {
                ? fmt::format(" The run reached maxStps steps before its end at {:.6g} s (fTime).",
                              outcome.missed_end)
                : ""));
-    case facade::RunStatus::Interrupted:
+    case runs::RunStatus::Interrupted:
       return from(
           "Cancelled. The files are valid up to the last stored step. " +
           (message.empty() ? done : "The results are not reliable: " + message + " " + done));
-    case facade::RunStatus::Untrusted:
+    case runs::RunStatus::Untrusted:
       return from("Done, but the results are not reliable: " + message + " " + done);
-    case facade::RunStatus::Failed:
+    case runs::RunStatus::Failed:
       break;
   }
   return from("The run failed: " + message + " The files are valid up to the last stored step. " +
@@ -183,7 +183,7 @@ RunPanel::RunPanel(QWidget* parent)
   layout->addWidget(findings_);
   layout->addWidget(view_, 1);
   layout->addStretch(0);
-  run_.progressed = [this](const facade::Progress& progress) { show(progress); };
+  run_.progressed = [this](const runs::Progress& progress) { show(progress); };
   run_.ended = [this](const RunEnd& end) { show(end); };
   enableButtons();
 }
@@ -239,7 +239,7 @@ void RunPanel::cancel() {
   cancel_->setEnabled(false);
 }
 
-void RunPanel::show(const facade::Progress& progress) {
+void RunPanel::show(const runs::Progress& progress) {
   bar_->setValue(static_cast<int>(std::lround(kBarSteps * progress.fraction)));
   if (progress.runs > 0) {
     headline_ =
@@ -266,12 +266,12 @@ void RunPanel::show(const facade::Progress& progress) {
 void RunPanel::show(const RunEnd& end) {
   if (end.outcome) {
     headline_ = headline_of(*end.outcome);
-    noteMade(end.outcome->status != facade::RunStatus::Interrupted);
+    noteMade(end.outcome->status != runs::RunStatus::Interrupted);
     view_->setPlainText(report(*end.outcome));
     std::vector<Finding> found = end.outcome->warnings;
     for (Finding& finding : found) finding.message = in_window_words(std::move(finding.message));
     findings_->setFindings(std::move(found));
-    if (end.outcome->status == facade::RunStatus::Done) bar_->setValue(kBarSteps);
+    if (end.outcome->status == runs::RunStatus::Done) bar_->setValue(kBarSteps);
   } else if (end.sweep) {
     showSweep(*end.sweep);
   } else {
@@ -288,7 +288,7 @@ void RunPanel::show(const RunEnd& end) {
   showNote();
   enableButtons();
   if (end.results_exist) askToReplace();
-  if ((end.outcome && end.outcome->status == facade::RunStatus::Done) ||
+  if ((end.outcome && end.outcome->status == runs::RunStatus::Done) ||
       (end.sweep && end.sweep->exit_code == 0)) {
     const RunResults found = results();
     // Not caused by a user action: the user may be typing.

@@ -86,15 +86,15 @@ class RunPanel : public QWidget {
   void findingChosen(const adore::Finding& finding);
 
  private:
-  void show(const facade::Progress& progress);
+  void show(const runs::Progress& progress);
   void show(const RunEnd& end);
   void showNote();
   void showStored();
-  void showSweep(const facade::SweepOutcome& sweep);
+  void showSweep(const studies::SweepOutcome& sweep);
   void begin(const std::filesystem::path& file, const deck::Deck& deck,
              const RunOptionValues& options);
   void launchRun(bool overwrite);
-  void launchRequest(facade::RunRequest request);
+  void launchRequest(runs::RunRequest request);
   [[nodiscard]] std::filesystem::path resultFolder() const;
   void askToReplace();
   /// A run or a sweep that can be continued.

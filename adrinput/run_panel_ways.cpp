@@ -5,7 +5,7 @@
 #include "base/counted.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/findings_bar.hpp"
-#include "facade/sweep_mark.hpp"
+#include "studies/sweep_mark.hpp"
 
 #include <QAction>
 #include <QCheckBox>
@@ -36,9 +36,9 @@ fs::path free_folder(const fs::path& beside, const std::string& stem) {
   }
 }
 
-facade::RunRequest sweep_request(const fs::path& file, const fs::path& folder,
-                                 const std::string& range) {
-  facade::RunRequest request;
+runs::RunRequest sweep_request(const fs::path& file, const fs::path& folder,
+                               const std::string& range) {
+  runs::RunRequest request;
   request.deck = file;
   request.out = folder;
   const QString text = QString::fromStdString(range);
@@ -83,7 +83,7 @@ void RunPanel::continueRun(const fs::path& file, const deck::Deck& deck,
   if (busy()) return;
   begin(file, deck, options);
   if (folder != file.parent_path()) out_ = folder;
-  facade::RunRequest request;
+  runs::RunRequest request;
   request.deck = file_;
   if (!out_.empty()) request.out = out_;
   request.go_on = true;
@@ -102,10 +102,10 @@ void RunPanel::sweep(const fs::path& file, const deck::Deck& deck, const RunOpti
 /// again.
 void RunPanel::continueSweep(const fs::path& folder, const deck::Deck& deck,
                              const RunOptionValues& options, const fs::path& file) {
-  const auto mark = facade::read_sweep_mark(folder);
+  const auto mark = studies::read_sweep_mark(folder);
   if (!mark) return;  // gone a moment ago
-  facade::RunRequest request = sweep_request(file, folder, mark->range);
-  if (mark->request != facade::sweep_digest(request))
+  runs::RunRequest request = sweep_request(file, folder, mark->range);
+  if (mark->request != studies::sweep_digest(request))
     return desktop::show_message(
         this, tr("The sweep %1 cannot be continued: the deck, the values, the run options or the "
                  "program version have changed. Undo the change (Ctrl+Z), or start a new sweep.")
@@ -195,20 +195,20 @@ void RunPanel::nameContinuation(QAction& action) const {
 fs::path RunPanel::resultFolder() const { return out_.empty() ? file_.parent_path() : out_; }
 
 void RunPanel::launchRun(bool overwrite) {
-  facade::RunRequest request;
+  runs::RunRequest request;
   request.deck = file_;
   if (!out_.empty()) request.out = out_;
   request.overwrite = overwrite;
   launchRequest(std::move(request));
 }
 
-void RunPanel::launchRequest(facade::RunRequest request) {
+void RunPanel::launchRequest(runs::RunRequest request) {
   began_ = fs::file_time_type::clock::now();
   stored_ = false;
   view_->hide();
   view_->clear();
   bar_->setValue(0);
-  tells_sweep_ = facade::is_sweep(request);
+  tells_sweep_ = studies::is_sweep(request);
   headline_ = tells_sweep_     ? tr("Starting the sweep …")
               : !request.go_on ? tr("Computing the initial equilibrium …")
               : out_.empty()   ? tr("Reading the stored state …")
@@ -284,7 +284,7 @@ void RunPanel::askToReplace() {
   box->open();
 }
 
-void RunPanel::showSweep(const facade::SweepOutcome& sweep) {
+void RunPanel::showSweep(const studies::SweepOutcome& sweep) {
   constexpr int kCancelled = 130;
   const bool cancelled = sweep.exit_code == kCancelled;
   QString text = tr("Table: %1\n").arg(from(sweep.table));

@@ -1,6 +1,6 @@
 #include "adrinput/solver_run.hpp"
 
-#include "facade/output_folder.hpp"
+#include "runs/output_folder.hpp"
 
 #include <exception>
 #include <memory>
@@ -8,9 +8,9 @@
 
 namespace adore::adrinput {
 
-void SolverRun::start(facade::RunRequest request) {
+void SolverRun::start(runs::RunRequest request) {
   auto end = std::make_shared<RunEnd>();
-  const auto report = [this](const facade::Progress& progress) {
+  const auto report = [this](const runs::Progress& progress) {
     background_.report([this, progress] {
       if (progressed) progressed(progress);
     });
@@ -18,11 +18,11 @@ void SolverRun::start(facade::RunRequest request) {
   background_.start(
       [request = std::move(request), report, end](const std::stop_token& token) {
         try {
-          if (facade::is_sweep(request))
-            end->sweep = facade::run_sweep(request, 0, report, token);
+          if (studies::is_sweep(request))
+            end->sweep = studies::run_sweep(request, 0, report, token);
           else
-            end->outcome = facade::run(request, report, token);
-        } catch (const facade::ResultsExist& found) {
+            end->outcome = runs::run(request, report, token);
+        } catch (const runs::ResultsExist& found) {
           end->reason = found.what();
           end->results_exist = true;
         } catch (const std::exception& error) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "adrinput/background.hpp"
-#include "facade/run.hpp"
-#include "facade/sweep.hpp"
+#include "runs/run.hpp"
+#include "studies/sweep.hpp"
 
 #include <QObject>
 
@@ -14,9 +14,9 @@ namespace adore::adrinput {
 
 /// How a run ended: with an outcome, or before it had any with the reason.
 struct RunEnd {
-  std::optional<facade::RunOutcome> outcome;
-  std::optional<facade::SweepOutcome> sweep;  ///< of a request with a range
-  std::string reason;                         ///< input wrong, no start state
+  std::optional<runs::RunOutcome> outcome;
+  std::optional<studies::SweepOutcome> sweep;  ///< of a request with a range
+  std::string reason;                          ///< input wrong, no start state
   bool results_exist =
       false;  ///< the reason: results of an earlier run, which may be allowed to go
 };
@@ -29,10 +29,10 @@ class SolverRun : public QObject {
  public:
   explicit SolverRun(QObject* parent = nullptr) : QObject(parent) {}
 
-  std::function<void(const facade::Progress&)> progressed;
+  std::function<void(const runs::Progress&)> progressed;
   std::function<void(const RunEnd&)> ended;
 
-  void start(facade::RunRequest request);
+  void start(runs::RunRequest request);
   /// Asks the run to end after the present step; `ended` follows.
   void stop() { background_.stop(); }
   [[nodiscard]] bool busy() const { return background_.busy(); }

@@ -23,16 +23,16 @@ void StartCheck::forget() {
 
 void StartCheck::start(Document::Candidate candidate) {
   asked_ = candidate;
-  auto answer = std::make_shared<std::optional<facade::Rehearsal>>();
+  auto answer = std::make_shared<std::optional<runs::Rehearsal>>();
   background_.start(
       [candidate, answer](const std::stop_token& stop) {
         try {
-          facade::LoadedDeck input;
+          runs::LoadedDeck input;
           input.path = candidate.path;
           input.deck = candidate.deck;
           input.option_values = candidate.options;
           input.stop = stop;
-          *answer = facade::rehearse_run(std::move(input));
+          *answer = runs::rehearse_run(std::move(input));
           const auto in_words = [](Issue& issue) {
             issue.message = in_window_words(std::move(issue.message));
             issue.remedy = in_window_words(std::move(issue.remedy));

@@ -2,7 +2,7 @@
 
 #include "adrinput/background.hpp"
 #include "adrinput/document.hpp"
-#include "facade/rehearsal.hpp"
+#include "runs/rehearsal.hpp"
 
 #include <QObject>
 
@@ -19,7 +19,7 @@ class StartCheck : public QObject {
   explicit StartCheck(QObject* parent = nullptr) : QObject(parent) {}
 
   /// Called in the thread of this object with the deck of the last request.
-  std::function<void(const Document::Candidate&, facade::Rehearsal)> found;
+  std::function<void(const Document::Candidate&, runs::Rehearsal)> found;
 
   /// An earlier question that is open is given up.
   void ask(Document::Candidate candidate);

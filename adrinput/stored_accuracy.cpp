@@ -4,7 +4,7 @@
 #include "base/errors.hpp"
 #include "base/input_file.hpp"
 #include "base/json_text.hpp"
-#include "facade/model_errors.hpp"
+#include "studies/model_errors.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -27,7 +27,7 @@ std::string word(const json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// "accuracy" of RUN.json (facade/accuracy_statement.hpp).
+/// "accuracy" of RUN.json (studies/accuracy_statement.hpp).
 std::string statement(const json& accuracy) {
   std::string out;
   const auto rows = accuracy.find("quantities");
@@ -84,13 +84,13 @@ std::string of_last_run(const std::filesystem::path& file) {
 std::string stored_accuracy(const std::filesystem::path& deck_file, const deck::Deck& deck,
                             const RunOptionValues& options) {
   if (deck_file.empty()) return {};
-  facade::LoadedDeck loaded;
+  runs::LoadedDeck loaded;
   loaded.path = deck_file;
   loaded.deck = deck;
   loaded.option_values = options;
   std::string out = of_last_run(deck_file.parent_path() / "RUN.json");
-  if (const auto models = facade::models_beside(loaded))
-    out += (out.empty() ? "" : "\n") + facade::model_table(*models);
+  if (const auto models = runs::models_beside(loaded))
+    out += (out.empty() ? "" : "\n") + runs::model_table(*models);
   return out;
 }
 

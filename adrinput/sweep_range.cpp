@@ -13,7 +13,7 @@
 namespace adore::adrinput {
 namespace {
 
-constexpr long long kMostRuns = 100'000;  // as facade::run_sweep() has it
+constexpr long long kMostRuns = 100'000;  // as studies::run_sweep() has it
 
 std::string trimmed(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()))

@@ -7,11 +7,11 @@ namespace adore::adrinput {
 
 void TimeScale::ask(const deck::Deck& deck, const RunOptionValues& options) {
   if (busy()) return;
-  auto scales = std::make_shared<std::optional<facade::RunScales>>();
+  auto scales = std::make_shared<std::optional<runs::RunScales>>();
   background_.start(
       [deck, options, scales](const std::stop_token&) {
         try {
-          *scales = facade::run_scales(deck, options);
+          *scales = runs::run_scales(deck, options);
         } catch (const std::exception&) {
           scales->reset();  // the checks report the errors of the deck
         }

@@ -2,7 +2,7 @@
 
 #include "adrinput/background.hpp"
 #include "adrinput/evaluation.hpp"
-#include "facade/run_scales.hpp"
+#include "runs/run_scales.hpp"
 
 #include <QObject>
 
@@ -18,7 +18,7 @@ class TimeScale : public QObject {
   explicit TimeScale(QObject* parent = nullptr) : QObject(parent) {}
 
   /// Called in the thread of this object with the requested deck; without scales if it has none.
-  std::function<void(const deck::Deck&, std::optional<facade::RunScales>)> found;
+  std::function<void(const deck::Deck&, std::optional<runs::RunScales>)> found;
 
   /// Does nothing while an earlier question is open.
   void ask(const deck::Deck& deck, const RunOptionValues& options);

@@ -4,7 +4,7 @@
 #include "base/errors.hpp"
 #include "base/input_file.hpp"
 #include "base/json_text.hpp"
-#include "facade/sweep_mark.hpp"
+#include "studies/sweep_mark.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -79,7 +79,7 @@ std::vector<UnfinishedRun> unfinished_runs(const fs::path& deck_file, const deck
 std::vector<UnfinishedSweep> unfinished_sweeps(const fs::path& deck_file) {
   std::vector<UnfinishedSweep> out;
   for (const fs::path& folder : folders_of(deck_file, "sweep-")) {
-    const auto mark = facade::read_sweep_mark(folder);
+    const auto mark = studies::read_sweep_mark(folder);
     if (!mark || mark->deck != deck_file.filename().string()) continue;
     const bool whole = mark->status == "done";
     if (whole && mark->failed == 0) continue;

@@ -4,7 +4,7 @@
 #include "base/counted.hpp"
 #include "deck/quantity.hpp"
 #include "deck/unit_change.hpp"
-#include "facade/unused_request.hpp"
+#include "runs/unused_request.hpp"
 
 #include <QRegularExpression>
 #include <QSettings>
@@ -123,7 +123,7 @@ std::string as_meant(const Document& document, const Cell& cell, const std::stri
 QString run_time(const Document& document, const Cell& cell) {
   const deck::VariableSpec* variable = variable_of(cell);
   if (variable == nullptr || !is_run_time(*variable)) return {};
-  const std::optional<facade::RunScales> scales = document.scales();
+  const std::optional<runs::RunScales> scales = document.scales();
   const Typed typed = document.parse(cell, document.text(cell));
   const double* value = std::get_if<double>(&typed.value);
   if (!scales || typed.problem || value == nullptr) return {};
@@ -139,7 +139,7 @@ QString run_time(const Document& document, const Cell& cell) {
 QString no_run_time(const Document& document, const Cell& cell) {
   const deck::VariableSpec* variable = variable_of(cell);
   if (variable == nullptr || variable->name != "fTime") return {};
-  const std::string why = facade::why_no_step(document.deck());
+  const std::string why = runs::why_no_step(document.deck());
   return why.empty() ? QString() : QString::fromStdString(why + ": no motion");
 }
 

@@ -1,4 +1,4 @@
-#include "facade/accuracy.hpp"
+#include "studies/accuracy.hpp"
 
 #include "base/input_file.hpp"
 #include "base/kept_copy.hpp"
@@ -13,8 +13,8 @@
 #include "cli/signals.hpp"
 #include "cli/streams.hpp"
 #include "deck/keep_text.hpp"
-#include "facade/model_errors.hpp"
-#include "facade/results_folder.hpp"
+#include "runs/results_folder.hpp"
+#include "studies/model_errors.hpp"
 
 #include <fmt/format.h>
 
@@ -63,8 +63,8 @@ std::string contents(const std::filesystem::path& path) { return read_text_file(
 /// Print rows as they arrive.
 class Reporter {
  public:
-  void operator()(const facade::AccuracyRow& row, const facade::AccuracyStudy& study) {
-    const std::string round = facade::round_text(row, study);
+  void operator()(const studies::AccuracyRow& row, const studies::AccuracyStudy& study) {
+    const std::string round = studies::round_text(row, study);
     if (round != round_) tell(round + "\n");
     round_ = round;
     tell(fmt::format("  {:<40} {}\n", row.setting.name,
@@ -78,10 +78,10 @@ class Reporter {
 };
 
 /// Puts the recommended settings into the deck.
-void apply(const Options& options, const facade::AccuracyStudy& study) {
-  const auto sets = facade::recommended_sets(study);
+void apply(const Options& options, const studies::AccuracyStudy& study) {
+  const auto sets = studies::recommended_sets(study);
   if (sets.empty()) throw InputError("--apply: no setting is recommended; the deck is unchanged");
-  const std::filesystem::path path = facade::deck_path(std::filesystem::path(options.deck));
+  const std::filesystem::path path = runs::deck_path(std::filesystem::path(options.deck));
   const std::string before = contents(path);
   const deck::KeptText text = deck::with_values(before, sets);
   std::filesystem::path backup;
@@ -107,29 +107,29 @@ int run_models(const Options& options, bool out_given) {
         "--methods and --tols");
   check_range("--turns", options.turns);
   check_range("--budget", options.budget);
-  facade::DeckRequest request;
+  runs::DeckRequest request;
   options.fill(request);
   std::filesystem::path folder = options.out;
-  if (!out_given && !request.text) folder = facade::deck_path(request).parent_path();
+  if (!out_given && !request.text) folder = runs::deck_path(request).parent_path();
   if (folder.empty()) folder = ".";
-  const facade::ResultsFolder made(folder);
-  const std::filesystem::path file = made.path() / facade::kModelFile;
-  check_export(file, facade::model_json({}), {options.deck});
+  const runs::ResultsFolder made(folder);
+  const std::filesystem::path file = made.path() / runs::kModelFile;
+  check_export(file, runs::model_json({}), {options.deck});
   InterruptWatch watch;
-  const facade::ModelStudy study = facade::study_models(
+  const runs::ModelStudy study = studies::study_models(
       request, options.turns_given ? options.turns : kTurns, options.budget,
-      [](const facade::ModelRow& row) {
+      [](const runs::ModelRow& row) {
         tell(fmt::format("  {:<15}{:<40} {:.3g} s{}\n", row.variant.group, row.variant.name,
                          row.seconds, row.failure.empty() ? "" : ", no result"));
       },
       watch.token());
-  write_export(file, facade::model_json(study), {options.deck});
-  print("{}\n{}\n", facade::model_table(study), file.string());
+  write_export(file, runs::model_json(study), {options.deck});
+  print("{}\n{}\n", runs::model_table(study), file.string());
   return 0;
 }
 
 int run(const Options& options) {
-  facade::AccuracyRequest request;
+  studies::AccuracyRequest request;
   options.fill(request);
   if (options.apply && request.text)
     throw InputError(
@@ -145,31 +145,31 @@ int run(const Options& options) {
   request.turns = options.turns;
   request.budget = options.budget;
   request.target = parse_percentage("--accuracy", options.accuracy);
-  const facade::ResultsFolder made(options.out);
+  const runs::ResultsFolder made(options.out);
   const std::filesystem::path& folder = made.path();
   std::error_code error;
   const std::filesystem::path json = folder / "ACCURACY.json";
-  facade::AccuracyStudy earlier;
+  studies::AccuracyStudy earlier;
   if (options.go_on) {
     if (!std::filesystem::exists(json, error))
       throw InputError(fmt::format(
           "--continue: {} does not exist; remove --continue to start a new study", json.string()));
-    earlier = facade::read_accuracy(contents(json), json.string());
+    earlier = studies::read_accuracy(contents(json), json.string());
   }
   // Check the output location before computing.
-  check_export(folder / "ACCURACY.csv", facade::accuracy_csv(earlier), {options.deck});
-  check_export(json, facade::accuracy_json(earlier), {options.deck});
-  const auto write = [&](const facade::AccuracyStudy& study) {
-    write_export(folder / "ACCURACY.csv", facade::accuracy_csv(study), {options.deck});
-    write_export(json, facade::accuracy_json(study), {options.deck});
+  check_export(folder / "ACCURACY.csv", studies::accuracy_csv(earlier), {options.deck});
+  check_export(json, studies::accuracy_json(earlier), {options.deck});
+  const auto write = [&](const studies::AccuracyStudy& study) {
+    write_export(folder / "ACCURACY.csv", studies::accuracy_csv(study), {options.deck});
+    write_export(json, studies::accuracy_json(study), {options.deck});
   };
   InterruptWatch watch;
   Reporter report;
-  const facade::AccuracyStudy study = facade::study_accuracy(
+  const studies::AccuracyStudy study = studies::study_accuracy(
       request,
-      [&](const facade::AccuracyRow& row, const facade::AccuracyStudy& so_far) {
+      [&](const studies::AccuracyRow& row, const studies::AccuracyStudy& so_far) {
         report(row, so_far);
-        write(facade::joined(so_far, earlier));
+        write(studies::joined(so_far, earlier));
       },
       watch.token(), earlier);
   if (options.go_on && study.digest != earlier.digest)
@@ -182,7 +182,7 @@ int run(const Options& options) {
                      json.string()));
     return 130;
   }
-  print("{}\n{}\n{}\n", facade::accuracy_table(study), (folder / "ACCURACY.csv").string(),
+  print("{}\n{}\n{}\n", studies::accuracy_table(study), (folder / "ACCURACY.csv").string(),
         json.string());
   if (options.apply) apply(options, study);
   const std::filesystem::path picture = folder / "ACCURACY.png";

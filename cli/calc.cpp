@@ -8,10 +8,10 @@
 #include "cli/streams.hpp"
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
-#include "facade/calculator_inputs.hpp"
-#include "facade/catalogue_torque.hpp"
-#include "facade/experiments.hpp"
-#include "reference/validate.hpp"
+#include "design/calculator_inputs.hpp"
+#include "validation/catalogue_torque.hpp"
+#include "validation/experiments.hpp"
+#include "validation/validate.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -60,10 +60,10 @@ void calc(const std::string& name, const std::string& source) {
 
 /// Contacts of one element of a deck.
 void calc_of_deck(const std::string& name, const std::string& deck, int element) {
-  facade::DeckRequest request;
+  runs::DeckRequest request;
   request.deck = deck;
   const nlohmann::ordered_json inputs =
-      facade::calculator_inputs(facade::prepare(request), name, element);
+      design::calculator_inputs(runs::prepare(request), name, element);
   nlohmann::ordered_json out = nlohmann::ordered_json::object();
   for (const auto& [race, input] : inputs.items())
     out[race] = input.is_null()
@@ -80,10 +80,10 @@ int validate(const std::vector<std::string>& files, const std::string& report_fi
   const std::vector<std::filesystem::path> paths(files.begin(), files.end());
   const auto piped = std::count(files.begin(), files.end(), kStream);
   if (piped > 1) throw InputError("standard input can be read only once; give - once");
-  const reference::ValidateReport report = reference::validate_files(
+  const validation::ValidateReport report = validation::validate_files(
       paths,
-      [&](const reference::FileResult& file) {
-        const std::string text = reference::file_text(file, detail == Detail::Cases);
+      [&](const validation::FileResult& file) {
+        const std::string text = validation::file_text(file, detail == Detail::Cases);
         if (detail == Detail::Totals || detail == Detail::Json) {
           tell(text.substr(0, text.find('\n') + 1));
         } else {
@@ -92,10 +92,10 @@ int validate(const std::vector<std::string>& files, const std::string& report_fi
         }
       },
       piped > 0 ? read_standard_input(kMaxInputBytes) : std::string());
-  print("{}", detail == Detail::Json ? dump_json(reference::report_json(report), 2) + "\n"
-                                     : reference::totals_text(report));
+  print("{}", detail == Detail::Json ? dump_json(validation::report_json(report), 2) + "\n"
+                                     : validation::totals_text(report));
   if (!report_file.empty())
-    write_text(report_file, "report.json", dump_json(reference::report_json(report), 2) + "\n",
+    write_text(report_file, "report.json", dump_json(validation::report_json(report), 2) + "\n",
                paths);
   return report.fail > 0 ? 1 : 0;
 }
@@ -103,21 +103,21 @@ int validate(const std::vector<std::string>& files, const std::string& report_fi
 /// Exit code 0 in any case: the page shows deviations but does not judge them.
 void experiments(const std::string& only, const std::string& report_file, bool json,
                  bool markdown) {
-  const std::vector<facade::Experiment> all =
-      facade::run_experiments(only, [](const std::string& id) { tell(fmt::format("{}\n", id)); });
-  const std::string as_json = dump_json(facade::experiments_json(all), 2) + "\n";
+  const std::vector<validation::Experiment> all = validation::run_experiments(
+      only, [](const std::string& id) { tell(fmt::format("{}\n", id)); });
+  const std::string as_json = dump_json(validation::experiments_json(all), 2) + "\n";
   print("{}", json       ? as_json
-              : markdown ? facade::experiments_markdown(all)
-                         : facade::experiments_text(all));
+              : markdown ? validation::experiments_markdown(all)
+                         : validation::experiments_text(all));
   if (!report_file.empty()) write_text(report_file, "experiments.json", as_json);
 }
 
 void torque(const std::string& report_file, bool json, bool markdown) {
-  const std::vector<facade::TorqueTable> tables = facade::catalogue_torques();
-  const std::string as_json = dump_json(facade::torque_json(tables), 2) + "\n";
+  const std::vector<validation::TorqueTable> tables = validation::catalogue_torques();
+  const std::string as_json = dump_json(validation::torque_json(tables), 2) + "\n";
   print("{}", json       ? as_json
-              : markdown ? facade::torque_markdown(tables)
-                         : facade::torque_text(tables));
+              : markdown ? validation::torque_markdown(tables)
+                         : validation::torque_text(tables));
   if (!report_file.empty()) write_text(report_file, "torque.json", as_json);
 }
 

@@ -12,12 +12,12 @@
 #include "deck/catalogue.hpp"
 #include "deck/keep_text.hpp"
 #include "deck/templates.hpp"
-#include "facade/bearing_candidates.hpp"
-#include "facade/check.hpp"
-#include "facade/deck_story.hpp"
-#include "facade/operating_point.hpp"
-#include "facade/plan.hpp"
-#include "facade/what_if.hpp"
+#include "design/bearing_candidates.hpp"
+#include "runs/check.hpp"
+#include "runs/deck_story.hpp"
+#include "runs/operating_point.hpp"
+#include "runs/plan.hpp"
+#include "studies/what_if.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -34,9 +34,9 @@ namespace {
 
 /// All errors and warnings of a deck; missing features are a note here and an error of `run`.
 int check(const DeckOptions& options, bool json) {
-  facade::DeckRequest request;
+  runs::DeckRequest request;
   options.fill(request);
-  const facade::CheckReport report = facade::check(request);
+  const runs::CheckReport report = runs::check(request);
   const std::vector<Finding>& issues = report.issues;
   const bool ok = report.ok();
   if (json) {
@@ -74,19 +74,19 @@ int check(const DeckOptions& options, bool json) {
 
 struct PlanOptions : DeckOptions {
   bool json = false, what_if = false;
-  double turns = 2.0, pilot = facade::kPlanPilot;
+  double turns = 2.0, pilot = runs::kPlanPilot;
   std::string until;
 };
 
-std::string what_if_of(const PlanOptions& options, const facade::DeckRequest& request,
+std::string what_if_of(const PlanOptions& options, const runs::DeckRequest& request,
                        nlohmann::ordered_json& json) {
-  facade::WhatIfRequest study;
-  static_cast<facade::DeckRequest&>(study) = request;
+  studies::WhatIfRequest study;
+  static_cast<runs::DeckRequest&>(study) = request;
   study.turns = options.turns;
   const InterruptWatch watch;
-  const facade::WhatIf result = facade::what_if(study, {}, watch.token());
-  json["what_if"] = facade::what_if_json(result);
-  return facade::what_if_text(result);
+  const studies::WhatIf result = studies::what_if(study, {}, watch.token());
+  json["what_if"] = studies::what_if_json(result);
+  return studies::what_if_text(result);
 }
 
 void plan(const PlanOptions& options) {
@@ -94,11 +94,11 @@ void plan(const PlanOptions& options) {
   check_range("--pilot", options.pilot);
   // Loading and start of the program, which a run has, too.
   const double start = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-  facade::RunRequest request;
+  runs::RunRequest request;
   options.fill(request);
   request.until = options.until;
   const InterruptWatch watch;
-  facade::PlanReport report = facade::plan_of_run(request, options.pilot, start, watch.token());
+  runs::PlanReport report = runs::plan_of_run(request, options.pilot, start, watch.token());
   print_warnings(report.remarks);
   if (!options.json) print("{}", report.text);
   std::fflush(stdout);
@@ -124,21 +124,21 @@ std::string write_new(const std::string& out, std::string_view text) {
 }
 
 /// A deck with the values of --set. @throws InputError with every error of the changed deck
-facade::LoadedDeck changed(std::string_view text, const std::vector<std::string>& sets) {
+runs::LoadedDeck changed(std::string_view text, const std::vector<std::string>& sets) {
   DeckOptions options;
   options.sets = sets;
-  facade::DeckRequest request;
+  runs::DeckRequest request;
   for (auto& set : options.pairs_of_sets()) request.sets.push_back(std::move(set));
   request.text = std::string(text);
   request.deck = "new deck";
   request.in_memory = true;
-  return facade::load_deck(request);
+  return runs::load_deck(request);
 }
 
 /// The text of the changed deck, with the remarks of the template.
 std::string with_sets(std::string_view text, const std::vector<std::string>& sets) {
   if (sets.empty()) return std::string(text);
-  const facade::LoadedDeck loaded = changed(text, sets);
+  const runs::LoadedDeck loaded = changed(text, sets);
   print_warnings(loaded.warnings);
   return deck::with_deck(text, loaded.deck).text;
 }
@@ -148,7 +148,7 @@ void new_deck(const std::string& type, const std::string& out,
   const std::string text = with_sets(deck::template_text(type), sets);
   const std::string written = write_new(out, text);
   if (written.empty()) return;
-  tell(fmt::format("wrote {}\n{}", written, text_of(facade::deck_story(changed(text, {}).deck))));
+  tell(fmt::format("wrote {}\n{}", written, text_of(runs::deck_story(changed(text, {}).deck))));
 }
 
 struct NewOptions {
@@ -157,13 +157,13 @@ struct NewOptions {
   int choose = 0;
   bool list = false, json = false;
   std::vector<std::string> sets;
-  facade::OperatingPoint point;
+  runs::OperatingPoint point;
 };
 
 /// --set entries of the operating point; later ones win.
 std::vector<std::string> operating_sets(const NewOptions& o) {
   std::vector<std::string> out;
-  for (const auto& [name, value] : facade::sets_of(o.point)) out.push_back(name + "=" + value);
+  for (const auto& [name, value] : runs::sets_of(o.point)) out.push_back(name + "=" + value);
   out.insert(out.end(), o.sets.begin(), o.sets.end());
   return out;
 }
@@ -180,15 +180,15 @@ int new_from_facts(const NewOptions& o) {
   constexpr std::size_t kLargestFacts = 1 << 20;
   const std::string text = o.from == kStream ? read_standard_input(kLargestFacts)
                                              : read_text_file(o.from, kLargestFacts);
-  const facade::CandidateReport report = facade::find_candidates(facade::read_facts(text, o.from));
+  const design::CandidateReport report = design::find_candidates(design::read_facts(text, o.from));
   if (o.choose != 0) {
-    write_bearing(facade::chosen_candidate(report, o.choose), o);
+    write_bearing(design::chosen_candidate(report, o.choose), o);
     return 0;
   }
   if (o.json)
-    print("{}\n", dump_json(facade::candidates_json(report), 2));
+    print("{}\n", dump_json(design::candidates_json(report), 2));
   else
-    print("{}{}", facade::candidates_text(report),
+    print("{}{}", design::candidates_text(report),
           report.candidates.empty() ? "" : "Write a deck with --choose N --out DATA.txt.\n");
   return report.candidates.empty() ? 2 : 0;
 }
@@ -224,7 +224,7 @@ const deck::TemplateInfo& example(const std::string& name) {
 nlohmann::ordered_json example_json(const deck::TemplateInfo& info) {
   return {{"name", info.name},
           {"description", info.description},
-          {"does", facade::deck_story(deck::new_deck(info.name))}};
+          {"does", runs::deck_story(deck::new_deck(info.name))}};
 }
 
 void examples(const std::string& name, bool json) {
@@ -236,7 +236,7 @@ void examples(const std::string& name, bool json) {
     print("{}\n", dump_json(list, 2));
   } else if (!name.empty()) {
     print("{}: {}\n{}", name, example(name).description,
-          text_of(facade::deck_story(deck::new_deck(name))));
+          text_of(runs::deck_story(deck::new_deck(name))));
   } else {
     for (const deck::TemplateInfo& info : deck::templates())
       print("{:<20} {}\n", info.name, info.description);

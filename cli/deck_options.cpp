@@ -77,8 +77,8 @@ void DeckOptions::add_to(CLI::App& command) {
       ->allow_extra_args(false);
 }
 
-facade::DeckRequest deck_request(const std::string& deck) {
-  facade::DeckRequest request;
+runs::DeckRequest deck_request(const std::string& deck) {
+  runs::DeckRequest request;
   if (deck == kStream)
     request.text = read_standard_input(kLargestDeck);
   else
@@ -97,8 +97,8 @@ std::vector<std::pair<std::string, std::string>> DeckOptions::pairs_of_sets() co
   return out;
 }
 
-void DeckOptions::fill(facade::DeckRequest& request) const {
-  const facade::DeckRequest source = deck_request(deck);
+void DeckOptions::fill(runs::DeckRequest& request) const {
+  const runs::DeckRequest source = deck_request(deck);
   request.deck = source.deck;
   request.text = source.text;
   request.user = user;

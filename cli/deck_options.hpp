@@ -1,6 +1,6 @@
 #pragma once
 
-#include "facade/prepare.hpp"
+#include "runs/prepare.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -19,7 +19,7 @@ struct DeckOptions {
   void add_to(CLI::App& command);
   /// Fills the request; "-" reads the deck from standard input.
   /// @throws InputError for a --set or --opt without "=".
-  void fill(facade::DeckRequest& request) const;
+  void fill(runs::DeckRequest& request) const;
   /// @throws InputError for a --set without "=".
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> pairs_of_sets() const;
 };
@@ -31,7 +31,7 @@ void add_sets(CLI::App& command, std::vector<std::string>& sets);
 /// The positional DECK alone.
 void add_deck(CLI::App& command, std::string& deck);
 /// Meaning of DECK: a file, a folder, or "-" for standard input.
-[[nodiscard]] facade::DeckRequest deck_request(const std::string& deck);
+[[nodiscard]] runs::DeckRequest deck_request(const std::string& deck);
 
 /// Warnings to stderr, one a line.
 void print_warnings(const std::vector<Finding>& findings);

@@ -12,7 +12,7 @@
 #include "cli/streams.hpp"
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
-#include "facade/find.hpp"
+#include "design/find.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -33,7 +33,7 @@ void list_all(bool json) {
   if (json) {
     nlohmann::ordered_json out{{"questions", nlohmann::ordered_json::array()},
                                {"results", nlohmann::ordered_json::array()}};
-    for (const facade::FindQuestion& one : facade::find_questions())
+    for (const design::FindQuestion& one : design::find_questions())
       out["questions"].push_back({{"name", one.name},
                                   {"meaning", one.meaning},
                                   {"calculator", one.calculator},
@@ -41,25 +41,25 @@ void list_all(bool json) {
                                   {"target", one.target},
                                   {"value", one.value},
                                   {"example", one.example}});
-    for (const facade::FindResultInfo& one : facade::find_results())
+    for (const design::FindResultInfo& one : design::find_results())
       out["results"].push_back({{"name", one.id}, {"unit", one.unit}, {"meaning", one.meaning}});
     print("{}\n", dump_json(out, 2));
     return;
   }
   print("Questions (--question NAME or NAME=VALUE)\n");
-  for (const facade::FindQuestion& one : facade::find_questions())
+  for (const design::FindQuestion& one : design::find_questions())
     print("  {:<27} {}\n  {:<27} {}\n", one.name, one.meaning, "", one.example);
   print("\nResults of the equilibrium (--target NAME=VALUE)\n");
-  for (const facade::FindResultInfo& one : facade::find_results())
+  for (const design::FindResultInfo& one : design::find_results())
     print("  {:<30} {:<9} {}\n", one.id, one.unit, one.meaning);
   print("\nResults of a component calculator: `adore calc NAME --describe`\n");
 }
 
 FindReport answer(const FindOptions& options) {
-  facade::FindRequest request;
-  facade::AskedQuestion asked;
+  design::FindRequest request;
+  design::AskedQuestion asked;
   if (!options.question.empty()) {
-    asked = facade::parse_question(options.question);
+    asked = design::parse_question(options.question);
     request.unknown = asked.unknown;
     request.target = asked.target;
   }
@@ -91,9 +91,9 @@ FindReport answer(const FindOptions& options) {
                                            request.unknown, request.target, request.points);
   }
   options.fill(request);
-  if (asked.question != nullptr) facade::add_sets(*asked.question, request);
+  if (asked.question != nullptr) design::add_sets(*asked.question, request);
   const InterruptWatch watch;
-  return facade::find_in_deck(request, watch.token());
+  return design::find_in_deck(request, watch.token());
 }
 
 }  // namespace
@@ -112,8 +112,8 @@ void add_find(CLI::App& app, int& exit_code) {
           ->allow_extra_args(false),
       variable_words());
   std::vector<std::string> results, questions, calculators;
-  for (const facade::FindResultInfo& one : facade::find_results()) results.push_back(one.id + "=");
-  for (const facade::FindQuestion& one : facade::find_questions()) questions.emplace_back(one.name);
+  for (const design::FindResultInfo& one : design::find_results()) results.push_back(one.id + "=");
+  for (const design::FindQuestion& one : design::find_questions()) questions.emplace_back(one.name);
   for (const calculators::CalculatorInfo& one : calculators::calculator_list())
     calculators.push_back(one.name);
   command_line::offer(

@@ -41,7 +41,7 @@ class PlainLines {
   double said_ = -1e9;
 };
 
-nlohmann::ordered_json json_of(const facade::Progress& p) {
+nlohmann::ordered_json json_of(const runs::Progress& p) {
   return {{"fraction", p.fraction}, {"revolutions", p.revolutions},
           {"time", p.time},         {"end_time", p.end_time},
           {"step", p.step},         {"last_step", p.last_step},
@@ -51,7 +51,7 @@ nlohmann::ordered_json json_of(const facade::Progress& p) {
 
 }  // namespace
 
-std::string progress_line(const facade::Progress& p, std::size_t width) {
+std::string progress_line(const runs::Progress& p, std::size_t width) {
   const std::string share = fmt::format("{:3.0f}%", 100.0 * p.fraction);
   const std::string left = duration_text(p.remaining);
   // The remaining time is unknown before the first one is computed.
@@ -75,15 +75,15 @@ std::string progress_line(const facade::Progress& p, std::size_t width) {
       width);
 }
 
-facade::ProgressSink make_progress(const std::string& style) {
+runs::ProgressSink make_progress(const std::string& style) {
   if (style == "none") return {};
   if (style == "json")
-    return [](const facade::Progress& p) { tell(dump_json(json_of(p)) + "\n", false); };
+    return [](const runs::Progress& p) { tell(dump_json(json_of(p)) + "\n", false); };
   if (style == "auto" && command_line::is_terminal(STDERR_FILENO))
-    return [](const facade::Progress& p) {
+    return [](const runs::Progress& p) {
       tell("\r\033[K" + progress_line(p, room()) + (p.fraction >= 1.0 ? "\n" : ""), false);
     };
-  return [lines = PlainLines()](const facade::Progress& p) mutable {
+  return [lines = PlainLines()](const runs::Progress& p) mutable {
     lines.say_if_due(p.elapsed, p.fraction >= 1.0, progress_line(p, kAnyWidth));
   };
 }

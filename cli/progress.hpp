@@ -1,6 +1,6 @@
 #pragma once
 
-#include "facade/run.hpp"
+#include "runs/run.hpp"
 
 #include <functional>
 #include <string>
@@ -10,7 +10,7 @@
 namespace adore::cli {
 
 /// @param style "auto", "plain", "json" or "none"
-[[nodiscard]] facade::ProgressSink make_progress(const std::string& style);
+[[nodiscard]] runs::ProgressSink make_progress(const std::string& style);
 
 /// Of `total` equal pieces of work `done` are done.
 using CountSink = std::function<void(long done, long total)>;
@@ -18,6 +18,6 @@ using CountSink = std::function<void(long done, long total)>;
 [[nodiscard]] CountSink make_count_progress(const std::string& what, const std::string& style);
 
 /// The most telling form of a progress line that fits into `width` columns.
-[[nodiscard]] std::string progress_line(const facade::Progress& progress, std::size_t width);
+[[nodiscard]] std::string progress_line(const runs::Progress& progress, std::size_t width);
 
 }  // namespace adore::cli

@@ -1,4 +1,4 @@
-#include "facade/run.hpp"
+#include "runs/run.hpp"
 
 #include "base/counted.hpp"
 #include "base/interrupted.hpp"
@@ -14,12 +14,12 @@
 #include "cli/streams.hpp"
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
-#include "facade/accuracy_statement.hpp"
-#include "facade/chosen_settings.hpp"
-#include "facade/output_folder.hpp"
-#include "facade/reproducible.hpp"
-#include "facade/sweep.hpp"
+#include "runs/output_folder.hpp"
+#include "runs/reproducible.hpp"
 #include "setup/run_control.hpp"
+#include "studies/accuracy_statement.hpp"
+#include "studies/chosen_settings.hpp"
+#include "studies/sweep.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -70,26 +70,25 @@ void list_options(bool json) {
 
 /// Runs; runs again if the user allows existing results to be replaced.
 template <class Run>
-auto run_asking(facade::RunRequest& request, Run&& run_it) {
+auto run_asking(runs::RunRequest& request, Run&& run_it) {
   try {
     return run_it();
-  } catch (const facade::ResultsExist& found) {
+  } catch (const runs::ResultsExist& found) {
     if (!ask(fmt::format("{}\nReplace these files?", found.what())).value_or(false)) throw;
   }
   request.overwrite = true;
   return run_it();
 }
 
-int report(const facade::RunOutcome& outcome, const RunOptions& options, bool tolerance_given) {
-  if (outcome.status == facade::RunStatus::Failed ||
-      outcome.status == facade::RunStatus::Untrusted ||
-      (outcome.status == facade::RunStatus::Interrupted && !outcome.message.empty()))
+int report(const runs::RunOutcome& outcome, const RunOptions& options, bool tolerance_given) {
+  if (outcome.status == runs::RunStatus::Failed || outcome.status == runs::RunStatus::Untrusted ||
+      (outcome.status == runs::RunStatus::Interrupted && !outcome.message.empty()))
     tell(fmt::format("adore: {}\n", outcome.message));
   else if (!outcome.message.empty()) {
     tell(outcome.message + "\n");
     return 0;
   }
-  if (outcome.status == facade::RunStatus::Interrupted)
+  if (outcome.status == runs::RunStatus::Interrupted)
     tell(fmt::format(
         "\ninterrupted; the files are valid up to the last stored step. Continue with\n  {}\n",
         options.continuation(tolerance_given, options.until)));
@@ -98,14 +97,14 @@ int report(const facade::RunOutcome& outcome, const RunOptions& options, bool to
   else if (!options.quiet)
     write_text(
         "", "",
-        summary_text(outcome, outcome.status == facade::RunStatus::Done && outcome.steps > 0
+        summary_text(outcome, outcome.status == runs::RunStatus::Done && outcome.steps > 0
                                   ? options.continuation(tolerance_given, twice_as_far(outcome))
                                   : ""));
   return exit_code(outcome);
 }
 
 /// The options with the settings found by a short study.
-RunOptions with(RunOptions options, const facade::ChosenSettings& chosen) {
+RunOptions with(RunOptions options, const studies::ChosenSettings& chosen) {
   options.integrator = chosen.integrator;
   options.tolerance = chosen.tolerance;
   for (const auto& [name, value] : chosen.sets) {
@@ -119,38 +118,37 @@ RunOptions with(RunOptions options, const facade::ChosenSettings& chosen) {
 }
 
 /// A completed run: measured, stored in its files and reported.
-facade::AccuracyStatement state(const facade::RunRequest& request,
-                                const facade::RunOutcome& outcome, double target,
-                                InterruptWatch& watch) {
-  facade::AccuracyStatement out = facade::state_accuracy(request, outcome, target, watch.token());
-  facade::store_statement(out, outcome);
+studies::AccuracyStatement state(const runs::RunRequest& request, const runs::RunOutcome& outcome,
+                                 double target, InterruptWatch& watch) {
+  studies::AccuracyStatement out = studies::state_accuracy(request, outcome, target, watch.token());
+  studies::store_statement(out, outcome);
   return out;
 }
 
 /// The statement covers the run itself. Settings with a too large numerical part are tightened;
 /// with --extend a run with too much scatter in its means is continued.
-int run_to_accuracy(const RunOptions& options, facade::RunRequest& request,
-                    const facade::ProgressSink& sink, InterruptWatch& watch) {
+int run_to_accuracy(const RunOptions& options, runs::RunRequest& request,
+                    const runs::ProgressSink& sink, InterruptWatch& watch) {
   constexpr int kMaxTightenings = 2, kMaxExtensions = 2;
   const double target = parse_percentage("--accuracy", options.accuracy);
-  facade::ChosenSettings chosen =
-      facade::choose_settings(request, target, watch.token(), facade::asked_turns(request));
+  studies::ChosenSettings chosen =
+      studies::choose_settings(request, target, watch.token(), studies::asked_turns(request));
   RunOptions given = options;
   for (int tighter = 0, extended = 0;;) {
-    const facade::RunOutcome outcome = run_asking(
-        request, [&] { return facade::run_chosen(request, chosen, sink, watch.token()); });
+    const runs::RunOutcome outcome = run_asking(
+        request, [&] { return studies::run_chosen(request, chosen, sink, watch.token()); });
     const bool done = exit_code(outcome) == 0 && outcome.steps > 0;
-    std::optional<facade::AccuracyStatement> stated;
+    std::optional<studies::AccuracyStatement> stated;
     if (done) {
-      facade::RunRequest as_run = request;
-      facade::add_choice(as_run, chosen);
+      runs::RunRequest as_run = request;
+      studies::add_choice(as_run, chosen);
       stated = state(as_run, outcome, target, watch);
       if (stated->numerical() > target && tighter < kMaxTightenings && !request.go_on) {
         ++tighter;
         tell(fmt::format(
             "the numerical error is {:.2g} %; the run is repeated with tighter settings\n",
             100.0 * stated->numerical()));
-        facade::tighten(chosen, request, outcome);
+        studies::tighten(chosen, request, outcome);
         request.overwrite = true;
         continue;
       }
@@ -167,8 +165,8 @@ int run_to_accuracy(const RunOptions& options, facade::RunRequest& request,
     }
     print_warnings(outcome.warnings);
     const int code = report(outcome, with(given, chosen), true);
-    if (stated) tell(facade::statement_text(*stated));
-    if (stated && options.verify) tell(facade::verification_text(stated->tighter, outcome));
+    if (stated) tell(studies::statement_text(*stated));
+    if (stated && options.verify) tell(studies::verification_text(stated->tighter, outcome));
     return code;
   }
 }
@@ -178,8 +176,8 @@ int run(const RunOptions& options, bool tolerance_given) {
     list_options(options.json);
     return 0;
   }
-  if (options.reproducible) facade::require_reproducible();
-  facade::RunRequest request;
+  if (options.reproducible) runs::require_reproducible();
+  runs::RunRequest request;
   options.fill(request);
   if (!options.out.empty()) request.out = options.out;
   request.until = options.until;
@@ -193,15 +191,15 @@ int run(const RunOptions& options, bool tolerance_given) {
   if (!options.accuracy.empty() && (options.go_on || !options.integrator.empty()))
     throw InputError(fmt::format("--accuracy selects the integrator of a new run; remove {}",
                                  options.go_on ? "--continue" : "--integrator"));
-  const facade::ProgressSink sink = make_progress(options.quiet ? "none" : options.progress);
+  const runs::ProgressSink sink = make_progress(options.quiet ? "none" : options.progress);
   InterruptWatch watch;
-  if (facade::is_sweep(request)) {
+  if (studies::is_sweep(request)) {
     if (options.verify || !options.accuracy.empty())
       throw InputError(
           "--verify and --accuracy need a single run, but this is a sweep; remove them, or give "
           "--set a single value");
-    const facade::SweepOutcome sweep = run_asking(
-        request, [&] { return facade::run_sweep(request, options.threads, sink, watch.token()); });
+    const studies::SweepOutcome sweep = run_asking(
+        request, [&] { return studies::run_sweep(request, options.threads, sink, watch.token()); });
     print_warnings(sweep.warnings);
     if (watch.token().stop_requested())
       tell(fmt::format("\ninterrupted; run the missing values with\n  {}\n",
@@ -220,14 +218,14 @@ int run(const RunOptions& options, bool tolerance_given) {
         "adore: note: --threads has no effect: a single run uses one core; only a sweep (--set "
         "variable=first:last:count) uses several cores\n");
   if (!options.accuracy.empty()) return run_to_accuracy(options, request, sink, watch);
-  const facade::RunOutcome outcome =
-      run_asking(request, [&] { return facade::run(request, sink, watch.token()); });
+  const runs::RunOutcome outcome =
+      run_asking(request, [&] { return runs::run(request, sink, watch.token()); });
   print_warnings(outcome.warnings);
   const int code = report(outcome, options, tolerance_given);
   if (options.verify && code == 0 && outcome.steps > 0) {
-    const facade::AccuracyStatement stated = state(request, outcome, 0.0, watch);
-    tell(facade::verification_text(stated.tighter, outcome));
-    tell(facade::statement_text(stated));
+    const studies::AccuracyStatement stated = state(request, outcome, 0.0, watch);
+    tell(studies::verification_text(stated.tighter, outcome));
+    tell(studies::statement_text(stated));
   }
   return code;
 }

@@ -17,7 +17,7 @@ namespace adore::cli {
 namespace {
 
 /// The commands that draw the run's files, one a line.
-std::string picture_lines(const facade::RunOutcome& outcome) {
+std::string picture_lines(const runs::RunOutcome& outcome) {
   std::string plots, animation, motion, table;
   for (const std::filesystem::path& file : outcome.files) {
     const FileSort sort = sort_of_file(file);
@@ -43,14 +43,14 @@ std::string picture_lines(const facade::RunOutcome& outcome) {
   return text;
 }
 
-std::string status_name(facade::RunStatus status) {
-  return status == facade::RunStatus::Done          ? "done"
-         : status == facade::RunStatus::Interrupted ? "interrupted"
-         : status == facade::RunStatus::Untrusted   ? "untrusted"
-                                                    : "failed";
+std::string status_name(runs::RunStatus status) {
+  return status == runs::RunStatus::Done          ? "done"
+         : status == runs::RunStatus::Interrupted ? "interrupted"
+         : status == runs::RunStatus::Untrusted   ? "untrusted"
+                                                  : "failed";
 }
 
-double find_result(const facade::RunOutcome& outcome, std::string_view id) {
+double find_result(const runs::RunOutcome& outcome, std::string_view id) {
   for (const auto& [of, value] : outcome.summary)
     if (of.id == id) return value;
   return std::nan("");
@@ -58,7 +58,7 @@ double find_result(const facade::RunOutcome& outcome, std::string_view id) {
 
 /// Lives by the standards at the loads of the quasi-static solution, and passing frequencies of the
 /// motion; a quasi-static run has them among its lines.
-std::string standard_text(const facade::RunOutcome& outcome) {
+std::string standard_text(const runs::RunOutcome& outcome) {
   std::string text;
   const double iso = find_result(outcome, "life_iso281_hours"),
                contacts = find_result(outcome, "life_iso16281_hours");
@@ -81,7 +81,7 @@ std::string standard_text(const facade::RunOutcome& outcome) {
 }
 
 /// Life of a run with its samples and spread; empty without one.
-std::string run_life_text(const facade::RunOutcome& outcome) {
+std::string run_life_text(const runs::RunOutcome& outcome) {
   const auto find = [&](std::string_view id) { return find_result(outcome, id); };
   const double life = find("run_life_hours"), spread = find("run_life_spread");
   if (std::isnan(life)) return {};
@@ -110,13 +110,13 @@ std::string quoted_path(const std::filesystem::path& path) {
   return quoted(word.starts_with('-') ? "./" + word : word);
 }
 
-std::string twice_as_far(const facade::RunOutcome& outcome) {
+std::string twice_as_far(const runs::RunOutcome& outcome) {
   const double turns = std::abs(outcome.revolutions);
   return turns > 0.0 && !outcome.speeds_vary ? fmt::format("{:.4g}rev", 2.0 * turns)
                                              : fmt::format("{:.4g}s", 2.0 * outcome.time);
 }
 
-std::string summary_text(const facade::RunOutcome& outcome, const std::string& continuation) {
+std::string summary_text(const runs::RunOutcome& outcome, const std::string& continuation) {
   std::string text;
   for (const std::string& line : outcome.results) text += line + "\n";
   if (!outcome.results.empty())
@@ -143,7 +143,7 @@ std::string summary_text(const facade::RunOutcome& outcome, const std::string& c
   return text;
 }
 
-std::string sweep_text(const facade::SweepOutcome& outcome, const std::string& again) {
+std::string sweep_text(const studies::SweepOutcome& outcome, const std::string& again) {
   const std::string table = quoted_path(outcome.table);
   std::string text = outcome.table.string() + "\n";
   if (has_pictures())
@@ -156,7 +156,7 @@ std::string sweep_text(const facade::SweepOutcome& outcome, const std::string& a
   return text;
 }
 
-nlohmann::ordered_json summary_json(const facade::RunOutcome& outcome) {
+nlohmann::ordered_json summary_json(const runs::RunOutcome& outcome) {
   nlohmann::ordered_json out{{"status", status_name(outcome.status)}};
   if (!outcome.message.empty()) out["message"] = outcome.message;
   out["folder"] = outcome.folder.string();
@@ -181,7 +181,7 @@ nlohmann::ordered_json summary_json(const facade::RunOutcome& outcome) {
   return out;
 }
 
-nlohmann::ordered_json summary_json(const facade::SweepOutcome& outcome) {
+nlohmann::ordered_json summary_json(const studies::SweepOutcome& outcome) {
   nlohmann::ordered_json out{
       {"table", outcome.table.string()}, {"exit", outcome.exit_code}, {"failed", outcome.failed}};
   out["remarks"] = nlohmann::ordered_json::array();
@@ -190,10 +190,10 @@ nlohmann::ordered_json summary_json(const facade::SweepOutcome& outcome) {
   return out;
 }
 
-int exit_code(const facade::RunOutcome& outcome) {
-  return outcome.status == facade::RunStatus::Done          ? 0
-         : outcome.status == facade::RunStatus::Interrupted ? 130
-                                                            : 3;
+int exit_code(const runs::RunOutcome& outcome) {
+  return outcome.status == runs::RunStatus::Done          ? 0
+         : outcome.status == runs::RunStatus::Interrupted ? 130
+                                                          : 3;
 }
 
 }  // namespace adore::cli

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "facade/run.hpp"
-#include "facade/sweep.hpp"
+#include "runs/run.hpp"
+#include "studies/sweep.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -18,18 +18,19 @@ namespace adore::cli {
 
 /// Summary, files, and commands for pictures and continuation.
 /// @param continuation the command that continues the run; empty: none
-[[nodiscard]] std::string summary_text(const facade::RunOutcome& outcome,
+[[nodiscard]] std::string summary_text(const runs::RunOutcome& outcome,
                                        const std::string& continuation);
 
 /// An end for --until at twice the length of the run.
-[[nodiscard]] std::string twice_as_far(const facade::RunOutcome& outcome);
+[[nodiscard]] std::string twice_as_far(const runs::RunOutcome& outcome);
 
 /// @param again the command that repeats failed runs; empty: reported elsewhere
-[[nodiscard]] std::string sweep_text(const facade::SweepOutcome& outcome, const std::string& again);
+[[nodiscard]] std::string sweep_text(const studies::SweepOutcome& outcome,
+                                     const std::string& again);
 /// The same as one JSON object.
-[[nodiscard]] nlohmann::ordered_json summary_json(const facade::RunOutcome& outcome);
-[[nodiscard]] nlohmann::ordered_json summary_json(const facade::SweepOutcome& outcome);
+[[nodiscard]] nlohmann::ordered_json summary_json(const runs::RunOutcome& outcome);
+[[nodiscard]] nlohmann::ordered_json summary_json(const studies::SweepOutcome& outcome);
 
-[[nodiscard]] int exit_code(const facade::RunOutcome& outcome);
+[[nodiscard]] int exit_code(const runs::RunOutcome& outcome);
 
 }  // namespace adore::cli

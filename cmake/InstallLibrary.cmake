@@ -1,20 +1,20 @@
 # adore_install_library(): the solver as one shared library for other people's programs, Adore::adorecore, with the headers
-# of its interface: the facade, the deck, the readers of results, the calculators, and what these include. What the program
+# of its interface: runs and studies, the deck, the readers of results, the calculators, and what these include. What the program
 # links itself are the static libraries of the folders. Interface and versions: resources/docs/library.md.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(ADORE_NOT_IN_THE_SHARED_LIBRARY drawing reference)
+set(ADORE_NOT_IN_THE_SHARED_LIBRARY drawing validation)
 
 set(ADORE_PUBLIC_HEADERS
     base/errors.hpp base/finding.hpp base/interrupted.hpp base/version.hpp base/write_folder.hpp bearing/grade_oil.hpp bearing/life_inputs.hpp bearing/lubrication.hpp
     calculators/adapter.hpp calculators/calculator_description.hpp calculators/calculators.hpp
     deck/deck.hpp deck/defaults.hpp deck/difference.hpp deck/keep_text.hpp deck/no_part.hpp deck/schema.hpp deck/templates.hpp
     deck/unit_change.hpp deck/units.hpp
-    facade/accuracy.hpp facade/check.hpp facade/deck_request.hpp facade/deck_story.hpp facade/equilibrium.hpp
-    facade/measured_run.hpp facade/option_file.hpp facade/output_folder.hpp facade/plan.hpp facade/reproducible.hpp
-    facade/run.hpp facade/sweep.hpp facade/verify.hpp
-    results/convert.hpp results/h5_reader.hpp results/key_results.hpp results/batch_means.hpp results/mean_errors.hpp results/quantities.hpp results/sol_file.hpp
+    runs/check.hpp runs/deck_request.hpp runs/deck_story.hpp runs/equilibrium.hpp runs/measured_run.hpp runs/option_file.hpp
+    runs/output_folder.hpp runs/plan.hpp runs/reproducible.hpp runs/run.hpp
+    studies/accuracy.hpp studies/sweep.hpp studies/verify.hpp
+    results/accuracy_errors.hpp results/convert.hpp results/h5_reader.hpp results/key_results.hpp results/batch_means.hpp results/mean_errors.hpp results/quantities.hpp results/sol_file.hpp
     results/static_tables.hpp results/table.hpp user/adore_user.h user/plug_in.hpp)
 
 function(adore_install_library)

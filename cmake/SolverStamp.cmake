@@ -1,5 +1,5 @@
 # adore_solver_stamp(<target>): compiles the hash of everything that results depend on into <target>: the sources of the
-# solver, its data, compiler and flags. facade/solver_stamp.hpp has it.
+# solver, its data, compiler and flags. runs/solver_stamp.hpp has it.
 function(adore_solver_stamp target)
   set(generated ${CMAKE_CURRENT_BINARY_DIR}/solver_stamp.cpp)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/core/*.cpp ${CMAKE_SOURCE_DIR}/core/*.hpp)

@@ -17,10 +17,10 @@
 #include "desktop/findings_bar.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/text_faults.hpp"
-#include "facade/passing_folder.hpp"
-#include "facade/run.hpp"
 #include "results/run_findings.hpp"
 #include "results/run_folder.hpp"
+#include "runs/passing_folder.hpp"
+#include "runs/run.hpp"
 
 #include <fmt/format.h>
 
@@ -158,9 +158,9 @@ void make_run(const std::string& deck, const fs::path& folder) {
   desktop::make_folder(folder);
   const fs::path file = folder / "DATA.txt";
   write_file_atomically(file, deck::template_text(deck));
-  facade::RunRequest request;
+  runs::RunRequest request;
   request.deck = file;
-  (void)facade::run(request);
+  (void)runs::run(request);
 }
 
 /// Drawable parts of a run.
@@ -187,7 +187,7 @@ void draw_gallery(const GalleryRequest& request) {
   desktop::make_folder(out);
   const WriteFolder place(out);
   std::vector<std::pair<std::string, fs::path>> runs;
-  const facade::PassingFolder temporary;
+  const runs::PassingFolder temporary;
   constexpr std::array<const char*, 9> kExamples{"ball",
                                                  "cylindrical",
                                                  "spherical",

@@ -8,11 +8,11 @@
 #include "base/json_text.hpp"
 #include "deck/deck.hpp"
 #include "desktop/chart_scene.hpp"
-#include "facade/deck_story.hpp"
 #include "results/key_results.hpp"
 #include "results/run_findings.hpp"
 #include "results/run_folder.hpp"
 #include "results/static_tables.hpp"
+#include "runs/deck_story.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -133,7 +133,7 @@ void add_deck(ReportRun& run, const fs::path& folder, const Json& json) {
     text = paragraph(fmt::format("{} has errors.", file.filename().string()));
     return;
   }
-  for (const std::string& line : facade::deck_story(read.deck)) text += paragraph(line);
+  for (const std::string& line : runs::deck_story(read.deck)) text += paragraph(line);
 }
 
 void add_effects(ReportRun& run, const Json& json) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -132,6 +133,12 @@ KeyResult life_result(bearing::LifeModel model, bearing::LifeModification modifi
   return {kSpecs[kModifications * static_cast<std::size_t>(model) +
                  static_cast<std::size_t>(modification)],
           hours};
+}
+
+double value_of(const KeyResults& results, std::string_view id) {
+  for (const KeyResult& result : results)
+    if (result.of.id == id) return result.value;
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace adore::results

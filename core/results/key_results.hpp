@@ -36,6 +36,8 @@ using KeyResults = std::vector<KeyResult>;
 [[nodiscard]] KeyResultSpec find_key_result(std::string_view id);
 /// @throws std::out_of_range for an id that is not in the table.
 [[nodiscard]] KeyResult key_result(std::string_view id, double value);
+/// Value of a key result [SI]; not a number when the run has none.
+[[nodiscard]] double value_of(const KeyResults& results, std::string_view id);
 /// Life of the bearing by one model [hr]: life_lp_hours, life_gz_stle_hours.
 [[nodiscard]] KeyResult life_result(bearing::LifeModel model,
                                     bearing::LifeModification modification, double hours);

@@ -23,7 +23,7 @@ struct SystemOptions {
   /// Hertz constants of balls follow their contact angle (contact/angle_law.hpp); otherwise they
   /// are frozen at the mean angle of the static solution.
   bool moving_angle = true;
-  bool single_films = false;  ///< films by floats (facade/film_precision.hpp)
+  bool single_films = false;  ///< films by floats (runs/film_precision.hpp)
   ContactDampingOptions damping;
   /// Laws of the user in the place of built-in ones; null: none.
   std::shared_ptr<UserLaws> user;

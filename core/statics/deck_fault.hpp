@@ -7,8 +7,8 @@
 
 namespace adore::statics {
 
-/// What no numerics can solve because of what the deck says: a value is to be mended, and facade
-/// makes an InputError of this that names its record and line.
+/// Value of the deck for which there is no solution: `runs` converts it to an InputError with
+/// record and line.
 class DeckFault : public SolverError {
  public:
   /// @param variable of the deck, that the fault is told of

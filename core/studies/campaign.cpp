@@ -5,8 +5,8 @@
 #include "base/errors.hpp"
 #include "base/input_file.hpp"
 #include "base/interrupted.hpp"
-#include "facade/output_folder.hpp"
-#include "facade/prepare.hpp"
+#include "runs/output_folder.hpp"
+#include "runs/prepare.hpp"
 #include "studies/slurm.hpp"
 #include "studies/study_check.hpp"
 #include "studies/study_folder.hpp"
@@ -236,7 +236,7 @@ class Campaign {
     std::vector<Point> points = points_to_begin(study_);
     check_decks(study_, points);
     place_.emplace(open_study_folder(folder_));
-    const facade::FolderLock lock(*place_, kElsewhere);
+    const runs::FolderLock lock(*place_, kElsewhere);
     job_ = prepare_job(study_, *place_);
     add(points);
     if (request_.retry_failed) forget_failures();
@@ -370,9 +370,9 @@ Study open_study_text(const std::string& text, const fs::path& file) {
   Study study = parse_study(text, file);
   if (std::any_of(study.variables.begin(), study.variables.end(),
                   [](const Variable& v) { return v.lot(); })) {
-    facade::DeckRequest request;
+    runs::DeckRequest request;
     request.deck = study.decks.front();
-    const deck::ReadResult read = facade::read_deck(request);
+    const deck::ReadResult read = runs::read_deck(request);
     expand_lots(study, static_cast<int>(std::max(1LL, read.deck.integer("nRe"))));
   }
   return study;
@@ -384,7 +384,7 @@ Plan make_plan(const CampaignRequest& request, const std::stop_token& stop) {
   const std::vector<Point> points = points_to_begin(study);
   check_decks(study, points);
   const WriteFolder place = open_study_folder(folder);
-  const facade::FolderLock lock(place, kElsewhere);
+  const runs::FolderLock lock(place, kElsewhere);
   const Job job = prepare_job(study, place);
   const std::vector<Task> tasks = make_tasks(job, points, 1);
   const Pilot pilot = measure(request, folder, tasks, job.keep_files, stop);
@@ -480,7 +480,7 @@ Status study_status(const Study& study) {
       out.diagnoses.push_back(fmt::format("run {}: {}", results.tasks[i].number, record->message));
   }
   try {
-    const facade::FolderLock lock(WriteFolder(folder), kElsewhere);
+    const runs::FolderLock lock(WriteFolder(folder), kElsewhere);
   } catch (const InputError&) {
     out.at_work = true;
   }

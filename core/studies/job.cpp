@@ -9,11 +9,11 @@
 #include "base/write_folder.hpp"
 #include "deck/keep_text.hpp"
 #include "deck/monitored_bodies.hpp"
-#include "facade/option_file.hpp"
-#include "facade/passing_folder.hpp"
-#include "facade/run_ending.hpp"
-#include "facade/solver_stamp.hpp"
 #include "results/reader_killed.hpp"
+#include "runs/option_file.hpp"
+#include "runs/passing_folder.hpp"
+#include "runs/run_ending.hpp"
+#include "runs/solver_stamp.hpp"
 #include "scene/cost_ledger.hpp"
 #include "studies/quantities.hpp"
 #include "studies/quantity_check.hpp"
@@ -236,17 +236,16 @@ Job prepare_job(const Study& study, const WriteFolder& folder) {
   Job job;
   (void)folder.folder("runs");
   for (std::size_t k = 0; k < study.decks.size(); ++k) {
-    const fs::path original = facade::deck_path(study.decks[k]);
+    const fs::path original = runs::deck_path(study.decks[k]);
     const WriteFolder place = folder.folder(fs::path("decks") / std::to_string(k + 1));
     const std::string name = original.filename().string();
     Job::BaseDeck base;
     base.deck = place.path() / name;
-    const facade::OptionFile options = facade::usable_options_beside(original);
+    const runs::OptionFile options = runs::usable_options_beside(original);
     std::string text = read_text_file(original, kMaxHandwrittenBytes);
     if (!options.variables().empty()) {  // the copy of the deck has its records X itself
       deck::Deck deck = deck::read_deck(original).deck;
-      if (std::vector<Issue> issues = facade::set_extension(deck, options, original);
-          !issues.empty())
+      if (std::vector<Issue> issues = runs::set_extension(deck, options, original); !issues.empty())
         throw InputError(std::move(issues));
       text = deck::with_deck(text, deck).text;
     }
@@ -298,7 +297,7 @@ Job read_job(const fs::path& folder) {
 
 std::vector<Task> make_tasks(const Job& job, const std::vector<Point>& points, long first_number) {
   Hash common;
-  common.add(facade::solver_stamp());
+  common.add(runs::solver_stamp());
   common.add(job.until);
   common.add(job.integrator);
   common.add(job.tolerance ? fmt::format("{}", *job.tolerance) : "");
@@ -459,8 +458,8 @@ std::optional<Record> run_task(const Job& job, const Task& task, const fs::path&
                                const std::stop_token& stop) {
   const auto begin = std::chrono::steady_clock::now();
   const double processor = scene::processor_seconds();
-  std::optional<facade::PassingFolder> passing;
-  facade::RunRequest request;
+  std::optional<runs::PassingFolder> passing;
+  runs::RunRequest request;
   request.deck = job.decks.at(task.point.deck).deck;
   request.sets = sets_of(job, task);
   request.options = options_of(job, task);
@@ -481,9 +480,9 @@ std::optional<Record> run_task(const Job& job, const Task& task, const fs::path&
     }
   }
   const fs::path files = *request.out / request.below;
-  facade::RunEnding ending;
+  runs::RunEnding ending;
   try {
-    ending = facade::end_of_run(request, stop);
+    ending = runs::end_of_run(request, stop);
   } catch (const std::logic_error& bug) {
     ending.failure = bug.what();
     ending.exit_code = 1;
@@ -500,7 +499,7 @@ std::optional<Record> run_task(const Job& job, const Task& task, const fs::path&
     try {
       Answers answers =
           answer(job.quantities, ending.outcome.summary, files, [&](const Quantity& quantity) {
-            const facade::LoadedDeck read = facade::load_deck(request);
+            const runs::LoadedDeck read = runs::load_deck(request);
             return why_missing(quantity, read.deck, job.until);
           });
       out.values = std::move(answers.values);

@@ -2,7 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/input_limits.hpp"
-#include "facade/run_ending.hpp"
+#include "runs/run_ending.hpp"
 #include "studies/draws.hpp"
 #include "studies/job.hpp"
 #include "studies/sensitivity.hpp"
@@ -157,7 +157,7 @@ std::vector<Point> what_if_points(const Study& study) {
 
 }  // namespace
 
-std::string setting_text(double value) { return facade::value_text(value); }
+std::string setting_text(double value) { return runs::value_text(value); }
 
 Columns columns_of(const Study& study) {
   Columns out;

@@ -1,7 +1,7 @@
 #include "studies/quantity_check.hpp"
 
-#include "facade/unused_request.hpp"
 #include "results/key_results.hpp"
+#include "runs/unused_request.hpp"
 #include "studies/cage_whirl.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ std::string no_motion(const deck::Deck& deck, std::string_view lacks) {
 }
 
 std::string no_steps(const deck::Deck& deck, const std::string& until) {
-  const std::string why = until.empty() ? facade::why_no_step(deck) : "";
+  const std::string why = until.empty() ? runs::why_no_step(deck) : "";
   return why.empty() ? "" : fmt::format("the run makes no step ({})", why);
 }
 

@@ -3,7 +3,7 @@
 #include "base/counted.hpp"
 #include "base/finding.hpp"
 #include "base/json_text.hpp"
-#include "facade/prepare.hpp"
+#include "runs/prepare.hpp"
 #include "studies/reporter.hpp"
 #include "studies/study_folder.hpp"
 
@@ -86,12 +86,12 @@ void Reporter::head() {
 void Reporter::no_part() {
   if (study_.kind == Kind::WhatIf) return;
   try {
-    facade::DeckRequest request;
+    runs::DeckRequest request;
     request.deck = study_.decks.front();
     const Task& task = results_.tasks.at(results_.tasks.size() / 2);
     request.sets = study_.sets;
     request.sets.insert(request.sets.end(), task.point.sets.begin(), task.point.sets.end());
-    for (const auto& none : facade::prepare(request).no_part)
+    for (const auto& none : runs::prepare(request).no_part)
       for (const TableColumn& column : table_.variables)
         if (none.variable == column.name)
           text_ +=

@@ -2,7 +2,7 @@
 
 #include "base/errors.hpp"
 #include "deck/deck.hpp"
-#include "facade/prepare.hpp"
+#include "runs/prepare.hpp"
 
 #include <fmt/format.h>
 
@@ -42,10 +42,10 @@ double value_in(const deck::Deck& deck, const std::string& name) {
 }  // namespace
 
 std::vector<BaseValue> base_values(const Study& study, std::size_t deck) {
-  facade::DeckRequest request;
+  runs::DeckRequest request;
   request.deck = study.decks.at(deck);
   request.sets = study.sets;
-  const facade::LoadedDeck loaded = facade::load_deck(request);
+  const runs::LoadedDeck loaded = runs::load_deck(request);
   std::vector<BaseValue> out;
   for (const Variable& variable : study.variables) {
     if (variable.option)

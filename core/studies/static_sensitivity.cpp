@@ -1,8 +1,8 @@
 #include "studies/static_sensitivity.hpp"
 
 #include "base/errors.hpp"
-#include "facade/key_results.hpp"
-#include "facade/prepare.hpp"
+#include "runs/key_results.hpp"
+#include "runs/prepare.hpp"
 #include "statics/ball_friction.hpp"
 #include "studies/points.hpp"
 #include "studies/sensitivity.hpp"
@@ -23,9 +23,9 @@ double fourth_order(const std::array<double, 4>& f, double h) {
   return (8.0 * (f[2] - f[1]) - (f[3] - f[0])) / (12.0 * h);
 }
 
-facade::Prepared prepare_at(const Study& study, std::size_t deck, const Variable* variable,
-                            double value) {
-  facade::DeckRequest request;
+runs::Prepared prepare_at(const Study& study, std::size_t deck, const Variable* variable,
+                          double value) {
+  runs::DeckRequest request;
   request.deck = study.decks.at(deck);
   request.sets = study.sets;
   request.options = study.options;
@@ -37,7 +37,7 @@ facade::Prepared prepare_at(const Study& study, std::size_t deck, const Variable
     set(variable->name);
     for (const std::string& name : variable->also) set(name);
   }
-  return facade::prepare(request);
+  return runs::prepare(request);
 }
 
 Vector5 vector_of(const std::array<double, 5>& values) {
@@ -45,7 +45,7 @@ Vector5 vector_of(const std::array<double, 5>& values) {
 }
 
 /// The solution with the race held at q, put in the place of the equilibrium.
-void hold(facade::Prepared& prepared, const Vector5& q) {
+void hold(runs::Prepared& prepared, const Vector5& q) {
   bearing::Bearing held = prepared.bearing;
   held.constraints.displacement_given.fill(true);
   for (Eigen::Index k = 0; k < 5; ++k)
@@ -53,17 +53,17 @@ void hold(facade::Prepared& prepared, const Vector5& q) {
   if (prepared.rollers)
     prepared.rollers = statics::solve_roller_statics(held, prepared.options.rollers);
   else
-    prepared.statics = statics::solve_ball_statics(held, facade::ball_options(prepared));
+    prepared.statics = statics::solve_ball_statics(held, runs::ball_options(prepared));
   if (!prepared.rollers)
-    (void)statics::balance_balls(held, facade::ball_options(prepared), prepared.statics);
+    (void)statics::balance_balls(held, runs::ball_options(prepared), prepared.statics);
 }
 
 std::map<std::string, double> derivatives(const Study& study, std::size_t deck,
-                                          const facade::Prepared& base,
+                                          const runs::Prepared& base,
                                           const Eigen::Matrix<double, 5, 5>& K,
                                           const Variable& variable, const BaseValue& at) {
   const Vector5 q = vector_of(base.race_result().displacement);
-  std::vector<facade::Prepared> sides;
+  std::vector<runs::Prepared> sides;
   std::array<std::array<double, 4>, 5> residual{}, given{};
   for (std::size_t s = 0; s < kSides.size(); ++s) {
     sides.push_back(prepare_at(study, deck, &variable, at.value + kSides[s] * at.step));
@@ -100,7 +100,7 @@ std::map<std::string, double> derivatives(const Study& study, std::size_t deck,
   std::map<std::string, std::array<double, 4>> along;
   for (std::size_t s = 0; s < kSides.size(); ++s) {
     hold(sides[s], q + kSides[s] * at.step * dq);
-    for (const results::KeyResult& result : facade::static_results(sides[s]))
+    for (const results::KeyResult& result : runs::static_results(sides[s]))
       along[std::string(result.of.id)][s] = result.value;
   }
   std::map<std::string, double> out;
@@ -111,7 +111,7 @@ std::map<std::string, double> derivatives(const Study& study, std::size_t deck,
 }  // namespace
 
 StaticDerivatives static_derivatives(const Study& study, std::size_t deck) {
-  const facade::Prepared base = prepare_at(study, deck, nullptr, 0.0);
+  const runs::Prepared base = prepare_at(study, deck, nullptr, 0.0);
   if (base.control.dynamic) return {};
   const std::vector<BaseValue> values = base_values(study, deck);
   const Eigen::Matrix<double, 5, 5> K = base.race_result().stiffness;

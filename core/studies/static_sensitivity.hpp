@@ -25,7 +25,7 @@ namespace adore::studies {
 /// By variable: quantity name and derivative [SI over the deck's unit]. Empty for a deck in motion.
 using StaticDerivatives = std::vector<std::map<std::string, double>>;
 
-/// @throws InputError, SolverError as facade::prepare
+/// @throws InputError, SolverError as runs::prepare
 [[nodiscard]] StaticDerivatives static_derivatives(const Study& study, std::size_t deck);
 
 }  // namespace adore::studies

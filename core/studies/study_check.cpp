@@ -1,8 +1,8 @@
 #include "studies/study_check.hpp"
 
 #include "base/errors.hpp"
-#include "facade/deck_request.hpp"
-#include "facade/option_file.hpp"
+#include "runs/deck_request.hpp"
+#include "runs/option_file.hpp"
 #include "studies/quantity_check.hpp"
 #include "studies/worst_case.hpp"
 
@@ -26,7 +26,7 @@ Settings over(Settings base, const Settings& more) {
 /// Empty: nothing is wrong with it.
 std::string problem_of(const Study& study, const Point& point, const deck::Deck& base) {
   for (const auto& [name, value] : over(study.options, point.options))
-    if (const std::string problem = facade::option_problem(name, value); !problem.empty())
+    if (const std::string problem = runs::option_problem(name, value); !problem.empty())
       return fmt::format("run option {} = {}: {}", name, value, problem);
   deck::Deck deck = base;
   try {
@@ -47,9 +47,9 @@ std::vector<Point> points_to_begin(const Study& study) {
 void check_decks(const Study& study, const std::vector<Point>& points) {
   std::vector<deck::Deck> decks;
   for (const auto& path : study.decks) {
-    facade::DeckRequest request;
+    runs::DeckRequest request;
     request.deck = path;
-    decks.push_back(facade::read_deck(request).deck);
+    decks.push_back(runs::read_deck(request).deck);
   }
   if (points.empty()) return;
   std::string first;

@@ -2,7 +2,7 @@
 
 #include "base/counted.hpp"
 #include "base/errors.hpp"
-#include "facade/run_ending.hpp"
+#include "runs/run_ending.hpp"
 #include "studies/study_folder.hpp"
 
 #include <fmt/format.h>
@@ -74,7 +74,7 @@ StudyTable make_table(const Study& study, const Results& results) {
   check_tasks(study, results.tasks);
   StudyTable out;
   const Columns columns = columns_of(study);
-  facade::DeckRequest base;
+  runs::DeckRequest base;
   base.deck = study.decks.front();
   std::vector<std::string> names = columns.names;
   if (study.kind == Kind::Sensitivity) {
@@ -85,7 +85,7 @@ StudyTable make_table(const Study& study, const Results& results) {
   for (const std::string& name : names) {
     // Elements of a lot share their unit; the deck is read once for them.
     std::string bare = name.substr(0, name.find_first_of("0123456789["));
-    if (bare != last) unit = facade::variable_unit(base, name);
+    if (bare != last) unit = runs::variable_unit(base, name);
     last = bare;
     out.variables.push_back({name, unit, {}});
   }
@@ -119,11 +119,11 @@ std::string table_csv(const StudyTable& table) {
   for (std::size_t i = 0; i < table.rows(); ++i) {
     out +=
         fmt::format("{},{}", table.run[i], table.exit[i] < 0 ? "" : fmt::to_string(table.exit[i]));
-    if (!table.deck.empty()) out += "," + facade::message_field(table.deck[i]);
-    if (!table.label.empty()) out += "," + facade::message_field(table.label[i]);
+    if (!table.deck.empty()) out += "," + runs::message_field(table.deck[i]);
+    if (!table.label.empty()) out += "," + runs::message_field(table.label[i]);
     for (const auto* columns : {&table.variables, &table.quantities})
       for (const TableColumn& column : *columns) out += "," + field(column.values[i]);
-    out += "," + facade::message_field(table.message[i]) + "\n";
+    out += "," + runs::message_field(table.message[i]) + "\n";
   }
   return out;
 }

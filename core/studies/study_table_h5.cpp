@@ -1,7 +1,7 @@
 #include "base/version.hpp"
 #include "base/write_error.hpp"
-#include "facade/solver_stamp.hpp"
 #include "results/hdf5_handle.hpp"
+#include "runs/solver_stamp.hpp"
 #include "studies/study_table.hpp"
 
 #include <fmt/format.h>
@@ -106,7 +106,7 @@ std::string table_h5(const StudyTable& table, const std::string& kind,
   const results::h5::Quiet quiet;
   const Writer file(path);
   file.attribute("program", std::string(kProgramVersion));
-  file.attribute("solver", std::string(facade::solver_stamp()));
+  file.attribute("solver", std::string(runs::solver_stamp()));
   file.attribute("study", kind);
   file.attribute("conventions",
                  "one row per run in every dataset; variables in the deck's units, quantities in "

@@ -9,7 +9,7 @@
 #include "deck/lookup.hpp"
 #include "deck/templates.hpp"
 #include "desktop/theme.hpp"
-#include "facade/check.hpp"
+#include "runs/check.hpp"
 #include "support/qt_app.hpp"
 
 #include <QApplication>

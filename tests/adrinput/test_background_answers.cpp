@@ -9,8 +9,8 @@
 #include "deck/reader.hpp"
 #include "deck/templates.hpp"
 #include "desktop/chart_view.hpp"
-#include "facade/model_errors.hpp"
-#include "facade/run.hpp"
+#include "runs/run.hpp"
+#include "studies/model_errors.hpp"
 #include "support/qt_app.hpp"
 #include "support/result_files.hpp"
 
@@ -91,10 +91,10 @@ TEST_CASE("accuracy panel: running study → revolutions of the round are displa
   window.show();
   AccuracyPanel& panel = window.accuracyPanel();
   std::atomic<bool> go_on = false;
-  panel.study = [&go_on](const facade::AccuracyRequest&, const facade::AccuracySink& row_done,
+  panel.study = [&go_on](const studies::AccuracyRequest&, const studies::AccuracySink& row_done,
                          std::stop_token) {
-    facade::AccuracyStudy study;
-    facade::AccuracyRow row;
+    studies::AccuracyStudy study;
+    studies::AccuracyRow row;
     row.setting.name = "rkf5, tol 1e-06";
     row.turns = 1.0;
     study.screening.push_back(row);
@@ -138,15 +138,15 @@ TEST_CASE("accuracy page: shows what the last run and the last study of model er
   CHECK(text.contains("± 0.4 %"));
   CHECK(text.contains("Verified against rkf7, tol 1e-10: heat 0.21 %"));
   // A model study counts only when it is of this deck.
-  facade::LoadedDeck loaded;
+  runs::LoadedDeck loaded;
   loaded.path = file;
   loaded.deck = deck::read_deck(file.string()).deck;
-  facade::ModelStudy study;
-  study.stamp = facade::model_stamp(loaded);
+  runs::ModelStudy study;
+  study.stamp = runs::model_stamp(loaded);
   study.complete = true;
   study.rows.push_back(
       {{"damping", "contactDamping = 2x", "factor 2", {}, {}}, {}, 0.01, -0.02, 1.0, ""});
-  test::write_text(folder / facade::kModelFile, facade::model_json(study));
+  test::write_text(folder / runs::kModelFile, runs::model_json(study));
   CHECK_THAT(stored_accuracy(file, loaded.deck, {}), Catch::Contains("contactDamping = 2x"));
   loaded.deck.set("bReDia", "0.0126");
   CHECK_THAT(stored_accuracy(file, loaded.deck, {}), !Catch::Contains("contactDamping = 2x"));
@@ -201,12 +201,12 @@ TEST_CASE("an accuracy study shows its rows, and its advice goes into the deck",
   window.show();
   AccuracyPanel& panel = window.accuracyPanel();
   std::atomic<double> asked = 0.0;
-  panel.study = [&asked](const facade::AccuracyRequest& request,
-                         const facade::AccuracySink& row_done, std::stop_token) {
+  panel.study = [&asked](const studies::AccuracyRequest& request,
+                         const studies::AccuracySink& row_done, std::stop_token) {
     CHECK(request.text.has_value());
     asked = request.turns;
-    facade::AccuracyStudy study;
-    facade::AccuracyRow row;
+    studies::AccuracyStudy study;
+    studies::AccuracyRow row;
     row.setting.name = "rkf6, tol 1e-05";
     row.setting.method = "rkf6";
     row.setting.tolerance = 1e-5;
@@ -240,8 +240,8 @@ TEST_CASE("an accuracy study shows its rows, and its advice goes into the deck",
   for (const bool reread : {false, true}) {
     INFO(reread);
     std::atomic<bool> go_on = false;
-    panel.study = [&go_on, plain](const facade::AccuracyRequest& request,
-                                  const facade::AccuracySink& row_done, std::stop_token stop) {
+    panel.study = [&go_on, plain](const studies::AccuracyRequest& request,
+                                  const studies::AccuracySink& row_done, std::stop_token stop) {
       while (!go_on) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       return plain(request, row_done, stop);
     };
@@ -304,10 +304,10 @@ TEST_CASE(
   window.checkNow();
   REQUIRE(says("Run refused"));
   CHECK(problems->item(0)->text().contains("kIcOpt"));
-  facade::RunRequest first;
+  runs::RunRequest first;
   first.deck = folder.filePath("DATA.txt").toStdString();
   first.sets = {{"kIcOpt", "0"}};
-  (void)facade::run(first);
+  (void)runs::run(first);
   emit window.runPanel().finished();
   CHECK(says("Ready to run"));
 }
@@ -326,7 +326,7 @@ TEST_CASE("adrinput: deck restored during the check of another one → its own r
   const Document::Candidate second = document.candidate();
   StartCheck check;
   std::vector<Document::Candidate> answers;
-  check.found = [&](const Document::Candidate& of, const facade::Rehearsal&) {
+  check.found = [&](const Document::Candidate& of, const runs::Rehearsal&) {
     answers.push_back(of);
   };
   check.ask(first);
@@ -344,7 +344,7 @@ TEST_CASE("adrinput: files changed by a finished run → check is repeated, old 
   const Document::Candidate asked = document.candidate();
   StartCheck check;
   int answers = 0;
-  check.found = [&](const Document::Candidate&, const facade::Rehearsal&) { ++answers; };
+  check.found = [&](const Document::Candidate&, const runs::Rehearsal&) { ++answers; };
   const auto wait = [&] { REQUIRE(QTest::qWaitFor([&] { return !check.busy(); }, 60000)); };
   check.ask(asked);
   check.forget();

@@ -126,9 +126,9 @@ TEST_CASE("design page: 7208, load and speed → life, angle and torque in at mo
   for (const char* id : {"life_iso281", "life_iso16281", "contact_angle_inner", "torque_total"})
     CHECK(front.shown(id) != "not computed");
   // The results are those of this deck.
-  const facade::DesignSummary same = facade::design_summary(front.document().deck());
+  const design::DesignSummary same = design::design_summary(front.document().deck());
   CHECK(front.shown("life_iso281").toStdString() ==
-        facade::quantity_text(*same.find("life_iso281")));
+        design::quantity_text(*same.find("life_iso281")));
 }
 
 TEST_CASE("design page: 7208 → a moving picture in at most 8 actions",
@@ -187,7 +187,7 @@ TEST_CASE("design page: window of 1280x800 → results and at least 10 inputs ar
     for (const QLineEdit* one : form.findChildren<QLineEdit*>()) inputs += is_seen(*one) ? 1 : 0;
     for (const QComboBox* one : form.findChildren<QComboBox*>()) inputs += is_seen(*one) ? 1 : 0;
     CHECK(inputs >= 10);
-    for (const facade::DesignValue& one : front.window.design().card().summary()->values) {
+    for (const design::DesignValue& one : front.window.design().card().summary()->values) {
       const auto* label =
           front.window.findChild<QLabel*>(QString::fromStdString("design-" + one.id));
       REQUIRE(label != nullptr);
@@ -261,9 +261,9 @@ TEST_CASE("design page: several changes in a row → only the last deck is compu
     replace_text(front.field("appLoadZ"), load);
   CHECK(front.window.design().computing());
   REQUIRE(front.settled());
-  const facade::DesignSummary last = facade::design_summary(front.document().deck());
+  const design::DesignSummary last = design::design_summary(front.document().deck());
   CHECK(front.shown("pressure_inner").toStdString() ==
-        facade::quantity_text(*last.find("pressure_inner")));
+        design::quantity_text(*last.find("pressure_inner")));
 }
 
 TEST_CASE("design page: invalid inputs → a reason, and the deck keeps or marks its value",

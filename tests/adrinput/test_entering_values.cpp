@@ -4,7 +4,7 @@
 #include "adrinput/driver.hpp"
 #include "adrinput/record_page.hpp"
 #include "adrinput/unit_choice.hpp"
-#include "facade/run.hpp"
+#include "runs/run.hpp"
 #include "support/qt_app.hpp"
 
 #include <QAction>
@@ -144,7 +144,7 @@ TEST_CASE("times of a run are shown and typed in seconds and turns", "[gui][adri
   window.showRecord("2.1");
   REQUIRE(QTest::qWaitFor([&] { return window.document().scales().has_value(); }, 60000));
   CHECK(beside(window, "fTime").contains("revolutions"));
-  const facade::RunScales scales = *window.document().scales();
+  const runs::RunScales scales = *window.document().scales();
   CHECK(scales.turns_per_second == Approx(10000.0 / 60.0));
   QLineEdit* line = line_of(window, "fTime");
   replace_text(line, "5 rev");

@@ -7,8 +7,8 @@
 #include "adrinput/record_page.hpp"
 #include "deck/templates.hpp"
 #include "deck/unit_change.hpp"
-#include "facade/plan.hpp"
-#include "facade/prepare.hpp"
+#include "runs/plan.hpp"
+#include "runs/prepare.hpp"
 #include "support/qt_app.hpp"
 
 #include <QAction>
@@ -229,7 +229,7 @@ TEST_CASE("run options: page, ADORE.json in the deck folder, unknown names kept"
     window.show();
     CHECK(window.document().pages().back() == kOptionsPage);
     window.showRecord(std::string(kOptionsPage));
-    for (const facade::RunOptionInfo& info : facade::run_options()) {
+    for (const runs::RunOptionInfo& info : runs::run_options()) {
       QWidget* field = window.page()->fieldOf(option(info.name).variable);
       if (const auto* combo = qobject_cast<QComboBox*>(field)) {
         CHECK_FALSE(info.choices.empty());
@@ -263,7 +263,7 @@ TEST_CASE("run options: page, ADORE.json in the deck folder, unknown names kept"
     CHECK(line_of(window, option("seed"))->text() == "1");
     window.document().save(path);
   }
-  CHECK(facade::options_beside(path) ==
+  CHECK(runs::options_beside(path) ==
         std::map<std::string, std::string>{{"lifeSkip", "2.5"}, {"contactSurface", "flat_edge"}});
 
   std::ofstream(file) << R"({"myNote": {"by": "me"}, "ellipseMinor": 6, "lifeElement": "all"})";
@@ -303,24 +303,24 @@ TEST_CASE("run options: page, ADORE.json in the deck folder, unknown names kept"
     replace_text(line_of(window, option("landSlices")), "7");
     window.document().save(path);
     CHECK(bytes_of(file.string() + ".bak") == "{ not json");
-    CHECK(facade::options_beside(path).at("landSlices") == "7");
+    CHECK(runs::options_beside(path).at("landSlices") == "7");
   }
 }
 
 TEST_CASE("run options that take words are chosen, times have units, effects have names",
           "[gui][adrinput]") {
   test::use_qt();
-  for (const facade::RunOptionInfo& info : facade::run_options()) {
+  for (const runs::RunOptionInfo& info : runs::run_options()) {
     INFO(info.name);
     const bool number = info.default_value.find_first_not_of("0123456789.") == std::string::npos;
     if (info.name != "effectsOff" && !number) CHECK_FALSE(info.choices.empty());
     // A number that only 0 and 1 are valid for is a switch.
-    if (number && facade::option_problem(info.name, "1").empty() &&
-        facade::option_problem(info.name, "0").empty() &&
-        !facade::option_problem(info.name, "2").empty())
+    if (number && runs::option_problem(info.name, "1").empty() &&
+        runs::option_problem(info.name, "0").empty() &&
+        !runs::option_problem(info.name, "2").empty())
       CHECK(info.choices == std::vector<std::string>{"1", "0"});
     for (const std::string& choice : info.choices)
-      CHECK(facade::option_problem(info.name, choice) == "");
+      CHECK(runs::option_problem(info.name, choice) == "");
   }
   DeckWindow window;
   window.show();
@@ -358,12 +358,12 @@ TEST_CASE("run options that take words are chosen, times have units, effects hav
     window.document().check_model();
     CHECK(window.document().options().at("effectsOff") == name.mid(8).toStdString());
     const auto ready = [&] {
-      facade::DeckRequest request;
+      runs::DeckRequest request;
       request.text = deck::write_deck(window.document().deck());
       request.in_memory = true;
       for (const auto& [option_name, value] : window.document().options())
         request.options.emplace_back(option_name, value);
-      return facade::plan(request);
+      return runs::plan(request);
     };
     CHECK_NOTHROW(ready());
     toggle(name);

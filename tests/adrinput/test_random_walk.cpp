@@ -5,7 +5,7 @@
 #include "adrinput/record_page.hpp"
 #include "deck/templates.hpp"
 #include "desktop/theme.hpp"
-#include "facade/check.hpp"
+#include "runs/check.hpp"
 #include "support/qt_app.hpp"
 
 #include <QAction>
@@ -101,7 +101,7 @@ void random_walk(unsigned seed, int actions) {
         const deck::ReadResult back = deck::read_deck(path);
         CHECK(back.ok());
         CHECK(back.deck == document.deck());
-        for (const Issue& issue : facade::check_model(back.deck)) {
+        for (const Issue& issue : runs::check_model(back.deck)) {
           INFO(issue.text());
           CHECK(issue.severity != Severity::Error);
         }

@@ -1,7 +1,7 @@
 #include "adrinput/run_driver.hpp"
 #include "adrinput/window_words.hpp"
 #include "deck/templates.hpp"
-#include "facade/rehearsal.hpp"
+#include "runs/rehearsal.hpp"
 #include "support/paths.hpp"
 #include "support/qt_app.hpp"
 
@@ -22,10 +22,10 @@ TEST_CASE("run panel: error of a run → message in terms of the window", "[gui]
   const QTemporaryDir folder;
   // An output that the run may not replace, in the sentence of the command line and in ours.
   fs::create_directory(folder.filePath("SOL1").toStdString());
-  facade::LoadedDeck input;
+  runs::LoadedDeck input;
   input.path = folder.filePath("DATA.txt").toStdString();
   input.deck = deck::new_deck("ball");
-  const std::vector<Issue> refused = facade::refusals_of_run(input);
+  const std::vector<Issue> refused = runs::refusals_of_run(input);
   REQUIRE_FALSE(refused.empty());
   CHECK(refused.front().text().find("--out") != std::string::npos);
   const std::string ours = in_window_words(refused.front().text());

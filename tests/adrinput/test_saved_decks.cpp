@@ -3,7 +3,7 @@
 #include "deck/keep_text.hpp"
 #include "deck/lookup.hpp"
 #include "deck/templates.hpp"
-#include "facade/check.hpp"
+#include "runs/check.hpp"
 #include "support/paths.hpp"
 
 #include <QTemporaryDir>
@@ -146,7 +146,7 @@ TEST_CASE(
       ++saved;
       const deck::ReadResult back = deck::read_deck(path);
       CHECK_FALSE(errors_in(back.issues));
-      CHECK_FALSE(errors_in(facade::check_model(back.deck)));
+      CHECK_FALSE(errors_in(runs::check_model(back.deck)));
       if (!read.ok()) CHECK(bytes_of(backup) == original);
     } catch (const InputError& error) {
       CHECK_FALSE(error.issues().empty());

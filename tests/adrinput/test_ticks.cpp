@@ -1,8 +1,8 @@
 #include "adrinput/document.hpp"
 #include "adrinput/driver.hpp"
 #include "deck/templates.hpp"
-#include "facade/deck_request.hpp"
-#include "facade/rehearsal.hpp"
+#include "runs/deck_request.hpp"
+#include "runs/rehearsal.hpp"
 
 #include <QTemporaryDir>
 #include <catch2/catch.hpp>
@@ -36,10 +36,10 @@ TEST_CASE("record list: deck that a run accepts → ready; records with errors a
         // As `adore run` reads the deck that would be saved.
         std::vector<Issue> reasons;
         try {
-          facade::DeckRequest request;
+          runs::DeckRequest request;
           request.text = deck::write_deck(document.deck());
           request.in_memory = true;
-          reasons = facade::refusals_of_run(facade::load_deck(request));
+          reasons = runs::refusals_of_run(runs::load_deck(request));
         } catch (const InputError& error) {
           reasons = error.issues();
           if (reasons.empty()) reasons.emplace_back();
@@ -64,12 +64,12 @@ TEST_CASE("record list: deck that a run accepts → ready; records with errors a
 TEST_CASE("adrinput: missing start state → error at the record that needs it", "[adrinput]") {
   const QTemporaryDir folder;
   for (const char* code : {"-1", "1"}) {
-    facade::LoadedDeck input;
+    runs::LoadedDeck input;
     input.path = folder.filePath("DATA.txt").toStdString();
     input.deck = deck::new_deck("ball");
     const std::vector<std::pair<std::string, std::string>> sets{{"kIcOpt", code}};
     input.deck.set_all(sets);
-    const std::vector<Issue> refused = facade::refusals_of_run(std::move(input));
+    const std::vector<Issue> refused = runs::refusals_of_run(std::move(input));
     REQUIRE(refused.size() == 1);
     CHECK(refused[0].variable == "kIcOpt");
     CHECK(refused[0].record == "1");

@@ -3,9 +3,9 @@
 #include "adrinput/run_panel.hpp"
 #include "adrinput/sweep_range.hpp"
 #include "adrinput/unit_choice.hpp"
-#include "facade/sweep.hpp"
-#include "facade/sweep_mark.hpp"
 #include "results/run_json.hpp"
+#include "studies/sweep.hpp"
+#include "studies/sweep_mark.hpp"
 #include "support/qt_app.hpp"
 
 #include <QAction>
@@ -186,24 +186,24 @@ TEST_CASE("run panel: sweep of an earlier session → missing runs computed, fin
   const QTemporaryDir folder;
   const fs::path deck = folder.filePath("DATA.txt").toStdString();
   const auto request = [&](const char* range) {
-    facade::RunRequest out;
+    runs::RunRequest out;
     out.deck = deck;
     out.sets = {{"rpm2", range}};
     return out;
   };
   // Broken off after the second of four runs, as by a kill: its report says "running".
-  const auto broken_off = [&](facade::RunRequest sweep, const fs::path& place) {
+  const auto broken_off = [&](runs::RunRequest sweep, const fs::path& place) {
     sweep.out = place;
     std::stop_source stop;
-    facade::run_sweep(
+    studies::run_sweep(
         sweep, 1,
-        [&](const facade::Progress& now) { now.step >= 2 ? void(stop.request_stop()) : void(); },
+        [&](const runs::Progress& now) { now.step >= 2 ? void(stop.request_stop()) : void(); },
         stop.get_token());
-    auto mark = facade::read_sweep_mark(place);
+    auto mark = studies::read_sweep_mark(place);
     REQUIRE(mark);
     CHECK(mark->status == "interrupted");
     mark->status = "running";
-    facade::write_sweep_mark(*mark, WriteFolder(place));
+    studies::write_sweep_mark(*mark, WriteFolder(place));
   };
   {
     Document document;
@@ -231,12 +231,12 @@ TEST_CASE("run panel: sweep of an earlier session → missing runs computed, fin
     bench.wait();
     CHECK(bench.note() == "The sweep is done.");
     // Finished runs take no time, so they do not enter the estimate.
-    facade::RunRequest again = request("7000:7600:4");
+    runs::RunRequest again = request("7000:7600:4");
     again.out = sweep;
     again.go_on = true;
     int told = 0;
-    (void)facade::run_sweep(
-        again, 1, [&](const facade::Progress& now) { told += now.remaining > 0.0 ? 1 : 0; });
+    (void)studies::run_sweep(
+        again, 1, [&](const runs::Progress& now) { told += now.remaining > 0.0 ? 1 : 0; });
     CHECK(told == 0);
     for (int number = 1; number <= 4; ++number) CHECK(done(number));
     CHECK(bytes_of(sweep / "rpm2-2/RUN.json") == kept);
@@ -248,10 +248,10 @@ TEST_CASE("run panel: sweep of an earlier session → missing runs computed, fin
     std::string text = bytes_of(report);
     text.replace(text.find("\"status\": \"done\""), 16, "\"status\": \"failed\"");
     std::ofstream(report) << text;
-    auto mark = *facade::read_sweep_mark(sweep);
+    auto mark = *studies::read_sweep_mark(sweep);
     CHECK(mark.failed == 0);
     mark.failed = 1;
-    facade::write_sweep_mark(mark, WriteFolder(sweep));
+    studies::write_sweep_mark(mark, WriteFolder(sweep));
     Bench bench("1");
     QAction& entry = opened(bench);
     CHECK(entry.text() == "&Continue the sweep in sweep-001");
@@ -274,10 +274,10 @@ TEST_CASE("run panel: sweep of an earlier session → missing runs computed, fin
   }
   {
     // Of a deck of another name in the folder.
-    auto mark = *facade::read_sweep_mark(sweep);
+    auto mark = *studies::read_sweep_mark(sweep);
     mark.status = "interrupted";
     mark.deck = "OTHER.txt";
-    facade::write_sweep_mark(mark, WriteFolder(sweep));
+    studies::write_sweep_mark(mark, WriteFolder(sweep));
     Bench bench("1");
     CHECK(opened(bench).text() == "&Continue the run");
     fs::remove_all(sweep);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/results/synthetic.hpp"
-#include "facade/run.hpp"
+#include "runs/run.hpp"
 #include "support/paths.hpp"
 
 #include <array>
@@ -21,12 +21,12 @@ inline const std::filesystem::path& example_run(const std::string& type) {
   static std::map<std::string, std::filesystem::path> made;
   const auto found = made.find(type);
   if (found != made.end()) return found->second;
-  facade::RunRequest request;
+  runs::RunRequest request;
   request.deck = source_dir() / "resources/decks" / (type + ".txt");
   request.out = folder / type;
   request.until =
       type == "ball" ? "0.3rev" : "0.1rev";  // balls start in equilibrium: later in pockets
-  (void)facade::run(request);
+  (void)runs::run(request);
   return made[type] = folder / type;
 }
 

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 /// The first steps of an example with other speeds of its races [rpm].
 fs::path turned(const testing::TemporaryFolder& folder, const std::string& type, int outer,
                 int inner) {
-  facade::RunRequest request;
+  runs::RunRequest request;
   request.deck = test::source_dir() / "resources/decks" / (type + ".txt");
   request.out = folder / fmt::format("{}{}{}", type, outer, inner);
   request.sets = {{"rpm1", std::to_string(outer)},
@@ -30,7 +30,7 @@ fs::path turned(const testing::TemporaryFolder& folder, const std::string& type,
                   {"kDOF", "0"},
                   {"maxStps", "24"},
                   {"kPltFreq", "1"}};
-  (void)facade::run(request);
+  (void)runs::run(request);
   return *request.out;
 }
 

@@ -6,7 +6,7 @@
 #include "agore/view_scene.hpp"
 #include "base/errors.hpp"
 #include "desktop/axis_scale.hpp"
-#include "facade/run.hpp"
+#include "runs/run.hpp"
 #include "support/paths.hpp"
 #include "support/qt_app.hpp"
 #include "support/result_files.hpp"
@@ -102,12 +102,12 @@ TEST_CASE("views: RESULTS.h5 alone shows sections, colors and race loads", "[gui
 TEST_CASE("views: ball on a split race → both contacts have key entries and curves", "[gui][h5]") {
   test::use_qt();
   const testing::TemporaryFolder folder;
-  facade::RunRequest request;
+  runs::RunRequest request;
   request.deck = test::source_dir() / "resources/decks/four-point-qj208.txt";
   request.sets = {{"appLoadX", "0"}, {"appLoadZ", "2000"}};
   request.out = folder / "run";
   request.until = "0.02rev";
-  (void)facade::run(request);
+  (void)runs::run(request);
   const Animation a = open_motion(folder / "run/RESULTS.h5");
   REQUIRE(a.contacts);
   const std::size_t frame = a.frames() / 2;

@@ -96,7 +96,7 @@ TEST_CASE("sources: only base/input_file.cpp opens files for reading", "[unit][a
                         "core/results/results_h5.cpp",        // in its file
                         "core/results/run_findings.cpp",      // the same; in the reading process
                         "core/studies/study_table_read.cpp",  // STUDY.h5, after refuse_pipe()
-                        "core/facade/output_folder.cpp",      // locks
+                        "core/runs/output_folder.cpp",        // locks
                         "core/results/h5_process.cpp", "core/studies/slurm.cpp",
                         "cli/streams.cpp"}) == "");  // these three: /dev/null
 }
@@ -115,11 +115,11 @@ TEST_CASE("sources: remarks are Finding; lists of sentences are in the modules b
                       // texts of findings for a listing
                       "core/listing/static_summary.hpp", "core/listing/static_summary.cpp",
                       "core/listing/print_file.hpp", "core/listing/print_file.cpp",
-                      "core/facade/run_outputs.cpp",
+                      "core/runs/run_outputs.cpp",
                       // about a drawing, a change of the deck, a page of experiments
                       "core/drawing/outline.hpp", "core/drawing/outline_model.hpp",
                       "core/deck/monitored_bodies.cpp", "core/python/bindings/deck.cpp",
-                      "core/facade/experiments.hpp"}) == "");
+                      "core/validation/experiments.hpp"}) == "");
 }
 
 TEST_CASE("sources: all text for the terminal goes through base/terminal_text.hpp",

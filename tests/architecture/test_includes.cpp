@@ -40,11 +40,11 @@ Rule dependency_rule() {
   }
   return rule;
 }
-/// Parts of the core for applications: values, files, pages and drawings, and the facade that runs
-/// decks.
-const std::set<std::string> kAppsMaySee = {"base",    "deck",    "results",
-                                           "listing", "drawing", "calculators",
-                                           "facade",  "studies", "command_line"};
+/// Parts of the core for applications: values, files, pages and drawings, runs, designs and
+/// studies.
+const std::set<std::string> kAppsMaySee = {"base",    "deck",        "results", "listing",
+                                           "drawing", "calculators", "runs",    "design",
+                                           "studies", "command_line"};
 
 std::vector<fs::path> sources(const fs::path& folder) {
   std::vector<fs::path> out;

@@ -157,7 +157,7 @@ def page(kept: dict) -> str:
         f"# Accuracy promises\n\nTables: written by `tests/benchmarks/accuracy_promises.py`, {datetime.date.today()} "
         "(`--keep` continues a campaign).\n\n"
         "`adore run --accuracy` states an interval for each result over the span of the run "
-        "(core/facade/accuracy_statement.hpp). Here it is compared with a reference of the same deck and span: rkf7, "
+        "(core/studies/accuracy_statement.hpp). Here it is compared with a reference of the same deck and span: rkf7, "
         "tolerance 1e-8, steps at most a quarter of the time scale, twice the nodes or slices. The least numerical part "
         "(0.01 %) was set after a first campaign over the same decks, so that coverage is calibrated, not predicted.\n\n"
         f"Span: {kept['turns']:g} revolutions, {kept['slow']:g} of rollers. Decks done: "

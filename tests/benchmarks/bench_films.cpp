@@ -1,5 +1,5 @@
 // Cost of lubricant films compared with the hypothetical law, in one run: 16 balls (whole vectors)
-// on both races with the nodes of a run for that lubricant (facade/prepare.cpp), and with equal
+// on both races with the nodes of a run for that lubricant (runs/prepare.cpp), and with equal
 // nodes: 15 x 4, 20 x 2 of whole strips (`_equal`). Then the rolling resistance of the same
 // contacts. Films are in single precision where runs use it (`ns_double`: double precision).
 // Counters: ns per contact, `ratio` to the hypothetical law of the same instruction set, measured

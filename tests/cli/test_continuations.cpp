@@ -102,7 +102,7 @@ TEST_CASE("constant steps and balls in balance: continuation from every checkpoi
 
 TEST_CASE("steps that are judged by their energy join to the same bytes from every checkpoint",
           "[cli][slow]") {
-  // Rollers that hammer a free race (tests/core/facade/test_hammering.cpp).
+  // Rollers that hammer a free race (tests/core/runs/test_hammering.cpp).
   const Folder folder;
   REQUIRE(run_adore("new cylindrical --out " + (folder / "DATA.txt").string()).code == 0);
   check_every_stop(

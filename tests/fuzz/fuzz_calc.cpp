@@ -3,7 +3,7 @@
 #include "calculators/calculator_description.hpp"
 #include "calculators/calculators.hpp"
 #include "json_mutator.hpp"
-#include "reference/adapters.hpp"
+#include "validation/adapters.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -18,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t end = std::min(text.find('\n'), text.size());
   try {
     const nlohmann::json input = parse_json(text.substr(end), "input");
-    (void)calculate(text.substr(0, end), input, reference::all_adapters())
+    (void)calculate(text.substr(0, end), input, validation::all_adapters())
         .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   } catch (const InputError&) {
   } catch (const SolverError&) {

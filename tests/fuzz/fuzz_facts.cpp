@@ -1,5 +1,5 @@
 #include "base/errors.hpp"
-#include "facade/bearing_candidates.hpp"
+#include "design/bearing_candidates.hpp"
 #include "json_mutator.hpp"
 
 #include <nlohmann/json.hpp>
@@ -10,7 +10,7 @@
 #include <vector>
 
 using namespace adore;
-using namespace adore::facade;
+using namespace adore::design;
 
 /// FACTS.json of `adore new --from`: rejected with a message, or reported; each candidate has a
 /// deck.

@@ -1,12 +1,12 @@
 #include "base/errors.hpp"
 #include "deck/templates.hpp"
-#include "facade/option_file.hpp"
+#include "runs/option_file.hpp"
 
 #include <cstdint>
 #include <string>
 
 using namespace adore;
-using namespace adore::facade;
+using namespace adore::runs;
 
 /// ADORE.json with any bytes: the file is read or its problem has a message, an unchanged file
 /// keeps its text, and what the deck takes of it can be written and read again.

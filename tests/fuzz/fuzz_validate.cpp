@@ -1,7 +1,7 @@
 #include "base/errors.hpp"
 #include "input_file.hpp"
 #include "json_mutator.hpp"
-#include "reference/validate.hpp"
+#include "validation/validate.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -13,7 +13,7 @@
 #include <vector>
 
 using namespace adore;
-using namespace adore::reference;
+using namespace adore::validation;
 
 /// `adore validate`: a file of reference cases. Every file is rejected with a message or reported.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

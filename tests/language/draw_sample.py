@@ -19,9 +19,9 @@ import check_language
 import texts
 
 PARTS = {
-    "checks and messages": ("core/base/", "core/deck/", "core/setup/", "core/facade/", "core/bearing/", "core/user/", "core/dynamics/"),
+    "checks and messages": ("core/base/", "core/deck/", "core/setup/", "core/runs/", "core/design/", "core/bearing/", "core/user/", "core/dynamics/"),
     "listing and laws": ("core/listing/", "core/results/", "core/life/", "core/tribology/", "core/thermal/", "core/statics/", "core/scene/"),
-    "calculators and studies": ("core/calculators/", "core/studies/", "core/reference/", "core/drawing/"),
+    "calculators and studies": ("core/calculators/", "core/studies/", "core/validation/", "core/drawing/"),
     "command line": ("cli/",),
     "AdrInput": ("adrinput/",),
     "AdrPlot, AGORE": ("adrplot/", "agore/", "desktop/"),

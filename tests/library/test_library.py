@@ -25,11 +25,11 @@ class Installed(unittest.TestCase):
         cls.include = cls.prefix / "include" / "adore"
         cls.headers = sorted(str(h.relative_to(cls.include)) for h in cls.include.rglob("*.h*"))
 
-    def test_the_interface_is_the_facade_with_what_it_takes_and_returns(self):
+    def test_the_interface_is_runs_and_studies_with_what_they_take_and_return(self):
         rooms = {h.split("/")[0] for h in self.headers}
-        self.assertEqual(rooms, {"base", "bearing", "calculators", "deck", "facade", "results", "user"})
+        self.assertEqual(rooms, {"base", "bearing", "calculators", "deck", "results", "runs", "studies", "user"})
         # A header more or less is a change of the interface, in resources/docs/library.md and the changelog.
-        self.assertEqual(len(self.headers), 44)
+        self.assertEqual(len(self.headers), 45)
 
     def test_every_installed_header_compiles_alone(self):
         def compile_one(header):
@@ -58,7 +58,7 @@ class Installed(unittest.TestCase):
         names = subprocess.run(["nm", "-DC", "--defined-only", library], check=True, capture_output=True, text=True).stdout
         foreign = [line for line in names.splitlines() if "adore::" not in line]
         self.assertEqual(foreign, [])
-        self.assertIn("adore::facade::run(", names)
+        self.assertIn("adore::runs::run(", names)
         soname = subprocess.run(["objdump", "-p", library], check=True, capture_output=True, text=True).stdout
         version = re.search(r"project\(adore VERSION (\d+)\.(\d+)", (SOURCE / "CMakeLists.txt").read_text())
         # Before 1.0 the minor version plays the part of the major one.

@@ -11,10 +11,10 @@
 #include "deck/monitored_bodies.hpp"
 #include "deck/templates.hpp"
 #include "deck/unit_change.hpp"
-#include "facade/bearing_candidates.hpp"
-#include "facade/deck_request.hpp"
-#include "facade/deck_story.hpp"
-#include "facade/option_file.hpp"
+#include "design/bearing_candidates.hpp"
+#include "runs/deck_request.hpp"
+#include "runs/deck_story.hpp"
+#include "runs/option_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -117,13 +117,13 @@ void bind_deck(py::module_& module) {
       "candidates",
       [](const std::string& facts) {
         return dump_json(
-            facade::candidates_json(facade::find_candidates(facade::read_facts(facts, "facts"))));
+            design::candidates_json(design::find_candidates(design::read_facts(facts, "facts"))));
       },
       py::arg("facts"), "Internal geometries that agree with facts, JSON to JSON.");
   module.def(
       "candidates_text",
       [](const std::string& facts) {
-        return facade::candidates_text(facade::find_candidates(facade::read_facts(facts, "facts")));
+        return design::candidates_text(design::find_candidates(design::read_facts(facts, "facts")));
       },
       py::arg("facts"), "The same as a table.");
 
@@ -131,14 +131,14 @@ void bind_deck(py::module_& module) {
       .def_static(
           "read",
           [](const std::string& path) {
-            const std::filesystem::path file = facade::deck_path(std::filesystem::path(path));
+            const std::filesystem::path file = runs::deck_path(std::filesystem::path(path));
             deck::ReadResult read = deck::read_deck(file);
             if (!read.ok()) throw InputError(std::move(read.issues));
             std::string text = read_text_file(file);
-            const facade::OptionFile options = facade::usable_options_beside(file);
+            const runs::OptionFile options = runs::usable_options_beside(file);
             if (options.variables().empty())
               return DeckObject{read.deck, read.deck, std::move(text), std::move(read.issues)};
-            std::vector<Issue> issues = facade::set_extension(read.deck, options, file);
+            std::vector<Issue> issues = runs::set_extension(read.deck, options, file);
             if (!issues.empty()) throw InputError(std::move(issues));
             text = deck::with_deck(text, read.deck).text;
             return DeckObject{read.deck, read.deck, std::move(text), std::move(read.issues)};
@@ -163,9 +163,9 @@ void bind_deck(py::module_& module) {
       .def_static(
           "from_facts",
           [](const std::string& facts, int choose) {
-            const facade::CandidateReport report =
-                facade::find_candidates(facade::read_facts(facts, "facts"));
-            const deck::CatalogueBearing bearing = facade::chosen_candidate(report, choose);
+            const design::CandidateReport report =
+                design::find_candidates(design::read_facts(facts, "facts"));
+            const deck::CatalogueBearing bearing = design::chosen_candidate(report, choose);
             return from_text(deck::catalogue_deck(bearing), bearing.designation);
           },
           py::arg("facts"), py::arg("choose"), "The deck of a candidate of facts (JSON).")
@@ -257,7 +257,7 @@ void bind_deck(py::module_& module) {
           },
           py::arg("other"), "Differences between two decks, one line each.")
       .def(
-          "story", [](const DeckObject& self) { return facade::deck_story(self.deck); },
+          "story", [](const DeckObject& self) { return runs::deck_story(self.deck); },
           "Description of the deck and of its run, in a few lines.")
       .def("__eq__",
            [](const DeckObject& self, const DeckObject& other) { return self.deck == other.deck; });

@@ -2,7 +2,7 @@
 
 #include "base/json_text.hpp"
 #include "bindings.hpp"
-#include "facade/find.hpp"
+#include "design/find.hpp"
 #include "routines.hpp"
 
 #include <map>
@@ -14,14 +14,14 @@ namespace {
 struct Question {
   FindUnknown unknown;
   FindTarget target;
-  const facade::FindQuestion* named = nullptr;
+  const design::FindQuestion* named = nullptr;
 };
 
 Question question_of(const std::string& unknown, double first, double last,
                      const std::string& target, const std::string& question) {
   Question out;
   if (!question.empty()) {
-    const facade::AskedQuestion asked = facade::parse_question(question);
+    const design::AskedQuestion asked = design::parse_question(question);
     out = {asked.unknown, asked.target, asked.question};
   }
   if (!unknown.empty()) out.unknown.name = unknown;
@@ -44,7 +44,7 @@ void bind_find(py::module_& module) {
          const std::map<std::string, std::string>& options, const py::object& user,
          const std::string& unknown, double first, double last, const std::string& target,
          const std::string& question, int points) {
-        facade::FindRequest request;
+        design::FindRequest request;
         request.deck = name;
         request.text = text;
         request.in_memory = true;
@@ -57,9 +57,9 @@ void bind_find(py::module_& module) {
         request.unknown = asked.unknown;
         request.target = asked.target;
         request.points = points;
-        if (asked.named != nullptr) facade::add_sets(*asked.named, request);
+        if (asked.named != nullptr) design::add_sets(*asked.named, request);
         return to_tuple(interruptible(
-            [&](std::stop_token stop) { return facade::find_in_deck(request, std::move(stop)); }));
+            [&](std::stop_token stop) { return design::find_in_deck(request, std::move(stop)); }));
       },
       py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user"), py::arg("unknown"),
       py::arg("first"), py::arg("last"), py::arg("target"), py::arg("question"), py::arg("points"),
@@ -80,7 +80,7 @@ void bind_find(py::module_& module) {
       "find_questions",
       [] {
         py::list out;
-        for (const facade::FindQuestion& one : facade::find_questions())
+        for (const design::FindQuestion& one : design::find_questions())
           out.append(py::make_tuple(std::string(one.name), std::string(one.meaning)));
         return out;
       },
@@ -89,7 +89,7 @@ void bind_find(py::module_& module) {
       "find_results",
       [] {
         py::list out;
-        for (const facade::FindResultInfo& one : facade::find_results())
+        for (const design::FindResultInfo& one : design::find_results())
           out.append(py::make_tuple(one.id, one.unit, one.meaning));
         return out;
       },

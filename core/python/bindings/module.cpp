@@ -4,11 +4,11 @@
 #include "bindings.hpp"
 #include "calculators/calculator_description.hpp"
 #include "calculators/calculators.hpp"
-#include "facade/option_file.hpp"
-#include "facade/output_folder.hpp"
-#include "facade/reproducible.hpp"
 #include "results/run_findings.hpp"
 #include "routines.hpp"
+#include "runs/option_file.hpp"
+#include "runs/output_folder.hpp"
+#include "runs/reproducible.hpp"
 
 namespace adore::python {
 namespace {
@@ -23,7 +23,7 @@ void translate(std::exception_ptr error) {
   if (!error) return;
   try {
     std::rethrow_exception(error);
-  } catch (const facade::ResultsExist& e) {
+  } catch (const runs::ResultsExist& e) {
     raise("ResultsExistError", e.what(), e.issues());
   } catch (const InputError& e) {
     raise("InputError", e.what(), e.issues());
@@ -132,11 +132,11 @@ PYBIND11_MODULE(_core, module) {
       "run_options",
       [] {
         pybind11::list out;
-        for (const facade::RunOptionInfo& info : facade::run_options())
+        for (const runs::RunOptionInfo& info : runs::run_options())
           out.append(pybind11::make_tuple(info.name, info.default_value, info.meaning));
         return out;
       },
       "Name, default and meaning of every run option.");
-  module.def("require_reproducible", &facade::require_reproducible,
+  module.def("require_reproducible", &runs::require_reproducible,
              "All later runs of this process give bit-identical results on all x86-64 processors.");
 }

@@ -1,12 +1,12 @@
 #include "base/json_text.hpp"
 #include "bindings.hpp"
-#include "facade/check.hpp"
-#include "facade/equilibrium.hpp"
-#include "facade/plan.hpp"
-#include "facade/run.hpp"
-#include "facade/sweep.hpp"
 #include "results/h5_reader.hpp"
 #include "routines.hpp"
+#include "runs/check.hpp"
+#include "runs/equilibrium.hpp"
+#include "runs/plan.hpp"
+#include "runs/run.hpp"
+#include "studies/sweep.hpp"
 
 #include <map>
 
@@ -16,9 +16,9 @@ namespace {
 
 using Options = std::map<std::string, std::string>;
 
-facade::DeckRequest deck_request(const std::string& text, const std::string& name,
-                                 const Options& options, const py::object& user) {
-  facade::DeckRequest out;
+runs::DeckRequest deck_request(const std::string& text, const std::string& name,
+                               const Options& options, const py::object& user) {
+  runs::DeckRequest out;
   out.deck = name;
   out.text = text;
   out.in_memory = true;
@@ -30,15 +30,15 @@ facade::DeckRequest deck_request(const std::string& text, const std::string& nam
   return out;
 }
 
-const char* status_name(facade::RunStatus status) {
+const char* status_name(runs::RunStatus status) {
   switch (status) {
-    case facade::RunStatus::Interrupted:
+    case runs::RunStatus::Interrupted:
       return "interrupted";
-    case facade::RunStatus::Failed:
+    case runs::RunStatus::Failed:
       return "failed";
-    case facade::RunStatus::Untrusted:
+    case runs::RunStatus::Untrusted:
       return "untrusted";
-    case facade::RunStatus::Done:
+    case runs::RunStatus::Done:
       break;
   }
   return "done";
@@ -49,9 +49,9 @@ class ProgressDesk {
  public:
   explicit ProgressDesk(py::object callback) : callback_(std::move(callback)) {}
 
-  [[nodiscard]] facade::ProgressSink sink() {
+  [[nodiscard]] runs::ProgressSink sink() {
     if (callback_.is_none()) return {};
-    return [this](const facade::Progress& progress) {
+    return [this](const runs::Progress& progress) {
       const std::scoped_lock lock(mutex_);
       newest_ = progress;
     };
@@ -59,7 +59,7 @@ class ProgressDesk {
 
   /// With the interpreter's lock. A callback that returns False asks for an end.
   void deliver() {
-    std::optional<facade::Progress> progress;
+    std::optional<runs::Progress> progress;
     {
       const std::scoped_lock lock(mutex_);
       std::swap(progress, newest_);
@@ -74,7 +74,7 @@ class ProgressDesk {
  private:
   py::object callback_;
   std::mutex mutex_;
-  std::optional<facade::Progress> newest_;
+  std::optional<runs::Progress> newest_;
 };
 
 /// What Python raised while the work was under way: (exception or None, whether a callback asked
@@ -91,17 +91,16 @@ std::pair<py::object, bool> raised_of(const std::exception_ptr& raised) {
 }
 
 struct RunRecord {
-  facade::RunOutcome outcome;
+  runs::RunOutcome outcome;
   py::object raised = py::none();
 };
 
-facade::RunRequest run_request(const std::string& text, const std::string& name,
-                               const Options& options, const py::object& user,
-                               const std::string& out, const std::string& until,
-                               const std::string& integrator,
-                               const std::optional<double>& tolerance, bool go_on, bool overwrite) {
-  facade::RunRequest request;
-  static_cast<facade::DeckRequest&>(request) = deck_request(text, name, options, user);
+runs::RunRequest run_request(const std::string& text, const std::string& name,
+                             const Options& options, const py::object& user, const std::string& out,
+                             const std::string& until, const std::string& integrator,
+                             const std::optional<double>& tolerance, bool go_on, bool overwrite) {
+  runs::RunRequest request;
+  static_cast<runs::DeckRequest&>(request) = deck_request(text, name, options, user);
   request.out = out;
   request.until = until;
   request.integrator = integrator;
@@ -112,7 +111,7 @@ facade::RunRequest run_request(const std::string& text, const std::string& name,
 }
 
 void bind_run(py::module_& module) {
-  using facade::Progress;
+  using runs::Progress;
   py::class_<Progress>(module, "Progress", "Progress of a run for progress callbacks.")
       .def_readonly("fraction", &Progress::fraction,
                     "Completed fraction of the simulated time, 0 to 1.")
@@ -184,12 +183,12 @@ void bind_run(py::module_& module) {
          const py::object& user, const std::string& out, const std::string& until,
          const std::string& integrator, const std::optional<double>& tolerance, bool go_on,
          bool overwrite, const py::object& progress) {
-        const facade::RunRequest request = run_request(text, name, options, user, out, until,
-                                                       integrator, tolerance, go_on, overwrite);
+        const runs::RunRequest request = run_request(text, name, options, user, out, until,
+                                                     integrator, tolerance, go_on, overwrite);
         ProgressDesk desk(progress);
-        const facade::ProgressSink sink = desk.sink();
+        const runs::ProgressSink sink = desk.sink();
         auto done = in_background(
-            [&](std::stop_token stop) { return facade::run(request, sink, std::move(stop)); },
+            [&](std::stop_token stop) { return runs::run(request, sink, std::move(stop)); },
             [&] { desk.deliver(); });
         const auto [raised, stopped] = raised_of(done.raised);
         if (done.error) {
@@ -210,14 +209,14 @@ void bind_run(py::module_& module) {
          const std::string& range, const std::string& until, const std::string& integrator,
          const std::optional<double>& tolerance, bool go_on, bool overwrite, int threads,
          const py::object& progress) {
-        facade::RunRequest request = run_request(text, name, options, user, out, until, integrator,
-                                                 tolerance, go_on, overwrite);
+        runs::RunRequest request = run_request(text, name, options, user, out, until, integrator,
+                                               tolerance, go_on, overwrite);
         request.sets.emplace_back(variable, range);
         ProgressDesk desk(progress);
-        const facade::ProgressSink sink = desk.sink();
+        const runs::ProgressSink sink = desk.sink();
         auto done = in_background(
             [&](std::stop_token stop) {
-              return facade::run_sweep(request, threads, sink, std::move(stop));
+              return studies::run_sweep(request, threads, sink, std::move(stop));
             },
             [&] { desk.deliver(); });
         const auto [raised, stopped] = raised_of(done.raised);
@@ -240,23 +239,23 @@ void bind_work(py::module_& module) {
       "check",
       [](const std::string& text, const std::string& name, const Options& options,
          const py::object& user) {
-        const facade::DeckRequest request = deck_request(text, name, options, user);
+        const runs::DeckRequest request = deck_request(text, name, options, user);
         return interruptible(
-            [&](const std::stop_token& stop) { return facade::check(request, stop).issues; });
+            [&](const std::stop_token& stop) { return runs::check(request, stop).issues; });
       },
       py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user") = py::none(),
       "All findings about the text of a deck, optionally with user routines.");
   module.def(
       "options_beside",
-      [](const std::string& deck) { return facade::options_beside(facade::deck_path(deck)); },
+      [](const std::string& deck) { return runs::options_beside(runs::deck_path(deck)); },
       py::arg("deck"), "Run options of ADORE.json in the folder of a deck.");
   module.def(
       "plan",
       [](const std::string& text, const std::string& name, const Options& options,
          const py::object& user) {
-        const facade::DeckRequest request = deck_request(text, name, options, user);
-        const facade::PlanReport report = interruptible(
-            [&](std::stop_token stop) { return facade::plan(request, std::move(stop)); });
+        const runs::DeckRequest request = deck_request(text, name, options, user);
+        const runs::PlanReport report = interruptible(
+            [&](std::stop_token stop) { return runs::plan(request, std::move(stop)); });
         return py::make_tuple(report.text, dump_json(report.json), report.remarks);
       },
       py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user"),
@@ -265,9 +264,9 @@ void bind_work(py::module_& module) {
       "equilibrium",
       [](const std::string& text, const std::string& name, const Options& options,
          const py::object& user) {
-        const facade::DeckRequest request = deck_request(text, name, options, user);
-        facade::Equilibrium solution = interruptible([&](std::stop_token stop) {
-          return facade::solve_equilibrium(request, std::move(stop));
+        const runs::DeckRequest request = deck_request(text, name, options, user);
+        runs::Equilibrium solution = interruptible([&](std::stop_token stop) {
+          return runs::solve_equilibrium(request, std::move(stop));
         });
         py::dict tables;
         for (results::StaticTable& table : solution.tables.tables) {

@@ -6,9 +6,9 @@
 //   cmake --build out/example && out/example/bearing_speeds out/run
 #include <adore/base/errors.hpp>
 #include <adore/deck/templates.hpp>
-#include <adore/facade/equilibrium.hpp>
-#include <adore/facade/run.hpp>
 #include <adore/results/h5_reader.hpp>
+#include <adore/runs/equilibrium.hpp>
+#include <adore/runs/run.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <string>
@@ -16,9 +16,9 @@
 
 namespace {
 
-// A deck that this program holds; adore::facade::DeckRequest also takes the path of a file.
-adore::facade::DeckRequest example(const std::string& rpm) {
-  adore::facade::DeckRequest request;
+// A deck that this program holds; adore::runs::DeckRequest also takes the path of a file.
+adore::runs::DeckRequest example(const std::string& rpm) {
+  adore::runs::DeckRequest request;
   request.deck = "ball";  // what messages call it
   request.text = std::string(adore::deck::template_text("ball"));
   request.in_memory = true;
@@ -28,21 +28,21 @@ adore::facade::DeckRequest example(const std::string& rpm) {
 
 int study(const std::string& folder) {
   for (const char* rpm : {"1000", "10000", "20000"}) {
-    const adore::facade::Equilibrium solution = adore::facade::solve_equilibrium(example(rpm));
+    const adore::runs::Equilibrium solution = adore::runs::solve_equilibrium(example(rpm));
     std::printf("%5s rpm: axial stiffness %.4g N/m, displacement %.4g m\n", rpm,
                 solution.stiffness[0][0], solution.displacement[0]);
   }
 
-  adore::facade::RunRequest run;
-  static_cast<adore::facade::DeckRequest&>(run) = example("20000");
+  adore::runs::RunRequest run;
+  static_cast<adore::runs::DeckRequest&>(run) = example("20000");
   run.out = folder;
   run.until = "0.1rev";
   run.overwrite = true;
-  const adore::facade::RunOutcome outcome =
-      adore::facade::run(run, [](const adore::facade::Progress& at) {
+  const adore::runs::RunOutcome outcome =
+      adore::runs::run(run, [](const adore::runs::Progress& at) {
         std::fprintf(stderr, "%3.0f %%\n", 100.0 * at.fraction);
       });
-  if (outcome.status != adore::facade::RunStatus::Done) {
+  if (outcome.status != adore::runs::RunStatus::Done) {
     std::fprintf(stderr, "%s\n", outcome.message.c_str());
     return 3;
   }

@@ -63,7 +63,7 @@ TEST_CASE("JSON: foreign files → parsed in one place", "[unit][json]") {
                                   "core/tribology/lubricant.cpp",
                                   "core/tribology/lubricant_range.cpp",
                                   "core/life/constants.cpp",
-                                  "core/facade/option_file.cpp"};
+                                  "core/runs/option_file.cpp"};
   namespace fs = std::filesystem;
   const fs::path root = adore::test::source_dir();
   for (const char* folder : {"core", "cli", "desktop", "adrinput", "adrplot", "agore"})

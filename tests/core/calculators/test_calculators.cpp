@@ -93,7 +93,7 @@ TEST_CASE("calculators: any value of any number → results with units, or an er
 
 TEST_CASE("calculator adapters: every integer is read with its range", "[unit][calc]") {
   int seen = 0;
-  for (const char* folder : {"core/calculators", "core/reference"})
+  for (const char* folder : {"core/calculators", "core/validation"})
     for (const auto& entry :
          std::filesystem::directory_iterator(adore::test::source_dir() / folder)) {
       if (entry.path().extension() != ".cpp") continue;

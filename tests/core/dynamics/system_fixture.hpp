@@ -6,8 +6,8 @@
 #include "contact/groove.hpp"
 #include "contact/make_angle_law.hpp"
 #include "dynamics/system.hpp"
-#include "facade/system_ode.hpp"
 #include "integrators/stepper.hpp"
+#include "runs/system_ode.hpp"
 #include "statics/ball_statics.hpp"
 
 #include <cmath>
@@ -119,7 +119,7 @@ inline dynamics::System make_system(const bearing::Bearing& b, const scene::Scen
 }
 
 /// The system as a stepper sees it.
-using Adapter = facade::SystemOde;
+using Adapter = runs::SystemOde;
 
 struct RunResult {
   std::vector<double> y;

@@ -1,4 +1,4 @@
-#include "core/facade/deck_runs.hpp"
+#include "core/runs/deck_runs.hpp"
 #include "deck/templates.hpp"
 #include "results/channels.hpp"
 #include "results/h5_reader.hpp"

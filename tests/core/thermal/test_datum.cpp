@@ -1,8 +1,8 @@
 #include "bearing/material_laws.hpp"
 #include "contact/groove.hpp"
 #include "deck/templates.hpp"
-#include "facade/prepare.hpp"
 #include "results/results_h5.hpp"
+#include "runs/prepare.hpp"
 #include "setup/build_bearing.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/roller_model.hpp"
@@ -217,14 +217,14 @@ TEST_CASE("datum: RESULTS.h5 has the race centers at zero displacement", "[unit]
 
 TEST_CASE("datum: dynamic run → held races carry the warm preload", "[physics][datum]") {
   const auto axial = [](const char* mode, const char* inner) {
-    facade::DeckRequest request;
+    runs::DeckRequest request;
     request.deck = adore::test::source_dir() / "resources/decks/ball.txt";
     request.sets = {{"mode", mode},       {"rpm2", "1000.0"}, {"appLoadZ", "0.0"},
                     {"kFS1", "1"},        {"kFS3", "1"},      {"appDispX", "5.0307e-6"},
                     {"raceTemp2", inner}, {"shftTemp", inner}};
-    const facade::Prepared p = facade::prepare(request);
+    const runs::Prepared p = runs::prepare(request);
     if (!p.control.dynamic) return p.statics.load[0];
-    dynamics::System system = facade::make_system(p);
+    dynamics::System system = runs::make_system(p);
     const scene::Snapshot now = system.snapshot(0.0, system.initial_state());
     // Traction, which the statics leave out, carries up to a few parts in a thousand.
     CHECK(now.races[1].applied_force.x() == Approx(p.start.load[0]).epsilon(5e-3));

@@ -1,0 +1,111 @@
+#include "design/calculator_inputs.hpp"
+
+#include "bearing/material.hpp"
+#include "contact/groove.hpp"
+#include "contact/roller_shape.hpp"
+#include "statics/contact_films.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace adore::design {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr std::array<const char*, 2> kRaces{"outer race", "inner race"};
+
+Json film_of_ball(const runs::Prepared& p, const statics::LubricantFilms& films, std::size_t k,
+                  std::size_t j) {
+  const statics::StaticBall& ball = p.statics.balls[k];
+  if (!(ball.Q[j] > 0.0)) return nullptr;
+  const double rolling =
+      contact::race_curvature(p.bearing.balls(), static_cast<int>(j), std::abs(ball.alpha[j]))
+          .along_minor;
+  return {{"kind", "hamrock_dowson_hard_ehl"},
+          {"inputs",
+           {{"formula", "hamrockDowson"},
+            {"mu0", films.viscosity[j]},
+            {"alpha", films.alpha[j]},
+            {"u", films.race[j][k].speed},
+            {"Eprime", 2.0 * bearing::contact_modulus(p.bearing.element_material,
+                                                      p.bearing.race_material[j])},
+            {"Rx", 1.0 / rolling},
+            {"load", ball.Q[j]},
+            {"k", ball.a[j] / ball.b[j]}}}};
+}
+
+Json film_of_roller(const runs::Prepared& p, const statics::LubricantFilms& films, std::size_t k,
+                    std::size_t j) {
+  const statics::RollerRaceContact& at = p.rollers->rollers[k].race[j];
+  if (!(at.load > 0.0 && at.length > 0.0)) return nullptr;
+  const bearing::RollerGeometry& g = *p.bearing.rollers();
+  const double rolling = contact::roller_race_curvature(
+                             g, contact::roller_profile(g, g.deviation_of(static_cast<int>(k))),
+                             static_cast<int>(j), g.race_profile_radius(static_cast<int>(j)))
+                             .rolling;
+  Json inputs{{"mu0", films.viscosity[j]},
+              {"alpha", films.alpha[j]},
+              {"u", films.race[j][k].speed},
+              {"Eprime", 2.0 * bearing::contact_modulus(p.bearing.element_material,
+                                                        p.bearing.race_material[j])}};
+  if (at.slice_load.empty()) {
+    inputs["formula"] = "hamrockDowson";
+    inputs["Rx"] = 1.0 / rolling;
+    inputs["load"] = at.load;
+    inputs["k"] = at.half_width > 0.0 ? 0.5 * at.length / at.half_width : 1.0;
+    return {{"kind", "hamrock_dowson_hard_ehl"}, {"inputs", inputs}};
+  }
+  inputs["formula"] = "line";
+  inputs["R"] = 1.0 / rolling;
+  inputs["loadPerLength"] = at.load / at.length;
+  return {{"kind", "line_contact_load_per"}, {"inputs", inputs}};
+}
+
+Json hertz_of_ball(const runs::Prepared& p, std::size_t k, std::size_t j) {
+  const statics::StaticBall& ball = p.statics.balls[k];
+  if (!(ball.Q[j] > 0.0)) return nullptr;
+  const double radius = 0.5 * p.bearing.balls().diameter;
+  const auto sum =
+      contact::race_curvature(p.bearing.balls(), static_cast<int>(j), std::abs(ball.alpha[j]));
+  const auto body = [](const bearing::Material& m, double Rx, double Ry) {
+    return Json{{"Rx", Rx}, {"Ry", Ry}, {"E", m.elastic_modulus}, {"nu", m.poisson_ratio}};
+  };
+  return {{"body1", body(p.bearing.element_material, radius, radius)},
+          {"body2", body(p.bearing.race_material[j], 1.0 / (sum.along_minor - 1.0 / radius),
+                         1.0 / (sum.along_major - 1.0 / radius))},
+          {"load", ball.Q[j]},
+          {"stress_poisson", p.bearing.race_material[j].poisson_ratio}};
+}
+
+}  // namespace
+
+Json calculator_inputs(const runs::Prepared& p, const std::string& calculator, int element) {
+  const int count = p.bearing.element_count();
+  if (element < 1 || element > count)
+    throw InputError(
+        fmt::format("there is no element {}; the bearing has elements 1 to {}", element, count));
+  const auto k = static_cast<std::size_t>(element) - 1;
+  Json out = Json::object();
+  if (calculator == "film") {
+    if (!p.bearing.lubrication)
+      throw InputError(
+          "the deck has no lubricant between elements and races; set kTrac to a lubricant");
+    const statics::LubricantFilms films = p.rollers ? statics::contact_films(p.bearing, *p.rollers)
+                                                    : statics::contact_films(p.bearing, p.statics);
+    for (std::size_t j = 0; j < 2; ++j)
+      out[kRaces[j]] = p.rollers ? film_of_roller(p, films, k, j) : film_of_ball(p, films, k, j);
+    return out;
+  }
+  if (calculator != "hertz")
+    throw InputError(
+        fmt::format("calculator {} does not take a deck; film and hertz do", calculator));
+  if (p.rollers)
+    throw InputError("calculator hertz takes a deck with balls; rollers have no single ellipse");
+  for (std::size_t j = 0; j < 2; ++j) out[kRaces[j]] = hertz_of_ball(p, k, j);
+  return out;
+}
+
+}  // namespace adore::design

@@ -1,0 +1,116 @@
+#include "runs/cage_state.hpp"
+
+#include "base/counted.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace adore::runs {
+
+CageState::CageState(const bearing::Bearing& bearing, double unit_length)
+    : cage_(bearing.cage.has_value()) {
+  if (!cage_) return;
+  const results::CageScale scale = results::cage_scale(*bearing.cage, unit_length);
+  scale_ = scale.length;
+  of_ = scale.of;
+}
+
+void CageState::follow(const dynamics::StateLayout& layout) {
+  if (!cage_) return;
+  for (const dynamics::StateLayout::Group& group : layout.groups()) {
+    if (!group.name.starts_with("cage")) continue;
+    if (group.name.ends_with(".position")) {
+      ++pieces_;
+      position_ = group.slice.first;
+    } else if (group.name.ends_with(".velocity")) {
+      velocity_ = group.slice.first;
+    } else if (group.name.ends_with(".omega")) {
+      omega_ = group.slice.first;
+    }
+  }
+}
+
+void CageState::look(double time, std::span<const double> y) {
+  if (pieces_ != 1 || velocity_ < 0 || omega_ < 0) return;
+  if (seen_++ % every_ != 0) return;
+  if (instants_.size() == kMostInstants) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < instants_.size(); i += 2, ++kept) {
+      instants_[kept] = instants_[i];
+      times_[kept] = times_[i];
+    }
+    instants_.resize(kept);
+    times_.resize(kept);
+    every_ *= 2;
+  }
+  const auto at = [&](int first, int axis) { return y[static_cast<std::size_t>(first + axis)]; };
+  times_.push_back(time);
+  instants_.push_back({at(position_, 1) / scale_, at(position_, 2) / scale_,
+                       at(velocity_, 1) / scale_, at(velocity_, 2) / scale_, at(omega_, 0)});
+}
+
+std::optional<Finding> CageState::finding() const {
+  if (!cage_ || pieces_ == 0) return std::nullopt;
+  if (pieces_ > 1)
+    return make_finding("cage.not_judged",
+                        "State of the cage: not judged, because its segments have no common center")
+        .of("cage");
+  std::size_t first = 0;
+  if (!times_.empty()) {
+    const double middle = 0.5 * (times_.front() + times_.back());
+    while (first < times_.size() && times_[first] < middle) ++first;
+  }
+  const std::vector<results::CageInstant> late(instants_.begin() + static_cast<long>(first),
+                                               instants_.end());
+  double turned = 0.0;
+  for (std::size_t i = first + 1; i < instants_.size(); ++i)
+    turned += 0.5 * (instants_[i].omega + instants_[i - 1].omega) * (times_[i] - times_[i - 1]);
+  const double turns = std::abs(turned) / (2.0 * std::numbers::pi);
+  if (turns < kLeastTurns)
+    return make_finding(
+               "cage.not_judged",
+               fmt::format("State of the cage: not judged, because the second half of the run "
+                           "covers {} of the cage. Simulate at least {:.3g} times as long",
+                           counted(fmt::format("{:.3g}", turns), "revolution"),
+                           turns > 0.0 ? std::ceil(kLeastTurns / turns) : 2.0))
+        .measure(turns)
+        .of("cage");
+  const results::Whirl whirl = results::judge_whirl(late);
+  const double scatter = std::abs(whirl.deviation / whirl.ratio);
+  const std::string orbit =
+      fmt::format("The orbit of its center is {:.3g} times the clearance ({})", whirl.orbit,
+                  results::name_of(of_));
+  const std::string span = fmt::format("Evaluated over the last {} of the cage",
+                                       counted(fmt::format("{:.3g}", turns), "revolution"));
+  switch (whirl.of) {
+    case results::WhirlClass::Resting:
+      return make_finding(
+                 "cage.centered",
+                 fmt::format("State of the cage: centered. {}, below the limit of {:g}. {}", orbit,
+                             results::kRestingOrbit, span))
+          .measure(whirl.orbit, results::kRestingOrbit)
+          .of("cage");
+    case results::WhirlClass::Whirling:
+      return make_finding("cage.whirling",
+                          fmt::format("State of the cage: whirling at {:.3g} times the cage speed. "
+                                      "{}, above the limit of {:g}. The relative scatter of the "
+                                      "whirl speed is {:.3g}, below the limit of {:g}. {}",
+                                      whirl.ratio, orbit, results::kRestingOrbit, scatter,
+                                      results::kSteadyDeviation, span))
+          .measure(whirl.orbit, results::kRestingOrbit)
+          .of("cage");
+    case results::WhirlClass::Irregular:
+      break;
+  }
+  return make_finding(
+             "cage.unstable",
+             fmt::format("State of the cage: unstable. {}, above the limit of {:g}. The relative "
+                         "scatter of the whirl speed is {:.3g}, above the limit of {:g}. {}",
+                         orbit, results::kRestingOrbit, scatter, results::kSteadyDeviation, span))
+      .measure(scatter, results::kSteadyDeviation)
+      .of("cage");
+}
+
+}  // namespace adore::runs

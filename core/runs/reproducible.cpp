@@ -1,0 +1,23 @@
+#include "runs/reproducible.hpp"
+
+#include "base/arithmetic.hpp"
+#include "base/errors.hpp"
+#include "dynamics/race_contacts.hpp"
+
+#include <cstdlib>
+#include <string_view>
+
+namespace adore::runs {
+
+void require_reproducible() {
+  if (!portable_math_functions())
+    throw InputError(
+        "--reproducible: this program was built with the math functions of the C library, which "
+        "differ between processors; build it where musl is installed (Debian: musl-dev)");
+  ::setenv("ADORE_ISA", "baseline", 1);
+  // The kernel is chosen once, at its first use.
+  if (std::string_view(dynamics::race_contact_instruction_set()) != "baseline")
+    throw InputError("--reproducible was set after a run of this process; start a new process");
+}
+
+}  // namespace adore::runs
