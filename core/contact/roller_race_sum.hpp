@@ -9,6 +9,7 @@
 #include "contact/slice_law.hpp"
 #include "contact/triple.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 
@@ -85,6 +86,27 @@ template <class T>
   sum.moment = sum.moment + cross(c.arm, f);
 }
 
+/// Upper bound of the depth of slices about C on cones and crowned cones, B0 + B1 s + B2 s² + ρ:
+/// that of surely_open (roller_race.hpp), with √(y² + z²) <= z + y²/(2 z).
+struct DepthBound {
+  double constant, slope, square;
+  [[gnu::always_inline]] DepthBound(const RaceSlices& slices, const RollerPose& at) {
+    const RaceSurface& race = slices.race;
+    const double sigma = race.sigma();
+    const double reach = -slices.end[0] > slices.end[1] ? -slices.end[0] : slices.end[1];
+    const SliceAxes& axes = at.axes;
+    constant = sigma * ((at.r - race.radius) * race.cos_angle + at.x * race.sin_angle);
+    slope = sigma * (axes.a.z * race.cos_angle + axes.a.x * race.sin_angle);
+    square = race.side != 0 ? 0.0
+                            : race.cos_angle * axes.a.y * axes.a.y /
+                                  (2.0 * (at.r - std::abs(axes.a.z) * reach));
+  }
+  template <class T>
+  [[gnu::always_inline]] T operator()(const T& s, const T& radius) const {
+    return constant + s * (slope + s * square) + radius;
+  }
+};
+
 /// How vectors are read from memory and summed over lanes: for double, and in roller_race_simd.hpp
 /// for vectors.
 template <class T>
@@ -115,9 +137,12 @@ template <class T, class Traction, class Slope = std::nullptr_t>
   const RaceSurface& surface = slices.race;
   RollerRaceSums<T> sum;
   LandEdge<T> edge;
+  const bool bounded = surface.shape != RaceSurface::Shape::Groove;
+  const DepthBound most(slices, at);
   for (std::size_t k = 0; k < slices.count; k += Lanes::kSize) {
     const T s = Lanes::read(slices.s + k);
     const T radius = Lanes::read(slices.radius + k);
+    if (bounded && !M::any(most(s, radius) > 0.0)) continue;
     T width = Lanes::read(slices.width + k);
     const SliceDeepest<T> d = deepest_on_slice(surface, at.axes, at.x, at.r, s, radius);
     if (!M::any(d.at.depth > 0.0)) continue;
