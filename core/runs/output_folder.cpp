@@ -65,7 +65,7 @@ std::string whoami() {
 }
 
 /// The default file names, those of this run, and those that the earlier run lists.
-std::set<std::string> studies::candidates(const Outputs& outputs) {
+std::set<std::string> candidates(const Outputs& outputs) {
   std::set<std::string> out(outputs.names.begin(), outputs.names.end());
   out.insert(std::begin(kDefaultNames), std::end(kDefaultNames));
   const auto add = [&](const std::string& name) {
@@ -95,7 +95,7 @@ std::set<std::string> studies::candidates(const Outputs& outputs) {
 /// Results of an earlier run in the folder.
 std::vector<std::string> earlier_results(const Outputs& outputs) {
   std::vector<std::string> out;
-  for (const std::string& name : studies::candidates(outputs)) {
+  for (const std::string& name : candidates(outputs)) {
     std::error_code error;
     if (!fs::is_symlink(outputs.folder / name, error) && is_own_file(outputs.folder / name))
       out.push_back(name);
@@ -191,7 +191,7 @@ ResultsExist::ResultsExist(const fs::path& folder, const std::vector<std::string
     : InputError(fmt::format(
           "{}: the folder contains results of an earlier run ({}); continue that run with "
           "--continue, replace its results with --overwrite, or choose another folder with --out",
-          folder.string(), studies::joined(names))) {}
+          folder.string(), joined(names))) {}
 
 void check_names(const Outputs& outputs) {
   std::vector<Issue> issues;

@@ -145,7 +145,7 @@ integrators::EvalStatus Motion::rhs(double t, const double* y, double* dydt) noe
 }
 
 Solution Motion::solve(const Problem& problem, std::span<const double> times) {
-  Solution solution = solve(problem, times);
+  Solution solution = validation::solve(problem, times);
   stepper_ = problem.stepper;
   work_.add(solution.work);
   return solution;
