@@ -139,16 +139,12 @@ template <class T, class Traction, class Slope = std::nullptr_t>
   LandEdge<T> edge;
   const bool bounded = surface.shape != RaceSurface::Shape::Groove;
   const DepthBound most(slices, at);
-  TurnAlongRoller<T> turn;
   for (std::size_t k = 0; k < slices.count; k += Lanes::kSize) {
     const T s = Lanes::read(slices.s + k);
     const T radius = Lanes::read(slices.radius + k);
-    if (bounded && !M::any(most(s, radius) > 0.0)) {
-      turn.skip();
-      continue;
-    }
+    if (bounded && !M::any(most(s, radius) > 0.0)) continue;
     T width = Lanes::read(slices.width + k);
-    const SliceDeepest<T> d = deepest_on_slice(surface, at.axes, at.x, at.r, s, radius, turn);
+    const SliceDeepest<T> d = deepest_on_slice(surface, at.axes, at.x, at.r, s, radius);
     if (!M::any(d.at.depth > 0.0)) continue;
     [[maybe_unused]] T widens = 0.0;
     const T delta = M::max(d.at.depth, T(0.0));

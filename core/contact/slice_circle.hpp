@@ -116,35 +116,13 @@ template <class T>
   return axes.a.y * (s - r_c * (g * ax + az)) / (r_c * (ax - g * az) - q);
 }
 
-/// tan χ to start from at vectors of slices in sequence along a roller: χ changes evenly from one
-/// to the next, so that the third and later ones are extrapolated.
-template <class T>
-struct TurnAlongRoller {
-  T last = 0.0, found = 0.0;
-  int known = 0;
-
-  [[gnu::always_inline]] T start(const RaceSurface& race, const SliceAxes& axes, double x, double r,
-                                 const T& s, const T& radius) const {
-    if (axes.a.y == 0.0) return T(0.0);
-    if (known >= 2) return 2.0 * found - last;
-    return start_of_turn(race, axes, x, r, s, radius);
-  }
-  [[gnu::always_inline]] void keep(const T& tan_chi) {
-    last = found;
-    found = tan_chi;
-    ++known;
-  }
-  /// A vector is left out.
-  [[gnu::always_inline]] void skip() { known = 0; }
-};
-
-/// Newton from tan χ, which becomes that of the deepest point.
+/// Newton from start_of_turn().
 /// @param x, r place of C along and from the race axis [m]
 template <class T>
-[[gnu::always_inline]] inline SliceDeepest<T> deepest_from(const RaceSurface& race,
-                                                           const SliceAxes& axes, double x,
-                                                           double r, const T& s, const T& radius,
-                                                           T& tan_chi) {
+[[gnu::always_inline]] inline SliceDeepest<T> deepest_on_slice(const RaceSurface& race,
+                                                               const SliceAxes& axes, double x,
+                                                               double r, const T& s,
+                                                               const T& radius) {
   using M = ScalarMath<T>;
   const double sigma = race.sigma();
   // The last turn is applied to first order, to the depth to second order: errors of 1e-12 of the
@@ -154,6 +132,7 @@ template <class T>
   d.s = s;
   d.radius = radius;
   const Triple<T> middle{x + s * axes.a.x, s * axes.a.y, r + s * axes.a.z};
+  T tan_chi = axes.a.y == 0.0 ? T(0.0) : start_of_turn(race, axes, x, r, s, radius);
   for (int pass = 0; pass < 6; ++pass) {
     const T cosine = sigma * M::inverse_sqrt(1.0 + tan_chi * tan_chi);
     const T sine = tan_chi * cosine;
@@ -168,7 +147,6 @@ template <class T>
     const T m = radius * d.at.A_meridian * d.meridian;
     const T slope = dot(d.at.n, d.w);
     const T turn = slope / (dot(d.at.n, d.u) - h * d.hoop - m * d.meridian);
-    tan_chi += (1.0 + tan_chi * tan_chi) * turn;
     if (!M::any(M::abs(turn) >= kSmallTurn)) {
       const Triple<T> u = d.u;
       d.u = u + turn * d.w;
@@ -178,30 +156,9 @@ template <class T>
       d.at.n = d.at.n + turn * h * d.at.hoop + turn * m * d.at.meridian;
       return d;
     }
+    tan_chi += (1.0 + tan_chi * tan_chi) * turn;
   }
   return d;
-}
-
-/// The next vector of slices along a roller.
-template <class T>
-[[gnu::always_inline]] inline SliceDeepest<T> deepest_on_slice(const RaceSurface& race,
-                                                               const SliceAxes& axes, double x,
-                                                               double r, const T& s,
-                                                               const T& radius,
-                                                               TurnAlongRoller<T>& turn) {
-  T tan_chi = turn.start(race, axes, x, r, s, radius);
-  const SliceDeepest<T> d = deepest_from(race, axes, x, r, s, radius, tan_chi);
-  turn.keep(tan_chi);
-  return d;
-}
-/// One slice, or one vector.
-template <class T>
-[[gnu::always_inline]] inline SliceDeepest<T> deepest_on_slice(const RaceSurface& race,
-                                                               const SliceAxes& axes, double x,
-                                                               double r, const T& s,
-                                                               const T& radius) {
-  TurnAlongRoller<T> turn;
-  return deepest_on_slice(race, axes, x, r, s, radius, turn);
 }
 
 /// The meridian frame of a point off the race axis: base = race axes.

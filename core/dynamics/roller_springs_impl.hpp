@@ -22,12 +22,10 @@ inline void sum_springs(const contact::RaceSlices& slices, const statics::SliceT
   const contact::RaceSurface& surface = slices.race;
   statics::SliceSums<V> sums;
   statics::EdgeSums<V> edges;
-  contact::TurnAlongRoller<V> turn;
   for (std::size_t k = 0; k < slices.count; k += Lanes::kSize) {
     const V s = Lanes::read(slices.s + k), radius = Lanes::read(slices.radius + k);
     V width = Lanes::read(slices.width + k);
-    const contact::SliceDeepest<V> d =
-        contact::deepest_on_slice(surface, axes, x, r, s, radius, turn);
+    const contact::SliceDeepest<V> d = contact::deepest_on_slice(surface, axes, x, r, s, radius);
     if (!M::any(d.at.depth > 0.0)) continue;
     V narrows = 0.0;  // change of the width over the land coordinate
     if (slices.limited) {

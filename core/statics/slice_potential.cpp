@@ -50,7 +50,6 @@ void add_slices(const SliceSet& set, const Vec4& p, PairPotential& sum,
   const SliceTurns axes = slice_turns(p(2), p(3));
   SliceSums<Lanes> sums;
   EdgeSums<double> edges;
-  contact::TurnAlongRoller<Lanes> turn;
   for (std::size_t first = 0; first < set.slices.size(); first += kLanes) {
     const std::size_t count = std::min(kLanes, set.slices.size() - first);
     const auto slice = [&](std::size_t lane) -> const contact::RollerSlice& {
@@ -58,8 +57,7 @@ void add_slices(const SliceSet& set, const Vec4& p, PairPotential& sum,
     };
     const Lanes s([&](auto lane) { return slice(lane).s; });
     const Lanes radius([&](auto lane) { return slice(lane).radius; });
-    const SliceDeepest<Lanes> d =
-        contact::deepest_on_slice(set.race, axes, p(0), p(1), s, radius, turn);
+    const SliceDeepest<Lanes> d = contact::deepest_on_slice(set.race, axes, p(0), p(1), s, radius);
     std::array<contact::LandWidth, kLanes> land;
     std::array<contact::SliceLoad, kLanes> q;
     bool loaded = false;
