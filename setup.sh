@@ -23,6 +23,7 @@ packages=(
   # desktop apps and pictures; Qt Charts' CMake files also ask for OpenGL and xkbcommon
   qt6-base-dev qt6-charts-dev libqt6opengl6-dev libgl1-mesa-dev libxkbcommon-dev fontconfig fonts-dejavu-core
   ffmpeg  # movies as MP4
+  libjs-three  # pages with the 3D scene
   # the Python module; venv, setuptools and wheel for pip install ./core/python
   pybind11-dev python3-dev python3-numpy python3-pandas python3-venv python3-setuptools python3-wheel
   # tests and benchmarks
@@ -35,6 +36,7 @@ packages=(
   slurm-wlm munge        # a cluster of one node (tests/slurm)
   python3-h5py           # tables of studies (tests/cli/open_tables.py)
   codespell              # spelling (tests/language)
+  chromium               # pages with the 3D scene
 )
 [ "${1:-}" = --docs ] && packages+=(
   python3-sphinx python3-myst-parser doxygen  # the documentation site, ./docs.sh

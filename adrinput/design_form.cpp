@@ -61,7 +61,8 @@ DesignForm::DesignForm(Document& document, QWidget* parent)
       document_(document),
       bearing_(new QLineEdit(this)),
       facts_(new QLabel(this)),
-      oil_(new QComboBox(this)),
+      oil_row_(new QWidget(this)),
+      oil_(new QComboBox(oil_row_)),
       grid_(new QGridLayout),
       pause_(new QTimer(this)) {
   setObjectName("design-form");
@@ -97,6 +98,12 @@ DesignForm::DesignForm(Document& document, QWidget* parent)
   desktop::name_box(*oil_, tr("Oil"));
   oil_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   oil_->setMinimumContentsLength(9);
+  oil_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  auto* oils = new QHBoxLayout(oil_row_);
+  oils->setContentsMargins(0, 0, 0, 0);
+  auto* oil_name = new QLabel(tr("Oil"), oil_row_);
+  oils->addWidget(oil_name);
+  oils->addWidget(oil_, 1);
   oil_->setFocusPolicy(Qt::StrongFocus);
   new WheelGuard(oil_);
   connect(oil_, &QComboBox::activated, this, [this](int index) {
@@ -193,22 +200,21 @@ void DesignForm::rebuild() {
   std::string group;
   QWidget* last = bearing_;
   const auto next = [&](QWidget* field) { setTabOrder(std::exchange(last, field), field); };
-  const auto title = [&](const QString& text, bool bold) {
+  const auto title = [&](const QString& text) {
     auto* label = new QLabel(text, this);
     label->setObjectName("design-group");
-    if (bold) label->setFont(desktop::ui_font(12, true));
+    label->setFont(desktop::ui_font(12, true));
     label->show();
     return label;
   };
   for (const Field& field : fields_) {
     if (field.input.group != group) {
       if (!group.empty()) {  // the oil ends the operation
-        grid_->addWidget(title(tr("Oil"), false), row, 0);
-        grid_->addWidget(oil_, row++, 1, 1, 2);
+        grid_->addWidget(oil_row_, row++, 0, 1, 3);
         next(oil_);
       }
       group = field.input.group;
-      grid_->addWidget(title(text_of(group), true), row++, 0, 1, 3);
+      grid_->addWidget(title(text_of(group)), row++, 0, 1, 3);
     }
     field.name->setText(text_of(field.input.label));
     field.unit->setText(text_of(field.input.unit));
@@ -254,15 +260,15 @@ void DesignForm::sync() {
 
 void DesignForm::fillOils() {
   const std::vector<design::DesignOil> oils = design::design_oils(document_.deck());
-  const auto now = design::design_oil_of(document_.deck(), document_.options());
+  const auto now = design::design_oil_of(document_.deck());
   const int count = static_cast<int>(oils.size()) + (now ? 0 : 1);
   if (oil_->count() != count) {
     oil_->clear();
     for (const design::DesignOil& one : oils) oil_->addItem(text_of(one.name));
-    if (!now) oil_->addItem(tr("as in records 10.0 to 10.4"));
+    if (!now) oil_->addItem(tr("as in the records"));
   }
   oil_->setCurrentIndex(now ? static_cast<int>(*now) : count - 1);
-  oil_->setToolTip(oil_->currentText());
+  oil_->setToolTip(now ? oil_->currentText() : tr("Records 10.0 to 10.4 and X2"));
 }
 
 /// The designation if the deck still has the main dimensions of the catalog.

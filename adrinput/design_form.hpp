@@ -59,6 +59,7 @@ class DesignForm : public QWidget {
   Document& document_;
   QLineEdit* bearing_;
   QLabel* facts_;
+  QWidget* oil_row_;
   QComboBox* oil_;
   QGridLayout* grid_;
   std::vector<Field> fields_;

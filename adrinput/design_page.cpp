@@ -45,6 +45,16 @@ QScrollArea* scrolled(QWidget* widget, const QString& name) {
   return area;
 }
 
+/// Short titles and no note: the pane is narrow.
+desktop::ChartPage narrow_page(desktop::ChartPage page) {
+  if (!page.equal_axes) return page;
+  page.note.clear();
+  page.x_title = page.x_title.substr(0, page.x_title.find(' '));
+  for (desktop::ChartPanel& panel : page.panels)
+    panel.title = panel.title.substr(0, panel.title.find(' '));
+  return page;
+}
+
 /// The drawing of an incomplete deck, or the reason why there is none.
 drawing::Drawing section_of(const deck::Deck& deck) {
   try {
@@ -86,7 +96,9 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
     showFindings();
     if (!failure.isEmpty() || !card_->summary()) return;
     const auto pages = desktop::static_pages(card_->summary()->tables);
-    if (!pages.empty()) loads_->showPage(pages.front());
+    if (pages.empty()) return;
+    loads_->showPage(narrow_page(pages.front()));
+    loads_->setToolTip(QString::fromStdString(pages.front().note));
   };
   drawing_->setObjectName("design-drawing");
   drawing_->setMinimumHeight(160);

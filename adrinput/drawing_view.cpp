@@ -246,12 +246,17 @@ void DrawingView::paintEvent(QPaintEvent*) {
 
 void DrawingView::paintPane(QPainter& painter, const drawing::Pane& pane, const Frame& frame) {
   const Theme& t = desktop::current_theme();
-  painter.setFont(desktop::ui_font(kText, true));
   painter.setPen(t.muted);
   const QRectF title(frame.area.left(), frame.area.top() - kTitle, frame.area.width(), kTitle);
-  painter.drawText(
-      title, Qt::AlignLeft | Qt::AlignVCenter,
-      QFontMetricsF(painter.font()).elidedText(text_of(pane.title), Qt::ElideRight, title.width()));
+  const QString text = text_of(pane.title);
+  // In a narrow pane smaller letters before any are left out.
+  constexpr int kLeast = 8;
+  for (int letters = kText; letters >= kLeast; --letters) {
+    painter.setFont(desktop::ui_font(letters, true));
+    if (QFontMetricsF(painter.font()).horizontalAdvance(text) <= title.width()) break;
+  }
+  painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter,
+                   QFontMetricsF(painter.font()).elidedText(text, Qt::ElideRight, title.width()));
   painter.setClipRect(frame.area);
   if (!pane.axes.empty()) paintAxes(painter, pane, frame);
   // The outline of the part in focus is drawn last among its kind.

@@ -16,7 +16,7 @@ std::vector<fs::path> files_of(const fs::path& path) {
   std::vector<fs::path> out = results::run_folder(path).plots;
   if (!out.empty()) return out;
   // A quasi-static run, a sweep or a study has no step files.
-  for (const char* name : {"ACCURACY.json", "RUN.json", "SWEEP.csv"})
+  for (const char* name : {"ACCURACY.json", "RUN.json", "SWEEP.csv", "RESULTS.h5"})
     if (fs::is_regular_file(path / name, ignored)) out.push_back(path / name);
   if (out.empty())
     throw InputError(

@@ -70,8 +70,9 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
     });
   if (one && !one->listens() && left_to_another()) return 0;  // started at the same moment
   window.setAbscissa(options.view.abscissa);
-  window.setWaterfallOf(options.view.waterfall_of);
+  window.setSpectrogramOf(options.view.spectrogram_of);
   window.setDomain(options.view.domain);
+  window.setSpectrum(options.view.spectrum);
   const desktop::WindowMemory memory(window, "adrplot");
   window.show();
   for (const auto& file : files) {
@@ -103,7 +104,7 @@ int main(int argc, char** argv) {
   CLI::App& cli = *program;
   std::vector<std::filesystem::path> files;
   adrplot::RenderOptions options;
-  std::string size = "1280x800", abscissa = "rev", domain = "history", curve, project;
+  std::string size = "1280x800", abscissa = "rev", domain = "history", curve, scale, rows, project;
   cli.add_option("FILE", files,
                  "result files (SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json), study tables "
                  "(RUNS.csv, STUDY.h5), or folders of runs and studies")
@@ -140,14 +141,26 @@ int main(int argc, char** argv) {
                        {"rev", "time"});
   command_line::one_of(
       cli.add_option("--domain", domain, "chart type")->capture_default_str()->type_name("WHAT"),
-      {"history", "spectrum", "waterfall"});
-  cli.add_option("--curve", curve,
-                 "curve of the waterfall: name, part of the name, or number on the page (default: "
-                 "first curve)")
+      {"history", "spectrum", "spectrogram"});
+  cli.add_option(
+         "--curve", curve,
+         "curve of the spectrogram: name, part of the name, or number on the page (default: "
+         "first curve)")
       ->type_name("CURVE");
+  command_line::one_of(
+      cli.add_option("--scale", scale,
+                     "amplitudes of spectra: in units of the curve, in dB of 1 unit, or relative "
+                     "to the maximum (default: units)")
+          ->type_name("SCALE"),
+      {"units", "db", "relative"});
+  command_line::one_of(
+      cli.add_option("--rows", rows,
+                     "vertical axis of spectrograms: time or shaft speed (default: time)")
+          ->type_name("WHAT"),
+      {"time", "speed"});
   // An existing window accepts only files.
   for (const char* of_first : {"--render", "--page", "--from", "--to", "--every", "--abscissa",
-                               "--domain", "--curve", "--dark"})
+                               "--domain", "--curve", "--scale", "--rows", "--dark"})
     one_window->excludes(cli.get_option(of_first));
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("adrplot", [&] {
@@ -156,7 +169,7 @@ int main(int argc, char** argv) {
     options.height = pixels.height;
     options.view.abscissa =
         abscissa == "time" ? adrplot::Abscissa::Time : adrplot::Abscissa::Revolutions;
-    adrplot::set_domain(options.view, domain, curve);
+    adrplot::set_domain(options.view, domain, curve, scale, rows);
     if (!options.folder.empty()) return render(argc, argv, files, options);
     return show(argc, argv, files, options, follow, behind, project);
   });

@@ -1,7 +1,7 @@
 #include "adrplot/own_chart.hpp"
 
+#include "adrplot/spectrogram_page.hpp"
 #include "adrplot/spectrum_page.hpp"
-#include "adrplot/waterfall_page.hpp"
 #include "base/errors.hpp"
 #include "desktop/axis_scale.hpp"
 
@@ -24,6 +24,7 @@ using Names = std::array<std::string, 3>;
 
 struct Taken {
   std::string name, unit, title;
+  int group = -1;
   Names names = {};
   std::string brief = {};  ///< without the common part of all curves
   std::vector<double> x, y;
@@ -194,6 +195,7 @@ std::vector<Taken> take(const std::vector<CurvePick>& picks, const PageOptions& 
     const desktop::ChartCurve& curve = panel.curves[pick.curve];
     Taken one;
     one.title = panel.title;
+    one.group = pick.group;
     one.unit = panel.unit;
     one.wraps = panel.wraps;
     one.names = {panel.title + (curve.name.empty() ? "" : ", ") + curve.name, pick.file->subject,
@@ -356,10 +358,12 @@ void add_panels(desktop::ChartPage& page, const std::vector<Taken>& curves, bool
     if (std::find(curve.stored.begin(), curve.stored.end(), false) == curve.stored.end())
       curve.stored.clear();
     const auto same = std::find_if(page.panels.begin(), page.panels.end(), [&](const auto& panel) {
-      return panel.unit == one.unit && (one_title || panel.title == one.title || !one.unit.empty());
+      return panel.unit == one.unit && panel.group == one.group &&
+             (one.group >= 0 || one_title || panel.title == one.title || !one.unit.empty());
     });
     if (same == page.panels.end()) {
       page.panels.push_back({one.title, one.unit, {std::move(curve)}, one.wraps});
+      page.panels.back().group = one.group;
     } else {
       if (same->title != one.title) same->title = "Values";
       same->curves.push_back(std::move(curve));
@@ -368,6 +372,40 @@ void add_panels(desktop::ChartPage& page, const std::vector<Taken>& curves, bool
 }
 
 }  // namespace
+
+void OwnChart::add(const CurvePick& pick) {
+  const auto known = std::find_if(files.begin(), files.end(), [&](const auto& file) {
+    return file->path == pick.file->path && file->subject == pick.file->subject;
+  });
+  files.push_back(known != files.end() ? *known : std::make_shared<PlotDocument>(*pick.file));
+  curves.push_back(pick);
+  curves.back().file = files.back().get();
+}
+
+RunMotion motion_at(const PlotDocument& file, const std::vector<double>& times) {
+  RunMotion out;
+  if (file.motion) out = file.motion();
+  out.turns = read_off(out.times, out.turns, times);
+  if (std::any_of(out.turns.begin(), out.turns.end(),
+                  [](double turns) { return !std::isfinite(turns); }))
+    out = {};
+  out.times = times;
+  return out;
+}
+
+std::vector<int> groups_by_unit(const std::vector<CurvePick>& picks, const PageOptions& options) {
+  std::vector<int> out;
+  std::vector<std::pair<std::string, std::string>> panels;  // unit; title of pure numbers
+  for (const CurvePick& pick : picks) {
+    const desktop::ChartPage page = pick.file->build(pick.page, options);
+    const desktop::ChartPanel& panel = page.panels.at(pick.panel);
+    const std::pair key(panel.unit, panel.unit.empty() ? panel.title : std::string());
+    const auto known = std::find(panels.begin(), panels.end(), key);
+    out.push_back(static_cast<int>(known - panels.begin()));
+    if (known == panels.end()) panels.push_back(key);
+  }
+  return out;
+}
 
 std::vector<double> read_off(const std::vector<double>& x, const std::vector<double>& y,
                              const std::vector<double>& where) {
@@ -413,25 +451,20 @@ desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine h
     curves = differences(curves, domain != Domain::History, page);
   }
   if (domain != options.domain) add_note(page, "Spectra need curves over time.");
-  if (domain == Domain::Waterfall) {
-    // Only one curve: two waterfalls would overlap.
+  if (domain == Domain::Spectrogram) {
+    // Only one curve: two spectrograms would overlap.
     std::vector<std::string> names;
     for (const Taken& one : curves) names.push_back(one.name);
-    const std::size_t chosen = choice_of(names, options.waterfall_of).value_or(0);
+    const std::size_t chosen = choice_of(names, options.spectrogram_of).value_or(0);
     Taken& one = curves[chosen];
     trim(one);
     page.x = one.x;
     page.panels = {{one.title, one.unit, {{one.name, one.y, {}}}, one.wraps}};
     // The difference of two runs has no speed.
-    RunMotion motion;
-    const PlotDocument& file = *picks[less ? chosen + 1 : chosen].file;
-    if (file.motion && (!less || of_one_run(picks))) motion = file.motion();
-    motion.turns = read_off(motion.times, motion.turns, one.x);
-    if (std::any_of(motion.turns.begin(), motion.turns.end(),
-                    [](double turns) { return !std::isfinite(turns); }))
-      motion = {};
-    motion.times = one.x;
-    to_waterfall(page, motion, options.spectrum);
+    RunMotion motion{one.x, {}, {}};
+    if (!less || of_one_run(picks))
+      motion = motion_at(*picks[less ? chosen + 1 : chosen].file, one.x);
+    to_spectrogram(page, motion, options.spectrum);
     page.choices = names;
     page.chosen = chosen;
     drop_low_marks(page);

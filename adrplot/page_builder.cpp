@@ -1,10 +1,10 @@
 #include "adrplot/page_builder.hpp"
 
+#include "adrplot/domain_page.hpp"
 #include "adrplot/known_values.hpp"
 #include "adrplot/page_remarks.hpp"
 #include "adrplot/sentence_words.hpp"
 #include "adrplot/spectrum_page.hpp"
-#include "adrplot/waterfall_page.hpp"
 #include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "desktop/axis_scale.hpp"
@@ -215,29 +215,8 @@ void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
   add_panels(chart, file, page, context.facts);
   limit_detail(chart);
   if (page.kind == PageKind::Spectrum) limit_components(chart);
-  chart.marks = mean_marks(motion_of(file, context).marks);
-  to_spectra(chart, times(file), options);
-  const bool drawn =
-      std::any_of(chart.panels.begin(), chart.panels.end(), [](const ChartPanel& panel) {
-        return std::any_of(panel.curves.begin(), panel.curves.end(),
-                           [](const ChartCurve& curve) { return !curve.y.empty(); });
-      });
-  if (!drawn) return;  // notes on lines are false without lines
-  const std::vector<double> turns = accumulated_turns(file);
-  if (!chart.marks.empty() && turns_back(file)) {
-    chart.marks.clear();
-    add_note(chart, "The shaft oscillates, so there are no frequency marks.");
-  }
-  if (!chart.marks.empty() && turns.back() > turns.front() && !keeps_speed(times(file), turns)) {
-    const auto [low, high] = speed_range(times(file), turns);
-    add_note(chart,
-             fmt::format("The shaft speed varies from {} to {}. The marks are for the mean speed.",
-                         rpm_text(low), rpm_text(high)));
-  }
-  tell_lines(chart, {chart.x.front()}, options);
-  first_view_of_spectra(chart, options.scale);
-  drop_low_marks(chart);
-  lead_with_aliasing(chart, file, context);
+  if (show_spectra(chart, motion_of(file, context), turns_back(file), options))
+    lead_with_aliasing(chart, file, context);
 }
 
 }  // namespace
@@ -285,11 +264,10 @@ ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, in
     case PageKind::History:
       if (options.domain == Domain::Spectrum) {
         add_spectrum(chart, file, page, options.spectrum, context);
-      } else if (options.domain == Domain::Waterfall) {
+      } else if (options.domain == Domain::Spectrogram) {
         add_panels(chart, file, page, context.facts);
         limit_detail(chart);
-        to_waterfall(chart, motion_of(file, context), options.spectrum, options.waterfall_of);
-        drop_low_marks(chart);
+        show_domain(chart, motion_of(file, context), turns_back(file), options);
         lead_with_aliasing(chart, file, context);
       } else {
         add_history(chart, file, page, options.abscissa, context);

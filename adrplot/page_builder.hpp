@@ -19,16 +19,16 @@ struct OrbitPair {
 };
 
 /// Content of a history page.
-enum class Domain : unsigned char { History, Spectrum, Waterfall };
+enum class Domain : unsigned char { History, Spectrum, Spectrogram };
 
 struct PageOptions {
   Abscissa abscissa = Abscissa::Revolutions;
   OrbitPair orbit;
   SpectrumOptions spectrum = {};
   Domain domain = Domain::History;
-  /// Curve of a page for its waterfall: its name in ChartPage::choices, part of it, or its number.
-  /// Empty, or not found: the first one.
-  std::string waterfall_of = {};
+  /// Curve of a page for its spectrogram: its name in ChartPage::choices, part of it, or its
+  /// number. Empty, or not found: the first one.
+  std::string spectrogram_of = {};
 };
 
 /// Extremes of a curve between its stored values, as long as it and in its unit.

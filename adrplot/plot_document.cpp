@@ -1,16 +1,21 @@
 #include "adrplot/plot_document.hpp"
 
 #include "adrplot/accuracy_page.hpp"
+#include "adrplot/csv_document.hpp"
+#include "adrplot/h5_document.hpp"
 #include "adrplot/known_values.hpp"
 #include "adrplot/run_beside.hpp"
 #include "adrplot/study_document.hpp"
 #include "base/errors.hpp"
 #include "base/input_file.hpp"
+#include "base/json_text.hpp"
 #include "desktop/static_pages.hpp"
 #include "results/channels.hpp"
 #include "results/full_precision.hpp"
+#include "results/sweep_table.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -23,6 +28,11 @@ namespace {
 PlotDocument::Entry entry_of(const PageSpec& page) {
   PlotDocument::Entry out{page.title, page.kind};
   for (const PanelSpec& panel : page.panels) out.panels.push_back(panel.title);
+  for (const PanelSpec& panel : page.panels) {
+    if (page.kind != PageKind::History) continue;
+    std::vector<std::string>& names = out.curves.emplace_back();
+    for (const CurveSpec& curve : panel.curves) names.push_back(curve.name);
+  }
   return out;
 }
 
@@ -131,6 +141,13 @@ PlotDocument document_of(const std::filesystem::path& path, std::string subject,
   const auto count = pages.size();
   for (std::size_t i = 0; i < count; ++i) {
     out.pages.push_back({pages[i].title, PageKind::Chart});
+    PlotDocument::Entry& entry = out.pages.back();
+    for (const desktop::ChartPanel& panel : pages[i].panels) {
+      entry.panels.push_back(panel.title);
+      if (pages[i].equal_axes || pages[i].study) continue;
+      std::vector<std::string>& names = entry.curves.emplace_back();
+      for (const desktop::ChartCurve& curve : panel.curves) names.push_back(curve.name);
+    }
     pages[i].subtitle +=
         fmt::format("   ·   {}   ·   page {} of {}", path.filename().string(), i + 1, count);
   }
@@ -281,10 +298,25 @@ class StepPages {
   results::FullPrecision digits_;
 };
 
+/// The quasi-static solution; of a run with motion alone its channels.
+PlotDocument open_run_json(const std::filesystem::path& path, const results::SolRange& range,
+                           std::size_t most_values) {
+  const std::filesystem::path channels = path.parent_path() / "RESULTS.h5";
+  std::error_code ignored;
+  if (path.filename() == "RUN.json" && std::filesystem::exists(channels, ignored)) {
+    const nlohmann::json run = parse_json(read_text_file(path), path.string());
+    if (run.is_object() && !run.contains("quasi_static") && !run.contains("thermal_network"))
+      return open_h5(channels, range, most_values);
+  }
+  return document_of(path, "quasi-static solution",
+                     desktop::static_pages(results::read_static_tables(path)));
+}
+
 }  // namespace
 
 bool has_steps(const std::filesystem::path& path) {
-  return path.extension() != ".json" && path.extension() != ".csv" && !is_study(path);
+  return path.extension() != ".json" && path.extension() != ".h5" &&
+         path.extension() != ".adrplot" && path.extension() != ".csv" && !is_study(path);
 }
 
 PlotDocument make_document(results::SolFile file) {
@@ -307,9 +339,10 @@ PlotDocument open_document(const std::filesystem::path& path, const results::Sol
   refuse_pipe(path);
   if (is_study(path)) return open_study(path);
   if (is_accuracy(path)) return document_of(path, "accuracy study", accuracy_pages(path));
-  if (path.extension() == ".json")
-    return document_of(path, "quasi-static solution",
-                       desktop::static_pages(results::read_static_tables(path)));
+  if (path.extension() == ".h5") return open_h5(path, range, most_values);
+  if (path.extension() == ".json") return open_run_json(path, range, most_values);
+  if (path.extension() == ".csv" && path.filename() != "SWEEP.csv" && !results::is_sweep(path))
+    return open_csv(path);
   if (path.extension() == ".csv") {
     const results::SweepTable sweep = results::read_sweep(path);
     return document_of(path, "sweep of " + sweep.variable, desktop::sweep_pages(sweep));

@@ -16,6 +16,9 @@ struct PlotDocument {
     std::string title;
     PageKind kind = PageKind::Chart;
     std::vector<std::string> panels = {};  ///< their titles; of result files only
+    /// Names of the curves by panel; empty: this page has no curves over steps.
+    std::vector<std::vector<std::string>> curves = {};
+    std::string group = {};  ///< of pages in the tree of channels; empty: none
   };
   std::filesystem::path path;
   std::string subject;  ///< "rolling element 3", "quasi-static solution"
@@ -37,10 +40,11 @@ struct PlotDocument {
 /// file is read again for others.
 inline constexpr std::size_t kMostValues = 9'000'000;
 
-/// SOL1-SOL7 (with full precision if RESULTS.h5 of the same run is in the folder), RUN.json of a
-/// quasi-static run, SWEEP.csv, or a study (study_document.hpp). The type follows from the file
-/// name (.json, .csv), else from the content. `watch` is called whenever steps are read, also later
-/// for other pages; a page whose reading was stopped is read again when it is built again.
+/// RESULTS.h5 (h5_document.hpp), a table as CSV (csv_document.hpp), SOL1-SOL7 (with full precision
+/// if RESULTS.h5 of the same run is in the folder), RUN.json of a quasi-static run, SWEEP.csv, or a
+/// study (study_document.hpp). The type follows from the file name (.json, .csv), else from the
+/// content. `watch` is called whenever steps are read, also later for other pages; a page whose
+/// reading was stopped is read again when it is built again.
 /// @throws InputError for other files; results::ReadStopped
 [[nodiscard]] PlotDocument open_document(const std::filesystem::path& path,
                                          const results::SolRange& range = {},

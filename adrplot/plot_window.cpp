@@ -1,7 +1,7 @@
 #include "adrplot/plot_window.hpp"
 
 #include "adrplot/finding_pages.hpp"
-#include "adrplot/waterfall_page.hpp"
+#include "adrplot/spectrogram_page.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/file_drops.hpp"
@@ -13,16 +13,19 @@
 #include <QAction>
 #include <QComboBox>
 #include <QLabel>
+#include <QMenu>
 #include <QProgressDialog>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSplitter>
 #include <QStatusBar>
+#include <QTabWidget>
 #include <QTimer>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <set>
 
@@ -73,7 +76,7 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   cursors_->setMargin(8);
   cursors_->setWordWrap(true);
   cursors_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  cursors_area_ = new QScrollArea(this);  // a waterfall has many lines
+  cursors_area_ = new QScrollArea(this);  // a spectrogram has many lines
   cursors_area_->setWidget(cursors_);
   cursors_area_->setWidgetResizable(true);
   cursors_area_->setFrameShape(QFrame::NoFrame);
@@ -81,8 +84,15 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   cursors_area_->hide();
   column->addWidget(cursors_area_);
   makeReadout();
+  auto* tabs = new QTabWidget(this);
+  tabs->setObjectName("side");
+  tabs->setDocumentMode(true);
+  tabs->setMinimumWidth(180);
+  tabs->addTab(tree_, tr("Pages"));
+  makeSide(tabs);
+  makeStatistics();
   auto* splitter = new QSplitter(this);
-  splitter->addWidget(tree_);
+  splitter->addWidget(tabs);
   splitter->addWidget(side);
   splitter->setStretchFactor(1, 1);
   splitter->setSizes({270, 1010});
@@ -109,13 +119,13 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
     showCurrent();
   });
   connect(view_, &desktop::ChartView::runsChosen, this, &PlotWindow::showRuns);
-  // The panel under the pointer provides the curve of the waterfall.
+  // The panel under the pointer provides the curve of the spectrogram.
   connect(view_, &desktop::ChartView::panelClicked, this, [this](std::size_t index) {
     const desktop::ChartPage& page = view_->chartScene().page();
     if (!page.choices.empty() || page.equal_axes || index >= page.panels.size()) return;
     for (const desktop::ChartCurve& curve : page.panels[index].curves)
       if (!curve.hidden && !curve.y.empty()) {
-        options_.waterfall_of = curve_name(page.panels[index], curve);
+        options_.spectrogram_of = curve_name(page.panels[index], curve);
         return;
       }
   });
@@ -167,9 +177,19 @@ void PlotWindow::setAbscissa(Abscissa abscissa) {
 
 void PlotWindow::setDomain(Domain domain) { domain_->setCurrentIndex(static_cast<int>(domain)); }
 
-void PlotWindow::setWaterfallOf(const std::string& curve) {
-  options_.waterfall_of = curve;
-  if (options_.domain == Domain::Waterfall) showCurrent();
+/// The menus follow.
+void PlotWindow::setSpectrum(const SpectrumOptions& spectrum) {
+  constexpr std::array kWindows{Window::Hann, Window::FlatTop, Window::None};
+  const auto window = std::find(kWindows.begin(), kWindows.end(), spectrum.window);
+  const std::array<qsizetype, 3> chosen{static_cast<qsizetype>(spectrum.scale),
+                                        window - kWindows.begin(), spectrum.over_speed ? 1 : 0};
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    spectrum_actions_.at(static_cast<qsizetype>(i))->menu()->actions().at(chosen.at(i))->trigger();
+}
+
+void PlotWindow::setSpectrogramOf(const std::string& curve) {
+  options_.spectrogram_of = curve;
+  if (options_.domain == Domain::Spectrogram) showCurrent();
 }
 
 void PlotWindow::setLogAxes(std::optional<bool> abscissa, std::optional<bool> values) {
@@ -183,7 +203,7 @@ desktop::ChartPage PlotWindow::currentPageChart() {
   if (!chart.equal_axes) {
     chart.log_x = log_x_.value_or(chart.log_x);
     for (auto& panel : chart.panels)
-      panel.log = panel.unit != "dB" && log_y_.value_or(panel.log);  // dB are logarithms
+      panel.log = !is_decibel(panel.unit) && !panel.rows && log_y_.value_or(panel.log);
   }
   return chart;
 }
@@ -216,8 +236,9 @@ void PlotWindow::showCurrent() {
   } else {
     chart.title = "AdrPlot";
     chart.note =
-        "Open or drop a plot file (SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json) or the folder "
-        "of a study.";
+        "Open or drop a result file (SOL1 to SOL7, RESULTS.h5, RUN.json), a table (*.csv), a "
+        "session "
+        "(*.adrplot) or the folder of a run or study.";
     orbit_action_->setVisible(false);
     offerCurves(chart);
   }
@@ -230,6 +251,7 @@ void PlotWindow::showCurrent() {
                                           [](const auto& panel) { return panel.log; }));
   }
   view_->showPage(std::move(chart));
+  fillStatistics();
   offerNames();
   view_->setMinimumHeight(static_cast<int>(view_->chartScene().leastHeight()));
   fitReadout();
@@ -330,7 +352,8 @@ void PlotWindow::goToFinding(const Finding& finding) {
 void PlotWindow::fitCursors() {
   const int needed = cursors_->heightForWidth(std::max(view_->width(), 100));
   cursors_area_->setFixedHeight(std::clamp(needed, 0, std::max(0, height() - kLeastChart) / 3));
-  cursors_area_->setVisible(!cursors_->text().isEmpty());
+  // The table has the same values.
+  cursors_area_->setVisible(!cursors_->text().isEmpty() && statistics_dock_->isHidden());
 }
 
 void PlotWindow::resizeEvent(QResizeEvent* event) {

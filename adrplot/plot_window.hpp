@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adrplot/curve_dialog.hpp"
+#include "adrplot/formula_document.hpp"
 #include "adrplot/plot_document.hpp"
 
 #include <QList>
@@ -17,6 +18,9 @@ class QLabel;
 class QMenu;
 class QProgressDialog;
 class QScrollArea;
+class QDockWidget;
+class QMimeData;
+class QTableView;
 class QTimer;
 class QToolBar;
 class QTreeWidget;
@@ -32,6 +36,10 @@ enum class ChartDeed : unsigned char;
 }  // namespace adore::desktop
 
 namespace adore::adrplot {
+
+struct ChannelRef;
+class ChannelTree;
+class StatisticsModel;
 
 /// Main window of AdrPlot: files and their pages in a tree, one page as charts, and the navigation
 /// buttons.
@@ -55,6 +63,18 @@ class PlotWindow : public QMainWindow {
   void showFiles(const QStringList& paths, bool to_front = true);
   /// Curves of open files as a separate chart in the tree.
   void addChart(const std::vector<CurvePick>& picks, Combine how);
+  /// Curves to a panel of the user-defined chart that is shown. On another page they begin a new
+  /// chart: with a panel it has the curves of the page, too.
+  void addToChart(std::vector<CurvePick> picks, std::optional<std::size_t> panel);
+  /// A curve of the chart (none: all of its panel) to another panel, or to a new one.
+  void moveCurve(std::size_t panel, std::optional<std::size_t> curve,
+                 std::optional<std::size_t> target);
+  void removeCurve(std::size_t panel, std::size_t curve);
+  /// A computed channel: a page of the file "formulas".
+  void addFormula(const FormulaChannel& channel);
+  /// Files, charts, formulas and view as a file (session.hpp). False after a message.
+  bool saveSession(const QString& path);
+  bool openSession(const QString& path);
 
   [[nodiscard]] int fileCount() const { return static_cast<int>(documents_.size()); }
   [[nodiscard]] int pageCount() const;
@@ -63,8 +83,9 @@ class PlotWindow : public QMainWindow {
   void showPage(int number);
   void setAbscissa(Abscissa abscissa);
   void setDomain(Domain domain);
-  /// Which curve of a page its waterfall is of (PageOptions::waterfall_of).
-  void setWaterfallOf(const std::string& curve);
+  void setSpectrum(const SpectrumOptions& spectrum);
+  /// Which curve of a page its spectrogram is of (PageOptions::spectrogram_of).
+  void setSpectrogramOf(const std::string& curve);
   void setLogAxes(std::optional<bool> abscissa, std::optional<bool> values);
   /// Exports the page, or all pages of the file, by the suffix of the name
   /// (desktop/page_export.hpp). For all pages PDF gives one file, other formats one per page,
@@ -77,6 +98,10 @@ class PlotWindow : public QMainWindow {
   void askForFile();
   void askForFolder();
   void askForCurves();
+  void askForFormula();
+  void askForSession(bool save);
+  void showStatistics(bool on);
+  void exportStatistics();
   void closeFile();
   void copyPicture();     ///< or the selected text of the statistics
   void copyStatistics();  ///< values at the cursors and between them, as text
@@ -98,9 +123,10 @@ class PlotWindow : public QMainWindow {
 
  private:
   struct Document : PlotDocument {
-    results::SolRange range;  ///< of the steps that were read
-    bool on_disk = true;      ///< else a user-defined chart
-    std::string seen;         ///< size and time of the file when it was read
+    results::SolRange range;             ///< of the steps that were read
+    bool on_disk = true;                 ///< else a user-defined chart or formulas
+    std::string seen;                    ///< size and time of the file when it was read
+    std::shared_ptr<OwnChart> own = {};  ///< of a user-defined chart
   };
   [[nodiscard]] static QString nameOf(const Document& document);
   void addDocument(PlotDocument document, const results::SolRange& range, bool on_disk = true);
@@ -127,7 +153,7 @@ class PlotWindow : public QMainWindow {
   void makeChoices(QToolBar* bar);
   /// Enables the choices that apply to a page; the others have a tooltip with the reason.
   void offerChoices(PageKind kind, const desktop::ChartPage& chart);
-  /// The possible curves of a waterfall.
+  /// The possible curves of a spectrogram.
   void offerCurves(const desktop::ChartPage& chart);
   void fillTree();
   void showCurrent();
@@ -142,6 +168,29 @@ class PlotWindow : public QMainWindow {
   [[nodiscard]] QString fittedReadout() const;
   void fitCursors();
   void askForRange(const QString& path);
+  // User-defined charts and channels.
+  void makeStatistics();
+  void fillStatistics();
+  void copyTable();
+  [[nodiscard]] std::pair<double, double> statisticsRange() const;
+  void makeSide(QWidget* pages);
+  void fillChannels();
+  void takeDrop(const QMimeData* data, std::optional<std::size_t> panel);
+  void showChartMenu(const QPoint& at);
+  void addOwn(std::shared_ptr<OwnChart> chart);
+  [[nodiscard]] CurvePick pickOf(const ChannelRef& ref) const;
+  [[nodiscard]] std::vector<CurvePick> selectedPicks() const;
+  [[nodiscard]] FormulaInput inputOf(const ChannelRef& ref) const;
+  void openFormulaDialog(const std::vector<ChannelRef>& channels);
+  void showPageOf(const ChannelRef& ref);
+  [[nodiscard]] OwnChart chartOfPage();
+  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> placesOf(
+      const OwnChart& chart) const;
+  void updateOwn();
+  [[nodiscard]] int formulasDocument() const;
+  /// Number of a file among those on disk; -1: formulas, -2: unknown.
+  [[nodiscard]] int sessionNumber(const PlotDocument& file) const;
+  [[nodiscard]] std::shared_ptr<const PlotDocument> copyOf(int document) const;
   [[nodiscard]] Document* document();
   /// Shows how far a long reading is, with a button that stops it. False: it was pressed.
   bool watchReading(double part);
@@ -154,6 +203,13 @@ class PlotWindow : public QMainWindow {
   PageOptions options_;
   CurveChoice chosen_curves_;  ///< for the chart made last
   desktop::ChartView* view_;
+  std::vector<FormulaChannel> formulas_;
+  ChannelTree* channels_ = nullptr;
+  QDockWidget* statistics_dock_ = nullptr;
+  QTableView* statistics_ = nullptr;
+  StatisticsModel* statistics_model_ = nullptr;
+  QAction* statistics_action_ = nullptr;
+  std::pair<double, double> statistics_range_;  ///< that the table shows
   QTreeWidget* tree_;
   desktop::FindingsBar* findings_;
   std::string findings_seen_;  ///< folder and time of the RUN.json that they are of
@@ -173,7 +229,7 @@ class PlotWindow : public QMainWindow {
   QComboBox* abscissa_ = nullptr;
   QComboBox* orbit_ = nullptr;
   QComboBox* domain_ = nullptr;
-  QComboBox* curve_ = nullptr;  ///< that a waterfall is of
+  QComboBox* curve_ = nullptr;  ///< that a spectrogram is of
   QAction* curve_action_ = nullptr;
   QMenu* curve_menu_ = nullptr;  ///< the same, if the buttons do not fit
   QMenu* names_menu_ = nullptr;  ///< curves of the legends

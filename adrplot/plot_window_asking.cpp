@@ -13,7 +13,8 @@
 namespace adore::adrplot {
 
 void PlotWindow::askForFile() {
-  desktop::ask_files(this, kApp, tr("Open plot files"), "SOL[1-7] RUN.json SWEEP.csv ACCURACY.json",
+  desktop::ask_files(this, kApp, tr("Open plot files"),
+                     "SOL[1-7] RESULTS.h5 RUN.json ACCURACY.json *.csv *.adrplot",
                      [this](const QStringList& names) { openSeveral(names); });
 }
 
@@ -65,36 +66,6 @@ void PlotWindow::askForCurves() {
     addChart(dialog->picks(), dialog->how());
   });
   dialog->open();
-}
-
-void PlotWindow::addChart(const std::vector<CurvePick>& picks, Combine how) {
-  // Copies share the data read from files, and outlive them in the tree.
-  auto files = std::make_shared<std::vector<PlotDocument>>();
-  std::vector<std::size_t> of;
-  for (const CurvePick& pick : picks) {
-    of.push_back(files->size());
-    files->push_back(*pick.file);
-  }
-  const auto build = [files, of, picks, how](int, const PageOptions& options) {
-    std::vector<CurvePick> own = picks;
-    for (std::size_t i = 0; i < own.size(); ++i) own[i].file = &(*files)[of[i]];
-    return combine_curves(own, how, options);
-  };
-  try {
-    (void)build(1, options_);
-  } catch (const std::exception& error) {
-    desktop::show_message(this, QString::fromUtf8(error.what()), true);
-    return;
-  }
-  int number = 1;
-  for (const auto& document : documents_) number += document->on_disk ? 0 : 1;
-  PlotDocument chart;
-  chart.path = QString("chart-%1").arg(number).toStdString();
-  chart.subject = "own chart";
-  chart.pages = {
-      {how == Combine::Difference ? "Differences" : "Selected curves", PageKind::History}};
-  chart.build = build;
-  addDocument(std::move(chart), {}, false);
 }
 
 }  // namespace adore::adrplot

@@ -2,6 +2,7 @@
 #include "adrplot/plot_pages.hpp"
 #include "adrplot/plot_window.hpp"
 #include "adrplot/run_dialog.hpp"
+#include "adrplot/session.hpp"
 #include "adrplot/study_document.hpp"
 #include "base/errors.hpp"
 #include "desktop/chart_view.hpp"
@@ -68,6 +69,7 @@ bool PlotWindow::watchReading(double part) {
 }
 
 bool PlotWindow::openFile(const std::filesystem::path& path, const results::SolRange& range) {
+  if (is_session(path)) return openSession(QString::fromStdString(path.string()));
   try {
     addDocument(
         open_document(path, range, kMostValues, [this](double part) { return watchReading(part); }),
@@ -126,18 +128,21 @@ void PlotWindow::fillTree() {
     }
   }
   current_ = file;
+  fillChannels();
   showPage(page);
   markPages();
 }
 
 void PlotWindow::closeFile() {
   if (!document()) return;
+  if (current_ == formulasDocument()) formulas_.clear();
   documents_.erase(documents_.begin() + current_);
   current_ = std::min(current_, fileCount() - 1);
   page_ = current_ >= 0 ? 1 : 0;
   if (current_ < 0) {
     const QSignalBlocker quiet(tree_);
     tree_->clear();
+    fillChannels();
   } else {
     fillTree();
   }

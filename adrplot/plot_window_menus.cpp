@@ -62,6 +62,9 @@ void PlotWindow::makeMenus() {
   file->addAction(tr("Open &Folder..."), Qt::CTRL | Qt::SHIFT | Qt::Key_O, this,
                   &PlotWindow::askForFolder);
   desktop::add_recent_menu(*file, kApp, [this](const QString& name) { openSeveral({name}); });
+  file->addAction(tr("Open Sessio&n..."), this, [this] { askForSession(false); });
+  file->addAction(tr("Save Session &As..."), Qt::CTRL | Qt::SHIFT | Qt::Key_S, this,
+                  [this] { askForSession(true); });
   file->addAction(tr("&Close File"), QKeySequence::Close, this, &PlotWindow::closeFile);
   file->addSeparator();
   file->addAction(tr("Re&load"), Qt::Key_F5, this, &PlotWindow::reload);
@@ -101,6 +104,7 @@ void PlotWindow::makeMenus() {
   log_y_action_ = log_y;
   connect(log_x, &QAction::toggled, this, [this](bool on) { setLogAxes(on, log_y_); });
   connect(log_y, &QAction::toggled, this, [this](bool on) { setLogAxes(log_x_, on); });
+  view->addAction(statistics_action_);
   view->addAction(tr("&Dark/Light"), Qt::CTRL | Qt::Key_D, this, &PlotWindow::switchTheme);
   makeChartMenu(menuBar()->addMenu(tr("&Chart")));
   desktop::add_help_menu(
@@ -112,7 +116,11 @@ void PlotWindow::makeMenus() {
        {tr("drag"), tr("move the curves; with Shift: zoom to a box")},
        {tr("double click, Home"), tr("show all")},
        {tr("Alt+Left, Alt+Right"), tr("previous, next view")},
-       {tr("click a panel"), tr("use the first curve of the panel for waterfalls")},
+       {tr("click a panel"), tr("use the first curve of the panel for spectrograms")},
+       {tr("drag a name in a legend or the title of a panel"),
+        tr("move the curves to another panel, or to a new one")},
+       {tr("drag a channel from the list to a panel"), tr("add its curve")},
+       {tr("Ctrl+T"), tr("statistics table")},
        {tr("click a name in a legend"), tr("show or hide the curve")},
        {tr("Ctrl+click, Ctrl+Shift+click"), tr("set cursor A, B (Esc removes both cursors)")},
        {tr("Tab"), tr("focus the chart for the keys below (a frame shows the focus)")},
@@ -132,6 +140,8 @@ void PlotWindow::makeMenus() {
 void PlotWindow::makeChartMenu(QMenu* menu) {
   menu->setToolTipsVisible(true);
   menu->addAction(tr("&Combine Curves..."), Qt::CTRL | Qt::Key_K, this, &PlotWindow::askForCurves);
+  menu->addAction(tr("&Formula Channel..."), Qt::CTRL | Qt::SHIFT | Qt::Key_F, this,
+                  &PlotWindow::askForFormula);
   names_menu_ = menu->addMenu(tr("Cur&ves Shown"));
   names_menu_->setObjectName("names");
   menu->addSeparator();
@@ -149,14 +159,16 @@ void PlotWindow::makeChartMenu(QMenu* menu) {
       group->addAction(action);
     }
   };
-  choices(tr("Spectrum: &Amplitude"), {tr("relative"), tr("in units"), tr("in dB")},
+  choices(tr("Spectrum: &Amplitude"), {tr("in units"), tr("in dB"), tr("relative")},
           [](PageOptions& o, int i) { o.spectrum.scale = static_cast<SpectrumScale>(i); });
   choices(tr("Spectrum: &Window"), {tr("Hann"), tr("flat top"), tr("none")},
           [](PageOptions& o, int i) {
             constexpr std::array kWindows{Window::Hann, Window::FlatTop, Window::None};
             o.spectrum.window = kWindows.at(static_cast<std::size_t>(i));
           });
-  curve_menu_ = menu->addMenu(tr("Waterfall: Cu&rve"));
+  choices(tr("Spectrogram: &Vertical Axis"), {tr("time"), tr("shaft speed")},
+          [](PageOptions& o, int i) { o.spectrum.over_speed = i == 1; });
+  curve_menu_ = menu->addMenu(tr("Spectrogram: Cu&rve"));
   curve_menu_->setObjectName("curves");
 }
 
@@ -184,7 +196,7 @@ void PlotWindow::offerChoices(PageKind kind, const desktop::ChartPage& chart) {
   const bool axes = !chart.equal_axes && !chart.study && !chart.panels.empty();
   offer(log_x_action_, axes, no_axes);
   const bool decibels = std::any_of(chart.panels.begin(), chart.panels.end(),
-                                    [](const auto& panel) { return panel.unit == "dB"; });
+                                    [](const auto& panel) { return is_decibel(panel.unit); });
   offer(log_y_action_, axes && !decibels,
         axes ? tr("The unit dB is already logarithmic.") : no_axes);
   const bool spectra = kind == PageKind::Spectrum || (steps && !over_time);
@@ -201,15 +213,15 @@ void PlotWindow::offerCurves(const desktop::ChartPage& chart) {
   for (std::size_t i = 0; i < chart.choices.size(); ++i) {
     auto* action =
         curve_menu_->addAction(QString::fromStdString(chart.choices[i]), this,
-                               [this, name = chart.choices[i]] { setWaterfallOf(name); });
+                               [this, name = chart.choices[i]] { setSpectrogramOf(name); });
     action->setCheckable(true);
     action->setChecked(i == chart.chosen);
   }
   curve_menu_->menuAction()->setEnabled(!chart.choices.empty());
   curve_menu_->menuAction()->setToolTip(
       chart.choices.empty()
-          ? tr("This page shows no waterfall. Select \"waterfall\" in the toolbar.")
-          : tr("Curve of the waterfall"));
+          ? tr("This page shows no spectrogram. Select \"spectrogram\" in the toolbar.")
+          : tr("Curve of the spectrogram"));
 }
 
 void PlotWindow::makeChoices(QToolBar* bar) {
@@ -224,7 +236,7 @@ void PlotWindow::makeChoices(QToolBar* bar) {
   domain_ = new QComboBox(this);
   domain_->setObjectName("domain");
   desktop::name_box(*domain_, tr("Chart type"));
-  domain_->addItems({tr("history"), tr("spectrum"), tr("waterfall")});
+  domain_->addItems({tr("history"), tr("spectrum"), tr("spectrogram")});
   connect(domain_, &QComboBox::currentIndexChanged, this, [this](int index) {
     options_.domain = static_cast<Domain>(index);
     log_x_.reset();  // the setting for times does not apply to frequencies
@@ -240,11 +252,11 @@ void PlotWindow::makeChoices(QToolBar* bar) {
   });
   curve_ = new QComboBox(this);
   curve_->setObjectName("curve");
-  desktop::name_box(*curve_, tr("Curve of the waterfall"));
-  curve_->setToolTip(tr("Curve of the waterfall"));
+  desktop::name_box(*curve_, tr("Curve of the spectrogram"));
+  curve_->setToolTip(tr("Curve of the spectrogram"));
   curve_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   connect(curve_, &QComboBox::activated, this,
-          [this](int index) { setWaterfallOf(curve_->itemText(index).toStdString()); });
+          [this](int index) { setSpectrogramOf(curve_->itemText(index).toStdString()); });
   bar->addWidget(abscissa_);
   bar->addWidget(domain_);
   curve_action_ = bar->addWidget(curve_);

@@ -48,10 +48,11 @@ void PlotWindow::fitReadout() {
       height = std::max(
           height, metrics.boundingRect(room, Qt::TextWordWrap, scene.readout(place)).height());
     }
-  // The chart stays larger than the values of very many curves; values of waterfalls are read in
+  // The chart stays larger than the values of very many curves; values of spectrograms are read in
   // the picture.
   const auto& panels = scene.page().panels;
-  if (std::any_of(panels.begin(), panels.end(), [](const auto& panel) { return panel.scale_bar; }))
+  if (std::any_of(panels.begin(), panels.end(),
+                  [](const auto& panel) { return panel.rows.has_value(); }))
     height = std::min(height, 2 * metrics.lineSpacing());
   const int line = metrics.lineSpacing() + 2;
   readout_->setFixedHeight(std::min(height + 2, std::max(line, this->height() / 5)));

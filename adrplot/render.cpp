@@ -2,7 +2,7 @@
 
 #include "adrplot/finding_pages.hpp"
 #include "adrplot/folder_files.hpp"
-#include "adrplot/waterfall_page.hpp"
+#include "adrplot/spectrogram_page.hpp"
 #include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "base/input_limits.hpp"
@@ -20,13 +20,22 @@ namespace adore::adrplot {
 
 namespace fs = std::filesystem;
 
-void set_domain(PageOptions& view, const std::string& domain, const std::string& curve) {
-  view.domain = domain == "waterfall"  ? Domain::Waterfall
-                : domain == "spectrum" ? Domain::Spectrum
-                                       : Domain::History;
-  if (!curve.empty() && view.domain != Domain::Waterfall)
-    throw InputError("--curve selects the curve of a waterfall and needs --domain waterfall");
-  view.waterfall_of = curve;
+void set_domain(PageOptions& view, const std::string& domain, const std::string& curve,
+                const std::string& scale, const std::string& rows) {
+  view.domain = domain == "spectrogram" ? Domain::Spectrogram
+                : domain == "spectrum"  ? Domain::Spectrum
+                                        : Domain::History;
+  if (!curve.empty() && view.domain != Domain::Spectrogram)
+    throw InputError("--curve selects the curve of a spectrogram and needs --domain spectrogram");
+  if (!rows.empty() && view.domain != Domain::Spectrogram)
+    throw InputError("--rows selects the rows of a spectrogram and needs --domain spectrogram");
+  if (!scale.empty() && view.domain == Domain::History)
+    throw InputError("--scale is for spectra and needs --domain spectrum or spectrogram");
+  view.spectrogram_of = curve;
+  view.spectrum.over_speed = rows == "speed";
+  view.spectrum.scale = scale == "db"         ? SpectrumScale::Decibel
+                        : scale == "relative" ? SpectrumScale::Relative
+                                              : SpectrumScale::Units;
 }
 
 namespace {
@@ -45,7 +54,8 @@ std::vector<fs::path> draw_document(const PlotDocument& document, const std::str
     scene.setPageSize(QSizeF(options.width, options.height));
     desktop::ChartPage page = document.build(number, options.view);
     // A curve that is selected by name needs the pages that contain it.
-    if (!options.view.waterfall_of.empty() && !choice_of(page.choices, options.view.waterfall_of)) {
+    if (!options.view.spectrogram_of.empty() &&
+        !choice_of(page.choices, options.view.spectrogram_of)) {
       for (const std::string& choice : page.choices)
         others += (others.empty() ? "" : "; ") + choice;
       continue;
@@ -73,9 +83,9 @@ std::vector<fs::path> draw_document(const PlotDocument& document, const std::str
 void refuse_curve(const std::string& file, const RenderOptions& options,
                   const std::string& others) {
   throw InputError(
-      fmt::format("{} \"{}\" for a waterfall{}{}{}",
+      fmt::format("{} \"{}\" for a spectrogram{}{}{}",
                   file.empty() ? "none of the files has a curve" : file + " has no curve",
-                  options.view.waterfall_of,
+                  options.view.spectrogram_of,
                   options.page == 0 ? std::string() : fmt::format(" on page {}", options.page),
                   others.empty() ? ""
                   : file.empty() ? "; they have: "
@@ -107,7 +117,7 @@ std::vector<fs::path> render_document(const PlotDocument& document, const std::s
                                       const RenderOptions& options) {
   std::string others;
   std::vector<fs::path> written = draw_document(document, stem, options, others);
-  if (written.empty() && !options.view.waterfall_of.empty())
+  if (written.empty() && !options.view.spectrogram_of.empty())
     refuse_curve(document.path.string(), options, others);
   return written;
 }
@@ -142,7 +152,7 @@ std::vector<fs::path> render_plots(const std::vector<fs::path>& paths,
   if (shorter.size() == files.size())
     throw InputError(
         fmt::format("none of the files has a page {}: {}", options.page, fmt::join(shorter, ", ")));
-  if (written.empty() && !options.view.waterfall_of.empty())
+  if (written.empty() && !options.view.spectrogram_of.empty())
     refuse_curve(files.size() == 1 ? files.front().string() : "", options, others);
   if (options.tell)
     for (const std::string& file : shorter)

@@ -20,14 +20,16 @@ struct RenderOptions {
   PageOptions view;
 };
 
-/// Parses the options for the domain ("history", "spectrum", "waterfall") and the curve of
-/// waterfalls. @throws InputError for a curve of another domain
-void set_domain(PageOptions& view, const std::string& domain, const std::string& curve);
+/// Parses the options for the domain ("history", "spectrum", "spectrogram"), the curve of
+/// spectrograms, the scale of amplitudes ("units", "db", "relative") and the rows of spectrograms
+/// ("time", "speed"). Empty: default. @throws InputError for an option of another domain
+void set_domain(PageOptions& view, const std::string& domain, const std::string& curve,
+                const std::string& scale = {}, const std::string& rows = {});
 
 /// Draws the pages of result files, and of those of folders (`files_of`), as PNG, named
 /// <file>-page-NN.png, and returns the names in order. Two files of the same name get their
 /// folder's name in front. Needs an application object (desktop/bootstrap.hpp).
-/// With a curve of waterfalls only pages that have it are drawn; a page that some files have is
+/// With a curve of spectrograms only pages that have it are drawn; a page that some files have is
 /// drawn of those.
 /// @throws InputError for files that are not ours, that curve on no page, a page that no file has,
 /// and folders that cannot be written.

@@ -70,62 +70,6 @@ std::vector<double> spin_turns(const std::vector<std::vector<double>>& omega,
   return out;
 }
 
-std::vector<MarkTurns> mark_turns(const H5Reader& reader) {
-  std::vector<MarkTurns> out;
-  if (reader.steps() < 2) return out;
-  const Looks looks(reader);
-  std::vector<double> times;
-  for (const auto& row : looks.rows(Looks::kTime)) times.push_back(row.front());
-  const auto add = [&](const std::string& label, const std::vector<double>& turns) {
-    out.push_back({label, times, turns});
-  };
-  const auto races = looks.rows("race.rotation"), orbits = looks.rows("element.orbital_position");
-  if (races.empty() || races.front().size() != 2 || orbits.empty() || orbits.front().empty())
-    return out;
-  const auto n = static_cast<double>(orbits.front().size());
-  std::vector<double> race[2], between, orbit, past[2];
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    for (std::size_t j = 0; j < 2; ++j) race[j].push_back(races[i][j] / kTurn);
-    between.push_back(race[1][i] - race[0][i]);
-    double sum = 0.0;
-    for (const double angle : orbits[i]) sum += angle / kTurn;
-    orbit.push_back(sum / n);
-    for (std::size_t j = 0; j < 2; ++j) past[j].push_back(n * (orbit[i] - race[j][i]));
-  }
-  // Rotating races are named separately: both may rotate, and their difference is not a shaft
-  // speed.
-  const double outer = std::abs(race[0].back() - race[0].front()),
-               inner = std::abs(race[1].back() - race[1].front());
-  const double least = 1e-6 * std::max(outer, inner);
-  if (outer > least && inner > least) {
-    add("inner race", race[1]);
-    add("outer race", race[0]);
-  } else {
-    add("shaft", between);
-  }
-  add("FTF", orbit);
-  if (const auto omega = looks.rows("element.angular_velocity_vector"); !omega.empty())
-    add("BSF", spin_turns(omega, times, orbit));
-  add("BPFO", past[0]);
-  add("BPFI", past[1]);
-  if (const auto whirl = looks.rows("cage.orbital_position");
-      !whirl.empty() && whirl.front().size() == 1) {
-    std::vector<double> turns;
-    for (const auto& row : whirl) turns.push_back(row.front() / kTurn);
-    add("whirl", turns);
-  }
-  // After all first ones, which are named if there is little space.
-  const std::size_t first = out.size();
-  for (int harmonic = 2; harmonic <= 3; ++harmonic)
-    for (std::size_t i = 0; i < first; ++i) {
-      if (out[i].label == "shaft" || out[i].label.ends_with(" race")) continue;
-      std::vector<double> turns = out[i].turns;
-      for (double& t : turns) t *= harmonic;
-      add(fmt::format("{} {}", harmonic, out[i].label), turns);
-    }
-  return out;
-}
-
 /// "stored" of RUN.json.
 RunFacts read_facts(const nlohmann::json& stored) {
   RunFacts out;
@@ -189,6 +133,62 @@ void read_run(const std::filesystem::path& run_json, const std::string& run_id, 
 }
 
 }  // namespace
+
+std::vector<MarkTurns> mark_turns(const H5Reader& reader) {
+  std::vector<MarkTurns> out;
+  if (reader.steps() < 2) return out;
+  const Looks looks(reader);
+  std::vector<double> times;
+  for (const auto& row : looks.rows(Looks::kTime)) times.push_back(row.front());
+  const auto add = [&](const std::string& label, const std::vector<double>& turns) {
+    out.push_back({label, times, turns});
+  };
+  const auto races = looks.rows("race.rotation"), orbits = looks.rows("element.orbital_position");
+  if (races.empty() || races.front().size() != 2 || orbits.empty() || orbits.front().empty())
+    return out;
+  const auto n = static_cast<double>(orbits.front().size());
+  std::vector<double> race[2], between, orbit, past[2];
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    for (std::size_t j = 0; j < 2; ++j) race[j].push_back(races[i][j] / kTurn);
+    between.push_back(race[1][i] - race[0][i]);
+    double sum = 0.0;
+    for (const double angle : orbits[i]) sum += angle / kTurn;
+    orbit.push_back(sum / n);
+    for (std::size_t j = 0; j < 2; ++j) past[j].push_back(n * (orbit[i] - race[j][i]));
+  }
+  // Rotating races are named separately: both may rotate, and their difference is not a shaft
+  // speed.
+  const double outer = std::abs(race[0].back() - race[0].front()),
+               inner = std::abs(race[1].back() - race[1].front());
+  const double least = 1e-6 * std::max(outer, inner);
+  if (outer > least && inner > least) {
+    add("inner race", race[1]);
+    add("outer race", race[0]);
+  } else {
+    add("shaft", between);
+  }
+  add("FTF", orbit);
+  if (const auto omega = looks.rows("element.angular_velocity_vector"); !omega.empty())
+    add("BSF", spin_turns(omega, times, orbit));
+  add("BPFO", past[0]);
+  add("BPFI", past[1]);
+  if (const auto whirl = looks.rows("cage.orbital_position");
+      !whirl.empty() && whirl.front().size() == 1) {
+    std::vector<double> turns;
+    for (const auto& row : whirl) turns.push_back(row.front() / kTurn);
+    add("whirl", turns);
+  }
+  // After all first ones, which are named if there is little space.
+  const std::size_t first = out.size();
+  for (int harmonic = 2; harmonic <= 3; ++harmonic)
+    for (std::size_t i = 0; i < first; ++i) {
+      if (out[i].label == "shaft" || out[i].label.ends_with(" race")) continue;
+      std::vector<double> turns = out[i].turns;
+      for (double& t : turns) t *= harmonic;
+      add(fmt::format("{} {}", harmonic, out[i].label), turns);
+    }
+  return out;
+}
 
 std::vector<desktop::ChartMark> bearing_frequencies(const std::filesystem::path& results_h5) {
   return mean_marks(mark_turns(H5Reader(results_h5)));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adrplot/page_builder.hpp"
+#include "results/h5_reader.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -16,6 +17,9 @@ namespace adore::adrplot {
 /// these values, and the whirl of the cage. Only those contained in the run.
 [[nodiscard]] std::vector<desktop::ChartMark> bearing_frequencies(
     const std::filesystem::path& results_h5);
+
+/// Rotation of shaft, elements and cage at some hundred of the steps of a run.
+[[nodiscard]] std::vector<MarkTurns> mark_turns(const results::H5Reader& reader);
 
 /// All data for the pages of `file`; empty if the files in its folder are from another run or
 /// missing. Never throws for an invalid file.

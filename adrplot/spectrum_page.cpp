@@ -102,23 +102,23 @@ constexpr double kVisible = 0.01;  ///< of a curve's largest amplitude
 
 /// Does the first line, which is high, result from monotonic motion over the whole run? Removing a
 /// linear trend leaves less than half of it; for a sine of one period more remains.
-bool first_line_is_drift(const Spectrum& spectrum, const Samples& samples, Window window) {
+bool first_line_is_drift(const signal::Spectrum& spectrum, const signal::Samples& samples,
+                         Window window) {
   constexpr double kTall = 0.1, kLost = 0.5;
   const auto& all = spectrum.amplitude;
   if (all.empty() || all.front() < kTall * *std::max_element(all.begin(), all.end())) return false;
-  const Spectrum level = amplitude_spectrum(without_trend(samples.values), samples.step, window);
+  const signal::Spectrum level =
+      signal::amplitude_spectrum(signal::without_trend(samples.values), samples.step, window);
   return level.amplitude.front() < kLost * all.front();
 }
 
 /// Relative to the largest value.
 std::vector<double> relative_amplitude(const std::vector<double>& y, SpectrumScale scale) {
   std::vector<double> out = y;
-  if (scale == SpectrumScale::Decibel) {
+  if (scale == SpectrumScale::Decibel)
     for (double& a : out) a = std::pow(10.0, a / 20.0);
-    return out;
-  }
   double largest = 0.0;
-  for (const double a : y)
+  for (const double a : out)
     if (a > largest) largest = a;  // missing values are skipped
   for (double& a : out) a = largest > 0.0 ? a / largest : 0.0;
   return out;
@@ -162,8 +162,9 @@ Bridged bridge_gaps(const std::vector<double>& t, const std::vector<double>& val
       out.values[i] =
           values[from] + (t[i] - t[from]) / (t[end] - t[from]) * (values[end] - values[from]);
   }
-  const Samples samples = equal_samples(t, out.values);
-  const Spectrum spectrum = amplitude_spectrum(samples.values, samples.step, window);
+  const signal::Samples samples = signal::equal_samples(t, out.values);
+  const signal::Spectrum spectrum =
+      signal::amplitude_spectrum(samples.values, samples.step, window);
   const double largest = spectrum.amplitude.empty() ? 0.0
                                                     : *std::max_element(spectrum.amplitude.begin(),
                                                                         spectrum.amplitude.end());
@@ -247,12 +248,13 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
         continue;
       }
       stored = std::move(bridged.values);
-      const Samples samples = equal_samples(t, stored);
+      const signal::Samples samples = signal::equal_samples(t, stored);
       if (samples.values.empty()) {
-        none(samples.note);
+        none(sampling_note(samples, t.size()));
         continue;
       }
-      Spectrum spectrum = amplitude_spectrum(samples.values, samples.step, options.window);
+      signal::Spectrum spectrum =
+          signal::amplitude_spectrum(samples.values, samples.step, options.window);
       frequency = spectrum.frequency;
       if (std::all_of(spectrum.amplitude.begin(), spectrum.amplitude.end(),
                       [](double a) { return a == 0.0; })) {
@@ -268,14 +270,13 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
       ++drawn;
       scale_spectrum(spectrum, options.scale);
       curve.y = std::move(spectrum.amplitude);
-      add_note(chart, samples.note);  // of the drawn curves
+      add_note(chart, sampling_note(samples, t.size()));  // of the drawn curves
       if (!bridged.told.empty()) add_aside(asides, {curve.name, bridged.told}, panel.title);
     }
     tell_reasons(panel, reasons, asides);
     panel.wraps = false;
     panel.least_span = 0.0;
-    if (options.scale != SpectrumScale::Units)
-      panel.unit = options.scale == SpectrumScale::Decibel ? "dB" : "of largest";
+    panel.unit = spectrum_unit(options.scale, panel.unit);
   }
   const bool all_still =
       chart.panels.size() > 1 &&
@@ -326,12 +327,11 @@ void tell_lines(ChartPage& chart, const std::vector<double>& distances,
   const auto [low, high] = std::minmax_element(distances.begin(), distances.end());
   std::string apart = desktop::pretty_quantity(*low, "Hz", 3);
   if (*high > 1.001 * *low) apart += " to " + desktop::pretty_quantity(*high, "Hz", 3);
-  const char* over = options.scale == SpectrumScale::Relative ? "1 is the maximum of the curve. "
-                     : options.scale == SpectrumScale::Decibel
-                         ? "0 dB is the maximum of the curve. "
-                         : "";
+  const char* over = options.scale == SpectrumScale::Relative  ? "1 is the maximum of the curve. "
+                     : options.scale == SpectrumScale::Decibel ? "Level of the amplitude. "
+                                                               : "";
   add_note(chart, fmt::format("{}{}, mean removed, line spacing {}.", over,
-                              capital(window_name(options.window)), apart));
+                              capital(signal::window_name(options.window)), apart));
 }
 
 void choose_frequency_axis(ChartPage& chart, const std::vector<double>& ends, double visible) {

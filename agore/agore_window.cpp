@@ -1,6 +1,8 @@
 #include "agore/agore_window.hpp"
 
+#include "agore/element_panel.hpp"
 #include "agore/render.hpp"
+#include "agore/view_bar.hpp"
 #include "agore/view_scene.hpp"
 #include "base/errors.hpp"
 #include "desktop/chrome.hpp"
@@ -45,6 +47,16 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
       openFile(files.front().toStdString());
   });
   canvas_ = new PictureWidget(this);
+  panel_ = new ElementPanel(canvas_);
+  panel_->hide();
+  connect(panel_, &ElementPanel::closed, this, [this] { setValuesShown(false); });
+  connect(canvas_, &PictureWidget::elementPicked, this, [this](std::size_t element) {
+    setView(options_.view, static_cast<int>(element) + 1);
+    setValuesShown(true);
+  });
+  bar_ = new ViewBar(this);
+  addToolBar(bar_);
+  connect(bar_, &ViewBar::chosen, this, [this](View view) { setView(view); });
   auto* centre = new QWidget(this);
   auto* row = new QHBoxLayout(centre);
   row->setContentsMargins(0, 0, 0, 0);
@@ -57,8 +69,9 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
   picture->addWidget(findings_);
   row->addLayout(picture, 1);
   makeMenus();
+  buttons_ = makeButtons();
   new desktop::MenuKeys(*this);
-  row->addWidget(makeButtons());
+  row->addWidget(buttons_);
   setCentralWidget(centre);
   timer_.setInterval(kTick);
   timer_.setTimerType(Qt::PreciseTimer);
@@ -242,6 +255,7 @@ bool AgoreWindow::showAsAsked(const ViewOptions& asked) {
   ViewOptions next = asked;
   next.dark = options_.dark;
   next.scale = options_.scale;  // as chosen last
+  next.shown = options_.shown;
   try {
     if (next.beside.size() > kMostBeside)
       throw InputError("At most six views are possible. Select fewer views.");
@@ -281,6 +295,26 @@ void AgoreWindow::setTrails(bool shown) {
   refresh();
 }
 
+void AgoreWindow::setShown(const ShownParts& shown) {
+  options_.shown = shown;
+  refresh();
+}
+
+void AgoreWindow::setValuesShown(bool shown) {
+  findChild<QAction*>("valuesAction")->setChecked(shown);
+  showFrame();
+}
+
+/// In the upper left corner of the pictures, where neither legend nor color scale is.
+void AgoreWindow::showPanel() {
+  const bool shown = picture_ && findChild<QAction*>("valuesAction")->isChecked();
+  options_.picked = shown;
+  if (!shown) return panel_->hide();
+  panel_->show(picture_->animation(), frame_, options_.element);
+  panel_->move(
+      MotionPicture::pictureAreas(canvas_->rect(), 1, options_.shown).front().topLeft().toPoint());
+}
+
 void AgoreWindow::askForElement(View view, std::optional<std::size_t> flange_race) {
   if (!picture_) return askForFile();
   if (const std::string reason = why_not(view, picture_->animation()); !reason.empty())
@@ -297,7 +331,7 @@ void AgoreWindow::askForElement(View view, std::optional<std::size_t> flange_rac
 
 ViewOptions AgoreWindow::stillOptions() const {
   ViewOptions still = options_;
-  still.moving = false;
+  still.moving = still.picked = false;
   still.span_from = still.span_to = std::nullopt;  // of the window alone
   return still;
 }
@@ -312,6 +346,7 @@ void AgoreWindow::switchTheme() {
 
 void AgoreWindow::showFrame() {
   options_.moving = playing();
+  showPanel();
   canvas_->show(picture_.get(), frame_, options_);
 }
 
@@ -319,6 +354,7 @@ void AgoreWindow::refresh() {
   if (picture_ && shows(View::Flange)) choose_flange_race(picture_->animation(), options_);
   placeFindings();
   showFrame();
+  bar_->sync(options_.view, picture_ ? &picture_->animation() : nullptr);
   if (auto* beside = findChild<QMenu*>("besideMenu"))
     for (QAction* action : beside->actions())
       if (action->isCheckable()) {
@@ -341,6 +377,10 @@ void AgoreWindow::refresh() {
   check("clearanceMenu", options_.exaggeration);
   findChild<QAction*>("contactsAction")->setChecked(options_.contacts);
   findChild<QAction*>("trailsAction")->setChecked(options_.trails);
+  for (const auto& [name, shown] : {std::pair{"headingAction", options_.shown.heading},
+                                    {"chartAction", options_.shown.chart},
+                                    {"keyAction", options_.shown.key}})
+    findChild<QAction*>(name)->setChecked(shown);
   if (picture_) {
     // Runs are distinguished by their folders, as in AdrInput.
     const std::filesystem::path& file = picture_->animation().file.path;

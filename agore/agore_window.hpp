@@ -1,5 +1,6 @@
 #pragma once
 
+#include "agore/film_dialog.hpp"
 #include "agore/motion_picture.hpp"
 #include "agore/render.hpp"
 
@@ -15,6 +16,7 @@
 #include <utility>
 
 class QAction;
+class QActionGroup;
 class QComboBox;
 class QMenu;
 
@@ -27,14 +29,18 @@ class FindingsBar;
 
 namespace adore::agore {
 
+class ElementPanel;
+class ViewBar;
+struct ScenePageOptions;
+
 /// Of its settings and recent files.
 inline constexpr const char* kApp = "agore";
 inline constexpr const char* kFollow = "follow";
 
 /// The picture in the window; clicking or dragging in the time bar or in a curve moves to that
 /// time. The wheel zooms the picture under the pointer, dragging moves it (with Shift in the 3D
-/// view, where dragging rotates), a double click shows all of it. Shift+drag in the time bar or a
-/// curve sets the repeated range.
+/// view, where dragging rotates), a double click shows all of it, a click picks an element.
+/// Shift+drag in the time bar or a curve sets the repeated range.
 class PictureWidget : public QWidget {
   Q_OBJECT
  public:
@@ -46,6 +52,8 @@ class PictureWidget : public QWidget {
   void soughtFrame(std::size_t frame);
   void viewMoved(std::size_t tile, double zoom, QPointF pan);
   void eyeMoved(double yaw, double elevation);
+  /// Click on an element, from 0.
+  void elementPicked(std::size_t element);
   /// Shift+drag in the time bar or a curve: range that is repeated [s].
   void spanMarked(double from, double to);
 
@@ -68,6 +76,7 @@ class PictureWidget : public QWidget {
   QPointF drag_from_, pan_from_;
   std::optional<std::size_t> drag_tile_;
   double yaw_from_ = 0.0, elevation_from_ = 0.0;
+  bool moved_ = false;    ///< the pointer, since the button was pressed
   bool turning_ = false;  ///< the eye of a 3D view follows the pointer
   MotionPicture* picture_ = nullptr;
   std::size_t frame_ = 0;
@@ -106,6 +115,10 @@ class AgoreWindow : public QMainWindow {
   void setScale(const ScaleChoice& scale);
   void setContacts(bool shown);
   void setTrails(bool shown);
+  void setShown(const ShownParts& shown);
+  /// Values of the element in a panel over the picture.
+  void setValuesShown(bool shown);
+  [[nodiscard]] ElementPanel& panel() { return *panel_; }
   /// Adds an additional view, or removes all of that kind.
   void setBeside(View view, bool shown);
   void setLoop(bool loop) { loop_ = loop; }
@@ -117,11 +130,15 @@ class AgoreWindow : public QMainWindow {
   /// Writes a movie of the frames from first to last, counted from 1 (0: the last of all), and
   /// reports it in the status bar; false, after a message with the reason, on failure.
   bool writeFilm(const QString& path, int first = 1, int last = 0);
+  bool writeFilm(const QString& path, const FilmChoice& choice);
+  /// The same for a page with the 3D scene, which a browser plays.
+  bool writeScene(const QString& path);
   /// "ball-3d.gif" of a run in the folder "ball".
   [[nodiscard]] QString proposedName(const QString& suffix) const;
 
  public slots:
   void saveFilm();
+  void saveScene();
   void askForFile();
   void playForward();
   void playBackward();
@@ -149,11 +166,15 @@ class AgoreWindow : public QMainWindow {
   void makeViewMenu(QMenu* menu);
   void makeBesideMenu(QMenu* menu);
   void makeColourMenus(QMenu* menu);
+  void makePartsMenu(QMenu* menu);
   void askForLimits();
   void chooseScale(const ScaleChoice& scale);
-  void askForFilmName(int first, int last);
+  void askForFilmName(const FilmChoice& choice);
   QWidget* makeButtons();
-  [[nodiscard]] RenderOptions filmOptions() const;
+  [[nodiscard]] RenderOptions filmOptions(const FilmChoice& choice) const;
+  [[nodiscard]] ScenePageOptions sceneOptions() const;
+  /// Range, interval, rate and size as the window plays.
+  [[nodiscard]] FilmChoice filmChoice() const;
   [[nodiscard]] int filmRate() const;
   [[nodiscard]] int filmEvery() const;  ///< every how many frames it has a picture
   void askForElement(View view, std::optional<std::size_t> flange_race = {});
@@ -164,13 +185,17 @@ class AgoreWindow : public QMainWindow {
   /// Goes to frame and view of a finding.
   void goToFinding(const Finding& finding);
   void showFrame();
+  void showPanel();
   [[nodiscard]] QString besideFile(const QString& name) const;
   [[nodiscard]] ViewOptions stillOptions() const;  ///< of a picture that is not passing by
   [[nodiscard]] bool shows(View view) const;
 
   std::unique_ptr<MotionPicture> picture_;
   PictureWidget* canvas_;
+  ViewBar* bar_;
+  ElementPanel* panel_;
   desktop::FindingsBar* findings_;
+  QWidget* buttons_ = nullptr;
   QComboBox *speed_ = nullptr, *slow_motion_ = nullptr;
   QTimer timer_;
   QElapsedTimer clock_;

@@ -278,7 +278,8 @@ Animation finish(Animation animation) {
   if (animation.has_cage) find_guide(animation);
   if (animation.motion) {
     animation.contacts = contacts_of(animation);
-    for (const char* name : {"contact.load", "contact.slip", "contact.heat", "contact.temperature"})
+    for (const char* name : {"contact.load", "contact.slip", "contact.heat", "contact.temperature",
+                             "contact.pressure"})
       if (const auto* channel = animation.motion->channel(name))
         animation.run_ranges[name] = run_range(*channel);
     if (const auto* load = animation.motion->channel("contact.load"))

@@ -135,13 +135,17 @@ struct History {
   std::string unknown;  ///< why the values cannot be known; empty: they are
   /// Extremes since the value before, as RESULTS.h5 has them; empty: not known.
   std::vector<double> low = {}, high = {};
+  double least_radius = 0.0;  ///< of a whirl that is drawn, if others are left out [file unit]
 };
 /// `segment`: of the cage, from 0; the only one of a cage in one piece.
 [[nodiscard]] History land_force(const Animation& animation, std::size_t land, int segment = 0);
 [[nodiscard]] History pocket_force(const Animation& animation, std::size_t element);
 /// Speed of the mass center of the cage about the bearing axis, and of the cage about its own, over
 /// that of the faster race. Of a segment: its reference point on the cage axis, and its own
-/// turning.
+/// turning. The whirl speed is the tangential velocity over the distance r from the axis. Close to
+/// the axis any small motion gives a large one, so values for r below kNearAxis of the radial
+/// clearance of the lands (without lands: of the largest r) are NaN.
+inline constexpr double kNearAxis = 0.05;
 [[nodiscard]] History cage_whirl(const Animation& animation, int segment = 0);
 [[nodiscard]] History cage_speed(const Animation& animation, int segment = 0);
 /// Orbit speed of an element, and the size of its angular velocity, over that of the shaft.

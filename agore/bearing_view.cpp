@@ -275,6 +275,9 @@ void bearing_view(const Scene& s) {
                    KeyMark::None});
   }
   ring_warned_bodies(s, key);
+  if (s.options.picked)
+    s.sketch.circle(element_centre(s, static_cast<std::size_t>(s.options.element - 1)),
+                    1.1 * g.element_radius, QPen(t.accent, 3.0));
   // First: colors have no meaning without the scale.
   const std::vector<KeyEntry> scale = scale_entries(s);
   key.insert(key.begin(), scale.begin(), scale.end());

@@ -27,6 +27,8 @@ Quantity quantity_of(ColourBy by) {
       return {"contact.heat", "contact heat"};
     case ColourBy::Temperature:
       return {"contact.temperature", "contact temperature"};
+    case ColourBy::Pressure:
+      return {"contact.pressure", "largest pressure"};
     case ColourBy::Load:
     case ColourBy::None:
       break;
@@ -153,8 +155,8 @@ QColor scale_colour(double part) {
   struct Stop {
     double red, green, blue;
   };
-  constexpr std::array<Stop, 6> kStops{
-      {{68, 1, 84}, {65, 68, 135}, {42, 120, 142}, {34, 168, 132}, {122, 209, 81}, {253, 231, 37}}};
+  constexpr std::array<Stop, 5> kStops{
+      {{92, 112, 214}, {40, 155, 165}, {75, 187, 120}, {155, 213, 75}, {253, 231, 37}}};
   const double at = std::clamp(part, 0.0, 1.0) * (kStops.size() - 1);
   const auto i = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
   const double t = at - static_cast<double>(i);

@@ -1,6 +1,7 @@
 #include "agore/fastest_contact.hpp"
 #include "agore/race_speeds.hpp"
 #include "agore/views.hpp"
+#include "desktop/axis_scale.hpp"
 
 #include <fmt/format.h>
 
@@ -76,11 +77,26 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       page.title += animation.segment_remark(segment);
       break;
     }
-    case View::Cage:
+    case View::Cage: {
       page.title = "Cage speed / " + divisor_text(animation, over_of_cage(animation)) +
                    animation.segment_remark(segment);
-      add(page, "Whirl", "", cage_whirl(animation, segment), exact, true);
+      const History whirl = cage_whirl(animation, segment);
+      std::string name = "Whirl";
+      if (whirl.least_radius > 0.0) {
+        const std::string least =
+            desktop::pretty_quantity(whirl.least_radius, animation.file.units[0], 2);
+        name += " (r > " + least + ")";
+        page.note = "Whirl is undefined near the axis (r < " + least + ") and not drawn there.";
+      }
+      add(page, name, "", whirl, exact, true);
       add(page, "Rotation", "", cage_speed(animation, segment), exact, true);
+      break;
+    }
+    case View::Raceways:
+      page.title = fmt::format("Largest pressure, element {}", options.element);
+      for (const auto& [race, name] :
+           {std::pair<std::size_t, const char*>{0, "outer race"}, {1, "inner race"}})
+        add(page, "Pressure", name, contact_load(animation, k, race, "contact.pressure"), exact);
       break;
     case View::Pocket:
       page.title = fmt::format("Force in pocket {}", options.element);

@@ -24,15 +24,23 @@ double longest_load_arrow(const Scene& s, double wanted, double edge) {
   return std::min(wanted, std::max(room, 0.3 * radius));  // shorter ones would show no loads
 }
 
-QPointF element_centre(const Scene& s, std::size_t k) {
-  const auto& element = s.frame.elements[k];
+QPointF element_centre(const Animation& animation, std::size_t frame, double factor,
+                       std::size_t k) {
+  const auto& element = animation.frame(frame).elements[k];
   const auto polar = [](double r, double a) { return QPointF(-r * std::sin(a), r * std::cos(a)); };
-  if (!s.animation.has_cage) return polar(element.r, element.theta);
-  const double a = s.pocket_azimuth(k);
+  if (!animation.has_cage) return polar(element.r, element.theta);
+  const int part = animation.pocket_part[k];
+  const double a = animation.part_angle(frame, part) + animation.pocket_angle[k];
   const QPointF radial = polar(1.0, a),
                 across(std::cos(a), std::sin(a));  // z and y axes of the pocket
-  return s.place(s.animation.cage_of(s.index, k)) + radial * s.pitch_radius() +
-         (across * element.pocket_vector[1] + radial * element.pocket_vector[2]) * s.factor;
+  const auto& cage = animation.part(frame, part).position;
+  return QPointF(cage[1], cage[2]) * factor +
+         radial * 0.5 * animation.file.geometry.pitch_diameter +
+         (across * element.pocket_vector[1] + radial * element.pocket_vector[2]) * factor;
+}
+
+QPointF element_centre(const Scene& s, std::size_t k) {
+  return element_centre(s.animation, s.index, s.factor, k);
 }
 
 QColor trail_colour(const Scene& s) { return s.sketch.theme().curves[3]; }
@@ -175,10 +183,9 @@ void draw_elements(const Scene& s) {
 }
 
 void draw_turning_marks(const Scene& s) {
-  const Colouring colours = colouring(s.animation, s.index, s.options.colour, s.options.scale);
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k)
     s.sketch.turning_mark(element_centre(s, k), s.geometry().element_radius, mark_from_axis(s, k),
-                          colours.of(k), s.animation.file.bearing_type != 1);
+                          s.animation.file.bearing_type != 1);
 }
 
 void draw_contact_marks(const Scene& s) {

@@ -3,6 +3,7 @@
 #include "desktop/chart_page.hpp"
 #include "desktop/dialogs.hpp"
 
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
@@ -19,8 +20,8 @@ namespace {
 constexpr double kMs = 1e3;
 }
 
-FilmDialog::FilmDialog(std::vector<double> time, std::pair<std::size_t, std::size_t> part,
-                       Tell tell, QWidget* parent)
+FilmDialog::FilmDialog(std::vector<double> time, const FilmChoice& start, bool by_time, Tell tell,
+                       QWidget* parent)
     : QDialog(parent), time_(std::move(time)), tell_(std::move(tell)) {
   setObjectName("filmRange");
   setWindowTitle(tr("Save Movie"));
@@ -35,12 +36,13 @@ FilmDialog::FilmDialog(std::vector<double> time, std::pair<std::size_t, std::siz
     line->addWidget(end.time);
     form->addRow(text, line);
   };
-  from_ = makeEnd("filmFrom", part.first);
+  from_ = makeEnd("filmFrom", start.first);
   from_.frame->setAccessibleName(tr("From frame"));
   row(tr("From frame"), from_);
-  to_ = makeEnd("filmTo", part.second);
+  to_ = makeEnd("filmTo", start.last);
   to_.frame->setAccessibleName(tr("To frame"));
   row(tr("To frame"), to_);
+  addPictures(*form, start, by_time);
   length_ = new QLabel(this);
   length_->setObjectName("filmLength");
   length_->setWordWrap(true);
@@ -52,6 +54,40 @@ FilmDialog::FilmDialog(std::vector<double> time, std::pair<std::size_t, std::siz
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   changed();
+}
+
+void FilmDialog::addPictures(QFormLayout& form, const FilmChoice& start, bool by_time) {
+  constexpr int kMostRate = 60;
+  every_ = new QSpinBox(this);
+  every_->setObjectName("filmEvery");
+  every_->setRange(1, static_cast<int>(time_.size()));
+  every_->setValue(start.every);
+  every_->setEnabled(!by_time);
+  every_->setToolTip(by_time ? tr("Slow motion: pictures at equal steps of time")
+                             : tr("1: all frames, 2: every second frame"));
+  rate_ = new QSpinBox(this);
+  rate_->setObjectName("filmRate");
+  rate_->setRange(1, kMostRate);
+  rate_->setValue(start.rate);
+  size_ = new QComboBox(this);
+  size_->setObjectName("filmSize");
+  const auto add = [this](QSize size, const QString& note) {
+    if (size_->findData(size) < 0)
+      size_->addItem(tr("%1 × %2%3").arg(size.width()).arg(size.height()).arg(note), size);
+  };
+  add(start.size, tr(" (as displayed)"));
+  for (const QSize& size : {QSize(854, 480), QSize(1280, 720), QSize(1280, 800), QSize(1920, 1080)})
+    add(size, {});
+  const auto row = [&](const QString& text, QWidget* field) {
+    form.addRow(text, field);
+    field->setAccessibleName(text);
+  };
+  row(tr("Interval of frames"), every_);
+  row(tr("Pictures per second"), rate_);
+  row(tr("Size [pixels]"), size_);
+  for (QSpinBox* box : {every_, rate_})
+    connect(box, &QSpinBox::valueChanged, this, &FilmDialog::changed);
+  connect(size_, &QComboBox::currentIndexChanged, this, &FilmDialog::changed);
 }
 
 FilmDialog::End FilmDialog::makeEnd(const QString& name, std::size_t frame) {
@@ -84,17 +120,21 @@ FilmDialog::End FilmDialog::makeEnd(const QString& name, std::size_t frame) {
   return out;
 }
 
-std::size_t FilmDialog::first() const { return static_cast<std::size_t>(from_.frame->value() - 1); }
-std::size_t FilmDialog::last() const { return static_cast<std::size_t>(to_.frame->value() - 1); }
+FilmChoice FilmDialog::choice() const {
+  return {static_cast<std::size_t>(from_.frame->value() - 1),
+          static_cast<std::size_t>(to_.frame->value() - 1), every_->value(), rate_->value(),
+          size_->currentData().toSize()};
+}
 
 void FilmDialog::changed() {
-  if (to_.frame == nullptr || to_.time == nullptr) return;  // not made yet
+  if (ok_ == nullptr) return;  // not made yet
+  const FilmChoice now = choice();
   const auto [words, valid] =
-      first() > last() ? std::pair{tr("The first frame (%1) is after the last frame (%2).")
-                                       .arg(first() + 1)
-                                       .arg(last() + 1),
-                                   false}
-                       : tell_(first(), last());
+      now.first > now.last ? std::pair{tr("The first frame (%1) is after the last frame (%2).")
+                                           .arg(now.first + 1)
+                                           .arg(now.last + 1),
+                                       false}
+                           : tell_(now);
   length_->setText(words);
   ok_->setEnabled(valid);
 }

@@ -1,30 +1,43 @@
 #pragma once
 
 #include <QDialog>
+#include <QSize>
 
 #include <cstddef>
 #include <functional>
 #include <utility>
 #include <vector>
 
+class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
+class QFormLayout;
 class QSpinBox;
 
 namespace adore::agore {
 
-/// Dialog for the range of a movie, by frames or times; shows the resulting length.
+/// What a movie shows.
+struct FilmChoice {
+  std::size_t first = 0, last = 0;  ///< frames, from 0
+  int every = 1;                    ///< every n-th frame
+  int rate = 25;                    ///< pictures per second
+  QSize size;                       ///< [pixels]
+};
+
+/// Dialog for range, interval of frames, rate and size of a movie; shows length and file size.
 class FilmDialog : public QDialog {
   Q_OBJECT
  public:
-  /// Description of a range of frames, and whether it can be a movie.
-  using Tell = std::function<std::pair<QString, bool>(std::size_t first, std::size_t last)>;
-  /// @param part first and last frame that it begins with, from 0
-  FilmDialog(std::vector<double> time, std::pair<std::size_t, std::size_t> part, Tell tell,
+  /// Description of a movie, and whether it can be written.
+  using Tell = std::function<std::pair<QString, bool>(const FilmChoice& choice)>;
+  /// @param start choice that it begins with; its size is that of the window
+  /// @param by_time slow motion: pictures at equal steps of time, so that frames have no interval
+  FilmDialog(std::vector<double> time, const FilmChoice& start, bool by_time, Tell tell,
              QWidget* parent);
-  [[nodiscard]] std::size_t first() const;  ///< from 0
-  [[nodiscard]] std::size_t last() const;
+  [[nodiscard]] FilmChoice choice() const;
+  [[nodiscard]] std::size_t first() const { return choice().first; }
+  [[nodiscard]] std::size_t last() const { return choice().last; }
 
  private:
   struct End {
@@ -32,13 +45,16 @@ class FilmDialog : public QDialog {
     QDoubleSpinBox* time = nullptr;  ///< [ms]
   };
   End makeEnd(const QString& name, std::size_t frame);
+  void addPictures(QFormLayout& form, const FilmChoice& start, bool by_time);
   void changed();
 
   std::vector<double> time_;
   Tell tell_;
   End from_, to_;
-  QLabel* length_;
-  QPushButton* ok_;
+  QSpinBox *every_ = nullptr, *rate_ = nullptr;
+  QComboBox* size_ = nullptr;
+  QLabel* length_ = nullptr;
+  QPushButton* ok_ = nullptr;
 };
 
 }  // namespace adore::agore

@@ -169,6 +169,23 @@ int race_index(const Animation& animation, std::size_t race) {
   return animation.file.elements + (animation.has_cage ? 1 : 0) + 1 + static_cast<int>(race);
 }
 
+/// Whirl near the axis is left out.
+void keep_clear_of_axis(History& whirl, const std::vector<double>& radius, double clearance) {
+  if (!(clearance > 0.0))
+    for (const double r : radius)
+      if (std::isfinite(r)) clearance = std::max(clearance, r);
+  const double least = kNearAxis * clearance;
+  for (std::size_t i = 0; i < std::min(radius.size(), whirl.value.size()); ++i) {
+    if (radius[i] >= least) continue;
+    for (std::vector<double>* values : {&whirl.value, &whirl.low, &whirl.high})
+      if (i < values->size()) (*values)[i] = kNone;
+    whirl.least_radius = least;
+  }
+  if (!whirl.value.empty() && std::none_of(whirl.value.begin(), whirl.value.end(),
+                                           [](double value) { return std::isfinite(value); }))
+    whirl.unknown = "The cage center stays too close to the axis for a whirl.";
+}
+
 std::optional<History> one_column(const Animation& animation, int index, const std::string& id) {
   auto stored = stored_beside(animation, index, {id});
   if (!stored) return std::nullopt;
@@ -284,27 +301,29 @@ History cage_whirl(const Animation& animation, int segment) {
   if (animation.motion && animation.motion->has("cage.whirl_ratio")) {
     History out = of_motion(animation, "cage.whirl_ratio", static_cast<std::size_t>(segment));
     if (outer_turns(animation)) change_divisor(out, animation);
+    keep_clear_of_axis(
+        out, animation.motion->series("cage.radial_position", static_cast<std::size_t>(segment)),
+        animation.guide_clearance);
     return with_rest(animation, std::move(out),
                      if_same_divisor(animation, [&](const Animation& alone) {
                        return cage_whirl(alone, segment);
                      }));
   }
-  if (auto stored = one_column(animation, cage_index(animation), "cage.whirl_ratio"))
-    return *stored;
-  std::vector<double> angle;
-  double largest = 0.0;
+  if (auto stored = stored_beside(animation, cage_index(animation),
+                                  {"cage.whirl_ratio", "cage.radial_position"})) {
+    History out{std::move(stored->time), std::move(stored->columns[0]), stored->units[0], ""};
+    keep_clear_of_axis(out, stored->columns[1], animation.guide_clearance);
+    return out;
+  }
+  std::vector<double> angle, radius;
   for (const auto& frame : animation.file.frames) {
     const auto& p = frame.cage.position;
     angle.push_back(std::atan2(-p[1], p[2]));
-    largest = std::max(largest, std::hypot(p[1], p[2]));
+    radius.push_back(std::hypot(p[1], p[2]));
   }
   constexpr double kFastest = 1.0;  // a cage that whirls with the shaft
   History out = by_differences(animation, continuous(std::move(angle)), kFastest);
-  for (std::size_t i = 0; i < out.value.size(); ++i) {
-    const auto& p = animation.frame(i).cage.position;
-    // Near the middle the direction of the center means nothing.
-    if (std::hypot(p[1], p[2]) <= 1e-3 * largest) out.value[i] = kNone;
-  }
+  keep_clear_of_axis(out, radius, animation.guide_clearance);
   return out;
 }
 

@@ -59,11 +59,7 @@ void draw_key_mark(QPainter& p, const KeyEntry& entry, const desktop::Theme& the
         (entry.mark == KeyMark::Sector ? draw_turning_sector : draw_turning_mark)(
             p, at_body, radius, {kWay, kWay, entry.mark == KeyMark::Sector ? 0.0 : 1.0}, ink);
       };
-      if (!entry.on_colours) return body(middle, kBody, theme.steel_light, colour);
-      const double small = 0.25 * length;
-      const QColor dark = scale_colour(0.0);
-      body(at + QPointF(small, 0.0), small, scale_colour(0.8), colour);
-      return body(end - QPointF(small, 0.0), small, dark, turning_mark_colour(theme, dark));
+      return body(middle, kBody, entry.on_colours ? scale_colour(0.5) : theme.steel_light, colour);
     }
     case KeyMark::Scale: {
       QLinearGradient shade(at, end);

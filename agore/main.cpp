@@ -1,5 +1,6 @@
 #include "agore/agore_window.hpp"
 #include "agore/render.hpp"
+#include "agore/scene_page.hpp"
 #include "base/ending.hpp"
 #include "base/errors.hpp"
 #include "base/terminal_text.hpp"
@@ -28,13 +29,13 @@ using namespace adore;
 
 namespace {
 
-const std::vector<std::string> kViews{"bearing", "cage",   "pocket",  "element",
-                                      "race",    "flange", "section", "3d"};
+const std::vector<std::string> kViews{"bearing", "cage",    "pocket", "element", "race",
+                                      "flange",  "section", "3d",     "raceways"};
 
 struct Request {
   std::filesystem::path file, folder;
   std::string view = "bearing", race, size = "1280x800", film, colour = "none", scale = "usual";
-  std::string beside, project;
+  std::string beside, project, html;
   int frame = 0, every = 0, rate = 25;
   bool follow = false, behind = false;
   agore::RenderOptions options;
@@ -48,6 +49,16 @@ int render(int& argc, char** argv, Request& request) {
   if (request.race.empty()) agore::choose_flange_race(picture.animation(), request.options.view);
   for (const std::string& note : picture.animation().notes())
     print(stderr, "agore: note: {}: {}\n", request.file.string(), note);
+  if (!request.html.empty()) {
+    const auto page = request.folder / request.html;
+    const agore::ScenePage scene = agore::write_scene_page(
+        picture.animation(),
+        {request.options.view, request.options.first, request.options.last, request.every}, page,
+        false);
+    print(stderr, "agore: {}\n", scene.summary());
+    print("{}\n", page.string());
+    return 0;
+  }
   if (!request.film.empty()) {
     const auto film = request.folder / request.film;
     agore::render_movie(picture, std::max(1, request.every), request.rate, film, request.options);
@@ -172,6 +183,13 @@ int main(int argc, char** argv) {
                     ->type_name("FILE")
                     ->needs(folder)
                     ->excludes(frame);
+  auto* html = cli.add_option("--html", request.html,
+                              "page with the 3D scene to write in the folder of --render, which a "
+                              "browser plays: NAME.html (needs libjs-three)")
+                   ->type_name("FILE")
+                   ->needs(folder)
+                   ->excludes(frame)
+                   ->excludes(movie);
   command_line::at_least(
       cli.add_option("--fps", request.rate, "movie frames per second")->capture_default_str(), 1)
       ->needs(folder);
@@ -194,7 +212,7 @@ int main(int argc, char** argv) {
   command_line::one_of(cli.add_option("--color,--colour", request.colour, "color elements by")
                            ->capture_default_str()
                            ->type_name("WHAT"),
-                       {"none", "load", "slip", "heat", "temperature"});
+                       {"none", "load", "slip", "heat", "temperature", "pressure"});
   cli.add_option("--scale", request.scale,
                  "color scale: usual (95 % of the values of the run), run (range of the run), "
                  "moment (range of this frame), or limits such as 0:0.02 in the unit of the file")
@@ -224,8 +242,8 @@ int main(int argc, char** argv) {
     request.options.view.colour = agore::colour_named(request.colour);
     request.options.view.scale = agore::scale_named(request.scale);
     if ((cli.count("--from") > 0 || cli.count("--to") > 0) && request.film.empty() &&
-        request.every == 0)
-      throw InputError("--from and --to need --movie or --every");
+        html->empty() && request.every == 0)
+      throw InputError("--from and --to need --movie, --html or --every");
     const auto pixels = desktop::parse_size(request.size);
     request.options.width = pixels.width;
     request.options.height = pixels.height;

@@ -42,7 +42,9 @@ QStringList present_values(const desktop::ChartScene& scene, double time, double
       // Changes below the size of an atom are rounding.
       const bool nothing = std::abs(curve.y[at]) < desktop::least_span_of(panel.unit);
       const std::string value =
-          desktop::pretty_quantity(nothing ? 0.0 : curve.y[at], panel.unit, 3);
+          std::isfinite(curve.y[at])
+              ? desktop::pretty_quantity(nothing ? 0.0 : curve.y[at], panel.unit, 3)
+              : std::string("none");
       parts << QString::fromStdString(name + ": " + value);
       values << QString::fromStdString(value);
     }
@@ -101,47 +103,70 @@ std::vector<QRectF> tiles_of(const QRectF& all, std::size_t views) {
 
 double data_width(const QRectF& area) { return std::clamp(0.36 * area.width(), 200.0, 560.0); }
 
+double head_of(const ShownParts& shown) { return shown.heading ? kHeading : 0.5 * kMargin; }
+
 /// Of all pictures, without a key that they share.
-QRectF pictures_area(const QRectF& area) {
-  return {area.left() + kMargin, area.top() + kHeading,
-          area.width() - 2.0 * kMargin - data_width(area) - 10.0,
-          area.height() - kHeading - bar_space(area)};
+QRectF pictures_area(const QRectF& area, const ShownParts& shown) {
+  return {area.left() + kMargin, area.top() + head_of(shown),
+          area.width() - 2.0 * kMargin - (shown.chart ? data_width(area) + 10.0 : 0.0),
+          area.height() - head_of(shown) - bar_space(area)};
 }
 
 }  // namespace
 
-QRectF MotionPicture::sharedKeyArea(const QRectF& area, std::size_t views) {
-  if (views <= 1) return {};
-  const QRectF tile = tiles_of(pictures_area(area), views).front();
+QRectF MotionPicture::sharedKeyArea(const QRectF& area, std::size_t views,
+                                    const ShownParts& shown) {
+  if (views <= 1 || !shown.key) return {};
+  const QRectF all = pictures_area(area, shown), tile = tiles_of(all, views).front();
   if (tile.height() - tile_top(tile) - kTileFoot >= kTooLowBeside) return {};
+  if (!shown.chart) {  // below the pictures, in wide lines
+    constexpr double kPart = 0.2;
+    const double height = std::min(SharedKey::height(), kPart * all.height());
+    return {all.left(), all.bottom() - height, all.width(), height};
+  }
   // Below the curves: the space next to the pictures belongs to them.
   // The numbers of the axis need some of it; the key has smaller letters then.
   constexpr double kLeastChart = 164.0, kLeastKey = 0.4;
-  const double both = area.height() - kHeading - bar_space(area);
+  const double both = all.height();
   const double height =
                    std::min(SharedKey::height(), std::max(kLeastKey * both, both - kLeastChart)),
                width = data_width(area);
   return {area.right() - kMargin - width, area.bottom() - bar_space(area) - height, width, height};
 }
 
-QRectF MotionPicture::dataArea(const QRectF& area, std::size_t views) {
-  const double width = data_width(area);
-  const double bottom = area.bottom() - bar_space(area) - sharedKeyArea(area, views).height();
-  return {area.right() - kMargin - width, area.top() + kHeading, width,
-          std::min(bottom - area.top() - kHeading, 1.25 * width)};
+QRectF MotionPicture::dataArea(const QRectF& area, std::size_t views, const ShownParts& shown) {
+  if (!shown.chart) return {};
+  const double width = data_width(area), top = area.top() + head_of(shown);
+  const double bottom =
+      area.bottom() - bar_space(area) - sharedKeyArea(area, views, shown).height();
+  return {area.right() - kMargin - width, top, width, std::min(bottom - top, 1.25 * width)};
 }
 
-std::vector<QRectF> MotionPicture::pictureAreas(const QRectF& area, std::size_t views) {
-  QRectF all = pictures_area(area);
+std::vector<QRectF> MotionPicture::pictureAreas(const QRectF& area, std::size_t views,
+                                                const ShownParts& shown) {
+  QRectF all = pictures_area(area, shown);
   if (views <= 1) return {all};
+  if (!shown.chart) all.setHeight(all.height() - sharedKeyArea(area, views, shown).height());
   return tiles_of(all, views);
 }
 
-std::optional<double> MotionPicture::timeAt(const QRectF& area, QPointF position) const {
-  const QRectF data = dataArea(area);
+std::optional<double> MotionPicture::timeAt(const QRectF& area, QPointF position,
+                                            const ShownParts& shown) const {
+  if (!shown.chart) return std::nullopt;
+  const QRectF data = dataArea(area, 1, shown);
   const QPointF inside = position - data.topLeft();
   if (!data_.panelAt(inside)) return std::nullopt;
   return data_.abscissaAt(inside.x());
+}
+
+std::optional<std::size_t> MotionPicture::elementAt(const QRectF& area, QPointF position,
+                                                    std::size_t frame,
+                                                    const ViewOptions& options) const {
+  const std::vector<QRectF> tiles = innerAreas(area, 1 + options.beside.size(), options.shown);
+  for (std::size_t i = 0; i < tiles.size(); ++i)
+    if (tiles[i].contains(position))
+      return element_at(tiles[i], position, animation_, frame, options.tile(i));
+  return std::nullopt;
 }
 
 std::size_t MotionPicture::frameAt(double time) const {
@@ -156,7 +181,7 @@ QRectF MotionPicture::timeBar(const QRectF& area) {
 void MotionPicture::paint(QPainter& painter, const QRectF& area, std::size_t frame,
                           const ViewOptions& options) {
   for (std::size_t i = 0; i <= options.beside.size(); ++i) check_view(animation_, options.tile(i));
-  const std::vector<QRectF> tiles = innerAreas(area, 1 + options.beside.size());
+  const std::vector<QRectF> tiles = innerAreas(area, 1 + options.beside.size(), options.shown);
   kept_.resize(std::max(kept_.size(), tiles.size()));
   for (Kept& kept : kept_) kept.stamps = stamps_;
   painter.save();
@@ -173,7 +198,7 @@ void MotionPicture::paint(QPainter& painter, const QRectF& area, std::size_t fra
   }
   for (std::size_t i = 0; i < tiles.size(); ++i)
     paint_picture(painter, tiles[i], animation_, frame, options.tile(i), &kept_[i], Layers::Moving);
-  if (const QRectF place = sharedKeyArea(area, tiles.size()); !place.isEmpty()) {
+  if (const QRectF place = sharedKeyArea(area, tiles.size(), options.shown); !place.isEmpty()) {
     std::vector<KeyEntry> entries;
     for (std::size_t i = 0; i < tiles.size(); ++i) {
       const std::vector<KeyEntry>& own = kept_[i].key.leftOut();
@@ -181,13 +206,15 @@ void MotionPicture::paint(QPainter& painter, const QRectF& area, std::size_t fra
     }
     shared_key_.draw(painter, place, theme_of(options), std::move(entries));
   }
-  paintMoment(painter, dataArea(area, tiles.size()), frame, options);
+  if (options.shown.chart)
+    paintMoment(painter, dataArea(area, tiles.size(), options.shown), frame, options);
   paintTimeBar(painter, timeBar(area), frame, options);
   painter.restore();
 }
 
-std::vector<QRectF> MotionPicture::innerAreas(const QRectF& area, std::size_t views) {
-  std::vector<QRectF> tiles = pictureAreas(area, views);
+std::vector<QRectF> MotionPicture::innerAreas(const QRectF& area, std::size_t views,
+                                              const ShownParts& shown) {
+  std::vector<QRectF> tiles = pictureAreas(area, views, shown);
   if (tiles.size() > 1)
     for (QRectF& tile : tiles) tile.adjust(4.0, tile_top(tile), -4.0, -kTileFoot);
   return tiles;
@@ -195,7 +222,8 @@ std::vector<QRectF> MotionPicture::innerAreas(const QRectF& area, std::size_t vi
 
 MotionPicture::Setting MotionPicture::setting(QSizeF size, double ratio,
                                               const ViewOptions& options) {
-  Setting out{size, ratio, options.view, options.element, options.flange_race, options.dark, {}};
+  Setting out{size,         ratio, options.view, options.element, options.flange_race,
+              options.dark, {},    options.shown};
   for (const SideView& side : options.beside) out.beside.push_back(side.view);
   return out;
 }
@@ -218,7 +246,7 @@ const QImage& MotionPicture::backdrop(const QRectF& area, double ratio, std::siz
     setting_ = now;
     still_.clear();
   }
-  const std::vector<QRectF> tiles = innerAreas(all, 1 + options.beside.size());
+  const std::vector<QRectF> tiles = innerAreas(all, 1 + options.beside.size(), options.shown);
   still_.resize(tiles.size());
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     const ViewOptions own = options.tile(i);
@@ -233,7 +261,7 @@ const QImage& MotionPicture::backdrop(const QRectF& area, double ratio, std::siz
   return backdrop_;
 }
 
-void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
+void MotionPicture::paintHeading(QPainter& painter, const QRectF& area, const Animation& animation,
                                  const ViewOptions& options) {
   const desktop::Theme& t = theme_of(options);
   painter.setFont(desktop::ui_font(18, true));
@@ -244,11 +272,11 @@ void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
   painter.drawText(QPointF(area.left() + kMargin, area.top() + 30), title);
   painter.setFont(desktop::ui_font(13));
   painter.setPen(t.muted);
-  const std::string run = animation_.file.run_id.empty() ? "(no run name)" : animation_.file.run_id;
-  const std::string gap = "   ·   ", speed = speed_text(animation_);
+  const std::string run = animation.file.run_id.empty() ? "(no run name)" : animation.file.run_id;
+  const std::string gap = "   ·   ", speed = speed_text(animation);
   const QString origin =
       QString::fromStdString(run + (speed.empty() ? speed : gap + speed) + gap +
-                             animation_.file.path.filename().string() + gap + animation_.source);
+                             animation.file.path.filename().string() + gap + animation.source);
   const QFontMetricsF metrics(painter.font());
   const double width = area.width() - 2.0 * kMargin;
   const auto heading = desktop::fitted_heading(origin, metrics, width, width - title_width - 24.0);
@@ -256,7 +284,13 @@ void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
   painter.drawText(
       QPointF(area.right() - kMargin - metrics.horizontalAdvance(heading.beside), area.top() + 30),
       heading.beside);
-  const std::vector<QRectF> tiles = pictureAreas(area, 1 + options.beside.size());
+}
+
+void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
+                                 const ViewOptions& options) {
+  const desktop::Theme& t = theme_of(options);
+  if (options.shown.heading) paintHeading(painter, area, animation_, options);
+  const std::vector<QRectF> tiles = pictureAreas(area, 1 + options.beside.size(), options.shown);
   for (std::size_t i = 0; i < tiles.size() && tiles.size() > 1; ++i) {
     painter.setPen(QPen(t.grid, 1.0));
     painter.setBrush(Qt::NoBrush);
@@ -268,7 +302,8 @@ void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
                      Qt::AlignLeft | Qt::AlignTop,
                      QString::fromStdString(view_title(options.tile(i).view)));
   }
-  const QRectF data = dataArea(area, tiles.size());
+  if (!options.shown.chart) return;
+  const QRectF data = dataArea(area, tiles.size(), options.shown);
   makeDataPage(data.size(), options);
   painter.save();
   data_.paintPage(painter, data);
@@ -278,6 +313,7 @@ void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
 void MotionPicture::makeDataPage(QSizeF size, const ViewOptions& options) {
   Setting now = setting(size, 1.0, options);
   now.beside.clear();
+  now.shown = {};
   if (now == data_setting_) return;
   data_.setTheme(theme_of(options));
   data_.setPageSize(size);

@@ -37,19 +37,31 @@ class MotionPicture {
   /// The time bar inside `area`, so that a window can be clicked there.
   [[nodiscard]] static QRectF timeBar(const QRectF& area);
   /// Areas of the pictures (one for each view) and of the curves inside `area`.
-  [[nodiscard]] static std::vector<QRectF> pictureAreas(const QRectF& area, std::size_t views);
-  [[nodiscard]] static QRectF dataArea(const QRectF& area, std::size_t views = 1);
+  [[nodiscard]] static std::vector<QRectF> pictureAreas(const QRectF& area, std::size_t views,
+                                                        const ShownParts& shown = {});
+  /// Empty if the curves are hidden.
+  [[nodiscard]] static QRectF dataArea(const QRectF& area, std::size_t views = 1,
+                                       const ShownParts& shown = {});
   /// Area of the common key of views that are too low for separate keys; empty: none.
-  [[nodiscard]] static QRectF sharedKeyArea(const QRectF& area, std::size_t views);
+  [[nodiscard]] static QRectF sharedKeyArea(const QRectF& area, std::size_t views,
+                                            const ShownParts& shown = {});
   /// Time at a position on a panel of the curves, as painted last; none elsewhere.
-  [[nodiscard]] std::optional<double> timeAt(const QRectF& area, QPointF position) const;
+  [[nodiscard]] std::optional<double> timeAt(const QRectF& area, QPointF position,
+                                             const ShownParts& shown = {}) const;
+  /// Element (from 0) at a position, in a view that shows all of them.
+  [[nodiscard]] std::optional<std::size_t> elementAt(const QRectF& area, QPointF position,
+                                                     std::size_t frame,
+                                                     const ViewOptions& options) const;
   [[nodiscard]] std::size_t frameAt(double time) const;  ///< the nearest one
   /// Of the images of moving parts that all views keep [bytes].
   [[nodiscard]] double keptBytes() const { return stamps_->bytes(); }
 
  private:
   /// Area of the pictures, without the frames and titles of several pictures.
-  [[nodiscard]] static std::vector<QRectF> innerAreas(const QRectF& area, std::size_t views);
+  [[nodiscard]] static std::vector<QRectF> innerAreas(const QRectF& area, std::size_t views,
+                                                      const ShownParts& shown);
+  static void paintHeading(QPainter& painter, const QRectF& area, const Animation& animation,
+                           const ViewOptions& options);
   void makeDataPage(QSizeF size, const ViewOptions& options);
   /// Headings, titles of several views, the data area's curves.
   void paintSetting(QPainter& painter, const QRectF& area, const ViewOptions& options);
@@ -72,6 +84,7 @@ class MotionPicture {
     std::size_t flange_race = 0;
     bool dark = false;
     std::vector<View> beside;
+    ShownParts shown;
     bool operator==(const Setting&) const = default;
   };
   [[nodiscard]] static Setting setting(QSizeF size, double ratio, const ViewOptions& options);

@@ -96,6 +96,7 @@ double key_line(int letters) {
 }
 
 void draw_key(const Scene& s, const std::vector<KeyEntry>& all, const QString& remark) {
+  if (!s.options.shown.key) return s.key.leaveOut({});
   const bool low = too_low(s.options, s.sketch.area().height());
   s.key.leaveOut(low ? all : std::vector<KeyEntry>{});
   s.key.draw(s.sketch, low ? std::vector<KeyEntry>{} : all, remark);

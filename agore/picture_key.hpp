@@ -41,7 +41,7 @@ struct KeyEntry {
   QString text;
   KeyMark mark = KeyMark::Line;
   QString room{};           ///< alternative texts of other frames: the width of the longest is kept
-  bool on_colours = false;  ///< the mark is on colors of the scale: pale on dark ones
+  bool on_colours = false;  ///< the mark is on colors of the scale
   bool operator==(const KeyEntry&) const = default;
 };
 

@@ -1,5 +1,6 @@
 #include "agore/agore_window.hpp"
 
+#include <QApplication>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
@@ -36,7 +37,7 @@ void PictureWidget::tell() {
       const ViewOptions of = options_.tile(i);
       QString view = QString::fromStdString(view_title(of.view));
       if (of.view == View::Pocket || of.view == View::Element || of.view == View::Flange ||
-          of.view == View::Section)
+          of.view == View::Section || of.view == View::Raceways)
         view += " " + QString::number(of.element);
       views << view;
     }
@@ -71,7 +72,8 @@ void PictureWidget::paintEvent(QPaintEvent*) {
 
 std::optional<std::size_t> PictureWidget::tileAt(QPointF position) const {
   if (!picture_) return std::nullopt;
-  const auto tiles = MotionPicture::pictureAreas(rect(), 1 + options_.beside.size());
+  const auto tiles =
+      MotionPicture::pictureAreas(rect(), 1 + options_.beside.size(), options_.shown);
   for (std::size_t i = 0; i < tiles.size(); ++i)
     if (tiles[i].contains(position)) return i;
   return std::nullopt;
@@ -79,6 +81,7 @@ std::optional<std::size_t> PictureWidget::tileAt(QPointF position) const {
 
 void PictureWidget::mousePressEvent(QMouseEvent* event) {
   span_from_.reset();
+  moved_ = false;
   drag_from_ = event->position();
   if (event->modifiers() & Qt::ShiftModifier) {
     drag_tile_ = tileAt(drag_from_);
@@ -98,6 +101,8 @@ void PictureWidget::mousePressEvent(QMouseEvent* event) {
 
 void PictureWidget::mouseMoveEvent(QMouseEvent* event) {
   if (!picture_ || !(event->buttons() & Qt::LeftButton)) return;
+  moved_ = moved_ ||
+           (event->position() - drag_from_).manhattanLength() > QApplication::startDragDistance();
   if (span_from_) {
     // Keeps the height at which dragging began.
     const auto to = momentAt({event->position().x(), drag_from_.y()});
@@ -108,7 +113,8 @@ void PictureWidget::mouseMoveEvent(QMouseEvent* event) {
     seek(event->position());
     return;
   }
-  const auto tiles = MotionPicture::pictureAreas(rect(), 1 + options_.beside.size());
+  const auto tiles =
+      MotionPicture::pictureAreas(rect(), 1 + options_.beside.size(), options_.shown);
   if (*drag_tile_ >= tiles.size()) return;
   const QRectF& area = tiles[*drag_tile_];
   const QPointF way = event->position() - drag_from_;
@@ -122,7 +128,10 @@ void PictureWidget::mouseMoveEvent(QMouseEvent* event) {
                  pan_from_ + QPointF(way.x() / area.width(), way.y() / area.height()));
 }
 
-void PictureWidget::mouseReleaseEvent(QMouseEvent*) {
+void PictureWidget::mouseReleaseEvent(QMouseEvent* event) {
+  if (picture_ && drag_tile_ && !moved_ && !span_from_ && event->button() == Qt::LeftButton)
+    if (const auto element = picture_->elementAt(rect(), event->position(), frame_, options_))
+      emit elementPicked(*element);
   const bool was = std::exchange(turning_, false);
   if (was) update();  // the finer picture
 }
@@ -138,7 +147,8 @@ void PictureWidget::mouseDoubleClickEvent(QMouseEvent* event) {
 void PictureWidget::wheelEvent(QWheelEvent* event) {
   const auto number = tileAt(event->position());
   if (!number) return event->ignore();
-  const QRectF area = MotionPicture::pictureAreas(rect(), 1 + options_.beside.size()).at(*number);
+  const QRectF area =
+      MotionPicture::pictureAreas(rect(), 1 + options_.beside.size(), options_.shown).at(*number);
   const ViewOptions tile = options_.tile(*number);
   const double zoom =
       std::clamp(tile.zoom * std::pow(1.25, event->angleDelta().y() / 120.0), 1.0, 200.0);
@@ -167,7 +177,7 @@ bool PictureWidget::seek(QPointF position) {
     emit soughtTo(*progress);
     return true;
   }
-  const auto time = picture_->timeAt(rect(), position);
+  const auto time = picture_->timeAt(rect(), position, options_.shown);
   if (time) emit soughtFrame(picture_->frameAt(*time));
   return time.has_value();
 }
@@ -177,7 +187,7 @@ std::optional<double> PictureWidget::momentAt(QPointF position) const {
   const auto& time = picture_->animation().time;
   if (const auto progress = progress_at(rect(), position))
     return time.front() + *progress * (time.back() - time.front());
-  return picture_->timeAt(rect(), position);
+  return picture_->timeAt(rect(), position, options_.shown);
 }
 
 }  // namespace adore::agore

@@ -26,18 +26,6 @@ QColor over(const QColor& paper, const QColor& colour) {
           mix(paper.blue(), colour.blue())};
 }
 
-/// Of two colors, after WCAG 2.
-double contrast(const QColor& a, const QColor& b) {
-  const auto light = [](const QColor& colour) {
-    const auto one = [](double v) {
-      return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * one(colour.redF()) + 0.7152 * one(colour.greenF()) +
-           0.0722 * one(colour.blueF()) + 0.05;
-  };
-  return std::max(light(a), light(b)) / std::min(light(a), light(b));
-}
-
 /// Of the cage's side ring, and of its edge.
 std::array<QColor, 2> rail_colours(const desktop::Theme& theme) {
   std::array<QColor, 2> out{theme.cage.lighter(106), theme.cage.darker(125)};
@@ -55,10 +43,8 @@ void append_seen(QPolygonF& line, QPointF next) {
   if (line.isEmpty() || (next - line.back()).manhattanLength() > 0.5) line.append(next);
 }
 
-QColor turning_mark_colour(const desktop::Theme& theme, const QColor& tint) {
-  const QColor pale("#f0f0f0"),
-      dark = theme.kind == desktop::ThemeKind::Dark ? QColor(Qt::black) : theme.text;
-  return tint.isValid() && contrast(pale, tint) > contrast(dark, tint) ? pale : dark;
+QColor turning_mark_colour(const desktop::Theme& theme) {
+  return theme.kind == desktop::ThemeKind::Dark ? QColor(Qt::black) : theme.text;
 }
 
 namespace {
@@ -221,7 +207,7 @@ void Sketch::ball(QPointF centre, double radius, const std::array<double, 3>& ma
     draw(painter_, there);
   else
     stamp(there, r + 1.0, {kBall, {r}, {rim.rgba(), theme_.steel_light.rgba()}}, draw);
-  turning_mark(centre, radius, mark, tint, false);
+  turning_mark(centre, radius, mark, false);
 }
 
 void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 3>& mark,
@@ -242,14 +228,13 @@ void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 
     draw(painter_, there);
   else
     stamp(there, r, {kRollerEnd, {r}, {theme_.steel_light.rgba(), theme_.steel_dark.rgba()}}, draw);
-  turning_mark(centre, radius, mark, tint, true);
+  turning_mark(centre, radius, mark, true);
 }
 
 void Sketch::turning_mark(QPointF centre, double radius, const std::array<double, 3>& mark,
-                          const QColor& tint, bool roller) const {
-  (roller ? draw_turning_sector : draw_turning_mark)(painter_, at(centre.x(), centre.y()),
-                                                     radius * scale_, mark,
-                                                     turning_mark_colour(theme_, tint));
+                          bool roller) const {
+  (roller ? draw_turning_sector : draw_turning_mark)(
+      painter_, at(centre.x(), centre.y()), radius * scale_, mark, turning_mark_colour(theme_));
 }
 
 void Sketch::cage_rail(QPointF centre, const Animation& animation) const {

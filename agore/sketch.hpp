@@ -35,8 +35,8 @@ void draw_turning_mark(QPainter& painter, QPointF middle, double r,
 /// That of a roller, seen on its end: a sector, which no line of a path looks like.
 void draw_turning_sector(QPainter& painter, QPointF middle, double r,
                          const std::array<double, 3>& mark, const QColor& colour);
-/// Their color on steel, and on the colors of a scale.
-[[nodiscard]] QColor turning_mark_colour(const desktop::Theme& theme, const QColor& tint = {});
+/// Their color on steel and on the colors of a scale: darker than all of them.
+[[nodiscard]] QColor turning_mark_colour(const desktop::Theme& theme);
 
 class Sketch {
  public:
@@ -100,7 +100,7 @@ class Sketch {
 
   /// The mark of a ball or a roller alone.
   void turning_mark(QPointF centre_yz, double radius, const std::array<double, 3>& mark,
-                    const QColor& tint, bool roller) const;
+                    bool roller) const;
 
  private:
   /// A drawing about `middle` that is the same wherever that is, kept on a screen.

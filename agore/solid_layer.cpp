@@ -37,7 +37,7 @@ void add_elements(Modeller& m, const Scene& s, double roller_factor) {
     const auto& e = s.frame.elements[k];
     const QColor tint = colours.of(k);
     const Shades shades = tint.isValid() ? shades_of(tint) : steel;
-    const Shades paint = tint.isValid() ? shades_of(solid_mark_colour(t, tint)) : plain_mark;
+    const Shades paint = tint.isValid() ? shades_of(solid_mark_colour(t, true)) : plain_mark;
     const bool followed = e.angles != std::array<double, 3>{};
     const Mat3 attitude = rotation(e.angles);
     const Vec3 centre = element_place(s, k);
@@ -57,30 +57,13 @@ void add_elements(Modeller& m, const Scene& s, double roller_factor) {
 void add_cage(Modeller& m, const Scene& s) {
   if (!s.animation.has_cage) return;
   const Shades shades = shades_of(s.sketch.theme().cage);
-  const CageProfile profile = cage_profile(s.animation);
-  const RollerProfile roller = roller_profile(s.animation);
-  const auto n = s.animation.pocket_angle.size();
-  PocketMesh pocket{kPi / static_cast<double>(std::max<std::size_t>(n, 1)), s.pocket_radius(),
-                    s.animation.file.bearing_type == 1, roller.slope};
-  CageProfile drawn = profile;
-  if (pocket.round) drawn.hole = std::min(s.pocket_radius(), 0.96 * profile.half_width);
-  constexpr double kGap = 0.006, kMost = 0.3;  // between segments, of tilts [rad]
-  for (std::size_t k = 0; k < n; ++k) {
-    const int part = s.animation.pocket_part[k];
-    const auto& body = s.animation.part(s.index, part);
+  CageProfile profile = cage_profile(s.animation);
+  for (const CagePocket& pocket : cage_pockets(s.animation, s.pocket_radius(), profile)) {
+    const auto& body = s.animation.part(s.index, pocket.part);
     const QPointF across = s.place(body);
-    const Vec3 shift(body.position[0], across.x(), across.y());
-    const auto tilt = [&](double angle) {
-      return std::clamp(s.factor * std::remainder(angle, kPi), -kMost, kMost);
-    };
-    const Mat3 turn = rotation(
-        {s.animation.part_angle(s.index, part), tilt(body.angles[1]), tilt(body.angles[2])});
-    const bool before = s.animation.pocket_part[(k + n - 1) % n] != part,
-               after = s.animation.pocket_part[(k + 1) % n] != part;
-    PocketMesh mesh = pocket;
-    if (before || after) mesh.half_angle -= kGap;
-    add_cage_part(m, drawn, s.pitch_radius(), s.animation.pocket_angle[k], mesh, turn, shift,
-                  {before, after}, shades);
+    add_cage_part(m, profile, s.pitch_radius(), pocket.azimuth, pocket.mesh,
+                  cage_attitude(s.animation, s.index, pocket.part, s.factor),
+                  {body.position[0], across.x(), across.y()}, pocket.open_end, shades);
   }
 }
 

@@ -52,6 +52,64 @@ void add_strip(Modeller& m, const LandPlace& land, const Vec3& shift, std::pair<
                     shades);
 }
 
+std::vector<RimPoint> pocket_rim(const CageProfile& cage, double pitch_radius,
+                                 const PocketMesh& pocket, int arc, int straight) {
+  const auto count = static_cast<std::size_t>(2 * (arc + straight));
+  std::vector<RimPoint> rim(count + 1);
+  for (std::size_t i = 0; i <= count; ++i) {
+    double a = 0.0, b = 0.0;
+    auto step = static_cast<int>(i % count);
+    if (step < straight) {
+      a = 1.0, b = 2.0 * step / straight - 1.0;
+    } else if ((step -= straight) < arc) {
+      a = 1.0 - 2.0 * step / arc, b = 1.0;
+    } else if ((step -= arc) < straight) {
+      a = -1.0, b = 1.0 - 2.0 * step / straight;
+    } else {
+      step -= straight;
+      a = 2.0 * step / arc - 1.0, b = -1.0;
+    }
+    RimPoint& r = rim[i];
+    r.edge_angle = a * pocket.half_angle;
+    r.edge_u = b * cage.half_width;
+    const double size = pocket.round ? std::hypot(a, b) : 1.0;
+    r.hole_u = b / size * (cage.hole + cage.leaning[b < 0.0 ? 0 : 1]);
+    const double limit = 0.96 * pocket.half_angle * pitch_radius;
+    r.hole_angle =
+        std::min(limit, pocket.half_round + pocket.taper * r.hole_u) * a / size / pitch_radius;
+  }
+  return rim;
+}
+
+std::vector<CagePocket> cage_pockets(const Animation& animation, double pocket_radius,
+                                     CageProfile& profile) {
+  const auto n = animation.pocket_angle.size();
+  const PocketMesh pocket{kPi / static_cast<double>(std::max<std::size_t>(n, 1)), pocket_radius,
+                          animation.file.bearing_type == 1, roller_profile(animation).slope};
+  if (pocket.round) profile.hole = std::min(pocket_radius, 0.96 * profile.half_width);
+  constexpr double kGap = 0.006;  // between segments [rad]
+  std::vector<CagePocket> out;
+  for (std::size_t k = 0; k < n; ++k) {
+    const int part = animation.pocket_part[k];
+    out.push_back({part,
+                   animation.pocket_angle[k],
+                   pocket,
+                   {animation.pocket_part[(k + n - 1) % n] != part,
+                    animation.pocket_part[(k + 1) % n] != part}});
+    if (out.back().open_end[0] || out.back().open_end[1]) out.back().mesh.half_angle -= kGap;
+  }
+  return out;
+}
+
+Mat3 cage_attitude(const Animation& animation, std::size_t frame, int part, double factor) {
+  constexpr double kMost = 0.3;  // of tilts [rad]
+  const auto& body = animation.part(frame, part);
+  const auto tilt = [&](double angle) {
+    return std::clamp(factor * std::remainder(angle, kPi), -kMost, kMost);
+  };
+  return rotation({animation.part_angle(frame, part), tilt(body.angles[1]), tilt(body.angles[2])});
+}
+
 void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, double azimuth,
                    const PocketMesh& pocket, const Mat3& turn, const Vec3& shift,
                    const std::array<bool, 2>& open_end, const Shades& shades) {
@@ -72,32 +130,7 @@ void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, do
       kMost, std::max(m.parts(pitch_radius, 2.0 * pocket.half_angle), pocket.round ? round : 1));
   const int straight = pocket.round ? arc : 1;
   const auto count = static_cast<std::size_t>(2 * (arc + straight));
-  struct Rim {
-    double hole_angle, hole_u, edge_angle, edge_u;
-  };
-  std::array<Rim, 4 * kMost + 1> rim{};
-  for (std::size_t i = 0; i <= count; ++i) {
-    double a = 0.0, b = 0.0;
-    auto step = static_cast<int>(i % count);
-    if (step < straight) {
-      a = 1.0, b = 2.0 * step / straight - 1.0;
-    } else if ((step -= straight) < arc) {
-      a = 1.0 - 2.0 * step / arc, b = 1.0;
-    } else if ((step -= arc) < straight) {
-      a = -1.0, b = 1.0 - 2.0 * step / straight;
-    } else {
-      step -= straight;
-      a = 2.0 * step / arc - 1.0, b = -1.0;
-    }
-    Rim& r = rim[i];
-    r.edge_angle = a * pocket.half_angle;
-    r.edge_u = b * cage.half_width;
-    const double size = pocket.round ? std::hypot(a, b) : 1.0;
-    r.hole_u = b / size * (cage.hole + cage.leaning[b < 0.0 ? 0 : 1]);
-    const double limit = 0.96 * pocket.half_angle * pitch_radius;
-    r.hole_angle =
-        std::min(limit, pocket.half_round + pocket.taper * r.hole_u) * a / size / pitch_radius;
-  }
+  const std::vector<RimPoint> rim = pocket_rim(cage, pitch_radius, pocket, arc, straight);
   // Each point of the mesh once: at the hole and at the edge, below and above.
   struct Corner {
     std::array<Vec3, 2> hole, edge;
@@ -106,7 +139,7 @@ void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, do
   std::array<Corner, 4 * kMost + 1> corner;
   const std::array<double, 2> heights{cage.low, cage.high};
   for (std::size_t i = 0; i <= count; ++i) {
-    const Rim& r = rim[i];
+    const RimPoint& r = rim[i];
     Corner& c = corner[i];
     const Vec3 hole_normal = across(r.hole_angle), edge_normal = across(r.edge_angle);
     for (std::size_t v = 0; v < 2; ++v) {
@@ -117,7 +150,7 @@ void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, do
     }
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const Rim &p = rim[i], &q = rim[i + 1];
+    const RimPoint &p = rim[i], &q = rim[i + 1];
     const Corner &c = corner[i], &d = corner[i + 1];
     m.canvas().front_quad(c.lit_hole[0], c.lit_edge[0], d.lit_edge[0], d.lit_hole[0], shades);
     m.canvas().front_quad(d.lit_hole[1], d.lit_edge[1], c.lit_edge[1], c.lit_hole[1], shades);

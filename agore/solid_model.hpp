@@ -102,6 +102,31 @@ struct PocketMesh {
   double taper = 0.0;             ///< of a window, as its roller
 };
 
+/// Point around a pocket: at its hole, and at the edge of its sector; angles about the bearing
+/// axis, u along the cage.
+struct RimPoint {
+  double hole_angle, hole_u, edge_angle, edge_u;
+};
+/// Closed: the last point is the first. @param arc, straight numbers of points on the sides around
+/// the bearing and along it
+[[nodiscard]] std::vector<RimPoint> pocket_rim(const CageProfile& cage, double pitch_radius,
+                                               const PocketMesh& pocket, int arc, int straight);
+
+/// The sector of each pocket in the cage or its segment. `open_end`: does the cage end there,
+/// before and after it?
+struct CagePocket {
+  int part = 0;
+  double azimuth = 0.0;  ///< in the cage [rad]
+  PocketMesh mesh;
+  std::array<bool, 2> open_end{};
+};
+/// @param pocket_radius with the clearance as drawn; `profile` gets the hole that belongs to it
+[[nodiscard]] std::vector<CagePocket> cage_pockets(const Animation& animation, double pocket_radius,
+                                                   CageProfile& profile);
+/// Attitude of the cage or a segment as drawn: tilts magnified by `factor`.
+[[nodiscard]] Mat3 cage_attitude(const Animation& animation, std::size_t frame, int part,
+                                 double factor);
+
 /// The sector of one pocket. `open_end`: does the cage end there, before and after it?
 void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, double azimuth,
                    const PocketMesh& pocket, const Mat3& turn, const Vec3& shift,

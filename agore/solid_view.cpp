@@ -27,12 +27,9 @@ bool outer_spot_shown(const Scene& s, const Eye& eye) {
   return std::abs(from) > kOpen;
 }
 
-QColor solid_mark_colour(const desktop::Theme& theme, const QColor& tint) {
-  if (tint.isValid()) {  // as in the flat views, and not as black: that looks like a hole
-    const QColor flat = turning_mark_colour(theme, tint);
-    return qGray(flat.rgb()) < 128 ? QColor("#222222") : flat;
-  }
-  return theme.kind == desktop::ThemeKind::Dark ? QColor("#4a1f66") : QColor("#7a3fa0");
+QColor solid_mark_colour(const desktop::Theme& theme, bool coloured) {
+  if (coloured) return {"#1c1c1c"};
+  return theme.kind == desktop::ThemeKind::Dark ? QColor("#0f4a30") : QColor("#1c6b47");
 }
 
 namespace {
@@ -82,14 +79,13 @@ void name_lines(const Scene& s, const DrawnLines& paths, const std::array<DrawnL
                                "dashed: behind a body", "nothing hidden", KeyMark::Dashed));
 }
 
-/// Of the marks in space: purple on steel, gray on the colors of a scale.
+/// Of the marks in space.
 void name_solid_mark(const Scene& s, std::vector<KeyEntry>& key) {
   const std::size_t before = key.size();
   name_turning_mark(s, std::nullopt, key);
   const bool coloured = colouring(s.animation, s.index, s.options.colour, s.options.scale).any();
   for (std::size_t i = before; i < key.size(); ++i)
-    key[i].colour = coloured ? solid_mark_colour(s.sketch.theme(), Qt::white)
-                             : solid_mark_colour(s.sketch.theme());
+    key[i].colour = solid_mark_colour(s.sketch.theme(), coloured);
 }
 
 }  // namespace

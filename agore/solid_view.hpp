@@ -39,10 +39,9 @@ struct RaceSpot {
 [[nodiscard]] std::vector<RaceSpot> race_spots(const Scene& scene, const Eye& eye);
 [[nodiscard]] double race_spot_radius(const Scene& scene);
 
-/// Color of the marks that turn with elements in space: shaded, because a flat dark mark looks like
-/// a hole. On colored elements gray, which is not a color of the scale, pale on dark and dark on
-/// pale ones.
-[[nodiscard]] QColor solid_mark_colour(const desktop::Theme& theme, const QColor& tint = {});
+/// Color of the marks that turn with elements in space. Green on steel, because a flat dark mark
+/// looks like a hole there; on colored elements the dark gray of no color of the scale.
+[[nodiscard]] QColor solid_mark_colour(const desktop::Theme& theme, bool coloured = false);
 
 /// Draws frames of one animation; caches constant parts.
 class SolidLayer {

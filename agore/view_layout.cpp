@@ -36,6 +36,8 @@ double picture_radius(const Animation& animation, const ViewOptions& options, QS
       return solid_picture_radius(animation);
     case View::Flange:
       return flange_picture_radius(animation);
+    case View::Raceways:
+      return outer_rim(g);
     case View::InnerRace:
       return g.inner_race_outer_radius * (1.0 + margin);
   }
@@ -99,6 +101,7 @@ double key_height(const Animation& animation, const ViewOptions& options, QSizeF
         return 6;
       case View::Section:
       case View::Flange:
+      case View::Raceways:
         return 3;
       case View::Pocket:
         return 5;
@@ -135,8 +138,8 @@ namespace {
 double foot_below(const Animation& animation, const ViewOptions& options, QSizeF size,
                   double head) {
   const bool low = too_low(options, size.height());
-  const bool round =
-      options.view != View::Pocket && options.view != View::Section && options.view != View::Flange;
+  const bool round = options.view != View::Pocket && options.view != View::Section &&
+                     options.view != View::Flange && options.view != View::Raceways;
   const double lines = low ? (options.view == View::Bearing ? 1.0 : 2.0) * key_line()
                            : key_height(animation, options, size);
   const double height = std::min(lines + 4.0, 0.45 * size.height());
@@ -158,6 +161,7 @@ double foot_below(const Animation& animation, const ViewOptions& options, QSizeF
 }  // namespace
 
 double key_foot(const Animation& animation, const ViewOptions& options, QSizeF size) {
+  if (!options.shown.key) return 0.0;
   return foot_below(animation, options, size, scale_head(animation, options, size));
 }
 
@@ -173,7 +177,7 @@ double scale_head(const Animation& animation, const ViewOptions& options, QSizeF
   const QSizeF room = scale_room(options, size);
   if (room.isEmpty()) return 0.0;
   // A higher foot, which a head may ask for, makes the picture as much smaller as it lifts it.
-  const double foot = foot_below(animation, options, size, 0.0);
+  const double foot = options.shown.key ? foot_below(animation, options, size, 0.0) : 0.0;
   constexpr double kStep = 2.0, kBeside = 4.0;
   const double right = std::max(0.0, 0.5 * size.width() - room.width());
   for (double head = 0.0; head < room.height(); head += kStep) {

@@ -27,8 +27,9 @@ View view_named(const std::string& name, const std::string& race) {
   if (name == "flange") return View::Flange;
   if (name == "section") return View::Section;
   if (name == "3d") return View::Solid;
+  if (name == "raceways") return View::Raceways;
   throw InputError("there is no view '" + name +
-                   "'; use bearing, cage, pocket, element, race, flange, section or 3d");
+                   "'; use bearing, cage, pocket, element, race, flange, section, 3d or raceways");
 }
 
 std::vector<SideView> views_beside(const std::string& names, const std::string& race) {
@@ -56,8 +57,9 @@ ColourBy colour_named(const std::string& name) {
   if (name == "slip") return ColourBy::Slip;
   if (name == "heat") return ColourBy::Heat;
   if (name == "temperature") return ColourBy::Temperature;
+  if (name == "pressure") return ColourBy::Pressure;
   throw InputError("elements cannot be colored by '" + name +
-                   "'; use none, load, slip, heat or temperature");
+                   "'; use none, load, slip, heat, temperature or pressure");
 }
 
 ScaleChoice scale_named(const std::string& name) {
@@ -110,6 +112,8 @@ std::string view_name(View view) {
       return "section";
     case View::Solid:
       return "3d";
+    case View::Raceways:
+      return "raceways";
   }
   return {};
 }
@@ -134,6 +138,8 @@ std::string view_title(View view) {
       return "Axial section";
     case View::Solid:
       return "3D view";
+    case View::Raceways:
+      return "Raceway contacts";
   }
   return {};
 }
@@ -149,6 +155,15 @@ std::string why_not(View view, const Animation& animation) {
     for (std::size_t race = 0; race < 2; ++race)
       for (std::size_t side = 0; side < 2; ++side) any = any || has_flange(animation, race, side);
     if (!any) return "This bearing has no flange.";
+  }
+  if (view == View::Raceways) {
+    if (!animation.motion)
+      return "The raceway contacts need RESULTS.h5 in the same folder: " + animation.no_contacts +
+             ".";
+    for (const char* name : {"contact.half_major", "contact.half_minor", "contact.pressure"})
+      if (!animation.motion->has(name))
+        return "RESULTS.h5 of an earlier program version lacks the contact ellipses. Run the deck "
+               "again.";
   }
   if ((view == View::Section || view == View::Solid) && !animation.motion)
     return fmt::format("The {} needs the dimensions from RESULTS.h5 in the same folder: {}.",

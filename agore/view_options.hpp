@@ -20,11 +20,12 @@ enum class View : unsigned char {
   InnerRace,
   Flange,
   Section,  ///< the cut through one element and the bearing's axis
-  Solid     ///< in space
+  Solid,    ///< in space
+  Raceways  ///< both unrolled, with the contact ellipses
 };
 
 /// By what the elements of the bearing view are colored: the larger of both contacts.
-enum class ColourBy : unsigned char { None, Load, Slip, Heat, Temperature };
+enum class ColourBy : unsigned char { None, Load, Slip, Heat, Temperature, Pressure };
 
 /// How the scale of colors is chosen.
 enum class ColourScale : unsigned char {
@@ -37,6 +38,12 @@ struct ScaleChoice {
   ColourScale kind = ColourScale::Usual;
   double low = 0.0, high = 0.0;  ///< specified limits, in the unit of the channel
   bool operator==(const ScaleChoice&) const = default;
+};
+
+/// Parts of a picture that can be hidden, so that the bodies get their space.
+struct ShownParts {
+  bool heading = true, chart = true, key = true;
+  bool operator==(const ShownParts&) const = default;
 };
 
 /// An additional view, with its own zoom.
@@ -67,14 +74,16 @@ struct ViewOptions {
   bool one_of_several = false;        ///< one of several: smaller pictures share a key below them
   std::vector<SideView> beside = {};  ///< additional views of the same frame
 
+  ShownParts shown = {};
+  bool picked = false;       ///< the element has a ring in the views of all elements
   WarnedBodies warned = {};  ///< get a ring in the bearing view
 
   /// The options of one of the pictures: 0 is the first view, others are additional ones.
   [[nodiscard]] ViewOptions tile(std::size_t number) const;
 };
 
-/// "bearing", "cage", "pocket", "element", "section", "3d", "flange", "race" (with `race` outer
-/// or inner).
+/// "bearing", "cage", "pocket", "element", "section", "3d", "raceways", "flange", "race" (`race`
+/// outer or inner).
 /// @throws InputError with the list of names.
 View view_named(const std::string& name, const std::string& race = "inner");
 
@@ -82,7 +91,8 @@ View view_named(const std::string& name, const std::string& race = "inner");
 /// view_named()
 std::vector<SideView> views_beside(const std::string& names, const std::string& race = "inner");
 
-/// "none", "load", "slip", "heat", "temperature". @throws InputError with the list of names.
+/// "none", "load", "slip", "heat", "temperature", "pressure". @throws InputError with the list of
+/// names.
 ColourBy colour_named(const std::string& name);
 
 /// "usual", "run", "moment", or two limits: "0:0.02". @throws InputError with the valid values.

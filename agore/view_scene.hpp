@@ -61,6 +61,9 @@ void draw_key(const Scene& scene, const std::vector<KeyEntry>& entries, const QS
 /// Element center (y, z) as drawn: its pocket's center plus the exaggerated way out of it, or its
 /// own place when there is no cage.
 [[nodiscard]] QPointF element_centre(const Scene& scene, std::size_t k);
+/// @param factor magnification of the clearances
+[[nodiscard]] QPointF element_centre(const Animation& animation, std::size_t frame, double factor,
+                                     std::size_t k);
 /// The way of an element's center as drawn, from now back over nearly a pitch; x along the axis.
 struct TrailPoint {
   QPointF centre;
@@ -145,6 +148,7 @@ void solid_view(const Scene& scene, SolidLayer& layer);
 void pocket_view(const Scene& scene);
 void section_view(const Scene& scene);
 void flange_view(const Scene& scene);
+void raceway_view(const Scene& scene);
 /// Half the height that they need, in the file's length.
 [[nodiscard]] double pocket_picture_radius(const Animation& animation);
 [[nodiscard]] double section_picture_radius(const Animation& animation);
@@ -173,7 +177,8 @@ struct Colouring {
                                   const ScaleChoice& scale = {});
 /// Of an element that touches no race: a gray, which no scale has.
 [[nodiscard]] QColor no_contact_colour();
-/// Dark blue over green to yellow (after viridis), even in lightness; `part` 0 to 1.
+/// Blue over green to yellow, even in lightness; `part` 0 to 1. No color is as dark as the rotation
+/// marks, which keep one color on all of them.
 [[nodiscard]] QColor scale_colour(double part);
 /// Bar with its ends and values outside, in the upper right corner of the picture. Small pictures
 /// have no space for it: the common key names its ends.

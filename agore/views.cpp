@@ -2,6 +2,7 @@
 
 #include "agore/kept.hpp"
 #include "agore/sketch.hpp"
+#include "agore/solid_view.hpp"
 #include "agore/view_layout.hpp"
 #include "agore/view_scene.hpp"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace adore::agore {
 
@@ -51,6 +53,7 @@ void paint_still(const Scene& scene) {
     case View::Section:
     case View::Solid:
     case View::Flange:
+    case View::Raceways:
       return;
   }
 }
@@ -69,6 +72,8 @@ void paint_moving(const Scene& scene, Kept& kept) {
       return solid_view(scene, kept.solid);
     case View::Flange:
       return flange_view(scene);
+    case View::Raceways:
+      return raceway_view(scene);
     case View::Element:
       return element_view(scene);
     case View::OuterRace:
@@ -96,6 +101,33 @@ StillKey still_key(const QRectF& area, const Animation& animation, std::size_t i
       key.races[2 * race + c] = std::lround(std::isfinite(at) ? std::clamp(at, -kFar, kFar) : kFar);
     }
   return key;
+}
+
+std::optional<std::size_t> element_at(const QRectF& area, QPointF position,
+                                      const Animation& animation, std::size_t frame,
+                                      const ViewOptions& options) {
+  const bool solid = options.view == View::Solid;
+  if (!solid && options.view != View::Bearing && options.view != View::Cage) return std::nullopt;
+  QImage nothing(1, 1, QImage::Format_RGB32);
+  QPainter painter(&nothing);
+  const Sketch sketch = sketch_of(painter, area, animation, options);
+  const double factor = used_exaggeration(animation, options);
+  const Eye eye(options.yaw, options.elevation);
+  const double radius = animation.file.geometry.element_radius * sketch.scale();
+  std::optional<std::size_t> out;
+  double nearest = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < animation.frame(frame).elements.size(); ++k) {
+    const QPointF centre = element_centre(animation, frame, factor, k);
+    const Vec3 place(animation.frame(frame).elements[k].x, centre.x(), centre.y());
+    const QPointF at = solid ? sketch.at(place.dot(eye.right), place.dot(eye.up))
+                             : sketch.at(centre.x(), centre.y());
+    const double depth = solid ? place.dot(eye.toward) : 0.0;
+    if (std::hypot(at.x() - position.x(), at.y() - position.y()) > radius || depth <= nearest)
+      continue;
+    nearest = depth;
+    out = k;
+  }
+  return out;
 }
 
 void paint_picture(QPainter& painter, const QRectF& area, const Animation& animation,

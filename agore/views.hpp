@@ -7,6 +7,7 @@
 #include <QPainter>
 
 #include <array>
+#include <optional>
 
 /// The pictures and their data curves, as functions of a frame: no state, no window.
 namespace adore::agore {
@@ -38,6 +39,11 @@ StillKey still_key(const QRectF& area, const Animation& animation, std::size_t f
 
 /// Position in `area` of the center of a picture without zoom or displacement.
 QPointF picture_middle(const Animation& animation, const ViewOptions& options, const QRectF& area);
+
+/// Element (from 0) at a position of the picture in `area`, in the views that show all of them.
+std::optional<std::size_t> element_at(const QRectF& area, QPointF position,
+                                      const Animation& animation, std::size_t frame,
+                                      const ViewOptions& options);
 
 /// Content of the data area over time.
 desktop::ChartPage data_page(const Animation& animation, const ViewOptions& options);

@@ -1,4 +1,5 @@
 #include "agore/agore_window.hpp"
+#include "agore/element_panel.hpp"
 #include "base/counted.hpp"
 #include "desktop/axis_scale.hpp"
 #include "desktop/chrome.hpp"
@@ -99,6 +100,7 @@ void AgoreWindow::adopt(Animation animation) {
   frame_ = std::min(frame_, frameCount() - 1);
   findings_->setFindings(results::run_findings(picture_->animation().file.path));
   options_.warned = warned_bodies(findings_->findings());
+  panel_->open(picture_->animation());
   refused_ = 0;
   showFrame();  // the canvas lets go of the old one before it dies
 }

@@ -1,6 +1,7 @@
 #include "agore/agore_window.hpp"
 #include "agore/film_dialog.hpp"
 #include "agore/render.hpp"
+#include "agore/scene_page.hpp"
 #include "base/counted.hpp"
 #include "desktop/axis_scale.hpp"
 #include "desktop/dialogs.hpp"
@@ -90,17 +91,34 @@ int AgoreWindow::filmEvery() const {
   return slow_ > 0.0 ? 1 : (speed_->currentData().toInt() + kMostRate - 1) / kMostRate;
 }
 
-RenderOptions AgoreWindow::filmOptions() const {
+FilmChoice AgoreWindow::filmChoice() const {
+  const auto [first, last] = playedFrames();
+  // As seen, but not larger than a film needs to be; codecs want even numbers.
+  const QSize size = canvas_->size().boundedTo({1280, 800});
+  return {first, last, filmEvery(), filmRate(), {size.width() & ~1, size.height() & ~1}};
+}
+
+RenderOptions AgoreWindow::filmOptions(const FilmChoice& choice) const {
   RenderOptions render;
   render.view = stillOptions();
-  // As seen, but not larger than a film needs to be.
-  const QSize size = canvas_->size().boundedTo({1280, 800});
-  render.width = size.width() & ~1;
-  render.height = size.height() & ~1;
+  render.width = choice.size.width();
+  render.height = choice.size.height();
   render.replace = true;
   render.slow = slow_;  // a film plays as the window does
+  render.first = static_cast<int>(choice.first) + 1;
+  render.last = static_cast<int>(choice.last) + 1;
   return render;
 }
+
+namespace {
+
+/// Measured with one picture of a size.
+struct Sample {
+  QSize size;
+  double seconds = 0.0, bytes = 0.0;
+};
+
+}  // namespace
 
 void AgoreWindow::saveFilm() {
   if (!picture_) return askForFile();
@@ -108,47 +126,43 @@ void AgoreWindow::saveFilm() {
   // The time for all pictures is estimated from one; writing to a file takes 30 ms
   // (picture-speed.md).
   constexpr double kInFile = 0.03;  // [s]
-  const RenderOptions render = filmOptions();
-  QElapsedTimer clock;
-  clock.start();
-  const QImage sample = picture_->image({render.width, render.height}, frame_, render.view);
-  const double each = 1e-9 * static_cast<double>(clock.nsecsElapsed()) + kInFile;
-  const double bytes = bytes_of_png(sample);
-  const auto tell = [this, render, each, bytes](std::size_t first, std::size_t last) {
-    RenderOptions part = render;
-    part.first = static_cast<int>(first) + 1, part.last = static_cast<int>(last) + 1;
+  const auto tell = [this, sample = Sample()](const FilmChoice& choice) mutable {
+    const RenderOptions render = filmOptions(choice);
+    if (sample.size != choice.size) {
+      QElapsedTimer clock;
+      clock.start();
+      const QImage image = picture_->image(choice.size, frame_, render.view);
+      sample = {choice.size, 1e-9 * static_cast<double>(clock.nsecsElapsed()) + kInFile,
+                bytes_of_png(image)};
+    }
     try {
       const auto pictures =
-          static_cast<double>(film_frames(*picture_, filmEvery(), filmRate(), part).size());
+          static_cast<double>(film_frames(*picture_, choice.every, choice.rate, render).size());
       const auto seconds = [](double value) {
         return QString::fromStdString(desktop::pretty_quantity(value, "s", 2));
       };
+      const double bytes = sample.bytes * pictures;
       return std::pair{
           tr("%1 at %2 per second: length %3. Writing takes about %4. Size: about %5 as MP4, %6 as "
              "GIF, %7 as AVI.")
                   .arg(QString::fromStdString(counted(pictures, "picture")))
-                  .arg(filmRate())
-                  .arg(seconds(pictures / filmRate()), seconds(each * pictures),
-                       megabytes(kMp4Share * bytes * pictures),
-                       megabytes(kGifShare * bytes * pictures),
-                       megabytes(kAviShare * bytes * pictures)) +
-              (filmEvery() > 1
-                   ? tr(" The movie has one of every %1 frames. Numbered pictures have all frames.")
-                         .arg(filmEvery())
-                   : QString()),
+                  .arg(choice.rate)
+                  .arg(seconds(pictures / choice.rate), seconds(sample.seconds * pictures),
+                       megabytes(kMp4Share * bytes), megabytes(kGifShare * bytes),
+                       megabytes(kAviShare * bytes)) +
+              (desktop::ffmpeg_found() ? QString()
+                                       : tr(" MP4 needs the package ffmpeg, which is missing.")),
           true};
     } catch (const std::exception& error) {
       return std::pair{QString::fromUtf8(error.what()), false};
     }
   };
-  auto* dialog = new FilmDialog(picture_->animation().time, playedFrames(), tell, this);
-  connect(dialog, &QDialog::accepted, this, [this, dialog] {
-    askForFilmName(static_cast<int>(dialog->first()) + 1, static_cast<int>(dialog->last()) + 1);
-  });
+  auto* dialog = new FilmDialog(picture_->animation().time, filmChoice(), slow_ > 0.0, tell, this);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] { askForFilmName(dialog->choice()); });
   dialog->open();
 }
 
-void AgoreWindow::askForFilmName(int first, int last) {
+void AgoreWindow::askForFilmName(const FilmChoice& choice) {
   // MP4 first: a GIF has some twenty times its size.
   const QString mp4 = tr("MP4 (*.mp4)"), others = tr("GIF (*.gif);;AVI (*.avi)"),
                 folder = tr("Numbered pictures, folder (*)");
@@ -172,19 +186,74 @@ void AgoreWindow::askForFilmName(int first, int last) {
   dialog->selectFile(besideFile(proposedName(best_format())));
   name_as(dialog->selectedNameFilter());
   connect(dialog, &QFileDialog::filterSelected, this, name_as);
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this, dialog, first, last](const QString& name) {
-            dialog->hide();  // writing takes its time
-            writeFilm(name, first, last);
-          });
+  connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, choice](const QString& name) {
+    dialog->hide();  // writing takes its time
+    writeFilm(name, choice);
+  });
   dialog->open();
 }
 
+void AgoreWindow::saveScene() {
+  if (!picture_) return askForFile();
+  pause();
+  const Animation& animation = picture_->animation();
+  if (const std::string reason = why_not(View::Solid, animation); !reason.empty())
+    return desktop::show_message(this, QString::fromStdString(reason));
+  if (!three_found())
+    return desktop::show_message(this,
+                                 tr("A page with the 3D scene needs three.js. Install the package "
+                                    "libjs-three."),
+                                 true);
+  auto* dialog = new QFileDialog(this, tr("Save 3D Scene for Browsers"), {}, tr("HTML (*.html)"));
+  dialog->setObjectName("scene");
+  desktop::delete_when_done(*dialog);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix("html");
+  const ScenePageSize size = scene_page_size(animation, sceneOptions());
+  dialog->setLabelText(QFileDialog::FileName,
+                       tr("File (%1, about %2):")
+                           .arg(QString::fromStdString(counted(size.frames, "frame")))
+                           .arg(megabytes(size.bytes)));
+  dialog->selectFile(besideFile(proposedName("html")));
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& name) { writeScene(name); });
+  dialog->open();
+}
+
+ScenePageOptions AgoreWindow::sceneOptions() const {
+  ScenePageOptions out;
+  out.view = stillOptions();
+  const auto [first, last] = playedFrames();
+  out.first = static_cast<int>(first) + 1, out.last = static_cast<int>(last) + 1;
+  return out;
+}
+
+bool AgoreWindow::writeScene(const QString& path) {
+  try {
+    const ScenePage page =
+        write_scene_page(picture_->animation(), sceneOptions(), path.toStdString(), true);
+    desktop::tell_in_foot(this,
+                          tr("Saved %1: %2.").arg(path, QString::fromStdString(page.summary())));
+    return true;
+  } catch (const std::exception& error) {
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    return false;
+  }
+}
+
 bool AgoreWindow::writeFilm(const QString& path, int first, int last) {
+  FilmChoice choice = filmChoice();
+  choice.first = static_cast<std::size_t>(first - 1);
+  choice.last = last > 0 ? static_cast<std::size_t>(last - 1) : frameCount() - 1;
+  // Numbered pictures have no rate.
+  if (QFileInfo(path).suffix().isEmpty()) choice.every = 1;
+  return writeFilm(path, choice);
+}
+
+bool AgoreWindow::writeFilm(const QString& path, const FilmChoice& choice) {
   writing_ = true;  // the picture stays unchanged until the movie is written
   const auto written = qScopeGuard([this] { writing_ = false; });
-  RenderOptions render = filmOptions();
-  render.first = first, render.last = last;
+  RenderOptions render = filmOptions(choice);
   QProgressDialog progress(tr("Writing %1 ...").arg(path), tr("Cancel"), 0,
                            static_cast<int>(frameCount()), this);
   progress.setWindowTitle(tr("Save Movie"));
@@ -199,9 +268,8 @@ bool AgoreWindow::writeFilm(const QString& path, int first, int last) {
   bool stopped = false;
   render.stop = [&progress, &stopped] { return stopped = progress.wasCanceled(); };
   try {
-    // Numbered pictures have no rate.
-    const int every = QFileInfo(path).suffix().isEmpty() ? 1 : filmEvery();
-    render_movie(*picture_, every, filmRate(), path.toStdString(), render);
+    const int every = choice.every;
+    render_movie(*picture_, every, choice.rate, path.toStdString(), render);
     const bool folder = QFileInfo(path).isDir();
     if (stopped)
       desktop::tell_in_foot(

@@ -1,4 +1,5 @@
 #include "agore/agore_window.hpp"
+#include "agore/view_bar.hpp"
 #include "agore/view_scene.hpp"
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
@@ -75,6 +76,7 @@ QWidget* AgoreWindow::makeButtons() {
   scroll->setWidgetResizable(true);
   scroll->setWidget(column);
   scroll->setFixedWidth(136);
+  scroll->setVisible(findChild<QAction*>("buttonsAction")->isChecked());
   return scroll;
 }
 
@@ -103,6 +105,8 @@ void AgoreWindow::makeMenus() {
   file->addSeparator();
   add(file, tr("&Save Picture..."), "save", QKeySequence::Save, [this] { savePicture(); });
   file->addAction(tr("Save &Movie..."), Qt::CTRL | Qt::Key_E, this, &AgoreWindow::saveFilm);
+  file->addAction(tr("Save &3D Scene for Browsers..."), Qt::CTRL | Qt::SHIFT | Qt::Key_E, this,
+                  &AgoreWindow::saveScene);
   add(file, tr("&Print..."), "print", QKeySequence::Print, [this] { print(); });
   file->addSeparator();
   add(file, tr("&Quit"), "quit", Qt::CTRL | Qt::Key_Q, [this] { close(); });
@@ -123,8 +127,11 @@ void AgoreWindow::makeMenus() {
        {tr("R"), tr("repeat")},
        {tr("A, B, X"), tr("set the start, set the end, remove the repeated range")},
        {tr("Shift+drag in the time bar or a curve"), tr("set the repeated range")},
-       {tr("1 to 9, Ctrl+7"), tr("select a view of the menu View")},
+       {tr("1 to 9, Ctrl+7, Ctrl+8"), tr("select a view of the menu View")},
        {tr("V"), tr("four views or one view")},
+       {tr("H, G, K"), tr("show or hide heading, chart, legend")},
+       {tr("I, click on an element"), tr("show or hide the values of an element")},
+       {tr("W, U"), tr("show or hide the view bar, the control buttons")},
        {tr("L, T"), tr("show race loads, paths of all elements")},
        {tr("C, Shift+C"), tr("next element coloring, next color scale")},
        {tr("+ or =, -, 0"), tr("zoom in, zoom out the first picture, show all")},
@@ -135,6 +142,7 @@ void AgoreWindow::makeMenus() {
        {tr("hollow end of the rotation mark of a ball"), tr("the end is on the far side")},
        {tr("band around a curve"), tr("minimum to maximum between stored steps")},
        {tr("Ctrl+E"), tr("save a movie")},
+       {tr("Ctrl+Shift+E"), tr("save the 3D scene as a page that a browser plays")},
        {tr("F5, F"), tr("reload the file, follow an active run")}});
 }
 
@@ -240,7 +248,10 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
   menu->addAction(tr("Axial &Section..."), Qt::Key_8, this,
                   [this] { askForElement(View::Section); });
   menu->addAction(tr("&3D View..."), Qt::Key_9, this, [this] { askForElement(View::Solid); });
+  menu->addAction(tr("Racewa&y Contacts"), Qt::CTRL | Qt::Key_8, this,
+                  [this] { setView(View::Raceways); });
   makeBesideMenu(menu->addMenu(tr("Add&itional Views")));
+  makePartsMenu(menu->addMenu(tr("Sho&wn Parts")));
   menu->addSeparator();
   addZoomKeys(menu);
   menu->addSeparator();
@@ -273,6 +284,44 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
   menu->addAction(tr("&Dark/Light"), Qt::CTRL | Qt::Key_D, this, &AgoreWindow::switchTheme);
 }
 
+/// Parts of the picture and of the window that leave their space to the bodies when hidden. A
+/// choice of the user is stored.
+void AgoreWindow::makePartsMenu(QMenu* menu) {
+  const auto part = [&](const QString& text, const QString& brief, const char* name, Qt::Key key,
+                        std::function<void(bool)> show) {
+    QAction* action = menu->addAction(text);
+    action->setObjectName(QString(name) + "Action");
+    action->setShortcut(key);
+    action->setCheckable(true);
+    action->setChecked(QSettings("Adore", kApp).value(QString("shown/") + name, true).toBool());
+    show(action->isChecked());
+    connect(action, &QAction::toggled, this, show);
+    connect(action, &QAction::triggered, this,
+            [name](bool on) { QSettings("Adore", kApp).setValue(QString("shown/") + name, on); });
+    if (!brief.isEmpty()) bar_->addSwitch(action, brief);
+  };
+  const auto of_picture = [this](bool ShownParts::*which) {
+    return [this, which](bool on) {
+      if (options_.shown.*which == on) return;
+      options_.shown.*which = on;
+      showFrame();
+    };
+  };
+  part(tr("&Heading"), tr("Heading"), "heading", Qt::Key_H, of_picture(&ShownParts::heading));
+  part(tr("&Chart"), tr("Chart"), "chart", Qt::Key_G, of_picture(&ShownParts::chart));
+  part(tr("&Legend"), tr("Legend"), "key", Qt::Key_K, of_picture(&ShownParts::key));
+  QAction* values = menu->addAction(tr("V&alues of the Element"));
+  values->setObjectName("valuesAction");
+  values->setShortcut(Qt::Key_I);
+  values->setCheckable(true);
+  connect(values, &QAction::toggled, this, &AgoreWindow::setValuesShown);
+  bar_->addSwitch(values, tr("Values"));
+  part(tr("&View Bar"), {}, "bar", Qt::Key_W, [this](bool on) { bar_->setVisible(on); });
+  part(tr("Control &Buttons"), {}, "buttons", Qt::Key_U, [this](bool on) {
+    if (buttons_ != nullptr) buttons_->setVisible(on);
+  });
+}
+
 void AgoreWindow::makeColourMenus(QMenu* menu) {
   auto* colours = menu->addMenu(tr("C&olor Elements by"));
   colours->setObjectName("colourMenu");
@@ -281,7 +330,8 @@ void AgoreWindow::makeColourMenus(QMenu* menu) {
                                  {ColourBy::Load, "Contact &Load"},
                                  {ColourBy::Slip, "Largest &Slip"},
                                  {ColourBy::Heat, "Contact &Heat"},
-                                 {ColourBy::Temperature, "Contact &Temperature"}}) {
+                                 {ColourBy::Temperature, "Contact &Temperature"},
+                                 {ColourBy::Pressure, "Contact &Pressure"}}) {
     auto* action = colours->addAction(tr(name), this, [this, by = by] { setColour(by); });
     action->setCheckable(true);
     action->setChecked(by == ColourBy::None);
@@ -321,8 +371,9 @@ void AgoreWindow::makeColourMenus(QMenu* menu) {
 
 void AgoreWindow::makeBesideMenu(QMenu* menu) {
   menu->setObjectName("besideMenu");
-  for (const View view : {View::Bearing, View::Cage, View::Pocket, View::Element, View::OuterRace,
-                          View::InnerRace, View::Flange, View::Section, View::Solid}) {
+  for (const View view :
+       {View::Bearing, View::Cage, View::Pocket, View::Element, View::OuterRace, View::InnerRace,
+        View::Flange, View::Section, View::Solid, View::Raceways}) {
     auto* action = menu->addAction(QString::fromStdString(view_title(view)));
     action->setCheckable(true);
     action->setData(static_cast<int>(view));

@@ -58,7 +58,7 @@ void calc(const std::string& name, const std::string& source) {
   print("{}\n", dump_json(calculators::calculate(name, input), 2));
 }
 
-/// Contacts of one element of a deck.
+/// With the inputs that a deck gives.
 void calc_of_deck(const std::string& name, const std::string& deck, int element) {
   runs::DeckRequest request;
   request.deck = deck;
@@ -164,16 +164,20 @@ void add_calc(CLI::App& app, int& exit_code) {
     command->add_flag("--markdown", *markdown, "with --list: print all inputs as Markdown");
     command
         ->add_option("--deck", *deck,
-                     "take the inputs of film or hertz from the quasi-static solution of this "
-                     "deck (ball or roller)")
+                     fmt::format("take the inputs from the quasi-static solution of this deck; for "
+                                 "{}",
+                                 fmt::join(design::deck_calculators(), ", ")))
         ->type_name("DECK");
-    command->add_option("--element", *element, "with --deck: number of the rolling element")
+    command
+        ->add_option("--element", *element,
+                     "with --deck: number of the rolling element (film, hertz, line-contact)")
         ->type_name("N")
         ->capture_default_str();
     command->footer(
         "Examples\n"
         "  adore calc --list\n"
         "  adore calc film --deck DATA.txt --element 1\n"
+        "  adore calc static-safety --deck DATA.txt\n"
         "  adore calc hertz --describe\n"
         "  adore calc hertz input.json\n"
         "  echo '{\"code\": 100}' | adore calc material");

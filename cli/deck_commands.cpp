@@ -2,6 +2,7 @@
 #include "base/input_file.hpp"
 #include "base/json_text.hpp"
 #include "base/terminal_text.hpp"
+#include "cli/assembly.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
 #include "cli/option_ranges.hpp"
@@ -11,8 +12,13 @@
 #include "command_line/tree.hpp"
 #include "deck/catalogue.hpp"
 #include "deck/keep_text.hpp"
+#include "deck/number.hpp"
+#include "deck/quantity.hpp"
+#include "deck/rated_bearings.hpp"
 #include "deck/templates.hpp"
+#include "deck/units.hpp"
 #include "design/bearing_candidates.hpp"
+#include "design/catalogue_ratings.hpp"
 #include "runs/check.hpp"
 #include "runs/deck_story.hpp"
 #include "runs/operating_point.hpp"
@@ -23,10 +29,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace adore::cli {
@@ -34,6 +42,7 @@ namespace {
 
 /// All errors and warnings of a deck; missing features are a note here and an error of `run`.
 int check(const DeckOptions& options, bool json) {
+  if (names_assembly(options)) return check_assembly(options, json);
   runs::DeckRequest request;
   options.fill(request);
   const runs::CheckReport report = runs::check(request);
@@ -153,17 +162,55 @@ void new_deck(const std::string& type, const std::string& out,
 
 struct NewOptions {
   std::string type, out, designation, from, bearing_type;
+  std::string arrangement;         ///< --assembly
+  std::vector<std::string> decks;  ///< --deck, of its rows
+  std::optional<double> preload, offset;
   double bore = 0.0;
   int choose = 0;
-  bool list = false, json = false;
+  bool list = false, json = false, ratings = false;
   std::vector<std::string> sets;
-  runs::OperatingPoint point;
+  std::string radial, axial, speed, temperature, oil;  ///< as written, with or without unit
 };
+
+/// A number in `unit`, or with a unit of the same dimension: "4kN". Empty text: not given.
+std::optional<double> quantity(const char* option, const std::string& text,
+                               const deck::UnitPair& unit, const char* example) {
+  if (text.empty()) return std::nullopt;
+  double value = 0.0;
+  if (const deck::NumberProblem problem =
+          deck::parse_quantity(text, unit, deck::UnitSystem::SI, value))
+    throw InputError(
+        fmt::format("{} \"{:.60}\" {}. Enter a number in {} or with a unit, such as {}.", option,
+                    text, problem.message, unit.si, example));
+  return value;
+}
+
+/// Degrees Celsius of a plain number, else of a temperature with unit.
+std::optional<double> celsius(const std::string& text) {
+  constexpr double kZeroCelsius = 273.15;
+  double value = 0.0;
+  if (!text.empty() && !deck::parse_real(text, value)) return value;
+  std::optional<double> kelvin =
+      quantity("--temperature", text, deck::unit::kTemperature, "70degC");
+  if (kelvin) *kelvin -= kZeroCelsius;
+  return kelvin;
+}
+
+runs::OperatingPoint operating_point(const NewOptions& o) {
+  runs::OperatingPoint out;
+  out.radial = quantity("--radial", o.radial, deck::unit::kForce, "4kN");
+  out.axial = quantity("--axial", o.axial, deck::unit::kForce, "500N");
+  out.speed = quantity("--speed", o.speed, deck::unit::kRotation, "314rad/s");
+  out.temperature = celsius(o.temperature);
+  out.oil = o.oil;
+  return out;
+}
 
 /// --set entries of the operating point; later ones win.
 std::vector<std::string> operating_sets(const NewOptions& o) {
   std::vector<std::string> out;
-  for (const auto& [name, value] : runs::sets_of(o.point)) out.push_back(name + "=" + value);
+  for (const auto& [name, value] : runs::sets_of(operating_point(o)))
+    out.push_back(name + "=" + value);
   out.insert(out.end(), o.sets.begin(), o.sets.end());
   return out;
 }
@@ -173,6 +220,38 @@ void write_bearing(const deck::CatalogueBearing& bearing, const NewOptions& o) {
       write_new(o.out, with_sets(deck::catalogue_deck(bearing), operating_sets(o)));
   const std::string story = text_of(deck::catalogue_story(bearing));
   tell(written.empty() ? story : fmt::format("wrote {}\n{}", written, story));
+}
+
+std::vector<assembly::RowText> rows_of(const NewOptions& o) {
+  NewOptions row = o;  // the load is that of the set
+  row.point.radial = row.point.axial = std::nullopt;
+  DeckOptions options;
+  options.sets = operating_sets(row);
+  const auto sets = options.pairs_of_sets();
+  const auto as_row = [&](const std::string& text) {
+    return assembly::RowText{assembly::row_deck(text, sets), {}};
+  };
+  if (!o.designation.empty())
+    return {as_row(deck::catalogue_deck(deck::find_bearing(o.designation)))};
+  if (!o.type.empty()) return {as_row(std::string(deck::template_text(o.type)))};
+  std::vector<assembly::RowText> out;
+  for (const std::string& name : o.decks) {
+    const std::filesystem::path deck = runs::deck_path(name);
+    out.push_back(as_row(read_text_file(deck)));
+    const std::filesystem::path extension = deck.parent_path() / "ADORE.json";
+    std::error_code error;
+    if (std::filesystem::exists(extension, error)) out.back().extension = read_text_file(extension);
+  }
+  return out;
+}
+
+void new_set(const NewOptions& o) {
+  const std::vector<assembly::RowText> rows = rows_of(o);
+  if (rows.empty())
+    throw InputError(
+        "--assembly needs the rows: give the name of an example, --catalogue BEARING, or --deck "
+        "FILE (once, or once for each row)");
+  write_assembly({o.arrangement, o.out, o.preload, o.offset, o.point.axial, o.point.radial}, rows);
 }
 
 /// Without --choose: the table of candidates only.
@@ -193,6 +272,40 @@ int new_from_facts(const NewOptions& o) {
   return report.candidates.empty() ? 2 : 0;
 }
 
+/// Ratings of a bearing that no deck describes.
+void print_ratings(const deck::RatedBearing& bearing, const NewOptions& o) {
+  if (!o.ratings)
+    throw InputError(fmt::format(
+        "{}: no deck describes a {} yet. Give --ratings for its dimensions and estimated ratings.",
+        bearing.designation, deck::rated_type_name(bearing.type)));
+  if (!o.json) return print("{}", text_of(design::ratings_story(bearing)));
+  const design::CatalogueRatings r = design::catalogue_ratings(bearing);
+  const nlohmann::ordered_json out{{"name", bearing.designation},
+                                   {"type", deck::rated_type_name(bearing.type)},
+                                   {"bore [m]", bearing.envelope.bore},
+                                   {"outside [m]", bearing.envelope.outside},
+                                   {"width [m]", bearing.envelope.width},
+                                   {"contact_angle [deg]", bearing.angle},
+                                   {"C [N]", r.C},
+                                   {"C0 [N]", r.C0},
+                                   {"axial", r.axial},
+                                   {"estimate", true},
+                                   {"source", bearing.source}};
+  print("{}\n", dump_json(out, 2));
+}
+
+/// Bearings of --bore that no deck describes; none with --type.
+std::vector<deck::RatedBearing> listed_rated(const NewOptions& o) {
+  if (!o.bearing_type.empty()) return {};
+  std::vector<deck::RatedBearing> all = deck::rated_bearings();
+  constexpr double kSame = 0.5e-3;
+  if (o.bore > 0.0)
+    std::erase_if(all, [&](const deck::RatedBearing& one) {
+      return std::abs(one.envelope.bore - 1e-3 * o.bore) > kSame;
+    });
+  return all;
+}
+
 void list_catalogue(const NewOptions& o) {
   const std::vector<deck::CatalogueBearing> all = deck::catalogue_list(o.bore, o.bearing_type);
   if (o.json) {
@@ -205,6 +318,14 @@ void list_catalogue(const NewOptions& o) {
                      {"width [m]", one.envelope.width},
                      {"contact_angle [deg]", one.angle},
                      {"test_rig", one.rig}});
+    for (const deck::RatedBearing& one : listed_rated(o))
+      out.push_back({{"name", one.designation},
+                     {"type", deck::rated_type_name(one.type)},
+                     {"bore [m]", one.envelope.bore},
+                     {"outside [m]", one.envelope.outside},
+                     {"width [m]", one.envelope.width},
+                     {"contact_angle [deg]", one.angle},
+                     {"ratings_only", true}});
     print("{}\n", dump_json(out, 2));
     return;
   }
@@ -212,7 +333,14 @@ void list_catalogue(const NewOptions& o) {
     print("{:<20} {:<16} {:>8g} x {:g} x {:g} mm{}\n", one.designation, deck::type_word(one.type),
           one.envelope.bore * 1e3, one.envelope.outside * 1e3, one.envelope.width * 1e3,
           one.rig ? "  public test rig" : "");
-  print("{} bearings. `adore new --catalogue NAME` writes a deck\n", all.size());
+  const std::vector<deck::RatedBearing> rated = listed_rated(o);
+  for (const deck::RatedBearing& one : rated)
+    print("{:<20} {:<16} {:>8g} x {:g} x {:g} mm  ratings only\n", one.designation,
+          deck::rated_type_name(one.type), one.envelope.bore * 1e3, one.envelope.outside * 1e3,
+          one.envelope.width * 1e3);
+  print("{} bearings. `adore new --catalogue NAME` writes a deck", all.size());
+  if (!rated.empty()) print(". {} with --ratings only", counted(rated.size(), "bearing"));
+  print("\n");
 }
 
 const deck::TemplateInfo& example(const std::string& name) {
@@ -344,6 +472,11 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
                 "rigs")
             ->type_name("BEARING")
             ->excludes(name);
+    command
+        ->add_flag("--ratings", o->ratings,
+                   "with --catalogue: print dimensions and estimated ratings of a bearing that no "
+                   "deck describes (QJ2, QJ3, 32, 33, 12, 13, 22, 23, NA49, 511, 512, 811, 812)")
+        ->needs(catalogue);
     CLI::Option* from =
         command
             ->add_option(
@@ -369,37 +502,78 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
             ->needs(list),
         deck::type_words());
     command->add_flag("--json", o->json, "print the list or the candidates as JSON");
-    command->add_option("--radial", o->point.radial, "radial load (appLoadZ) [N]")->type_name("N");
-    command->add_option("--axial", o->point.axial, "axial load (appLoadX) [N]")->type_name("N");
-    command->add_option("--speed", o->point.speed, "speed of the inner race (rpm2) [rpm]")
-        ->type_name("RPM");
+    command->add_option("--radial", o->radial, "radial load (appLoadZ) [N], or with unit: 4kN")
+        ->type_name("LOAD");
+    command->add_option("--axial", o->axial, "axial load (appLoadX) [N], or with unit: 500N")
+        ->type_name("LOAD");
     command
-        ->add_option("--temperature", o->point.temperature,
-                     "temperature of housing, shaft, races and elements [degrees Celsius]")
-        ->type_name("C");
+        ->add_option("--speed", o->speed,
+                     "speed of the inner race (rpm2) [rpm], or with unit: 314rad/s")
+        ->type_name("SPEED");
+    command
+        ->add_option("--temperature", o->temperature,
+                     "temperature of housing, shaft, races and elements [degrees Celsius], or with "
+                     "unit: 343K")
+        ->type_name("TEMPERATURE");
     command
         ->add_option(
-            "--oil", o->point.oil,
+            "--oil", o->oil,
             "oil: number (kTrac) or the beginning of a name of the manual's table, such as "
             "FVA-3")
         ->type_name("OIL");
+    CLI::Option* assembly =
+        command
+            ->add_option("--assembly", o->arrangement,
+                         "write a set of rows on one shaft: a folder with ASSEMBLY.json and a deck "
+                         "for each row (DB back to back, DF face to face, DT tandem, TBT, TFT, TT, "
+                         "QBC, QFC, QBT, QFT, QT)")
+            ->type_name("ARRANGEMENT")
+            ->excludes(list)
+            ->excludes(from);
+    command
+        ->add_option("--deck", o->decks,
+                     "with --assembly: deck of the rows, once for all rows or once for each")
+        ->type_name("FILE")
+        ->allow_extra_args(false)
+        ->needs(assembly)
+        ->excludes(name)
+        ->excludes(catalogue);
+    command
+        ->add_option("--preload", o->preload, "with --assembly: preload of the unmounted set [N]")
+        ->type_name("N")
+        ->needs(assembly);
+    command
+        ->add_option("--offset", o->offset,
+                     "with --assembly: axial offset of the set that clamping closes [um]")
+        ->type_name("UM")
+        ->needs(assembly);
     command->add_option("--out", o->out, "file or folder to write (default: standard output)")
         ->type_name("FILE");
     command->footer(
         "Examples\n"
         "  adore new ball --out DATA.txt\n"
         "  adore new --list --bore 25 --type deep-groove\n"
-        "  adore new --catalogue 6205 --radial 1500 --speed 3000 --temperature 70 --out DATA.txt\n"
+        "  adore new --catalogue 6205 --radial 1.5kN --speed 3000 --temperature 70 --out DATA.txt\n"
         "  adore new --from FACTS.json\n"
-        "  adore new --from FACTS.json --choose 1 --out DATA.txt");
+        "  adore new --from FACTS.json --choose 1 --out DATA.txt\n"
+        "  adore new --assembly DB --catalogue 7012C --preload 211 --speed 10000 --out SET");
     add_sets(*command, o->sets);
     command->callback([=, &exit_code] {
       if (o->list) return list_catalogue(*o);
+      if (!o->arrangement.empty()) return new_set(*o);
       if (!o->from.empty()) {
         exit_code = new_from_facts(*o);
         return;
       }
-      if (!o->designation.empty()) return write_bearing(deck::find_bearing(o->designation), *o);
+      if (!o->designation.empty()) {
+        if (const auto rated = deck::find_rated_bearing(o->designation))
+          return print_ratings(*rated, *o);
+        if (o->ratings)
+          throw InputError(
+              "--ratings is for bearings that no deck describes (`adore new --list`). Run the deck "
+              "of this bearing; its results have the ratings.");
+        return write_bearing(deck::find_bearing(o->designation), *o);
+      }
       if (o->type.empty())
         throw InputError(
             "give the name of an example (`adore examples` lists them), a bearing with --catalogue "

@@ -10,7 +10,7 @@ namespace adore::cli {
 namespace {
 
 std::vector<std::string> view_names() {
-  return {"bearing", "cage", "pocket", "element", "race", "flange", "section", "3d"};
+  return {"bearing", "cage", "pocket", "element", "race", "flange", "section", "3d", "raceways"};
 }
 
 void add_progress(CLI::App& command, std::string& style) {
@@ -66,12 +66,26 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
   command_line::one_of(command->add_option("--domain", request->domain, "chart type")
                            ->capture_default_str()
                            ->type_name("WHAT"),
-                       {"history", "spectrum", "waterfall"});
+                       {"history", "spectrum", "spectrogram"});
   command
-      ->add_option("--curve", request->curve,
-                   "curve of the waterfall: its name, part of its name, or its number on the page")
+      ->add_option(
+          "--curve", request->curve,
+          "curve of the spectrogram: its name, part of its name, or its number on the page")
       ->type_name("CURVE")
       ->default_str("first curve");
+  command_line::one_of(
+      command
+          ->add_option("--scale", request->scale,
+                       "amplitudes of spectra: in units of the curve, in dB of 1 unit, or relative "
+                       "to the maximum (default: units)")
+          ->type_name("SCALE"),
+      {"units", "db", "relative"});
+  command_line::one_of(
+      command
+          ->add_option("--rows", request->rows,
+                       "vertical axis of spectrograms: time or shaft speed (default: time)")
+          ->type_name("WHAT"),
+      {"time", "speed"});
   command->add_flag("--time", *time, "the same as --abscissa time")->group("");
   command->add_flag("--dark", request->dark, "dark theme");
   add_progress(*command, request->progress);
@@ -136,6 +150,12 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
                                         "movie to write: NAME.avi, NAME.gif, NAME.mp4 (needs "
                                         "ffmpeg), or a folder of numbered pictures")
                            ->type_name("FILE");
+  CLI::Option* html = command
+                          ->add_option("--html", request->html,
+                                       "page with the 3D scene to write, which a browser plays: "
+                                       "NAME.html (needs libjs-three)")
+                          ->type_name("FILE")
+                          ->excludes(movie);
   command->add_option("--fps", request->frames_per_second, "movie frames per second")
       ->capture_default_str();
   CLI::Option* slow = command
@@ -145,7 +165,7 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
                           ->type_name("NUMBER")
                           ->needs(movie)
                           ->excludes(every);
-  frame->excludes(every)->excludes(movie);
+  frame->excludes(every)->excludes(movie)->excludes(html);
   CLI::Option* first = command->add_option("--from", request->first, "first frame, counted from 1")
                            ->capture_default_str()
                            ->excludes(frame);
@@ -158,7 +178,7 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
   command_line::one_of(command->add_option("--color,--colour", request->colour, "color elements by")
                            ->capture_default_str()
                            ->type_name("WHAT"),
-                       {"none", "load", "slip", "heat", "temperature"});
+                       {"none", "load", "slip", "heat", "temperature", "pressure"});
   command
       ->add_option("--scale", request->scale,
                    "color scale: usual (covers 95 % of the values of the run), run (up to the "
@@ -177,12 +197,14 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
       "  adore animate SOL8 --frame 1 --out pictures\n"
       "  adore animate SOL8 --view cage --every 5 --movie cage.avi\n"
       "  adore animate SOL8 --from 100 --to 300 --slow 0.001 --movie start.mp4\n"
+      "  adore animate out --html scene.html\n"
       "  adore animate SOL8 --view 3d --beside bearing,section --contacts --frame 1");
   command->callback([=] {
     if (frame->count() > 0) check_range("--frame", request->frame);
     if (first->count() > 0) check_range("--from", request->first);
     if (last->count() > 0) check_range("--to", request->last);
     check_range("--every", request->every);
+    if (html->count() > 0 && every->count() == 0) request->every = 0;  // chosen from the size
     check_range("--fps", request->frames_per_second);
     if (slow->count() > 0) check_range("--slow", request->slow);
     check_range("--element", request->element);

@@ -15,7 +15,8 @@ namespace adore::cli {
 
 struct PlotRequest {
   std::vector<std::string> files;
-  std::string out = ".", progress = "auto", abscissa = "rev", domain = "history", curve;
+  std::string out = ".", progress = "auto", abscissa = "rev", domain = "history", curve, scale,
+              rows;
   int page = 0;              ///< 0: all
   int lubricant = 0;         ///< kTrac of the charts drawn instead of files; 0: none
   double temperature = 0.0;  ///< of its charts [K]; 0: the usual one
@@ -27,6 +28,7 @@ struct PlotRequest {
 struct AnimateRequest {
   std::string file, out = ".", view = "bearing", race, colour = "none", scale = "usual", movie,
                     progress = "auto";
+  std::string html;  ///< page with the 3D scene
   std::string beside;
   double yaw = 32.0, elevation = 18.0;
   int frame = 0, first = 1, last = 0, every = 1, frames_per_second = 25, element = 1;

@@ -62,7 +62,7 @@ if(ADORE_WITH_QT)
   adore_package(apps adore-apps "dynamics of rolling bearings, desktop programs"
     "AdrInput prepares decks, AdrPlot shows charts of results, AGORE animates\na bearing. The package also has the program that draws the pictures of\n`adore plot` and `adore animate`.")
   set(CPACK_DEBIAN_APPS_PACKAGE_DEPENDS "adore (= ${PROJECT_VERSION}-1)")
-  set(CPACK_DEBIAN_APPS_PACKAGE_RECOMMENDS "ffmpeg")
+  set(CPACK_DEBIAN_APPS_PACKAGE_RECOMMENDS "ffmpeg, libjs-three")
 endif()
 if(ADORE_SHARED_LIBRARY)
   adore_package(library libadore-dev "dynamics of rolling bearings, library for C++ programs"

@@ -87,12 +87,32 @@ Limits drawable(double low, double high) {
   return {middle - 0.05 * size, middle + 0.05 * size};
 }
 
-AxisScale scaled(const Limits& limits, std::string_view unit, int parts) {
+/// Units of positions: an offset shows their motion. Loads, powers, lives, temperatures and rates
+/// keep their values.
+bool is_position(std::string_view unit) {
+  constexpr std::array<std::string_view, 5> kPositions{"m", "in", "deg", "s", "rev"};
+  return std::find(kPositions.begin(), kPositions.end(), unit) != kPositions.end();
+}
+
+constexpr double kLeastSpan = 2e-5;  ///< range over value of axes with at most seven digits
+
+/// An axis without an offset, with numbers of at most seven digits.
+Limits readable(const Limits& limits, std::string_view unit) {
+  const double least = kLeastSpan * std::max(std::abs(limits.low), std::abs(limits.high));
+  if (is_position(unit) || limits.high - limits.low >= least) return limits;
+  const double middle = 0.5 * (limits.low + limits.high);
+  return {middle - 0.5 * least, middle + 0.5 * least};
+}
+
+constexpr double kOffsetBelow = 2e-3;  ///< range over value of positions that get an offset
+
+/// @param offset_below range over value below which an offset is taken out
+AxisScale scaled(const Limits& limits, std::string_view unit, int parts, double offset_below) {
   AxisScale axis;
   const double span = limits.high - limits.low;
   const double size = std::max(std::abs(limits.low), std::abs(limits.high));
   double shown_size = size;
-  if (span < 2e-3 * size) {
+  if (span < offset_below * size) {
     const double coarse = nice_step(span, 1);  // at most the range: it contains the base
     axis.offset = std::round(0.5 * (limits.low + limits.high) / coarse) * coarse;
     axis.offset_text = pretty_quantity(axis.offset, unit, 7);
@@ -145,7 +165,8 @@ double nice_step(double span, int parts) {
 }
 
 AxisScale value_axis(double low, double high, std::string_view unit, int parts) {
-  AxisScale axis = scaled(drawable(low, high), unit, parts);
+  AxisScale axis = scaled(readable(drawable(low, high), unit), unit, parts,
+                          is_position(unit) ? kOffsetBelow : 0.0);
   const double data_min = axis.min, data_max = axis.max;
   const auto round_out = [&] {
     // Rounding errors must not add an empty tick interval.
@@ -175,7 +196,8 @@ AxisScale value_axis(double low, double high, std::string_view unit, int parts) 
 }
 
 AxisScale tight_axis(double low, double high, std::string_view unit, int parts) {
-  return scaled(drawable(low, high), unit, parts);
+  // The exact range: enlarged values of other units get an offset when they need eight digits.
+  return scaled(drawable(low, high), unit, parts, is_position(unit) ? kOffsetBelow : kLeastSpan);
 }
 
 void take_common_unit(AxisScale& axis, const std::vector<AxisScale>& all) {

@@ -69,8 +69,9 @@ double nice_step(double span, int parts);
 
 /// Scale whose range [min, max] is the data's range rounded outward to ticks. `unit` is a unit
 /// string of the result files
-/// ("m/s^2", "N.m", ""). `parts` is the number of intervals to aim for. Non-finite limits count as
-/// the range 0 to 1.
+/// ("m/s^2", "N.m", ""). Nearly constant positions (m, in, deg, s, rev) get an offset; loads,
+/// powers, lives and all others keep their values. `parts` is the number of intervals to aim for.
+/// Non-finite limits count as the range 0 to 1.
 AxisScale value_axis(double low, double high, std::string_view unit, int parts);
 
 /// Scale with exactly the range of the data (an abscissa); ticks are multiples of `step`.

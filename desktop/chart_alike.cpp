@@ -289,7 +289,7 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
   for (std::size_t c = 0; c < panel.curves.size(); ++c) {
     const ChartCurve& curve = panel.curves[c];
     if (curve.hidden) continue;
-    ShownCurve shown{.curve = c, .colour = panel.one_colour ? 0 : static_cast<int>(c)};
+    ShownCurve shown{.curve = c, .colour = static_cast<int>(c)};
     std::vector<double> positive;
     // One height of the panel below its foot; a curve of such values alone has no line.
     if (panel.log)
@@ -310,7 +310,7 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
     for (const Polyline& piece : shown.pieces)
       shown.lines.push_back(placed(piece, area, x_axis_, y_axis));
     shown.extents = extents_of(shown.lines);
-    const bool compared = rising_ && !panel.one_colour;
+    const bool compared = rising_;
     const qreal same = m.line;  // distance of two lines that partly cover each other
     // Dense oscillations have no values to compare: their edges are compared.
     const qreal edges = std::min(same, area.height() / 300.0);

@@ -1,9 +1,7 @@
 #include "desktop/chart_scene_parts.hpp"
 
-#include <QFontMetricsF>
 #include <QGraphicsItem>
 #include <QPainter>
-#include <QRegularExpression>
 
 #include <algorithm>
 
@@ -75,35 +73,6 @@ void ChartScene::addFrame(const QRectF& area, const AxisScale& x_scale, const Ax
                        page_.equal_axes ? 0.0 : kAside, *theme_));
   addLabels(area, x_scale, y_scale, x_title, y_title, x_labels ? x_ticks : std::vector<AxisTick>(),
             y_ticks, m);
-}
-
-void ChartScene::addScaleBar(const ChartPanel& panel, const QRectF& area, const AxisScale& y_axis,
-                             const Metrics& m) {
-  constexpr qreal kAside = 14.0, kEnd = 4.0, kLongest = 110.0;
-  const double span = (y_axis.max - y_axis.min) * y_axis.factor;
-  // No longer than the highest of the lines is.
-  double highest = 0.0;
-  for (const ChartCurve& curve : panel.curves)
-    for (std::size_t i = 0; i < curve.y.size(); ++i)
-      if (is_drawable(curve.y[i])) highest = std::max(highest, curve.value(i) - curve.foot);
-  double value = nice_step(span, std::max(2, static_cast<int>(area.height() / kLongest)));
-  if (highest > 0.0) value = std::min(value, nice_step(highest, 1));
-  const qreal length = value / span * area.height(), x = area.left() - kAside,
-              top = area.bottom() - length;
-  const QPen pen(theme_->text, 1.4);
-  addLine(QLineF(x, area.bottom(), x, top), pen);
-  for (const qreal y : {area.bottom(), top}) addLine(QLineF(x - kEnd, y, x + kEnd, y), pen);
-  const QFont font = ui_font(m.tick_font);
-  const QFontMetricsF metrics(font);
-  const QString text = text_of(pretty_quantity(value, panel.unit, 3))
-                           .replace(QRegularExpression("^1 of largest$"), tr("the largest"));
-  auto* name = addSimpleText(text, font);
-  name->setBrush(theme_->text);
-  name->setRotation(-90);
-  // At its middle, not below the panel.
-  name->setPos(
-      x - kEnd - metrics.height() - 2.0,
-      std::min(area.bottom() - 0.5 * (length - metrics.horizontalAdvance(text)), area.bottom()));
 }
 
 }  // namespace adore::desktop

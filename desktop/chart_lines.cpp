@@ -222,25 +222,6 @@ void ChartScene::addShown(const ShownCurve& shown, const ChartPanel& panel, cons
   }
 }
 
-void ChartScene::addLineNames(const ChartPanel& panel, const QRectF& area, const AxisScale& y_axis,
-                              const Metrics& m) {
-  const QFont font = ui_font(m.tick_font);
-  const qreal height = QFontMetricsF(font).height();
-  qreal last = area.bottom() + height;
-  for (const ChartCurve& curve : panel.curves) {
-    if (curve.hidden || curve.name.empty() || curve.y.empty()) continue;
-    const double foot = curve.lift + curve.foot;
-    const double at = (y_axis.shown(foot) - y_axis.min) / (y_axis.max - y_axis.min);
-    if (!(at >= 0.0 && at <= 1.0)) continue;
-    const qreal y = area.bottom() - at * area.height() - 0.5 * height;
-    if (y > last - height) continue;
-    last = y;
-    auto* name = addSimpleText(text_of(curve.name), font);
-    name->setBrush(theme_->muted);
-    name->setPos(area.right() + kLineNameGap, y);
-  }
-}
-
 void ChartScene::addWay(std::vector<QPolygonF> parts, const QRectF& area, QPen pen) {
   if (!parts.empty())
     addItem(new LineItem(std::move(parts), area.adjusted(-1, -1, 1, 1), std::move(pen)));

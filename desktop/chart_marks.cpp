@@ -190,7 +190,9 @@ void ChartScene::addMarks(const QRectF& area, const AxisScale& y_axis, bool labe
                           const Metrics& m) {
   const QFont font = ui_font(m.tick_font);
   const QFontMetricsF metrics(font);
-  const QPen pen(theme_->muted, 1, Qt::DashLine);
+  // Visible on the colors of a map.
+  const bool map = !page_.panels.empty() && page_.panels.front().rows;
+  const QPen pen(map ? QColor(255, 255, 255, 170) : theme_->muted, 1, Qt::DashLine);
   std::vector<MarkName> names;
   for (const ChartMark& mark : page_.marks) {
     if (mark.way.empty()) {

@@ -7,6 +7,16 @@
 #include <cmath>
 
 namespace adore::desktop {
+
+std::vector<double> limits_between(const std::vector<double>& places) {
+  if (places.empty()) return {};
+  if (places.size() == 1) return {places[0] - 0.5, places[0] + 0.5};
+  std::vector<double> out{places[0] - 0.5 * (places[1] - places[0])};
+  for (std::size_t i = 1; i < places.size(); ++i) out.push_back(0.5 * (places[i - 1] + places[i]));
+  out.push_back(places.back() + 0.5 * (places.back() - places[places.size() - 2]));
+  return out;
+}
+
 namespace {
 
 /// A larger step of an angle [deg] is a wrap.

@@ -3,6 +3,7 @@
 #include "desktop/axis_scale.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,12 +26,21 @@ struct ChartCurve {
   std::vector<bool> stored = {};
   bool hidden = false;     ///< by its entry in the legend
   std::string brief = {};  ///< complete name for readouts; empty: title and name
-  /// Offset contained in y, so that lines are drawn above each other.
-  double lift = 0.0;
-  double foot = 0.0;  ///< the value at which such a line begins, with its name
-  /// A value for readouts and tables.
-  [[nodiscard]] double value(std::size_t i) const { return y[i] - lift; }
 };
+
+/// Vertical axis and colors of a panel whose curves are the rows of a map: each curve is one row at
+/// its place on the axis, each value a color. Values of a map have no gaps between stored places:
+/// a color reaches half the distance to the neighbors.
+struct ChartRows {
+  std::string title, unit;       ///< vertical axis: "Time", "s"
+  std::vector<double> at;        ///< place of each curve; increasing
+  std::string value_title;       ///< of the color bar: "Amplitude"
+  double low = 0.0, high = 1.0;  ///< values of the first and last color, in the unit of the panel
+};
+
+/// Limits between the neighbors of increasing places, half a distance beyond the first and last:
+/// one more than places.
+[[nodiscard]] std::vector<double> limits_between(const std::vector<double>& places);
 
 struct ChartPanel {
   std::string title;  ///< "Contact load"
@@ -39,12 +49,10 @@ struct ChartPanel {
   bool wraps = false;  ///< an angle in degrees: jumps by more than half a revolution are not joined
   double least_span =
       0.0;  ///< smallest range of the vertical axis; finer detail is rounding of the data
-  std::string message = {};  ///< a message instead of curves without values
-  bool one_colour = false;   ///< curves of one family, without a legend
-  /// Its lines are drawn above each other, each with its name next to it: instead of numbers on the
-  /// axis, a bar shows the scale.
-  bool scale_bar = false;
-  bool log = false;  ///< logarithmic axis; values of 0 and less cannot be drawn
+  std::string message = {};            ///< a message instead of curves without values
+  bool log = false;                    ///< logarithmic axis; values of 0 and less cannot be drawn
+  int group = -1;                      ///< that a user-defined chart gave to its curves
+  std::optional<ChartRows> rows = {};  ///< the curves are rows of a map
 };
 
 struct ChartMark {

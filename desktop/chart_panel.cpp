@@ -22,6 +22,14 @@ AxisScale ChartScene::panelAxis(std::size_t index, const QRectF& area, bool& any
 
 AxisScale ChartScene::findAxis(std::size_t index, const QRectF& area, bool& any) const {
   const ChartPanel& panel = page_.panels[index];
+  if (panel.rows) {
+    any = !panel.rows->at.empty();
+    const std::vector<double> limits = limits_between(panel.rows->at);
+    const auto [low, high] = panel_views_[index].value_or(
+        any ? std::pair(limits.front(), limits.back()) : std::pair(0.0, 1.0));
+    return tight_axis(low, high, panel.rows->unit,
+                      std::clamp(static_cast<int>(area.height() / 38), 2, 8));
+  }
   Extent extent;
   any = false;
   const auto [from, to] = rising_ ? places_between(page_.x, low_, high_)
@@ -92,10 +100,23 @@ bool one_message(const ChartPage& page) {
 
 /// Lengths are not a vector: a radius may be next to micrometers of an axial position.
 bool shares_unit(const ChartPanel& panel) {
-  return !panel.log && !panel.unit.empty() && panel.unit != "m";
+  return !panel.log && !panel.rows && !panel.unit.empty() && panel.unit != "m";
 }
 
 }  // namespace
+
+void ChartScene::addMapPanel(std::size_t index, const QRectF& area, const AxisScale& y_axis,
+                             bool any, bool bottom, const Metrics& m) {
+  const ChartPanel& panel = page_.panels[index];
+  const QString x_title = bottom ? with_unit_and_base(text_of(page_.x_title), x_axis_) : QString();
+  addFrame(area, x_axis_, y_axis, x_title, with_unit_and_base(text_of(panel.rows->title), y_axis),
+           bottom, any, m);
+  if (any) addRows(panel, area, y_axis, m);
+  if (!any) addMessage(area, text_of(panel.message), m);
+  if (any) addMarks(area, y_axis, index == 0, true, m);
+  areas_.push_back(area);
+  y_axes_.push_back(y_axis);
+}
 
 void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, const Metrics& m) {
   const ChartPanel& panel = page_.panels[index];
@@ -118,6 +139,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
     if (drawn && is_something(page_.panels[i])) alike.push_back(axis);
   }
   if (!alike.empty()) take_common_unit(y_axis, alike);
+  if (panel.rows) return addMapPanel(index, area, y_axis, any, bottom, m);
   const QString x_title = bottom ? with_unit_and_base(text_of(page_.x_title), x_axis_) : QString();
   const std::vector<ShownCurve> shown = shownCurves(index, area, y_axis, m);
   const bool log_of_none =
@@ -137,8 +159,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
                            ? addLegend(panel, shown, below_legend, labelsTop(area, y_axis, m), m)
                            : area.right();
   // A title too long for the side of its panel, even without its unit, is above it.
-  const bool numbered = scaled && !panel.scale_bar;
-  QString y_title = numbered ? with_unit(text_of(panel.title), y_axis) : text_of(panel.title);
+  QString y_title = scaled ? with_unit(text_of(panel.title), y_axis) : text_of(panel.title);
   qreal head = area.left();
   const QFontMetricsF title_metrics(ui_font(m.text_font));
   // One direction for the page.
@@ -155,8 +176,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
     head += title_metrics.horizontalAdvance(y_title) + 16.0;
     y_title.clear();
   }
-  addFrame(area, x_axis_, y_axis, x_title, y_title, bottom, numbered, m);
-  if (scaled && panel.scale_bar) addScaleBar(panel, area, y_axis, m);
+  addFrame(area, x_axis_, y_axis, x_title, y_title, bottom, scaled, m);
   std::vector<QPolygonF> drawn;
   for (const ShownCurve& one : shown)  // below all curves: none has the color of another's area
     if (!panel.curves[one.curve].low.empty())
@@ -170,7 +190,6 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
     addMessage(area, panel.message.empty() ? tr("The file has no values.") : text_of(panel.message),
                m);
   if (log_of_none) addMessage(area, tr("No value is above 0 (logarithmic axis)."), m);
-  if (panel.one_colour && scaled) addLineNames(panel, area, y_axis, m);
   if (scaled && !y_axis.offset_text.empty())
     addBase(y_axis, area, head, names_above ? head : legend, drawn, m);
   // Lines would cross the text of a message; their names are also at the panels below.

@@ -38,8 +38,7 @@ void ChartScene::studyDigits() {
     for (const ChartCurve& curve : panel.curves) {
       Extent extent;
       for (const double v : curve.y) extent.include(v);
-      of_panel.push_back(
-          extent.empty() ? kDigits : digits_for(extent.low - curve.lift, extent.high - curve.lift));
+      of_panel.push_back(extent.empty() ? kDigits : digits_for(extent.low, extent.high));
     }
   }
 }
@@ -60,7 +59,7 @@ QString ChartScene::bandAt(std::size_t panel, std::size_t index, std::size_t pla
   const ChartCurve& curve = of.curves[index];
   if (place >= curve.low.size() || place >= curve.high.size()) return {};
   const auto text = [&](double v) {
-    return text_of(pretty_quantity(v - curve.lift, of.unit, digitsOf(panel, index)));
+    return text_of(pretty_quantity(v, of.unit, digitsOf(panel, index)));
   };
   const QString low = text(curve.low[place]), high = text(curve.high[place]);
   const bool known = std::isfinite(curve.low[place]) && std::isfinite(curve.high[place]);
@@ -74,7 +73,7 @@ QStringList ChartScene::readoutParts(QPointF position) const {
                 : tr("%1 runs (first: %2). Click to open.").arg(runs.size()).arg(runs.front())};
   if (isPlane()) return planeReadout(position);
   if (page_.equal_axes || page_.x.empty() || !panelAt(position)) return {};
-  return storedParts(0, nearest_index(page_.x, abscissaAt(position.x())));
+  return storedParts(rowAt(position).value_or(0), nearest_index(page_.x, abscissaAt(position.x())));
 }
 
 QStringList ChartScene::storedParts(std::size_t of_orbit, std::size_t i) const {
@@ -89,11 +88,20 @@ QStringList ChartScene::storedParts(std::size_t of_orbit, std::size_t i) const {
   QStringList parts;
   for (std::size_t p = 0; p < page_.panels.size(); ++p) {
     const ChartPanel& panel = page_.panels[p];
+    if (panel.rows) {
+      const std::size_t row = std::min(of_orbit, panel.rows->at.size() - 1);
+      parts << "   " +
+                   told(panel.title,
+                        text_of(pretty_quantity(panel.rows->at[row], panel.rows->unit, 5)) + ": " +
+                            text_of(pretty_quantity(panel.curves[row].y[i], panel.unit,
+                                                    digitsOf(p, row))));
+      continue;
+    }
     bool first = true;
     for (std::size_t c = 0; c < panel.curves.size(); ++c) {
       const ChartCurve& curve = panel.curves[c];
       if (i >= curve.y.size() || curve.hidden) continue;
-      QString value = text_of(pretty_quantity(curve.value(i), panel.unit, digitsOf(p, c)));
+      QString value = text_of(pretty_quantity(curve.y[i], panel.unit, digitsOf(p, c)));
       value += bandAt(p, c, i);
       const bool whole = !curve.brief.empty();
       QString part = whole                ? text_of(curve.brief) + ": " + value

@@ -4,7 +4,6 @@
 #include "desktop/chart_scene_parts.hpp"
 #include "desktop/study_picture.hpp"
 
-#include <QFontMetricsF>
 #include <QImage>
 #include <QPainter>
 
@@ -23,19 +22,8 @@ ChartScene::Metrics ChartScene::metrics() const {
 }
 
 QRectF ChartScene::space(const Metrics& m) const {
-  return {m.left, m.top, size_.width() - m.left - m.right - lineNamesWidth(m),
+  return {m.left, m.top, size_.width() - m.left - m.right - colorBarWidth(m),
           size_.height() - m.top - m.bottom};
-}
-
-qreal ChartScene::lineNamesWidth(const Metrics& m) const {
-  const QFontMetricsF metrics(ui_font(m.tick_font));
-  qreal out = 0.0;
-  for (const ChartPanel& panel : page_.panels)
-    for (const ChartCurve& curve : panel.curves)
-      if (panel.one_colour && !curve.name.empty())
-        out = std::max(
-            out, metrics.horizontalAdvance(text_of(curve.name)) + kLineNameGap - m.right + 4.0);
-  return std::max(out, 0.0);
 }
 
 namespace {
@@ -245,14 +233,10 @@ std::vector<long> ChartScene::runsAt(QPointF position) const {
 
 namespace {
 
-/// Is there text above a panel? Lines of one family have their names next to them, and so has a
-/// title that is not too long.
+/// Is there text above a panel?
 bool has_heads(const ChartPage& page) {
-  constexpr qreal kShort = 200.0;
-  const QFontMetricsF metrics(ui_font(13));
-  return std::any_of(page.panels.begin(), page.panels.end(), [&](const ChartPanel& panel) {
-    return !panel.one_colour || metrics.horizontalAdvance(text_of(panel.title)) > kShort;
-  });
+  return std::any_of(page.panels.begin(), page.panels.end(),
+                     [](const ChartPanel& panel) { return !panel.rows; });
 }
 
 }  // namespace

@@ -102,7 +102,9 @@ class ChartScene : public QGraphicsScene {
   [[nodiscard]] QString readout(QPointF scene_position) const;
   /// The same, each value as a part with its label.
   [[nodiscard]] QStringList readoutParts(QPointF scene_position) const;
-  /// The same for a stored point: of the abscissa, or of a curve of an orbit.
+  /// Row of a map that contains a scene position; none outside or without a map.
+  [[nodiscard]] std::optional<std::size_t> rowAt(QPointF scene_position) const;
+  /// The same for a stored point: of the abscissa (and a row of a map), or of a curve of an orbit.
   [[nodiscard]] QStringList storedParts(std::size_t curve, std::size_t index) const;
   /// Number of digits that resolve the variation of a curve and the resolution of its panel: 30.005
   /// mm does not show a motion of 1 µm.
@@ -166,12 +168,13 @@ class ChartScene : public QGraphicsScene {
   void addShown(const ShownCurve& shown, const ChartPanel& panel, const QRectF& area,
                 const AxisScale& y_axis, const Metrics& m);
   void addPanel(std::size_t index, const QRectF& area, bool bottom, const Metrics& m);
-  /// Instead of the numbers of a panel axis: a value with few digits as a bar, and its text.
-  void addScaleBar(const ChartPanel& panel, const QRectF& area, const AxisScale& y_axis,
-                   const Metrics& m);
-  /// Names of lines of one family next to their panel, as many as fit.
-  void addLineNames(const ChartPanel& panel, const QRectF& area, const AxisScale& y_axis,
-                    const Metrics& m);
+  void addMapPanel(std::size_t index, const QRectF& area, const AxisScale& y_axis, bool any,
+                   bool bottom, const Metrics& m);
+  /// The rows of a map as colors, and their color bar.
+  void addRows(const ChartPanel& panel, const QRectF& area, const AxisScale& y_axis,
+               const Metrics& m);
+  /// Width of the color bar of a map next to its panel, with its numbers and title; 0: no map.
+  [[nodiscard]] qreal colorBarWidth(const Metrics& m) const;
   /// Appends the outlines that it has drawn.
   void addBand(std::size_t panel, std::size_t curve, const QRectF& area, const AxisScale& y_axis,
                int colour, std::vector<QPolygonF>& drawn);
@@ -190,8 +193,6 @@ class ChartScene : public QGraphicsScene {
     double enlarged = 1.0;  ///< fraction of the visible range
   };
   [[nodiscard]] QRectF space(const Metrics& m) const;
-  /// Width of names next to panels; 0: none.
-  [[nodiscard]] qreal lineNamesWidth(const Metrics& m) const;
   /// Iterates over a page with equal axes.
   void studyPlane();
   [[nodiscard]] Plane wholePlane(const Metrics& m) const;

@@ -72,9 +72,6 @@ struct ChartScene::Metrics {
 /// Height of small pictures below which their panels need the space between texts.
 inline constexpr qreal kLowCompact = 190.0;
 
-/// Between a panel and the names of its lines.
-inline constexpr qreal kLineNameGap = 6.0;
-
 /// Between a panel and its legend: rows of mark names, and the steps from these to their lines, so
 /// that no step crosses a curve. The number of rows is that of all marks of the page at this width:
 /// constant while zooming.

@@ -1,5 +1,6 @@
 #include "desktop/chart_view.hpp"
 
+#include <QApplication>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QRubberBand>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace adore::desktop {
 namespace {
@@ -213,7 +215,11 @@ QString ChartView::cursorReport() const {
   }
   lines << head;
   if (page.equal_axes) return (lines << planeReport()).join('\n');
-  for (std::size_t p = 0; p < page.panels.size(); ++p)
+  for (std::size_t p = 0; p < page.panels.size(); ++p) {
+    if (page.panels[p].rows) {
+      lines << rowsReport(page.panels[p]);
+      continue;
+    }
     for (std::size_t c = 0; c < page.panels[p].curves.size(); ++c) {
       const ChartPanel& panel = page.panels[p];
       const ChartCurve& curve = panel.curves[c];
@@ -228,19 +234,13 @@ QString ChartView::cursorReport() const {
                      ":";
       const auto value = [&](double x) {
         const std::size_t i = nearest_index(page.x, x);
-        return i < curve.y.size() ? curve.value(i) : kNone;
+        return i < curve.y.size() ? curve.y[i] : kNone;
       };
       const int digits = scene_->digitsOf(p, c);
       if (a) line += tr("  A %1").arg(quantity(value(cursors_[0]), panel.unit, digits));
       if (b) line += tr("  B %1").arg(quantity(value(cursors_[1]), panel.unit, digits));
       if (a && b) {
-        std::vector<double> lowered;
-        if (curve.lift != 0.0) {
-          lowered = curve.y;
-          for (double& v : lowered) v -= curve.lift;
-        }
-        const CurveStatistics s = statistics_between(page.x, lowered.empty() ? curve.y : lowered,
-                                                     cursors_[0], cursors_[1]);
+        const CurveStatistics s = statistics_between(page.x, curve.y, cursors_[0], cursors_[1]);
         line += tr("  B − A %1").arg(quantity(value(cursors_[1]) - value(cursors_[0]), panel.unit));
         if (s.count > 0)
           line +=
@@ -254,12 +254,29 @@ QString ChartView::cursorReport() const {
           line += tr(" (%1 to %2)").arg(quantity(s.first, unit), quantity(s.last, unit));
         if (const auto band = band_between(page.x, curve, cursors_[0], cursors_[1]))
           line += tr("  band %1 to %2")
-                      .arg(quantity(band->first - curve.lift, panel.unit, digits),
-                           quantity(band->second - curve.lift, panel.unit, digits));
+                      .arg(quantity(band->first, panel.unit, digits),
+                           quantity(band->second, panel.unit, digits));
       }
       lines << line;
     }
+  }
   return lines.join('\n');
+}
+
+/// The largest value of a map at each cursor, and its row.
+QString ChartView::rowsReport(const ChartPanel& panel) const {
+  QString out = QString::fromStdString(panel.title) + ":";
+  for (const auto& [name, at] : {std::pair("A", cursors_[0]), std::pair("B", cursors_[1])}) {
+    if (!std::isfinite(at)) continue;
+    const std::size_t i = nearest_index(scene_->page().x, at);
+    std::size_t best = 0;
+    for (std::size_t r = 0; r < panel.curves.size(); ++r)
+      if (panel.curves[r].y[i] > panel.curves[best].y[i]) best = r;
+    out += tr("  %1 maximum %2 at %3")
+               .arg(QString(name), quantity(panel.curves[best].y[i], panel.unit, 5),
+                    quantity(panel.rows->at[best], panel.rows->unit));
+  }
+  return out;
 }
 
 /// Both coordinates of an orbit at the cursors, and how far apart these are.
@@ -337,16 +354,6 @@ void ChartView::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
-bool ChartView::toggleLegend(QPointF position) {
-  for (const LegendEntry& entry : scene_->legend()) {
-    if (!entry.place.adjusted(-3, -3, 3, 3).contains(position)) continue;
-    const LegendEntry found = entry;  // the scene builds its legend again
-    toggleCurve(found.panel, found.curve);
-    return true;
-  }
-  return false;
-}
-
 void ChartView::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   const QPointF position = mapToScene(event->position().toPoint());
@@ -357,7 +364,12 @@ void ChartView::mousePressEvent(QMouseEvent* event) {
   }
   // Click for a cursor: the content under the mouse may just have moved.
   const bool for_cursor = (event->modifiers() & Qt::ControlModifier) != 0;
-  if (!for_cursor && toggleLegend(position)) return;
+  pressed_ = event->position().toPoint();
+  if (!for_cursor) {
+    pressed_name_ = legendAt(position);
+    pressed_title_ = drop_types_.isEmpty() ? std::nullopt : titleAt(position);
+    if (pressed_name_ || pressed_title_) return;
+  }
   if ((event->modifiers() & Qt::ControlModifier) != 0) {
     const int which = (event->modifiers() & Qt::ShiftModifier) != 0 ? 1 : 0;
     constexpr qreal kAnywhere = 1e9;
@@ -377,7 +389,6 @@ void ChartView::mousePressEvent(QMouseEvent* event) {
     return;
   }
   dragging_ = true;
-  pressed_ = event->position().toPoint();
   remember();
   drag_from_ = scene_->abscissaAt(position.x());
   last_ = position;
@@ -385,6 +396,18 @@ void ChartView::mousePressEvent(QMouseEvent* event) {
 
 void ChartView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF position = mapToScene(event->position().toPoint());
+  if ((pressed_name_ || pressed_title_) && (event->buttons() & Qt::LeftButton) != 0) {
+    if ((event->position().toPoint() - pressed_).manhattanLength() <
+        QApplication::startDragDistance())
+      return;
+    const auto name = std::exchange(pressed_name_, std::nullopt);
+    const auto title = std::exchange(pressed_title_, std::nullopt);
+    if (name)
+      startDrag(name->panel, name->curve);
+    else
+      startDrag(*title, std::nullopt);
+    return;
+  }
   if (boxing_) band_->setGeometry(QRect(box_from_, event->position().toPoint()).normalized());
   if (dragging_ && scene_->isPlane()) {
     if (scene_->zoomed())
@@ -450,6 +473,9 @@ void ChartView::zoomBox(const QRectF& box) {
 }
 
 void ChartView::mouseReleaseEvent(QMouseEvent* event) {
+  pressed_title_.reset();
+  if (const auto name = std::exchange(pressed_name_, std::nullopt))
+    return toggleCurve(name->panel, name->curve);
   if (dragging_ && !back_.empty() && back_.back() == now()) back_.pop_back();
   const QPoint place = event->position().toPoint();
   const bool clicked = dragging_ && (place - pressed_).manhattanLength() < 4;

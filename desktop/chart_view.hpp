@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+class QMimeData;
 class QRubberBand;
 
 namespace adore::desktop {
@@ -49,6 +50,8 @@ inline constexpr int kChartDeeds = static_cast<int>(ChartDeed::ZoomToCursors) + 
 /// abscissa.
 /// - The keys have the same commands as the mouse (chart_view_keys.cpp).
 /// - A click on a name in a legend hides or shows its curve.
+/// - A curve is dragged by its name in a legend, all curves of a panel by its title; with
+/// takeDrops() the chart reports what is dropped on it.
 /// - Ctrl+click sets cursor A, Ctrl+Shift+click cursor B: statistics between them are shown.
 class ChartView : public QGraphicsView {
   Q_OBJECT
@@ -72,6 +75,13 @@ class ChartView : public QGraphicsView {
   [[nodiscard]] QString whyNot(ChartDeed deed) const;
   /// Curves that have names in a legend, from the first panel's first one on.
   [[nodiscard]] std::vector<LegendEntry> namedCurves() const;
+  /// Type of a curve of this chart while it is dragged: "panel curve", curve -1 for all.
+  static constexpr const char* kCurveMime = "application/x-adore-curve";
+  /// Accepts drops of these types, and lets curves be dragged.
+  void takeDrops(const QStringList& types);
+  /// Panel whose title or numbers are at a scene position.
+  [[nodiscard]] std::optional<std::size_t> titleAt(QPointF position) const;
+  [[nodiscard]] std::optional<LegendEntry> legendAt(QPointF position) const;
   /// Hides a curve, or shows it again.
   void toggleCurve(std::size_t panel, std::size_t curve);
 
@@ -90,6 +100,8 @@ class ChartView : public QGraphicsView {
   void panelClicked(std::size_t panel);
   /// A curve was shown or hidden by its name.
   void curvesChanged();
+  /// Dropped on a panel; none: between or beside them.
+  void dropped(const QMimeData* data, std::optional<std::size_t> panel);
   /// A point, cell or line in a picture of a study was clicked.
   void runsChosen(const std::vector<long>& runs);
 
@@ -102,6 +114,10 @@ class ChartView : public QGraphicsView {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void drawForeground(QPainter* painter, const QRectF& rect) override;
   void leaveEvent(QEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dragMoveEvent(QDragMoveEvent* event) override;
+  void dragLeaveEvent(QDragLeaveEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
 
@@ -123,9 +139,13 @@ class ChartView : public QGraphicsView {
   void read();
   void readPointer();
   [[nodiscard]] QString planeReport() const;
+  [[nodiscard]] QString rowsReport(const ChartPanel& panel) const;
   /// Point of an orbit at a cursor; none without a cursor or outside the visible range.
   [[nodiscard]] std::optional<QPointF> planeCursor(std::size_t which) const;
-  bool toggleLegend(QPointF position);
+  void startDrag(std::size_t panel, std::optional<std::size_t> curve);
+  [[nodiscard]] bool takesDrop(const QMimeData* data) const;
+  void showDropPlace(std::optional<QPoint> at);
+  void drawDropPlace(QPainter& painter) const;
   // For the keys:
   // A stored point of the abscissa, or of a curve of an orbit.
   struct StoredPlace {
@@ -163,7 +183,11 @@ class ChartView : public QGraphicsView {
   QRubberBand* band_;
   bool dragging_ = false, boxing_ = false;
   QPoint box_from_;
-  QPoint pressed_;  ///< where a drag began
+  QPoint pressed_;                           ///< where a drag began
+  std::optional<LegendEntry> pressed_name_;  ///< in a legend, until the button is released
+  std::optional<std::size_t> pressed_title_;
+  QStringList drop_types_;
+  std::optional<std::size_t> drop_at_;  ///< panel below a drag
   double drag_from_ = 0.0;
   QPointF last_;                        ///< of a drag over a page with equal axes
   std::optional<QPoint> pointed_at_;    ///< of the viewport; none: not on this page

@@ -200,6 +200,10 @@ const Extent& ChartView::valuesOfPanel() const {
   for (std::size_t p = values_of_.size(); p < scene_->page().panels.size(); ++p) {
     const ChartPanel& panel = scene_->page().panels[p];
     Extent& of = values_of_.emplace_back(Extent{}).value();
+    if (panel.rows) {
+      for (const double limit : limits_between(panel.rows->at)) of.include(limit);
+      continue;
+    }
     for (const ChartCurve& curve : panel.curves)
       for (const auto* values : {&curve.y, &curve.low, &curve.high})
         for (const double value : *values)

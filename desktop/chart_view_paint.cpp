@@ -7,6 +7,7 @@ namespace adore::desktop {
 
 void ChartView::drawForeground(QPainter* painter, const QRectF&) {
   if (hasFocus()) drawFocus(*painter);
+  drawDropPlace(*painter);
   const auto line = [&](double x) {
     for (const auto& area : scene_->plotAreas())
       painter->drawLine(QLineF(x, area.top(), x, area.bottom()));

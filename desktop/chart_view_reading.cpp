@@ -25,7 +25,10 @@ bool ChartView::hasPlace(const StoredPlace& place) const {
 QPointF ChartView::sceneOf(const StoredPlace& place) const {
   const ChartPage& page = scene_->page();
   if (!page.equal_axes)
-    return {scene_->positionOf(page.x[place.index]), scene_->plotAreas().front().center().y()};
+    return {scene_->positionOf(page.x[place.index]),
+            page.panels.front().rows
+                ? scene_->heightOf(0, page.panels.front().rows->at.at(place.curve))
+                : scene_->plotAreas().front().center().y()};
   const ChartCurve& of = page.panels.front().curves.at(place.curve);
   return {scene_->positionOf(of.x[place.index]), scene_->heightOf(0, of.y[place.index])};
 }
@@ -34,8 +37,9 @@ double ChartView::abscissaOf(const StoredPlace& place) const {
   const ChartPage& page = scene_->page();
   const std::vector<double>& places = page.equal_axes ? page.along : page.x;
   // Cursors of an orbit are on its first curve.
-  return place.curve == 0 && place.index < places.size() ? places[place.index]
-                                                         : std::numeric_limits<double>::quiet_NaN();
+  return (place.curve == 0 || !page.equal_axes) && place.index < places.size()
+             ? places[place.index]
+             : std::numeric_limits<double>::quiet_NaN();
 }
 
 bool ChartView::sees(const StoredPlace& place) const {
@@ -61,7 +65,7 @@ std::optional<ChartView::StoredPlace> ChartView::nextPlace(StoredPlace at, long 
         break;
     } else if (at.index > 0) {
       --at.index;
-    } else if (at.curve > 0) {
+    } else if (page.equal_axes && at.curve > 0) {
       --at.curve;
       at.index = std::max<std::size_t>(placesOf(at.curve), 1) - 1;
     } else {
@@ -83,7 +87,8 @@ std::optional<ChartView::StoredPlace> ChartView::placeOfNow() const {
     const auto near = scene_->pointNear(from, kAnywhere);
     return near ? std::optional(StoredPlace{near->curve, near->index}) : std::nullopt;
   }
-  const StoredPlace out{0, nearest_index(scene_->page().x, scene_->abscissaAt(from.x()))};
+  const StoredPlace out{scene_->rowAt(from).value_or(0),
+                        nearest_index(scene_->page().x, scene_->abscissaAt(from.x()))};
   if (hasPlace(out)) return out;
   const auto on = nextPlace(out, 1);
   return on ? on : nextPlace(out, -1);

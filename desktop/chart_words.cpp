@@ -310,7 +310,7 @@ qreal ChartScene::labelsTop(const QRectF& area, const AxisScale& y_axis, const M
 
 qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurve>& shown,
                             const QRectF& area, qreal labels_top, const Metrics& m) {
-  if (panel.curves.size() < 2 || panel.one_colour) return area.right();
+  if (panel.curves.size() < 2) return area.right();
   const QFont font = ui_font(m.text_font);
   const QFontMetricsF metrics(font);
   // Texts that do not fit share the space: first the lines get shorter, then long names are

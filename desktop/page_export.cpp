@@ -38,7 +38,6 @@ std::string page_csv(const ChartPage& page) {
   struct Column {
     std::string head;
     const std::vector<double>* values;
-    double lift = 0.0;
     const std::vector<bool>* stored = nullptr;  ///< 1 or 0 instead of the values
   };
   std::vector<Column> columns;
@@ -51,10 +50,10 @@ std::string page_csv(const ChartPage& page) {
         name = page.about + ": " + (page.title == panel.title ? "" : page.title + ": ") + name;
       if (page.equal_axes)
         columns.push_back({with_unit(page.x_title + ", " + curve.name, panel.unit), &curve.x});
-      columns.push_back({with_unit(name, panel.unit), &curve.y, curve.lift});
+      columns.push_back({with_unit(name, panel.unit), &curve.y});
       if (!curve.stored.empty())
         columns.push_back(
-            {field(name + ": stored (1) or interpolated (0)"), &curve.y, 0.0, &curve.stored});
+            {field(name + ": stored (1) or interpolated (0)"), &curve.y, &curve.stored});
       if (curve.low.empty()) continue;
       columns.push_back({with_unit(name + ", lowest since the last", panel.unit), &curve.low});
       columns.push_back({with_unit(name + ", highest since the last", panel.unit), &curve.high});
@@ -75,7 +74,7 @@ std::string page_csv(const ChartPage& page) {
       if (column.stored != nullptr)
         out += (*column.stored)[i] ? '1' : '0';
       else
-        fmt::format_to(std::back_inserter(out), "{:.17g}", (*column.values)[i] - column.lift);
+        fmt::format_to(std::back_inserter(out), "{:.17g}", (*column.values)[i]);
     }
     out += '\n';
   }

@@ -1,4 +1,5 @@
 #include "desktop/axis_scale.hpp"
+#include "desktop/heat_color.hpp"
 #include "desktop/study_chart.hpp"
 #include "desktop/theme.hpp"
 
@@ -7,7 +8,6 @@
 #include <QPainterPath>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -99,20 +99,6 @@ struct Extent {
   }
 };
 
-/// Dark blue over green to yellow: rises in lightness, so that it reads in gray too.
-QColor heat_colour(double share) {
-  constexpr std::array<std::array<double, 3>, 5> kStops{
-      {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}}};
-  const double at = std::clamp(share, 0.0, 1.0) * (kStops.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
-  const double part = at - static_cast<double>(below);
-  std::array<int, 3> rgb{};
-  for (std::size_t k = 0; k < 3; ++k)
-    rgb[k] = static_cast<int>(
-        std::lround((1.0 - part) * kStops[below][k] + part * kStops[below + 1][k]));
-  return {rgb[0], rgb[1], rgb[2]};
-}
-
 std::string with_unit(const std::string& title, const std::string& unit) {
   return unit.empty() ? title : title + " [" + unit + "]";
 }
@@ -153,7 +139,7 @@ void paint(const HeatMap& map, QPainter& painter, const QSizeF& size, const Them
       const double value = map.values[j][i];
       const bool known = is_drawable(value);
       const double share = extent.high > extent.low ? extent.share(value, wide) : 0.0;
-      painter.fillRect(cell, known ? heat_colour(share) : theme.grid);
+      painter.fillRect(cell, known ? heat_color(share) : theme.grid);
       painter.setPen(QPen(theme.surface, 1.0));
       painter.setBrush(Qt::NoBrush);
       painter.drawRect(cell);
@@ -185,7 +171,7 @@ void paint(const HeatMap& map, QPainter& painter, const QSizeF& size, const Them
   const QRectF scale(plane.right() + 40 * u, plane.top() + 40 * u, 28 * u, plane.height() - 80 * u);
   for (int k = 0; k < static_cast<int>(scale.height()); ++k)
     painter.fillRect(QRectF(scale.left(), scale.bottom() - k - 1, scale.width(), 1.5),
-                     heat_colour(k / scale.height()));
+                     heat_color(k / scale.height()));
   for (const AxisTick& tick : axis_ticks(axis)) {
     const double y = scale.bottom() - extent.share(axis.value(tick.at), wide) * scale.height();
     sheet.label({scale.right() + 6 * u, y - 11 * u, 120 * u, 22 * u},
@@ -233,7 +219,7 @@ void paint(const ParallelLines& lines, QPainter& painter, const QSizeF& size, co
   const std::size_t last = lines.axes.size() - 1;
   const auto draw = [&](std::size_t i, double width, int alpha) {
     const auto& row = lines.rows[i];
-    QColor colour = is_drawable(row[last]) ? heat_colour(0.9 * place.extents[last].share(row[last]))
+    QColor colour = is_drawable(row[last]) ? heat_color(0.9 * place.extents[last].share(row[last]))
                                            : theme.frame;
     colour.setAlpha(alpha);
     painter.setPen(QPen(colour, width));

@@ -3,6 +3,7 @@
 #include "adrplot/accuracy_page.hpp"
 #include "adrplot/render.hpp"
 #include "agore/render.hpp"
+#include "agore/scene_page.hpp"
 #include "base/errors.hpp"
 #include "base/terminal_text.hpp"
 #include "cli/pictures/gallery.hpp"
@@ -60,7 +61,7 @@ void plot(const PlotRequest& request) {
   options.progress = make_count_progress("file", request.progress);
   options.tell = [](const std::string& sentence) { print(stderr, "adore: note: {}\n", sentence); };
   if (request.abscissa == "time") options.view.abscissa = adrplot::Abscissa::Time;
-  adrplot::set_domain(options.view, request.domain, request.curve);
+  adrplot::set_domain(options.view, request.domain, request.curve, request.scale, request.rows);
   print_files(adrplot::render_plots({request.files.begin(), request.files.end()}, options));
 }
 
@@ -89,7 +90,14 @@ void animate(const AnimateRequest& request) {
     print(stderr, "adore: note: {}: {}\n", source.string(), note);
   if (request.race.empty()) agore::choose_flange_race(picture.animation(), render.view);
   const std::filesystem::path folder(request.out);
-  if (!request.movie.empty()) {
+  if (!request.html.empty()) {
+    const std::filesystem::path page = folder / request.html;
+    const agore::ScenePage scene = agore::write_scene_page(
+        picture.animation(), {render.view, request.first, request.last, request.every}, page,
+        false);
+    print(stderr, "adore: {}\n", scene.summary());
+    print_files({page});
+  } else if (!request.movie.empty()) {
     const std::filesystem::path film = folder / request.movie;  // an absolute name is unchanged
     agore::render_movie(picture, request.every, request.frames_per_second, film, render);
     print_files({film});

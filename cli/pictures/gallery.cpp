@@ -62,8 +62,8 @@ class Gallery {
       adrplot::PageOptions options;
       options.domain = adrplot::Domain::Spectrum;
       page(document, 6, options, "-spectrum", document.build(6, options).title);
-      options.domain = adrplot::Domain::Waterfall;
-      page(document, 6, options, "-waterfall", document.build(6, options).title);
+      options.domain = adrplot::Domain::Spectrogram;
+      page(document, 6, options, "-spectrogram", document.build(6, options).title);
     }
   }
 

@@ -3,6 +3,7 @@
 #include "calculators/cage.hpp"
 #include "calculators/life.hpp"
 #include "calculators/lubricant_curves.hpp"
+#include "calculators/ratings.hpp"
 #include "calculators/rigid_body.hpp"
 #include "calculators/roller_static.hpp"
 #include "calculators/rollers.hpp"
@@ -31,6 +32,8 @@ std::vector<Adapter> component_adapters() {
   add(lubricant_adapters());
   add(hydrodynamic_adapters());
   add(life_adapters());
+  add(rating_adapters());
+  add(size_limit_adapters());
   return all;
 }
 

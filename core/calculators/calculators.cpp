@@ -119,6 +119,18 @@ const std::vector<CalculatorInfo>& calculator_list() {
       {"iso281", "life_iso281", "",
        "ISO 281 and ISO 76: ratings, equivalent load, a_1, a_ISO, contamination factor, C_u"},
       {"iso16281", "life_iso16281", "", "ISO 16281 reference life from contact or lamina loads"},
+      {"static-safety", "rating_static", "",
+       "ISO 76: equivalent static load P0 and static safety s0; static rating of thrust bearings"},
+      {"reference-speed", "rating_reference_speed", "",
+       "ISO 15312: thermal reference speed from the balance of friction and dissipated heat"},
+      {"oscillating-life", "rating_oscillation", "",
+       "life of an oscillating bearing and the critical angle of oscillation"},
+      {"minimum-load", "rating_minimum_load", "",
+       "least load for rolling without sliding, by a maker's rules"},
+      {"size-limits", "rating_size_limits", "",
+       "limits of a shaft or bore by its class (ISO 286) and of bearing rings (ISO 492)"},
+      {"bearing-fit", "rating_bearing_fit", "",
+       "interference by tolerance classes; clearance after mounting and in operation"},
       {"rigid-body", "motion_frames", "rigid_body", "accelerations of a rigid body"},
   };
   return table;

@@ -29,11 +29,12 @@ struct Series {
   std::string_view dimensions;     ///< key of the table
   double least = 0.0, most = 1e9;  ///< bores that are made [mm]
 };
-constexpr std::array<Series, 23> kSeries = {{{"60", BearingType::DeepGroove, "10"},
+constexpr std::array<Series, 25> kSeries = {{{"60", BearingType::DeepGroove, "10"},
                                              {"62", BearingType::DeepGroove, "02"},
                                              {"63", BearingType::DeepGroove, "03"},
                                              {"618", BearingType::DeepGroove, "18"},
                                              {"619", BearingType::DeepGroove, "19"},
+                                             {"160", BearingType::DeepGroove, "00"},
                                              {"70", BearingType::AngularContact, "10", 10.0},
                                              {"72", BearingType::AngularContact, "02", 10.0},
                                              {"73", BearingType::AngularContact, "03", 10.0},
@@ -51,7 +52,8 @@ constexpr std::array<Series, 23> kSeries = {{{"60", BearingType::DeepGroove, "10
                                              {"323", BearingType::Tapered, "323"},
                                              {"222", BearingType::Spherical, "22", 25.0},
                                              {"223", BearingType::Spherical, "23", 40.0},
-                                             {"230", BearingType::Spherical, "30"}}};
+                                             {"230", BearingType::Spherical, "30"},
+                                             {"231", BearingType::Spherical, "31"}}};
 
 /// Designs of cylindrical roller bearings.
 constexpr std::array<std::string_view, 4> kDesigns = {"NUP", "NU", "NJ", "N"};
@@ -87,10 +89,11 @@ std::string squeezed(std::string_view text) {
 
 std::string what_there_is() {
   return "give a designation with a bore up to 300 mm, such as 6205, 7208 B, NU209, 30208 or "
-         "22210: series 60xx, 62xx, 63xx, 618xx, 619xx (deep groove), 70xx, 72xx, 73xx, 719xx "
+         "22210: series 60xx, 62xx, 63xx, 160xx, 618xx, 619xx (deep groove), 70xx, 72xx, 73xx, "
+         "719xx "
          "(angular contact; C, AC or B), NU, N, NJ or NUP 10xx, 2xx, 22xx, 3xx, 23xx, 302xx, "
          "303xx, "
-         "313xx, 320xx, 322xx, 323xx, 222xx, 223xx or 230xx. Or give type (deep-groove, "
+         "313xx, 320xx, 322xx, 323xx, 222xx, 223xx, 230xx or 231xx. Or give type (deep-groove, "
          "angular-contact, cylindrical, tapered, spherical) and size in millimeters, such as "
          "'deep-groove 25x52x15', or a test rig such as CWRU-6205-DE; `adore new --list` lists all";
 }

@@ -12,11 +12,11 @@
 namespace adore::deck {
 
 enum class BearingType : unsigned char {
-  DeepGroove,      ///< 60, 62, 63, 618, 619
+  DeepGroove,      ///< 60, 62, 63, 160, 618, 619
   AngularContact,  ///< 70, 72, 73, 719 with C (15 deg), AC (25 deg) or B (40 deg)
   Cylindrical,     ///< NU, N, NJ, NUP with 10, 2, 22, 3, 23
   Tapered,         ///< 302, 303, 313, 320, 322, 323
-  Spherical        ///< 222, 223, 230; one row of it
+  Spherical        ///< 222, 223, 230, 231; one row of it
 };
 
 /// Outside of a bearing [m].

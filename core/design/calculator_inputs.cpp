@@ -37,15 +37,21 @@ Json film_of_ball(const runs::Prepared& p, const statics::LubricantFilms& films,
             {"k", ball.a[j] / ball.b[j]}}}};
 }
 
+/// Sum of the curvatures of roller and race along the rolling direction [1/m].
+double rolling_curvature(const bearing::RollerGeometry& g, std::size_t k, std::size_t j) {
+  const int race = static_cast<int>(j);
+  return contact::roller_race_curvature(
+             g, contact::roller_profile(g, g.deviation_of(static_cast<int>(k))), race,
+             g.race_profile_radius(j))
+      .rolling;
+}
+
 Json film_of_roller(const runs::Prepared& p, const statics::LubricantFilms& films, std::size_t k,
                     std::size_t j) {
   const statics::RollerRaceContact& at = p.rollers->rollers[k].race[j];
   if (!(at.load > 0.0 && at.length > 0.0)) return nullptr;
   const bearing::RollerGeometry& g = *p.bearing.rollers();
-  const double rolling = contact::roller_race_curvature(
-                             g, contact::roller_profile(g, g.deviation_of(static_cast<int>(k))),
-                             static_cast<int>(j), g.race_profile_radius(static_cast<int>(j)))
-                             .rolling;
+  const double rolling = rolling_curvature(g, k, j);
   Json inputs{{"mu0", films.viscosity[j]},
               {"alpha", films.alpha[j]},
               {"u", films.race[j][k].speed},
@@ -80,9 +86,27 @@ Json hertz_of_ball(const runs::Prepared& p, std::size_t k, std::size_t j) {
           {"stress_poisson", p.bearing.race_material[j].poisson_ratio}};
 }
 
+Json line_of_roller(const runs::Prepared& p, std::size_t k, std::size_t j) {
+  const statics::RollerRaceContact& at = p.rollers->rollers[k].race[j];
+  if (!(at.load > 0.0 && at.length > 0.0)) return nullptr;
+  const bearing::RollerGeometry& g = *p.bearing.rollers();
+  const double radius = 0.5 * g.diameter;
+  // Curvature of the race, < 0 of a hollow one, out of that of both bodies.
+  const double race = rolling_curvature(g, k, j) - 1.0 / radius;
+  const bearing::Material& roller = p.bearing.element_material;
+  const bearing::Material& ring = p.bearing.race_material[j];
+  return {{"load", at.load},
+          {"length", at.length},
+          {"body1", {{"R", radius}, {"E", roller.elastic_modulus}, {"nu", roller.poisson_ratio}}},
+          {"body2", {{"R", 1.0 / race}, {"E", ring.elastic_modulus}, {"nu", ring.poisson_ratio}}},
+          {"stress_poisson", ring.poisson_ratio}};
+}
+
 }  // namespace
 
 Json calculator_inputs(const runs::Prepared& p, const std::string& calculator, int element) {
+  Json whole = bearing_calculator_inputs(p, calculator);
+  if (!whole.is_null()) return whole;
   const int count = p.bearing.element_count();
   if (element < 1 || element > count)
     throw InputError(
@@ -99,11 +123,18 @@ Json calculator_inputs(const runs::Prepared& p, const std::string& calculator, i
       out[kRaces[j]] = p.rollers ? film_of_roller(p, films, k, j) : film_of_ball(p, films, k, j);
     return out;
   }
+  if (calculator == "line-contact") {
+    if (!p.rollers) throw InputError("calculator line-contact takes a deck with rollers");
+    for (std::size_t j = 0; j < 2; ++j) out[kRaces[j]] = line_of_roller(p, k, j);
+    return out;
+  }
   if (calculator != "hertz")
-    throw InputError(
-        fmt::format("calculator {} does not take a deck; film and hertz do", calculator));
+    throw InputError(fmt::format("calculator {} does not take a deck; these do: {}", calculator,
+                                 fmt::join(deck_calculators(), ", ")));
   if (p.rollers)
-    throw InputError("calculator hertz takes a deck with balls; rollers have no single ellipse");
+    throw InputError(
+        "calculator hertz takes a deck with balls; rollers have no single ellipse. Use "
+        "line-contact");
   for (std::size_t j = 0; j < 2; ++j) out[kRaces[j]] = hertz_of_ball(p, k, j);
   return out;
 }

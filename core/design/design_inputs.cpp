@@ -25,6 +25,12 @@ constexpr std::array<const char*, 13> kOilValues = {
     "reRaceFilm", "strParam",      "lubName",      "refTemp", "refVis",
     "prVisCoeff", "tempVisCoeff",  "lubTherCond",  "lubDen",  "lubSpHeat",
     "refTracVis", "tracVisCoeff1", "tracVisCoeff2"};
+/// Values of record X2 that describe an oil: all except the temperature of the bearing.
+constexpr std::array<const char*, 11> kGradeValues = {
+    "oilGrade", "oilName",  "kOilBase", "kGrease", "oilVisc1",  "oilTemp1",
+    "oilVisc2", "oilTemp2", "oilIndex", "oilDen",  "oilPrCoeff"};
+constexpr std::array kGrades = {32, 46, 68, 100, 150, 220, 320, 460};  // ISO 3448
+constexpr long long kByGrade = 21;  // kTrac of an oil of record X2
 
 const deck::VariableSpec& spec_of(std::string_view name) {
   return deck::find_variable(name).front().spec();
@@ -90,44 +96,51 @@ std::string input_text(const deck::Deck& deck, const DesignInput& input) {
   return fmt::format("{:.9g}", number);
 }
 
-std::vector<DesignOil> design_oils(const deck::Deck& deck) {
-  std::vector<DesignOil> out;
+namespace {
+
+DesignOil oil_of(const deck::Deck& deck, std::string name, long long code, int grade = 0) {
+  DesignOil oil{std::move(name), {{"kTrac", fmt::format("{}", code)}}};
+  if (grade > 0) oil.sets.emplace_back(kGradeValues.front(), fmt::format("{}", grade));
+  for (const char* value : kGradeValues)
+    if (deck.has(value) && (grade == 0 || value != kGradeValues.front()))
+      oil.sets.emplace_back(value, "");
+  if (code == 0 || deck.integer("kTrac") > 0) return oil;
+  // Metal contact below 0.01 µm, flooded inlet [choice].
   const bool english = deck.units() == deck::UnitSystem::English;
+  const deck::UnitPair& length = spec_of("reRaceFilm").unit;
+  oil.sets.emplace_back(
+      "reRaceFilm", fmt::format("{:.6g}", 1e-8 / (english ? length.en_factor : length.si_factor)));
+  oil.sets.emplace_back("strParam", "10");
+  return oil;
+}
+
+}  // namespace
+
+std::vector<DesignOil> design_oils(const deck::Deck& deck) {
+  std::vector<DesignOil> out{oil_of(deck, "none (dry friction)", 0)};
+  for (const int grade : kGrades)
+    out.push_back(oil_of(deck, fmt::format("ISO VG {} mineral oil", grade), kByGrade, grade));
   for (const deck::OptionSpec& one : deck::option_table("@lubricants")) {
     long long code = 0;
-    if (deck::parse_integer(one.code, code) || code < 0 || code == 9)
-      continue;  // routine and own coefficients: in the records
-    DesignOil oil;
-    oil.name = code == 0 ? "none (dry friction)" : std::string(one.meaning);
-    oil.sets.emplace_back("kTrac", std::string(one.code));
-    if (code > 0 && deck.integer("kTrac") <= 0) {
-      // Metal contact below 0.01 µm, flooded inlet [choice].
-      const deck::UnitPair& length = spec_of("reRaceFilm").unit;
-      oil.sets.emplace_back(
-          "reRaceFilm",
-          fmt::format("{:.6g}", 1e-8 / (english ? length.en_factor : length.si_factor)));
-      oil.sets.emplace_back("strParam", "10");
-    }
-    out.push_back(std::move(oil));
+    // Routine and own coefficients are in the records.
+    if (!deck::parse_integer(one.code, code) && code > 0 && code != 9 && code != kByGrade)
+      out.push_back(oil_of(deck, std::string(one.meaning), code));
   }
   return out;
 }
 
-std::optional<std::size_t> design_oil_of(const deck::Deck& deck,
-                                         const std::map<std::string, std::string>& options) {
+std::optional<std::size_t> design_oil_of(const deck::Deck& deck) {
   const std::vector<DesignOil> oils = design_oils(deck);
-  const std::string code = fmt::format("{}", deck.integer("kTrac"));
-  std::optional<std::size_t> found;
-  for (std::size_t i = 0; i < oils.size(); ++i) {
-    const auto& [given, sets] = std::pair(oils[i].options, oils[i].sets);
-    const bool same = std::all_of(given.begin(), given.end(), [&](const auto& option) {
-      const auto at = options.find(option.first);
-      return at != options.end() && at->second == option.second;
-    });
-    // Of two oils of one code the one whose options the deck has.
-    if (sets.front().second == code && same && (!found || !given.empty())) found = i;
-  }
-  return found;
+  const bool by_grade = deck.integer("kTrac") == kByGrade;
+  // Record X2 acts on films only with this code.
+  const auto has = [&](const std::pair<std::string, std::string>& set) {
+    return plain_value(deck, set.first.c_str()) == set.second;
+  };
+  const auto found = std::find_if(oils.begin(), oils.end(), [&](const DesignOil& oil) {
+    return by_grade ? std::all_of(oil.sets.begin(), oil.sets.end(), has) : has(oil.sets.front());
+  });
+  if (found == oils.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - oils.begin());
 }
 
 deck::Deck with_bearing(const deck::Deck& deck, std::string_view designation, bool keep) {
@@ -155,6 +168,8 @@ deck::Deck with_bearing(const deck::Deck& deck, std::string_view designation, bo
     for (const char* name : kOilValues)
       if (deck.has(name)) sets.emplace_back(name, plain_value(deck, name));
   }
+  for (const char* name : kGradeValues)
+    if (deck.has(name)) sets.emplace_back(name, plain_value(deck, name));
   out.set_all(sets);
   return out;
 }

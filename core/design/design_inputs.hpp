@@ -2,7 +2,6 @@
 
 #include "deck/deck.hpp"
 
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,17 +31,14 @@ struct DesignInput {
 struct DesignOil {
   std::string name;
   std::vector<std::pair<std::string, std::string>> sets;  ///< of the deck, as for Deck::set_all()
-  /// Run options, which are stored in ADORE.json: oils that the manual does not have.
-  std::map<std::string, std::string> options;
 };
 
-/// All oils, that without oil first. The one place that lists them: an oil by its viscosity grade
-/// is a further entry with its `options`.
+/// Dry friction, mineral oils by viscosity grade (record X2), then the oils of the manual. An oil
+/// replaces all values of another oil in record X2.
 [[nodiscard]] std::vector<DesignOil> design_oils(const deck::Deck& deck);
 /// Position in design_oils() of the oil that the deck has; nothing: one that the page does not
 /// offer.
-[[nodiscard]] std::optional<std::size_t> design_oil_of(
-    const deck::Deck& deck, const std::map<std::string, std::string>& options);
+[[nodiscard]] std::optional<std::size_t> design_oil_of(const deck::Deck& deck);
 
 /// The deck of another bearing of the catalogue with the operation of this one: loads, speeds,
 /// temperatures and oil stay. Loads that only the example of the catalogue scaled are the new

@@ -141,6 +141,22 @@ double iso_static_factor_from_pressure(double gamma) {
   return load_at_pressure(balls, 207e9, 0.3, 4.2e9, 0.0) / 5.0;
 }
 
+double iso_thrust_static_rating(const IsoGeometry& g) {
+  const double gamma = is_axial(g) ? 0.0 : iso_gamma(g);
+  const double sine = std::sin(g.contact_angle);
+  if (!is_ball(g.type))
+    return 220.0 * (1.0 - gamma) * g.count * g.length * g.element_diameter * sine;
+  constexpr double kModulus = 207e9, kPoisson = 0.3, kPressure = 4.2e9;
+  return g.count * sine *
+         load_at_pressure(balls_of(g), kModulus, kPoisson, kPressure, g.contact_angle);
+}
+
+double iso_self_aligning_static_rating(const IsoGeometry& g) {
+  constexpr double kModulus = 207e9, kPoisson = 0.3, kPressure = 4.6e9, kShare = 5.0;
+  return g.rows * g.count * std::cos(g.contact_angle) *
+         load_at_pressure(balls_of(g), kModulus, kPoisson, kPressure, g.contact_angle) / kShare;
+}
+
 std::optional<double> iso_static_rating(const IsoGeometry& g) {
   const double cosine = std::cos(g.contact_angle);
   if (g.type == IsoType::RadialBall)

@@ -34,6 +34,12 @@ struct IsoGeometry {
 [[nodiscard]] double iso_dynamic_rating(const IsoGeometry& geometry);
 /// Static rating C_0 [N]; empty for thrust bearings, whose factors are not held here.
 [[nodiscard]] std::optional<double> iso_static_rating(const IsoGeometry& geometry);
+/// Axial static rating of thrust bearings [N]: ball from 4200 MPa at the heavier race with all
+/// balls loaded equally, times sin(angle); roller 220 (1 - gamma) Z L D sin(angle) [recalled high].
+[[nodiscard]] double iso_thrust_static_rating(const IsoGeometry& geometry);
+/// Static rating of self-aligning ball bearings [N]: 4600 MPa at the heavier race, load share Z/5
+/// [recalled high]. The conformity of the outer race is that of its sphere.
+[[nodiscard]] double iso_self_aligning_static_rating(const IsoGeometry& geometry);
 /// f_0 of radial ball bearings: table as recalled, linear in γ.
 [[nodiscard]] double iso_static_factor(double gamma);
 /// The same from 4200 MPa at conformity 0.52/0.53, 207 GPa and load share Z/5: derived, checks the

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <sstream>
 #include <string_view>
@@ -34,14 +35,25 @@ double number(std::string_view text) {
              : std::numeric_limits<double>::quiet_NaN();
 }
 
+bool is_heading(const std::vector<std::string_view>& names) {
+  return names.size() >= 3 && names[1] == "exit" && names.back() == "message";
+}
+
 }  // namespace
+
+bool is_sweep(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  return is_heading(fields(line));
+}
 
 SweepTable read_sweep(const std::filesystem::path& path) {
   std::istringstream file(read_text_file(path));
   std::string line;
   std::getline(file, line);
   const std::vector<std::string_view> names = fields(line);
-  if (names.size() < 3 || names[1] != "exit" || names.back() != "message")
+  if (!is_heading(names))
     throw InputError(fmt::format("{} is not a table of `adore run --set variable=first:last:count`",
                                  path.string()));
   if (names.size() > kMaxTableColumns)

@@ -22,6 +22,9 @@ struct SweepTable {
   std::size_t failed = 0;            ///< runs that ended without a result
 };
 
+/// Does the file begin with the heading of such a table?
+[[nodiscard]] bool is_sweep(const std::filesystem::path& path);
+
 /// @throws InputError when the file is not such a table.
 [[nodiscard]] SweepTable read_sweep(const std::filesystem::path& path);
 

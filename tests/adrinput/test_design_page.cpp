@@ -14,6 +14,8 @@
 #include <QPlainTextEdit>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QStyle>
+#include <QStyleOptionComboBox>
 #include <QTemporaryDir>
 
 #include <algorithm>
@@ -245,11 +247,60 @@ TEST_CASE("design page: oil → film; without oil \"not computed\"", "[gui][adri
   CHECK(oil.currentText().contains("none"));
   oil.setFocus();
   QTest::keyClick(&oil, Qt::Key_Down);
-  CHECK(front.document().deck().integer("kTrac") == 1);
+  CHECK(front.document().deck().integer("kTrac") == 21);
+  CHECK(front.document().deck().integer("oilGrade") == 32);
   CHECK(front.document().deck().real("strParam") == 10.0);
   REQUIRE(front.settled());
   CHECK(front.shown("film_inner").endsWith("µm"));
   CHECK(front.shown("lambda_inner") != "not computed");
+}
+
+TEST_CASE("design page: oil by grade → saved with the deck, and replaced by another oil",
+          "[gui][adrinput][design]") {
+  const QtInUse qt;
+  const QTemporaryDir folder;
+  const fs::path file = folder.filePath("DATA.txt").toStdString();
+  Front front;
+  replace_text(&front.window.design().form().bearingField(), "7208");
+  QComboBox& oil = front.window.design().form().oilField();
+  oil.setFocus();
+  QTest::keyClicks(&oil, "ISO VG 68");
+  CHECK(oil.currentText() == "ISO VG 68 mineral oil");
+  REQUIRE(front.settled());
+  CHECK(front.shown("lambda_inner") != "not computed");
+  front.document().save(file);
+  Document again;
+  again.open(file);
+  CHECK(again.deck().integer("oilGrade") == 68);
+  CHECK(design::design_oil_of(again.deck()) == design::design_oil_of(front.document().deck()));
+  QTest::keyClick(&oil, Qt::Key_Home);
+  CHECK(front.document().deck().integer("kTrac") == 0);
+  CHECK_FALSE(front.document().deck().has("oilGrade"));
+  front.window.undo();
+  CHECK(oil.currentText() == "ISO VG 68 mineral oil");
+}
+
+TEST_CASE("design page: window of 1280x800 → the oil box shows whole names, the chart its title",
+          "[gui][adrinput][design]") {
+  const QtInUse qt;
+  for (const char* type : {"7208", "NU209"}) {
+    INFO(type);
+    Front front;
+    replace_text(&front.window.design().form().bearingField(), type);
+    REQUIRE(front.settled());
+    QTest::qWait(50);
+    QComboBox& oil = front.window.design().form().oilField();
+    for (int i = 0; i < 9; ++i) {
+      QStyleOptionComboBox box;
+      box.initFrom(&oil);
+      const int room =
+          oil.style()
+              ->subControlRect(QStyle::CC_ComboBox, &box, QStyle::SC_ComboBoxEditField, &oil)
+              .width();
+      INFO(oil.itemText(i).toStdString());
+      CHECK(oil.fontMetrics().horizontalAdvance(oil.itemText(i)) <= room);
+    }
+  }
 }
 
 TEST_CASE("design page: several changes in a row → only the last deck is computed",

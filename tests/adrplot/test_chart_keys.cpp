@@ -276,7 +276,7 @@ TEST_CASE("plot_window: a key of the chart does something or is gray and says wh
     REQUIRE(actions.size() == desktop::kChartDeeds);
     std::sort(actions.begin(), actions.end(),
               [](QAction* a, QAction* b) { return a->data().toInt() < b->data().toInt(); });
-    for (const Domain domain : {Domain::History, Domain::Spectrum, Domain::Waterfall}) {
+    for (const Domain domain : {Domain::History, Domain::Spectrum, Domain::Spectrogram}) {
       shown.window.setDomain(domain);
       for (int page = 1; page <= shown.window.pageCount(); page += 2) {
         shown.window.showPage(page);

@@ -1,6 +1,6 @@
 #include "adrplot/curve_dialog.hpp"
+#include "adrplot/spectrogram_page.hpp"
 #include "adrplot/spectrum_page.hpp"
-#include "adrplot/waterfall_page.hpp"
 #include "desktop/chart_scene.hpp"
 #include "support/qt_app.hpp"
 
@@ -155,135 +155,15 @@ TEST_CASE("pages: short gaps of a curve are bridged for its spectrum, and said",
   CHECK(spectrum(many).panels[1].message ==
         "There are no values at 55 of 5000 steps, so there is no frequency spectrum.");
 
-  // The same for a waterfall.
+  // The same for a spectrogram.
   for (const auto& [y, drawn] : {std::pair(with_gap(1234, 2), true), {with_gap(1234, 49), false}}) {
     desktop::ChartPage fall = page_of({y});
-    to_waterfall(fall, {t, {}}, {});
+    to_spectrogram(fall, {t, {}}, {});
     INFO(fall.note);
     CHECK(fall.panels.empty() != drawn);
     CHECK(fall.note.find(drawn ? "2 of 5000 steps have no value: interpolated linearly"
                                : "There are no values at 49 of 5000 steps") != std::string::npos);
   }
-}
-
-TEST_CASE("pages: a waterfall is in units, over its largest or in dB, as the spectrum is",
-          "[gui][adrplot]") {
-  test::use_qt();
-  const std::vector<double> t = times(20000);
-  std::vector<double> y = tone(t, 3000.0, 20.0);
-  for (std::size_t i = y.size() / 2; i < y.size(); ++i)
-    y[i] = 5.0 + 0.1 * (y[i] - 5.0);  // 20 dB lower in the second half
-  const auto fall = [&](SpectrumScale scale) {
-    desktop::ChartPage page = page_of({y});
-    to_waterfall(page, {t, {}}, {Window::FlatTop, scale});
-    return page;
-  };
-  const auto highest = [](const desktop::ChartCurve& curve) {
-    double out = -1e9;
-    for (std::size_t k = 0; k < curve.y.size(); ++k) out = std::max(out, curve.value(k));
-    return out;
-  };
-  const auto lowest = [](const desktop::ChartCurve& curve) {
-    double out = 1e9;
-    for (std::size_t k = 0; k < curve.y.size(); ++k) out = std::min(out, curve.value(k));
-    return out;
-  };
-  const desktop::ChartPage units = fall(SpectrumScale::Units),
-                           relative = fall(SpectrumScale::Relative),
-                           decibel = fall(SpectrumScale::Decibel);
-  const auto curves = [](const desktop::ChartPage& page) -> const auto& {
-    return page.panels.at(0).curves;
-  };
-  REQUIRE(curves(units).size() > 20);
-  CHECK(highest(curves(units).front()) == Approx(20.0).epsilon(2e-3));
-  CHECK(highest(curves(units).back()) == Approx(2.0).epsilon(2e-3));
-  CHECK(relative.panels[0].unit == "of largest");
-  // Over the largest of all pieces: that in which the tone drops has more.
-  double largest = 0.0;
-  for (const auto& curve : curves(relative)) largest = std::max(largest, highest(curve));
-  CHECK(largest == Approx(1.0).epsilon(1e-12));
-  const double first = highest(curves(relative).front());
-  CHECK(first > 0.95);
-  CHECK(highest(curves(relative).back()) == Approx(0.1 * first).epsilon(2e-3));
-  CHECK(decibel.panels[0].unit == "dB");
-  CHECK(highest(curves(decibel).front()) == Approx(20.0 * std::log10(first)).margin(1e-9));
-  CHECK(highest(curves(decibel).back()) - highest(curves(decibel).front()) ==
-        Approx(-20.0).margin(0.02));
-  CHECK(lowest(curves(decibel).back()) == -60.0);
-  INFO(decibel.note);
-  CHECK(decibel.note.find("Values below −60 dB are not drawn") != std::string::npos);
-
-  // Each name is next to the panel, where its line begins, and covers nothing.
-  for (const auto& page : {units, relative, decibel}) {
-    desktop::ChartScene scene;
-    scene.setPageSize({700, 450});
-    scene.setPage(page);
-    const QRectF area = scene.plotAreas()[0];
-    int names = 0;
-    for (const QGraphicsItem* item : scene.items())
-      if (const auto* text = dynamic_cast<const QGraphicsSimpleTextItem*>(item))
-        for (const desktop::ChartCurve& curve : page.panels[0].curves)
-          if (text->text().toStdString() == curve.name) {
-            ++names;
-            const QRectF box = text->sceneBoundingRect();
-            CHECK(box.left() > area.right());
-            CHECK(box.right() <= 700.0);
-            CHECK(box.center().y() ==
-                  Approx(scene.heightOf(0, curve.lift + curve.foot)).margin(2.0));
-          }
-    CHECK(names > 5);
-  }
-}
-
-TEST_CASE("spectrum: a sine on an offset has its amplitude at its line, and none near 0 Hz",
-          "[unit][adrplot]") {
-  constexpr std::size_t kSamples = 1000;
-  constexpr double kStep = 1e-4, kSize = 0.3, kOffset = 5e3;
-  const auto sine = [](double periods, double phase, double offset) {
-    std::vector<double> out;
-    for (std::size_t i = 0; i < kSamples; ++i)
-      out.push_back(offset + kSize * std::cos(2.0 * std::numbers::pi * periods *
-                                                  static_cast<double>(i) / kSamples +
-                                              phase));
-    return out;
-  };
-  // Lines next to that of a windowed sine; loss between two lines; a remaining constant in the
-  // first line.
-  struct Case {
-    Window window;
-    std::size_t wide;
-    double loss, first;
-  };
-  for (const auto& [window, wide, loss, first] :
-       {Case{Window::None, 0, 0.364, 0.0}, Case{Window::Hann, 1, 0.152, 1.0},
-        Case{Window::FlatTop, 4, 1.1e-3, 1.93}})
-    for (const double phase : {0.0, 0.7, 1.9}) {
-      for (const std::size_t line : {1UL, 2UL, 5UL, 23UL, 260UL, 499UL}) {
-        const Spectrum s =
-            amplitude_spectrum(sine(static_cast<double>(line), phase, kOffset), kStep, window);
-        INFO(window_name(window) << ", line " << line << ", phase " << phase);
-        REQUIRE(s.amplitude.size() == kSamples / 2);
-        CHECK(s.frequency[line - 1] == Approx(static_cast<double>(line) / (kSamples * kStep)));
-        // Leakage of a low line also affects its mirror line.
-        if (line > 2 * wide && line < kSamples / 2 - wide)
-          CHECK(s.amplitude[line - 1] == Approx(kSize).epsilon(1e-8));
-        for (std::size_t k = 1; k <= kSamples / 2; ++k)
-          if (k > line + wide || k + wide < line) CHECK(s.amplitude[k - 1] < 1e-8 * kSize);
-      }
-      for (const double periods : {5.5, 40.5, 300.3}) {
-        const Spectrum s = amplitude_spectrum(sine(periods, phase, kOffset), kStep, window);
-        const Spectrum same = amplitude_spectrum(sine(periods, phase, 0.0), kStep, window);
-        INFO(window_name(window) << ", " << periods << " periods");
-        for (std::size_t k = 0; k < s.amplitude.size(); ++k)
-          CHECK(s.amplitude[k] == Approx(same.amplitude[k]).margin(1e-8 * kSize));
-        const double highest = *std::max_element(s.amplitude.begin(), s.amplitude.end());
-        CHECK(highest > (1.0 - loss) * 0.98 * kSize);
-        CHECK(highest < 1.05 * kSize);
-        // The mean of a partial period is not an offset: it leaves at most size / (pi periods).
-        if (window != Window::None)
-          CHECK(s.amplitude[0] < 1.2 * first * kSize / (std::numbers::pi * periods));
-      }
-    }
 }
 
 TEST_CASE("spectrum pages: notes on the removed mean and on drift in the first line",
@@ -314,52 +194,6 @@ TEST_CASE("spectrum pages: notes on the removed mean and on drift in the first l
   // With one curve that has lines and one without, the page names the curve.
   CHECK(note({curve(0.0, 30.0), curve(40.0, 30.0)}).find("Angle, outer race: the f" + told) !=
         std::string::npos);
-}
-
-TEST_CASE("waterfall: motion slower than a piece does not fill its first lines",
-          "[unit][adrplot]") {
-  // Pieces of 10 ms: a line every 100 Hz. A tone of 1 N on the twentieth, a load that grows by 100
-  // N and swings by 5 N in 60 ms.
-  constexpr double kPi = std::numbers::pi;
-  const std::vector<double> t = times(12500);
-  const auto fall = [&](auto&& value) {
-    Samples samples;
-    samples.step = kStep;
-    for (const double time : t) samples.values.push_back(value(time));
-    return waterfall(samples, Window::Hann);
-  };
-  const Waterfall slow = fall([&](double time) {
-    return std::sin(2.0 * kPi * 2000.0 * time) + 100.0 * time / t.back() +
-           5.0 * std::sin(2.0 * kPi * time / 0.06);
-  });
-  REQUIRE(slow.time.size() == 24);
-  REQUIRE(slow.frequency.front() == Approx(100.0));
-  for (const auto& piece : slow.amplitude) {
-    for (const std::size_t k : {0U, 1U, 2U}) CHECK(piece.at(k) < 0.35);  // 2 N with the trend
-    CHECK(piece.at(19) == Approx(1.0).epsilon(1e-3));
-  }
-  // The remark of the page on its first line only.
-  double least[2] = {1.0, 1.0}, most[2] = {0.0, 0.0};
-  for (int phase = 0; phase < 16; ++phase)
-    for (const std::size_t k : {0U, 1U}) {
-      const Waterfall one = fall([&](double time) {
-        return 7.0 +
-               std::sin(2.0 * kPi * (100.0 * static_cast<double>(k + 1) * time + phase / 16.0));
-      });
-      for (const auto& piece : one.amplitude) {
-        least[k] = std::min(least[k], piece.at(k));
-        most[k] = std::max(most[k], piece.at(k));
-      }
-    }
-  CHECK(least[0] == Approx(0.54).margin(0.01));
-  CHECK(most[0] == Approx(1.0).margin(0.01));
-  CHECK(least[1] == Approx(1.0).margin(0.01));
-  CHECK(most[1] == Approx(1.05).margin(0.01));
-  for (const auto& piece : fall([](double time) { return 3.0 + 200.0 * time; }).amplitude)
-    CHECK(*std::max_element(piece.begin(), piece.end()) == 0.0);
-  desktop::ChartPage page = page_of({tone(t, 2000.0)});
-  to_waterfall(page, {t, {}}, {Window::Hann, SpectrumScale::Units});
-  CHECK(page.note.find("Mean and trend are removed") != std::string::npos);
 }
 
 TEST_CASE("own charts: differences are from the curve that was ticked first, or from a chosen one",

@@ -252,7 +252,7 @@ TEST_CASE("pages: gaps at lost contact and steps of slip → notes", "[unit][adr
   CHECK_THAT(gap, Catch::Contains("of the inner race") && !Catch::Contains("outer race"));
   CHECK_THAT(gap, Catch::Contains("missing where there is no contact."));
   // A spectrum has no such gaps; a number that the file never had is no open contact.
-  for (const Domain domain : {Domain::Spectrum, Domain::Waterfall}) {
+  for (const Domain domain : {Domain::Spectrum, Domain::Spectrogram}) {
     PageOptions options;
     options.domain = domain;
     CHECK(page_with(file, "load and angle", options).note.find("missing where") ==
@@ -358,7 +358,7 @@ TEST_CASE("pages: rounding errors → no spectrum for any column", "[unit][adrpl
       }
       return titles;
     };
-    for (const Domain domain : {Domain::Spectrum, Domain::Waterfall}) {
+    for (const Domain domain : {Domain::Spectrum, Domain::Spectrogram}) {
       INFO(static_cast<int>(kind) << " " << static_cast<int>(domain));
       CHECK(drawn(2.0, 1.0, domain).size() > 2);
       CHECK(drawn(0.0, 1e-17, domain) == std::set<std::string>());
@@ -476,9 +476,9 @@ TEST_CASE("spectrum pages: notes on the reference of heights and the line spacin
     CHECK(page.x.front() == Approx(every));
     CHECK(page.note.find(apart) != std::string::npos);
     CHECK((page.note.find("maximum of the curve") != std::string::npos) ==
-          (scale != SpectrumScale::Units));
+          (scale == SpectrumScale::Relative));
   }
-  options.domain = Domain::Waterfall;
+  options.domain = Domain::Spectrogram;
   const auto fall = page_with(file, "Race interactions 1", options);
   CHECK(fall.note.find("line spacing " + desktop::pretty_quantity(fall.x.front(), "Hz", 3)) !=
         std::string::npos);
@@ -540,7 +540,7 @@ TEST_CASE("pages: notes have capitals where sentences begin, and only there", "[
                               "contact.load.outer", "contact.spin_to_roll.outer"})
       set(file, begin, 0.0);
     const PlotDocument document = make_document(file);
-    for (const Domain domain : {Domain::History, Domain::Spectrum, Domain::Waterfall})
+    for (const Domain domain : {Domain::History, Domain::Spectrum, Domain::Spectrogram})
       for (std::size_t p = 0; p < document.pages.size(); ++p) {
         PageOptions options;
         options.domain = domain;

@@ -40,7 +40,7 @@ TEST_CASE("pages: notes → never cut, for any page, content and size", "[gui][a
     const double step = file.steps[1].time - file.steps[0].time;
     for (std::size_t i = 0; i < file.steps.size(); i += 3) file.steps[i].time += 0.2 * step;
     const PlotDocument document = make_document(std::move(file));
-    for (const Domain domain : {Domain::History, Domain::Spectrum, Domain::Waterfall})
+    for (const Domain domain : {Domain::History, Domain::Spectrum, Domain::Spectrogram})
       for (const SpectrumScale scale :
            {SpectrumScale::Relative, SpectrumScale::Units, SpectrumScale::Decibel}) {
         if (domain == Domain::History && scale != SpectrumScale::Relative) continue;

@@ -139,6 +139,17 @@ TEST_CASE("agore_window: movie from a frame or time to another → length displa
   CHECK(range->first() == 4);
   CHECK(range->last() == 11);
   CHECK(words->text().startsWith("8 pictures"));
+  range->findChild<QSpinBox*>("filmEvery")->setValue(3);
+  range->findChild<QSpinBox*>("filmRate")->setValue(10);
+  CHECK(words->text().startsWith("3 pictures at 10 per second: length 300 ms."));
+  auto* size = range->findChild<QComboBox*>("filmSize");
+  CHECK(size->currentText().contains("as displayed"));
+  const QString small = words->text();
+  size->setCurrentIndex(size->findData(QSize(1920, 1080)));
+  CHECK(words->text() != small);
+  const FilmChoice chosen = range->choice();
+  CHECK(chosen.every == 3);
+  CHECK(chosen.size == QSize(1920, 1080));
   auto* next = range->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
   CHECK(next->isEnabled());
   from->setValue(15);
@@ -150,6 +161,9 @@ TEST_CASE("agore_window: movie from a frame or time to another → length displa
   REQUIRE(window.writeFilm(film, 5, 12));
   CHECK(window.statusBar()->isVisible());
   CHECK(window.statusBar()->currentMessage() == "Saved " + film + ": 8 pictures.");
+  REQUIRE(window.writeFilm(film, FilmChoice{4, 11, 3, 10, QSize(640, 480)}));
+  CHECK(window.statusBar()->currentMessage() ==
+        "Saved " + film + ": 3 pictures, one of every 3 frames.");
   REQUIRE(window.writeFilm(pictures, 19));
   CHECK(window.statusBar()->currentMessage() == "Saved 2 numbered pictures in " + pictures + ".");
   CHECK(QDir(pictures).entryList({"*.png"}) ==

@@ -103,14 +103,15 @@ TEST_CASE("marks: every color stands out from what it lies on by 3:1, light and 
   }
 }
 
-TEST_CASE("marks: turning marks stand out from every color of a scale", "[unit][agore]") {
+TEST_CASE("marks: rotation marks have one color, apart from every color of the scale",
+          "[unit][agore]") {
   for (const auto kind : {desktop::ThemeKind::Light, desktop::ThemeKind::Dark}) {
     const desktop::Theme& t = desktop::theme(kind);
     for (int i = 0; i <= 100; ++i) {
       const QColor tint = i == 100 ? no_contact_colour() : scale_colour(i / 99.0);
       INFO(tint.name().toStdString());
-      CHECK(contrast(turning_mark_colour(t, tint).rgb(), tint.rgb()) >= 3.0);
-      CHECK(contrast(solid_mark_colour(t, tint).rgb(), tint.rgb()) >= 3.0);
+      CHECK(contrast(turning_mark_colour(t).rgb(), tint.rgb()) >= 3.0);
+      CHECK(contrast(solid_mark_colour(t, true).rgb(), tint.rgb()) >= 3.0);
     }
     CHECK(contrast(turning_mark_colour(t).rgb(), t.steel_light.rgb()) >= 3.0);
     CHECK(contrast(solid_mark_colour(t).rgb(), t.steel_light.rgb()) >= 3.0);
@@ -280,8 +281,7 @@ TEST_CASE("marks: what turns with a roller is an area, which no edge of a path l
     for (const ColourBy colour : {ColourBy::None, ColourBy::Load}) {
       options.colour = colour;
       options.scale = {ColourScale::Typed, 0.0, 1e9};
-      const QColor mark =
-          turning_mark_colour(t, colour == ColourBy::None ? QColor() : scale_colour(0.0));
+      const QColor mark = turning_mark_colour(t);
       double pixels = 0.0;  // of a roller's radius
       const auto inked = [&](const Animation& of) {
         QImage image(kSize, kSize, QImage::Format_RGB32);

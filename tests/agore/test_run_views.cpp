@@ -80,7 +80,7 @@ TEST_CASE("views: RESULTS.h5 alone shows sections, colors and race loads", "[gui
     CHECK_THROWS_WITH(scale_named(name), Catch::Contains(name) && Catch::Contains("0:0.02"));
   for (const char* name : {"usual", "run", "moment", "-0.5:0.25"})
     CHECK(scale_name(scale_named(name)) == name);
-  CHECK(scale_colour(0.0) == QColor(68, 1, 84));
+  CHECK(scale_colour(0.0) == QColor(92, 112, 214));
   CHECK(scale_colour(1.0) == QColor(253, 231, 37));
   ViewOptions options;
   const QImage plain = picture.image({900, 600}, 3, options);

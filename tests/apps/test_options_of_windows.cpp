@@ -95,7 +95,7 @@ TEST_CASE("no option of a window's command line is remembered for the next windo
       }
       if (option.key() == "--curve")
         words << "--domain"
-              << "waterfall";
+              << "spectrogram";
       const bool picture = kOfPictures.contains(option.key()) ||
                            (program.name == std::string("adrinput") && option.key() == "--dark") ||
                            (program.name == std::string("agore") &&

@@ -75,6 +75,8 @@ TEST_CASE("mistakes on the command line are met with what was probably meant", "
       {"new bal", "bal"},
       {"new --catalogue 9999", "adore: 9999: is not in the catalogue"},
       {"new --catalogue 6205 --oil water", "unknown oil \"water\""},
+      {"new --catalogue 6205 --radial 4kPa", "--radial \"4kPa\" has a unit of a different quantity"},
+      {"new --catalogue 6205 --speed fast", "--speed \"fast\""},
       {"new --from " + deck, "is a deck, not JSON"},
       {"new --list --type plain", "plain"},
   };
@@ -85,6 +87,16 @@ TEST_CASE("mistakes on the command line are met with what was probably meant", "
     CHECK(contains(result.out, one.said));
     CHECK(speaks_for_itself(result.out));
   }
+}
+
+TEST_CASE("cli new: load, speed and temperature with units → same deck as plain numbers", "[cli]") {
+  const Result plain = run_as_given(
+      "new --catalogue 6205 --radial 4000 --axial 500 --speed 3000 --temperature 70");
+  const Result units = run_as_given(
+      "new --catalogue 6205 --radial 4kN --axial 0.5kN --speed 3000rpm "
+      "--temperature 343.15K");
+  CHECK(plain.code == 0);
+  CHECK(units.out == plain.out);
 }
 
 TEST_CASE("cli: invalid use of every option of every command → rejected with a remedy", "[cli]") {

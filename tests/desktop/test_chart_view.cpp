@@ -255,42 +255,6 @@ TEST_CASE("axis_scale: decades of frequency → in kHz, with 2 and 5 if they fit
   CHECK(log_axis(1e-4, 2e4, "N", true).unit == "N");
 }
 
-TEST_CASE("chart_scene: lines above each other have a bar for their values, and no numbers",
-          "[gui]") {
-  test::use_qt();
-  ChartPage page;
-  page.x_title = "Frequency", page.x_unit = "Hz";
-  ChartPanel panel{"Spectra", "N", {}};
-  panel.one_colour = panel.scale_bar = true;
-  for (int k = 0; k < 10; ++k) {
-    ChartCurve curve{std::to_string(k) + " ms", {}, {}};
-    curve.lift = 3.0 * k;
-    for (int i = 0; i < 50; ++i) curve.y.push_back(curve.lift + (i == 10 ? 7.0 : 0.0));
-    panel.curves.push_back(std::move(curve));
-  }
-  for (int i = 0; i < 50; ++i) page.x.push_back(100.0 * i);
-  page.panels = {panel};
-  ChartScene scene;
-  scene.setPageSize({1280, 800});
-  scene.setPage(page);
-  const QRectF area = scene.plotAreas()[0];
-  int beside = 0;
-  qreal bar = 0.0;
-  for (QGraphicsItem* item : scene.items()) {
-    if (auto* text = qgraphicsitem_cast<QGraphicsSimpleTextItem*>(item);
-        text != nullptr && text->text() == "5 N")
-      ++beside;
-    else if (text != nullptr && text->rotation() == 0.0 && text->pos().x() < area.left() - 4.0 &&
-             text->pos().y() > area.top() && text->pos().y() < area.bottom())
-      FAIL_CHECK("a number beside the panel: " << text->text().toStdString());
-    if (auto* line = qgraphicsitem_cast<QGraphicsLineItem*>(item);
-        line != nullptr && line->line().x1() < area.left() && line->line().dx() == 0.0)
-      bar = std::abs(line->line().dy());
-  }
-  CHECK(beside == 1);
-  CHECK(bar == Approx(scene.heightOf(0, 0.0) - scene.heightOf(0, 5.0)));
-}
-
 TEST_CASE("chart_view: ranges and hidden curves are those of their page, after others and a reload",
           "[gui]") {
   test::use_qt();

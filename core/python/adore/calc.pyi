@@ -46,6 +46,35 @@ class _BallStatics(Calculator):
     ) -> Result:
         """ball loads, contact angles and stiffness of a ball bearing under load and speed"""
 
+class _BearingFit(Calculator):
+    def __call__(  # type: ignore[override]
+        self, inputs: Optional[Mapping[str, Any]] = ..., *,
+        kind: str = ...,  # interference, mounted_clearance
+        bore: float = ...,
+        od: float = ...,
+        shaft: Any = ...,
+        housing: Any = ...,
+        ring_class: Any = ...,
+        smoothing_shaft: float = ...,
+        smoothing_housing: float = ...,
+        clearance_least: float = ...,
+        clearance_most: float = ...,
+        type: Literal['ball', 'cylindrical_roller', 'spherical_roller'] = ...,
+        re_dia: float = ...,
+        pitch: float = ...,
+        f1: float = ...,
+        f2: float = ...,
+        free_contact_angle: float = ...,
+        shaft_id: float = ...,
+        housing_od: float = ...,
+        room_temp: float = ...,
+        rpm1: float = ...,
+        rpm2: float = ...,
+        temps: Mapping[str, Any] = ...,
+        materials: Mapping[str, Any] = ...,
+    ) -> Result:
+        """interference by tolerance classes; clearance after mounting and in operation"""
+
 class _CageInertia(Calculator):
     def __call__(  # type: ignore[override]
         self, inputs: Optional[Mapping[str, Any]] = ..., *,
@@ -550,6 +579,39 @@ class _Material(Calculator):
     ) -> Result:
         """properties of a material with unit and provenance, at the temperature T [K] if given"""
 
+class _MinimumLoad(Calculator):
+    def __call__(  # type: ignore[override]
+        self, inputs: Optional[Mapping[str, Any]] = ..., *,
+        kind: str = ...,  # share, radial_ball, cylindrical_roller, spherical_roller, thrust_ball, thrust_roller
+        rule: Union[Literal['ball_share', 'roller_share'], Literal['cylindrical_roller'], Literal['deep_groove', 'self_aligning'], Literal['spherical_roller'], Literal['thrust_ball'], Literal['thrust_roller']] = ...,
+        C: float = ...,
+        F: float = ...,
+        kr: float = ...,
+        nu: float = ...,
+        n: float = ...,
+        d: float = ...,
+        D: float = ...,
+        n_ref: float = ...,
+        C0: float = ...,
+        A: float = ...,
+    ) -> Result:
+        """least load for rolling without sliding, by a maker's rules"""
+
+class _OscillatingLife(Calculator):
+    def __call__(  # type: ignore[override]
+        self, inputs: Optional[Mapping[str, Any]] = ..., *,
+        kind: str = ...,  # by_life, by_rating
+        elements: Literal['ball', 'roller'] = ...,
+        Z: int = ...,
+        gamma: float = ...,
+        swing_deg: float = ...,
+        L10: float = ...,
+        frequency: float = ...,
+        C: float = ...,
+        P: float = ...,
+    ) -> Result:
+        """life of an oscillating bearing and the critical angle of oscillation"""
+
 class _PocketFilm(Calculator):
     def __call__(  # type: ignore[override]
         self, inputs: Optional[Mapping[str, Any]] = ..., *,
@@ -610,6 +672,21 @@ class _RaceErrors(Calculator):
         land_width: float = ...,
     ) -> Result:
         """form errors of a race along the azimuth: radius, land offset, taper, curvature factor"""
+
+class _ReferenceSpeed(Calculator):
+    def __call__(  # type: ignore[override]
+        self, inputs: Optional[Mapping[str, Any]] = ..., *,
+        kind: str = ...,  # by_series, by_factors
+        type: Literal['radial', 'thrust_roller'] = ...,
+        d: float = ...,
+        D: float = ...,
+        B: float = ...,
+        C0: float = ...,
+        series: Any = ...,
+        f0r: float = ...,
+        f1r: float = ...,
+    ) -> Result:
+        """ISO 15312: thermal reference speed from the balance of friction and dissipated heat"""
 
 class _RibLoads(Calculator):
     def __call__(  # type: ignore[override]
@@ -698,6 +775,18 @@ class _ShearThinningFilm(Calculator):
     ) -> Result:
         """shear stress of a Carreau-Yasuda film, isothermal and with shear heating"""
 
+class _SizeLimits(Calculator):
+    def __call__(  # type: ignore[override]
+        self, inputs: Optional[Mapping[str, Any]] = ..., *,
+        kind: str = ...,  # size, bearing_rings
+        tolerance: Any = ...,
+        nominal: float = ...,
+        ring_class: Any = ...,
+        bore: float = ...,
+        od: float = ...,
+    ) -> Result:
+        """limits of a shaft or bore by its class (ISO 286) and of bearing rings (ISO 492)"""
+
 class _SliceLoad(Calculator):
     def __call__(  # type: ignore[override]
         self, inputs: Optional[Mapping[str, Any]] = ..., *,
@@ -763,6 +852,26 @@ class _SphericalRow(Calculator):
         play: float = ...,
     ) -> Result:
         """groove circles of a row of spherical rollers"""
+
+class _StaticSafety(Calculator):
+    def __call__(  # type: ignore[override]
+        self, inputs: Optional[Mapping[str, Any]] = ..., *,
+        kind: str = ...,  # static_safety, thrust_static_rating
+        type: Literal['deep_groove', 'angular_contact', 'self_aligning', 'cylindrical_roller', 'tapered_roller', 'spherical_roller', 'thrust'] = ...,
+        Fr: float = ...,
+        Fa: float = ...,
+        C0: float = ...,
+        alpha_deg: float = ...,
+        rows: int = ...,
+        X0: float = ...,
+        Y0: float = ...,
+        Dw: float = ...,
+        Lwe: float = ...,
+        Dpw: float = ...,
+        Z: int = ...,
+        f: float = ...,
+    ) -> Result:
+        """ISO 76: equivalent static load P0 and static safety s0; static rating of thrust bearings"""
 
 class _TaperedGeometry(Calculator):
     def __call__(  # type: ignore[override]
@@ -918,6 +1027,7 @@ class _Viscosity(Calculator):
 
 ball_pocket: _BallPocket
 ball_statics: _BallStatics
+bearing_fit: _BearingFit
 cage_inertia: _CageInertia
 churning: _Churning
 clearance: _Clearance
@@ -948,21 +1058,26 @@ life_sum: _LifeSum
 line_contact: _LineContact
 load_capacity: _LoadCapacity
 material: _Material
+minimum_load: _MinimumLoad
+oscillating_life: _OscillatingLife
 pocket_film: _PocketFilm
 pocket_frame: _PocketFrame
 pocket_law: _PocketLaw
 race_errors: _RaceErrors
+reference_speed: _ReferenceSpeed
 rib_loads: _RibLoads
 rigid_body: _RigidBody
 roller_corner: _RollerCorner
 roller_flange: _RollerFlange
 roller_inertia: _RollerInertia
 shear_thinning_film: _ShearThinningFilm
+size_limits: _SizeLimits
 slice_load: _SliceLoad
 slice_penetration: _SlicePenetration
 slice_traction: _SliceTraction
 sliced_line: _SlicedLine
 spherical_row: _SphericalRow
+static_safety: _StaticSafety
 tapered_geometry: _TaperedGeometry
 tapered_speeds: _TaperedSpeeds
 thermal_network: _ThermalNetwork

@@ -196,7 +196,8 @@ class Deck(DeckVariables):
         return self._core.text()
 
     def save(self, path: Optional[PathLike] = None, *, overwrite: bool = False) -> Path:
-        """Writes the text of :meth:`source` to a file (default: the file from which the deck was read).
+        """Writes the deck to a file (default: the file from which the deck was read). Variables of records X go into the
+        ADORE.json next to it; its run options stay.
 
         Another existing file is only replaced if ``overwrite=True``."""
         target = Path(path) if path is not None else self._path
@@ -207,16 +208,10 @@ class Deck(DeckVariables):
         same = self._path is not None and target.exists() and target.samefile(self._path)
         if target.exists() and not same and not overwrite:
             raise InputError(f"{target} exists already; give another file, or set overwrite=True")
-        handle, temporary = tempfile.mkstemp(prefix=".adore-", dir=target.parent or ".")
-        try:
-            with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
-                file.write(self.source())
-            mode = target.stat().st_mode & 0o777 if target.exists() else 0o666 & ~_umask()
-            os.chmod(temporary, mode)
-            os.replace(temporary, target)
-        except BaseException:
-            os.unlink(temporary)
-            raise
+        extension = self._core.extension_text(str(target))
+        _replace(target, self._core.saved_text())
+        if extension is not None:
+            _replace(target.with_name("ADORE.json"), extension)
         object.__setattr__(self, "_path", target)
         self._core.name = str(target)
         return target
@@ -504,6 +499,20 @@ class Deck(DeckVariables):
 
 def _from_parts(source: str, name: str, path: Optional[Path], options: Mapping[str, str]) -> Deck:
     return Deck(_core.Deck.from_text(source, name), path, options)
+
+
+def _replace(target: Path, text: str) -> None:
+    """Writes a file as a whole: a failure leaves the former one."""
+    handle, temporary = tempfile.mkstemp(prefix=".adore-", dir=target.parent or ".")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
+            file.write(text)
+        mode = target.stat().st_mode & 0o777 if target.exists() else 0o666 & ~_umask()
+        os.chmod(temporary, mode)
+        os.replace(temporary, target)
+    except BaseException:
+        os.unlink(temporary)
+        raise
 
 
 def _umask() -> int:

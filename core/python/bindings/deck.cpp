@@ -18,6 +18,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
+
 namespace adore::python {
 namespace {
 
@@ -67,6 +69,24 @@ std::string text_of(const DeckObject& self) {
   } catch (const InputError&) {  // a value that no set can give: the writer can
   }
   return deck::write_deck(self.deck);
+}
+
+/// The text of DATA.txt: without records X, which ADORE.json has.
+std::string saved_text(const DeckObject& self) {
+  const deck::Deck plain = runs::without_extension(self.deck);
+  const std::string text = text_of(self);
+  return plain == self.deck ? text : deck::with_deck(text, plain).text;
+}
+
+/// The text of the ADORE.json next to a deck file that has the deck's records X; empty optional:
+/// the file stays as it is.
+std::optional<std::string> extension_text(const DeckObject& self, const std::string& deck_file) {
+  const runs::OptionFile file = runs::OptionFile::beside(std::filesystem::path(deck_file));
+  if (!file.problem().empty())
+    throw InputError(runs::OptionFile::path_beside(deck_file).string() + " " + file.problem());
+  std::string text = file.with_variables(self.deck);
+  if (text == file.text()) return std::nullopt;
+  return text;
 }
 
 py::object to_python(const deck::Value& value) {
@@ -235,6 +255,11 @@ void bind_deck(py::module_& module) {
           "Sets variables as one change; names and values are texts. Returns notes on records that "
           "were added with default values, and on monitored bodies that were renumbered.")
       .def("text", &text_of, "The text of the deck; comments and blanks of the original are kept.")
+      .def("saved_text", &saved_text,
+           "The text of DATA.txt: without records X, which belong to ADORE.json.")
+      .def("extension_text", &extension_text, py::arg("deck_file"),
+           "The text of the ADORE.json next to a deck file, with the records X of the deck; None: "
+           "the file needs no change.")
       .def(
           "in_units",
           [](const DeckObject& self, const std::string& system) {

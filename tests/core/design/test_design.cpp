@@ -11,6 +11,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
@@ -162,6 +163,45 @@ TEST_CASE("design inputs: values of a deck in units of people, and back to the d
   deck::Deck warm = deck;
   warm.set("reTemp", "333.15");
   CHECK(text(warm, "hsngTemp").empty());  // different temperatures
+}
+
+TEST_CASE("design oils: a grade → record X2 and nothing of the oil before it",
+          "[unit][facade][design]") {
+  deck::Deck deck = catalogue("7208");
+  const auto oil = [&](const char* name) {
+    const auto oils = design::design_oils(deck);
+    const auto found = std::find_if(oils.begin(), oils.end(), [&](const design::DesignOil& one) {
+      return one.name.find(name) != std::string::npos;
+    });
+    REQUIRE(found != oils.end());
+    return static_cast<std::size_t>(found - oils.begin());
+  };
+  const auto take = [&](const char* name) {
+    deck.set_all(design::design_oils(deck)[oil(name)].sets);
+  };
+  CHECK(design::design_oil_of(deck) == oil("dry"));
+  take("VG 68");
+  CHECK(deck.integer("kTrac") == 21);
+  CHECK(deck.integer("oilGrade") == 68);
+  CHECK(deck.real("strParam") == 10.0);
+  CHECK(design::design_oil_of(deck) == oil("VG 68"));
+  // Another oil of this record is none of the page, and a choice replaces all of it.
+  deck.set_all(std::vector<std::pair<std::string, std::string>>{
+      {"oilGrade", ""}, {"oilVisc1", "110"}, {"oilVisc2", "14"}, {"kOilBase", "2"}});
+  CHECK_FALSE(design::design_oil_of(deck));
+  CHECK(design::with_bearing(deck, "6205", true).real("oilVisc2") == 14.0);
+  take("VG 220");
+  CHECK(design::design_oil_of(deck) == oil("VG 220"));
+  CHECK_FALSE(deck.has("oilVisc1"));
+  CHECK_FALSE(deck.has("kOilBase"));
+  const design::DesignSummary thick = design::design_summary(deck);
+  take("VG 32");
+  CHECK(value(thick, "film_inner") > 1.5 * value(design::design_summary(deck), "film_inner"));
+  take("MIL-L-23699, Newtonian");
+  CHECK(design::design_oil_of(deck) == oil("MIL-L-23699, Newtonian"));
+  CHECK_FALSE(deck.has("oilGrade"));
+  take("dry");
+  CHECK(deck.integer("kTrac") == 0);
 }
 
 TEST_CASE("with_bearing: another designation → the operation of the user stays",

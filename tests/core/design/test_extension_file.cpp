@@ -298,6 +298,45 @@ TEST_CASE("crown radius 0: a straight roller", "[physics][extension]") {
   CHECK(a.rollers->displacement == b.rollers->displacement);
 }
 
+TEST_CASE("inputs of calculators from a deck: whole bearing → results of the deck",
+          "[unit][extension]") {
+  const runs::Prepared ready = prepared(bearing_6309());
+  const life::IsoReport& iso = *ready.life.iso;
+  const auto of = [&](const char* name) {
+    const auto inputs = design::calculator_inputs(ready, name, 1);
+    return nlohmann::json(inputs.at("bearing"));
+  };
+  CHECK(of("iso281")["Dw"].get<double>() == Approx(iso.geometry.element_diameter));
+  CHECK(of("iso281")["P"].get<double>() == Approx(iso.equivalent->P));
+  CHECK(of("static-safety")["C0"].get<double>() == Approx(*iso.C0));
+  CHECK(of("static-safety")["type"] == "deep_groove");
+  CHECK(of("minimum-load")["rule"] == "ball_share");
+  CHECK(of("kinematics")["Z"] == ready.bearing.element_count());
+  CHECK(of("iso16281")["Qi"].size() == ready.statics.balls.size());
+  CHECK(of("clearance")["bore"].get<double>() == Approx(ready.as_built.envelope.bore));
+  CHECK(design::calculator_inputs(ready, "load-capacity", 1).size() == 2);
+  CHECK_THROWS_AS(design::calculator_inputs(ready, "roller-inertia", 1), InputError);
+  CHECK_THROWS_AS(design::calculator_inputs(ready, "line-contact", 1), InputError);
+}
+
+TEST_CASE("inputs of calculators from a deck: each name of the list → inputs for balls or rollers",
+          "[unit][extension]") {
+  runs::DeckRequest request;
+  request.text = std::string(deck::template_text("cylindrical"));
+  request.in_memory = true;
+  const runs::Prepared rollers = runs::prepare(request);
+  const runs::Prepared balls = prepared(bearing_6309());
+  for (const std::string_view name : design::deck_calculators()) {
+    int accepted = 0;
+    for (const runs::Prepared* one : {&rollers, &balls}) try {
+        accepted += design::calculator_inputs(*one, std::string(name), 1).empty() ? 0 : 1;
+      } catch (const InputError&) {  // of the other kind of element, or without oil
+      }
+    INFO(name);
+    CHECK((accepted > 0 || name == "film"));
+  }
+}
+
 TEST_CASE("inputs of calculators from a deck: the contact of one element", "[unit][extension]") {
   deck::Deck deck = bearing_6309();
   const runs::Prepared dry = prepared(deck);

@@ -216,6 +216,20 @@ class Text(unittest.TestCase):
             self.assertNotEqual(path.read_bytes(), text)
             self.assertEqual(list(Path(folder).iterdir()), [path])
 
+    def test_save_writes_records_x_into_the_extension_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            extension = Path(folder) / "ADORE.json"
+            extension.write_text('{"ellipseMajor": 20}')
+            deck = adore.new("ball")
+            path = deck.save(folder)
+            plain = path.read_text()
+            self.assertEqual(json.loads(extension.read_text()), {"ellipseMajor": 20})
+            deck.update(ratingC=55300.0)
+            deck.save()
+            self.assertEqual(path.read_text(), plain)
+            self.assertEqual(json.loads(extension.read_text()), {"ellipseMajor": 20, "version": 1, "ratingC": 55300.0})
+            self.assertEqual(adore.read(folder), deck)
+
 
 class Errors(unittest.TestCase):
     def test_a_wrong_deck_raises_all_its_sentences(self):

@@ -316,6 +316,13 @@ TEST_CASE("Motion reference cases", "[validation]") {
   expect_covered("motion_constraints");
 }
 
+TEST_CASE("Ratings and tolerances: printed values of catalogs", "[validation][ratings]") {
+  for (const char* name :
+       {"rating_static", "rating_reference_speed", "rating_oscillation", "rating_minimum_load",
+        "rating_size_limits", "rating_bearing_fit"})
+    expect_covered(name);
+}
+
 TEST_CASE("Line contact and roller reference cases", "[validation][rollers]") {
   for (const char* name :
        {"B_line_contact", "rollers_slices", "rollers_flange", "rollers_inertia", "rollers_tapered"})

@@ -19,16 +19,14 @@ namespace adore::adrplot {
 [[nodiscard]] std::optional<std::size_t> choice_of(const std::vector<std::string>& choices,
                                                    const std::string& wanted);
 
-/// Turns a curve of the page into a waterfall: the spectra of pieces of the run above each other,
-/// the earliest at the bottom: in units, relative to the largest of all, or in dB of that, cut off
-/// at -60 dB. The distance between two lines is a fifth of the largest amplitude or of the 60 dB,
-/// as noted. Each line is named after the middle of its piece and, for a varying shaft speed, that
-/// speed; then marks move with the frequency.
+/// Turns a curve of the page into its spectrogram: frequency across, time or shaft speed upward,
+/// amplitude as color, in the scale of the options. Marks of a run with variable speed move with
+/// the frequency. The rows of the map are the curves of the panel (ChartRows).
 /// @param motion stored times and known revolutions
 /// @param of the curve (choice_of); default: the first one with values. ChartPage::choices lists
 /// those with values
-void to_waterfall(desktop::ChartPage& page, const RunMotion& motion, const SpectrumOptions& options,
-                  const std::string& of = {});
+void to_spectrogram(desktop::ChartPage& page, const RunMotion& motion,
+                    const SpectrumOptions& options, const std::string& of = {});
 
 /// Is the shaft speed constant within 1 % over the whole run? Then the frequencies of its elements
 /// are constant.

@@ -1,17 +1,19 @@
 #include "adrplot/plot_window.hpp"
 #include "adrplot/render.hpp"
 #include "adrplot/run_beside.hpp"
-#include "adrplot/waterfall_page.hpp"
+#include "adrplot/spectrogram_page.hpp"
 #include "base/errors.hpp"
 #include "core/results/synthetic.hpp"
+#include "desktop/axis_scale.hpp"
 #include "desktop/chart_scene.hpp"
 #include "desktop/chart_view.hpp"
+#include "desktop/heat_color.hpp"
 #include "results/results_h5.hpp"
 #include "support/qt_app.hpp"
 #include "support/synthetic_results.hpp"
 
 #include <QComboBox>
-#include <QGraphicsPathItem>
+#include <QImage>
 #include <QMenu>
 #include <QTemporaryDir>
 #include <QTest>
@@ -23,7 +25,7 @@
 #include <cmath>
 #include <numbers>
 
-/// Curve of a waterfall, and the marks of a run with variable speed.
+/// Spectrograms and the marks of a run with variable speed.
 using namespace adore;
 using namespace adore::adrplot;
 using Catch::Contains;
@@ -77,19 +79,18 @@ desktop::ChartPage page_over(const RunMotion& motion, const RunUp& run, double o
 
 }  // namespace
 
-TEST_CASE("waterfall: selected curve → drawn and named", "[unit]") {
+TEST_CASE("spectrogram: selected curve → drawn and named", "[unit]") {
   const RunUp run{80.0, 0.0};
   const RunMotion motion = motion_of_run(run, 8000, {});
   const auto fall = [&](const std::string& of) {
     desktop::ChartPage page = page_over(motion, run, 5.0);
-    to_waterfall(page, motion, {Window::FlatTop, SpectrumScale::Units}, of);
+    to_spectrogram(page, motion, {Window::FlatTop, SpectrumScale::Units}, of);
     return page;
   };
   const auto largest = [](const desktop::ChartPage& page) {
-    const desktop::ChartCurve& line = page.panels.at(0).curves.front();
-    const auto most = std::max_element(line.y.begin(), line.y.end()) - line.y.begin();
-    return std::pair(page.x[static_cast<std::size_t>(most)],
-                     line.y[static_cast<std::size_t>(most)]);
+    const desktop::ChartCurve& row = page.panels.at(0).curves.front();
+    const auto most = std::max_element(row.y.begin(), row.y.end()) - row.y.begin();
+    return std::pair(page.x[static_cast<std::size_t>(most)], row.y[static_cast<std::size_t>(most)]);
   };
   // Curves without values are not offered.
   const std::vector<std::string> names{"Load, outer race", "Load, inner race", "Angle, inner race"};
@@ -120,75 +121,107 @@ TEST_CASE("waterfall: selected curve → drawn and named", "[unit]") {
   CHECK_FALSE(choice_of(names, "film"));
 }
 
-TEST_CASE("waterfall: marks of a shaft that runs up move with what they count", "[gui]") {
+TEST_CASE("spectrogram: run-up → ridge and marks at the frequency of each row", "[gui]") {
   test::use_qt();
   // Something at 7.3 times the frequency of the shaft, and a mark that counts just that.
   constexpr double kOrder = 7.3;
   const RunUp run;
   const RunMotion motion = motion_of_run(run, 40000, {1.0, kOrder, 0.05});
   desktop::ChartPage page = page_over(motion, run, kOrder);
-  to_waterfall(page, motion, {Window::Hann, SpectrumScale::Units}, "load, outer");
-  const auto& lines = page.panels.at(0).curves;
-  REQUIRE(lines.size() == 24);
+  to_spectrogram(page, motion, {Window::Hann, SpectrumScale::Units}, "load, outer");
+  const desktop::ChartPanel& panel = page.panels.at(0);
+  REQUIRE(panel.rows);
+  REQUIRE(panel.rows->at.size() == panel.curves.size());
+  REQUIRE(panel.curves.size() > 50);
   REQUIRE(page.marks.size() == 3);
-  const double first = page.x.front();  // distance of two lines of a spectrum [Hz]
-  const double piece = 1.0 / first;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const double t = 0.5 * piece * static_cast<double>(i + 1);
+  CHECK(panel.rows->title == "Time");
+  CHECK(panel.rows->unit == "s");
+  CHECK(panel.unit == "N");
+  const double spacing = page.x.front();  // of two lines [Hz]
+  for (std::size_t i = 0; i < panel.curves.size(); i += 7) {
+    const double t = panel.rows->at[i];
     for (const auto& [mark, order] : {std::pair{0, 1.0}, {1, kOrder}}) {
-      const auto& [x, height] = page.marks[static_cast<std::size_t>(mark)].way.at(i + 1);
+      const auto& [x, height] = page.marks[static_cast<std::size_t>(mark)].way.at(i);
       CHECK(x == Approx(run.frequency(t, order)).epsilon(2e-3));
-      CHECK(height == Approx(lines[i].lift));
+      CHECK(height == t);
     }
-    // The spectrum itself has its largest line there, as far as lines tell it.
-    std::size_t most = 0;
-    for (std::size_t k = 0; k < page.x.size(); ++k)
-      if (lines[i].value(k) > lines[i].value(most)) most = k;
-    CHECK(page.x[most] == Approx(run.frequency(t, kOrder)).margin(2.5 * first));
+    const std::vector<double>& y = panel.curves[i].y;
+    const auto ridge = static_cast<std::size_t>(std::max_element(y.begin(), y.end()) - y.begin());
+    CHECK(page.x[ridge] == Approx(run.frequency(t, kOrder)).margin(3.0 * spacing));
   }
   CHECK_THAT(page.note, Contains("The marks follow the shaft"));
-  CHECK(page.panels[0].title == "Load, outer race");
 
-  // Drawn from the foot of the panel to its top, through each line at its own frequency.
-  desktop::ChartScene scene;
-  scene.setPageSize({1280, 800});
-  scene.setPage(page);
-  const QRectF area = scene.plotAreas()[0];
-  std::vector<QPainterPath> ways;
-  for (const QGraphicsItem* item : scene.items())
-    if (const auto* way = qgraphicsitem_cast<const QGraphicsPathItem*>(item))
-      ways.push_back(way->path());
-  REQUIRE(ways.size() == 3);
-  const auto across = [&](double order, qreal y) {  // of the drawn way at a height
-    for (const QPainterPath& way : ways)
-      for (int i = 1; i < way.elementCount(); ++i) {
-        const QPointF p = way.elementAt(i - 1), q = way.elementAt(i);
-        if (y > p.y() || y < q.y()) continue;
-        const double part = p.y() > q.y() ? (p.y() - y) / (p.y() - q.y()) : 0.0;
-        const double x = scene.abscissaAt(p.x() + part * (q.x() - p.x()));
-        if (std::abs(x / order - run.frequency(0.2)) < 0.7 * run.frequency(0.2)) return x;
-      }
-    return 0.0;
-  };
-  for (std::size_t i = 0; i < lines.size(); i += 5) {
-    const double t = 0.5 * piece * static_cast<double>(i + 1);
-    CHECK(across(kOrder, scene.heightOf(0, lines[i].lift)) ==
-          Approx(run.frequency(t, kOrder)).epsilon(0.01));
+  // Over speed: the ridge is a straight line through 0.
+  desktop::ChartPage over_speed = page_over(motion, run, kOrder);
+  SpectrumOptions options{Window::Hann, SpectrumScale::Decibel, true};
+  to_spectrogram(over_speed, motion, options, "load, outer");
+  const desktop::ChartPanel& speeds = over_speed.panels.at(0);
+  CHECK(speeds.rows->title == "Shaft speed");
+  CHECK(speeds.rows->unit == "rpm");
+  CHECK(speeds.unit == "dB re 1 N");
+  for (std::size_t i = 0; i < speeds.curves.size(); i += 7) {
+    const std::vector<double>& y = speeds.curves[i].y;
+    const auto ridge = static_cast<std::size_t>(std::max_element(y.begin(), y.end()) - y.begin());
+    CHECK(over_speed.x[ridge] == Approx(speeds.rows->at[i] / 60.0 * kOrder).margin(3.0 * spacing));
   }
-  CHECK(across(kOrder, area.top() + 1.0) ==
-        Approx(run.frequency(12.0 * piece, kOrder)).epsilon(0.01));
 
-  // A shaft that keeps its speed has upright ones; what is never above the first line has none.
+  // A shaft with constant speed has vertical marks, and no speed axis.
   const RunUp steady{60.0, 0.0};
   const RunMotion still = motion_of_run(steady, 40000, {1.0, kOrder, 0.05});
   page = page_over(still, steady, kOrder);
-  to_waterfall(page, still, {}, "");
+  to_spectrogram(page, still, options, "");
+  CHECK(page.panels.at(0).rows->title == "Time");
+  CHECK_THAT(page.note, Contains("The shaft speed is constant"));
   REQUIRE(page.marks.size() == 3);
   for (const desktop::ChartMark& mark : page.marks) CHECK(mark.way.empty());
   CHECK(page.marks[1].x == Approx(60.0 * kOrder));
 }
 
-TEST_CASE("plot_window: the curve of a waterfall is chosen, or its panel clicked", "[gui]") {
+TEST_CASE("spectrogram: pixels → color of the value that the readout gives", "[gui]") {
+  test::use_qt();
+  const RunUp run{80.0, 0.0};
+  RunMotion motion = motion_of_run(run, 20000, {});
+  desktop::ChartPage page = page_over(motion, run, 5.0);
+  // 20 dB lower in the second half.
+  auto& y = page.panels[0].curves[0].y;
+  for (std::size_t i = y.size() / 2; i < y.size(); ++i) y[i] *= 0.1;
+  to_spectrogram(page, motion, {Window::Hann, SpectrumScale::Decibel}, "1");
+  page.subtitle = "a run";
+  desktop::ChartScene scene;
+  const QSize size(1280, 800);
+  scene.setPageSize(size);
+  scene.setPage(page);
+  const QImage picture = scene.image(size);
+  const desktop::ChartPanel& panel = scene.page().panels[0];
+  const desktop::ChartRows& rows = *panel.rows;
+  const QRectF area = scene.plotAreas()[0];
+  CHECK(area.height() > 500.0);
+  int compared = 0;
+  // In the middle of wide cells: zoomed to some lines.
+  scene.setView(200.0, 700.0);
+  const QImage zoomed = scene.image(size);
+  for (const std::size_t row : {std::size_t{3}, rows.at.size() / 2, rows.at.size() - 4})
+    for (std::size_t k = 0; k < page.x.size(); ++k) {
+      if (page.x[k] < 220.0 || page.x[k] > 680.0) continue;
+      const QPoint at(static_cast<int>(std::lround(scene.positionOf(page.x[k]))),
+                      static_cast<int>(std::lround(scene.heightOf(0, rows.at[row]))));
+      const double share = (panel.curves[row].y[k] - rows.low) / (rows.high - rows.low);
+      const QColor wanted = desktop::heat_color(share), drawn = zoomed.pixelColor(at);
+      CHECK(std::abs(wanted.red() - drawn.red()) + std::abs(wanted.green() - drawn.green()) +
+                std::abs(wanted.blue() - drawn.blue()) <
+            24);
+      ++compared;
+      const QString told = scene.readout(QPointF(at));
+      CHECK(told.contains(QString::fromStdString(
+          desktop::pretty_quantity(panel.curves[row].y[k], panel.unit, scene.digitsOf(0, row)))));
+    }
+  CHECK(compared > 20);
+  // The whole range of colors is used.
+  CHECK(rows.high == Approx(0.0).margin(0.5));
+  CHECK(rows.high - rows.low > 20.0);
+}
+
+TEST_CASE("plot_window: the curve of a spectrogram is chosen, or its panel clicked", "[gui]") {
   test::use_qt();
   PlotWindow window;
   window.resize(1400, 700);
@@ -207,7 +240,7 @@ TEST_CASE("plot_window: the curve of a waterfall is chosen, or its panel clicked
   CHECK_FALSE(offered());  // of histories all curves are there
   desktop::ChartScene& scene = window.view().chartScene();
   const auto titled = [&] { return QString::fromStdString(scene.page().panels.at(0).title); };
-  window.setDomain(Domain::Waterfall);
+  window.setDomain(Domain::Spectrogram);
   CHECK(offered());
   REQUIRE(choice->count() > 3);
   CHECK(choice->currentText() == titled());
@@ -235,41 +268,47 @@ TEST_CASE("plot_window: the curve of a waterfall is chosen, or its panel clicked
   QTest::mousePress(window.view().viewport(), Qt::LeftButton, {}, place(1));
   QTest::mouseMove(window.view().viewport(), place(1) + QPoint(40, 0));
   QTest::mouseRelease(window.view().viewport(), Qt::LeftButton, {}, place(1) + QPoint(40, 0));
-  window.setDomain(Domain::Waterfall);
+  window.setDomain(Domain::Spectrogram);
   CHECK(titled().startsWith(QString::fromStdString(clicked)));
 }
 
-TEST_CASE("render: a waterfall of a named curve is drawn where there is one", "[gui]") {
+TEST_CASE("render: a spectrogram of a named curve is drawn where there is one", "[gui]") {
   test::use_qt();
   const QTemporaryDir folder;
   const PlotDocument document = make_document(test::synthetic_sol(results::SolKind::Element));
   RenderOptions options;
   options.folder = folder.path().toStdString();
-  set_domain(options.view, "waterfall", "Contact load");
+  set_domain(options.view, "spectrogram", "Contact load");
   const auto written = render_document(document, "SOL1", options);
   CHECK(!written.empty());
   CHECK(written.size() < document.pages.size());
-  set_domain(options.view, "waterfall", "no such curve");
+  set_domain(options.view, "spectrogram", "no such curve");
   CHECK_THROWS_WITH(render_document(document, "SOL1", options),
                     Contains("no curve \"no such curve\"") && Contains("Contact load, outer race"));
-  CHECK_THROWS_WITH(set_domain(options.view, "spectrum", "load"), Contains("--domain waterfall"));
+  CHECK_THROWS_WITH(set_domain(options.view, "spectrum", "load"), Contains("--domain spectrogram"));
+  CHECK_THROWS_WITH(set_domain(options.view, "spectrum", "", "", "speed"),
+                    Contains("--rows") && Contains("--domain spectrogram"));
+  CHECK_THROWS_WITH(set_domain(options.view, "history", "", "db"), Contains("--scale"));
+  set_domain(options.view, "spectrogram", "", "db", "speed");
+  CHECK(options.view.spectrum.scale == SpectrumScale::Decibel);
+  CHECK(options.view.spectrum.over_speed);
 }
 
-TEST_CASE("waterfall: about half of a low picture is the waterfall's", "[gui]") {
+TEST_CASE("spectrogram: low picture → about half of it is the map", "[gui]") {
   test::use_qt();
-  // With the longest words of a steady run: unequal steps, gaps below the first line, marks.
+  // With the longest notes of a steady run: unequal steps, marks below the first line.
   RunUp run{300.0, 0.0};
   RunMotion motion = motion_of_run(run, 20000, {1.0, 0.4, 0.07, 0.05, 5.0, 7.1});
   for (std::size_t i = 1; i < motion.times.size(); i += 2) motion.times[i] += 0.3 * kStep;
   desktop::ChartPage page = page_over(motion, run, 5.0);
-  to_waterfall(page, motion, {}, "");
+  to_spectrogram(page, motion, {}, "");
   REQUIRE(page.note.find("Resampled") != std::string::npos);
   page.subtitle = "a run";
   desktop::ChartScene scene;
   scene.setPageSize({700, 450});
   scene.setPage(page);
   INFO(page.note);
-  CHECK(scene.plotAreas()[0].height() >= 0.49 * 450.0);
+  CHECK(scene.plotAreas()[0].height() >= 0.45 * 450.0);
 }
 
 TEST_CASE("run_beside: what a mark counts goes with the speeds of a run that accelerates",
