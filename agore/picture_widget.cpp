@@ -12,7 +12,7 @@
 namespace adore::agore {
 
 PictureWidget::PictureWidget(QWidget* parent) : QWidget(parent) {
-  setMinimumSize(480, 340);  // fits a screen of 640x480 with the buttons
+  setMinimumSize(480, 326);  // fits a screen of 640x480 with the buttons and the view bar
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAccessibleName(tr("Picture of the bearing"));
   setFocusPolicy(Qt::StrongFocus);  // a screen reader announces the focus
