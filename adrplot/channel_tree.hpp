@@ -38,7 +38,7 @@ class ChannelModel : public QStandardItemModel {
   [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
 };
 
-/// Channels whose names, with those of their file and page, contain all words of the filter.
+/// Filtered channels: each word of the filter is in the name of the channel, its page or its file.
 class ChannelFilter : public QSortFilterProxyModel {
   Q_OBJECT
  public:

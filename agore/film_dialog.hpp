@@ -17,7 +17,7 @@ class QSpinBox;
 
 namespace adore::agore {
 
-/// What a movie shows.
+/// Content of a movie.
 struct FilmChoice {
   std::size_t first = 0, last = 0;  ///< frames, from 0
   int every = 1;                    ///< every n-th frame
