@@ -95,7 +95,7 @@ TEST_CASE("catalogue: public test rigs → published geometry", "[unit][catalogu
 
 TEST_CASE("catalogue: list → filters on bore and type", "[unit][catalogue]") {
   const auto all = deck::catalogue_list(25.0, "deep-groove");
-  CHECK(all.size() == 7);  // 6005, 6205, 6305, 61805, 61905, two rigs (one of 25.4 mm)
+  CHECK(all.size() == 8);  // 6005, 6205, 6305, 16005, 61805, 61905, two rigs (one of 25.4 mm)
   for (const deck::CatalogueBearing& one : all) {
     CHECK(std::abs(one.envelope.bore - 0.025) < 0.0005);
     CHECK(one.type == deck::BearingType::DeepGroove);
