@@ -143,7 +143,8 @@ void raceway_view(const Scene& s) {
   const QRectF& whole = s.sketch.area();
   const Colouring colours = colouring(s.animation, s.index, ColourBy::Pressure, s.options.scale);
   const double foot = key_foot(s.animation, s.options, whole.size());
-  constexpr double kHead = 46.0, kTitle = 20.0, kAxis = 20.0, kBar = 300.0;
+  constexpr double kHead = 46.0, kTitle = 20.0, kAxis = 20.0, kBar = 300.0,
+                   kNumbers = 18.0;  // of the elements, between the strips
   p.save();
   // Zoom and displacement as of the other pictures.
   p.translate(whole.center() +
@@ -151,7 +152,7 @@ void raceway_view(const Scene& s) {
   p.scale(s.options.zoom, s.options.zoom);
   p.translate(-whole.center());
   const QRectF room = whole.adjusted(22.0, kHead, -22.0, -foot - kAxis);
-  const double height = 0.5 * (room.height() - 2.0 * kTitle);
+  const double height = 0.5 * (room.height() - 2.0 * kTitle - kNumbers);
   std::vector<KeyEntry> key;
   QString remark;
   if (!colours.any() || !(height > 10.0)) {
@@ -172,7 +173,8 @@ void raceway_view(const Scene& s) {
       std::min(0.4 * room.width() / n / std::max(extent.along, 1e-300), 20.0 * across);
   std::array<Strip, 2> strips;
   for (std::size_t race = 0; race < 2; ++race) {
-    const double top = room.top() + kTitle + static_cast<double>(race) * (height + kTitle);
+    const double top =
+        room.top() + kTitle + static_cast<double>(race) * (height + kTitle + kNumbers);
     strips[race] = {QRectF(room.left(), top, room.width(), height), across};
     draw_strip(s, strips[race], race);
   }
@@ -185,14 +187,20 @@ void raceway_view(const Scene& s) {
     const bool chosen = static_cast<int>(one.element) + 1 == s.options.element;
     p.setPen(QPen(chosen ? t.text : t.steel_dark, chosen ? 2.4 : 1.0));
     p.setBrush(scale_colour((one.pressure - colours.low) / (colours.high - colours.low)));
-    p.drawEllipse(at, std::max(along * one.b, 1.0), std::max(across * one.a, 1.0));
+    p.save();
+    p.setClipRect(strip.area, Qt::IntersectClip);
+    // 0 and 360 degrees are one place.
+    for (const double turn : {-1.0, 0.0, 1.0})
+      p.drawEllipse(at + QPointF(turn * strip.area.width(), 0.0), std::max(along * one.b, 1.0),
+                    std::max(across * one.a, 1.0));
+    p.restore();
     if (chosen) picked[one.race] = words_of(s, one);
   }
   // Numbers between the strips, at the azimuth of their elements.
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
     const double turn = s.frame.elements[k].theta / (2.0 * kPi);
     const double x = room.left() + room.width() * (turn - std::floor(turn));
-    s.sketch.label({x, strips[1].area.top() - 0.5 * kTitle}, QString::number(k + 1),
+    s.sketch.label({x, strips[0].area.bottom() + 4.0 + 0.5 * kNumbers}, QString::number(k + 1),
                    static_cast<int>(k) + 1 == s.options.element ? t.text : t.muted, 11,
                    static_cast<int>(k) + 1 == s.options.element);
   }
