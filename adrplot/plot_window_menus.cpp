@@ -62,7 +62,7 @@ void PlotWindow::makeMenus() {
   file->addAction(tr("Open &Folder..."), Qt::CTRL | Qt::SHIFT | Qt::Key_O, this,
                   &PlotWindow::askForFolder);
   desktop::add_recent_menu(*file, kApp, [this](const QString& name) { openSeveral({name}); });
-  file->addAction(tr("Open Sessio&n..."), this, [this] { askForSession(false); });
+  file->addAction(tr("Ope&n Session..."), this, [this] { askForSession(false); });
   file->addAction(tr("Save Sess&ion As..."), Qt::CTRL | Qt::SHIFT | Qt::Key_S, this,
                   [this] { askForSession(true); });
   file->addAction(tr("&Close File"), QKeySequence::Close, this, &PlotWindow::closeFile);

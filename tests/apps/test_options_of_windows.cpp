@@ -46,7 +46,8 @@ const QMap<QString, QString> kValues{{"--size", "900x700"},    {"--page", "2"},
                                      {"--html", "scene.html"}, {"--movie", "film.gif"},
                                      {"--fps", "5"},           {"--slow", "1e-4"},
                                      {"--colour", "load"},     {"--scale", "run"},
-                                     {"--domain", "spectrum"}, {"--curve", "2"}};
+                                     {"--domain", "spectrum"}, {"--curve", "2"},
+                                     {"--rows", "speed"}};
 /// Of pictures alone: no window comes.
 const QSet<QString> kOfPictures{"--size", "--frame", "--movie", "--html", "--fps", "--slow"};
 
@@ -91,11 +92,15 @@ TEST_CASE("no option of a window's command line is remembered for the next windo
       QStringList words{option.key()};
       if (option.key() == "--project")
         words << adore::test::short_run();
+      else if (program.name == std::string("adrplot") && option.key() == "--scale")
+        words << "db"
+              << "--domain"
+              << "spectrum";
       else if (option.value()) {
         REQUIRE(kValues.contains(option.key()));  // a new option: give it a value above
         words << kValues[option.key()];
       }
-      if (option.key() == "--curve")
+      if (option.key() == "--curve" || option.key() == "--rows")
         words << "--domain"
               << "spectrogram";
       const bool picture = kOfPictures.contains(option.key()) ||

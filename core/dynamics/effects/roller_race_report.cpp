@@ -35,6 +35,21 @@ class SliceRows {
   std::vector<double> memory_;
 };
 
+/// The slice with the largest pressure; of slices that differ by rounding, the one nearest to
+/// mid-length, so that the place on an even contact does not depend on the rounding.
+std::size_t peak_of(const contact::RollerRaceSlices& slices, const double* pressure) {
+  constexpr double kRounding = 1e-9;
+  const double largest = *std::max_element(pressure, pressure + slices.count);
+  std::size_t peak = 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < slices.count; ++k) {
+    if (pressure[k] < (1.0 - kRounding) * largest || std::abs(slices.s[k]) >= nearest) continue;
+    peak = k;
+    nearest = std::abs(slices.s[k]);
+  }
+  return peak;
+}
+
 RaceContactSnapshot contact_of(const RollerRaceModel& model, const contact::RollerPose& at,
                                const contact::RollerRaceSlices& slices,
                                const statics::RollerSliceRows& row) {
@@ -43,6 +58,7 @@ RaceContactSnapshot contact_of(const RollerRaceModel& model, const contact::Roll
   out.slice_load.assign(slices.count, 0.0);
   out.slice_pressure.assign(slices.count, 0.0);
   if (at.open) return out;
+  const std::size_t peak = peak_of(slices, row.peak);
   double normal_x = 0.0, normal_r = 0.0, least_film = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < slices.count; ++k) {
     const double Q = row.load[k];
@@ -59,14 +75,14 @@ RaceContactSnapshot contact_of(const RollerRaceModel& model, const contact::Roll
           model.law.film({Q / row.width[k], row.peak[k], 0.0, row.half_width[k], row.speed[k],
                           row.slip[k], row.curvature[k]});
       least_film = std::min(least_film, here.thinnest);
-      if (row.peak[k] >= out.max_pressure) {
+      if (k == peak) {
         out.film = here.thickness;
         out.rolling_speed = std::abs(row.speed[k]);
       }
     }
     normal_x += Q * row.n[0][k];
     normal_r += Q * row.n[2][k];
-    if (row.peak[k] < out.max_pressure) continue;
+    if (k != peak) continue;
     out.max_pressure = row.peak[k];
     out.half_minor = row.half_width[k];
     out.peak_position = slices.s[k];

@@ -74,8 +74,7 @@ std::string text_of(const DeckObject& self) {
 /// The text of DATA.txt: without records X, which ADORE.json has.
 std::string saved_text(const DeckObject& self) {
   const deck::Deck plain = runs::without_extension(self.deck);
-  const std::string text = text_of(self);
-  return plain == self.deck ? text : deck::with_deck(text, plain).text;
+  return plain == self.deck ? text_of(self) : deck::with_deck(self.text, plain).text;
 }
 
 /// The text of the ADORE.json next to a deck file that has the deck's records X; empty optional:

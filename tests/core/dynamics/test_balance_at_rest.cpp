@@ -192,7 +192,7 @@ TEST_CASE("mode 2 without friction has the loads of statics at 1 % of centrifuga
               << one.asked);
     CHECK(one.share == Approx(share).epsilon(0.05));
     CHECK(one.loads < 1e-6);
-    CHECK(one.asked < 1e-8);
+    CHECK(one.asked < 1e-7);  // at most 1e-8 with vectors of eight, 4e-8 without
   }
 }
 

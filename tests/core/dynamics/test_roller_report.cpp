@@ -29,11 +29,14 @@ TEST_CASE("a report of rollers holds what their right-hand side has, slice by sl
         heat += c.heat;
         REQUIRE(c.slice_load.size() == 13);
         REQUIRE(c.slice_pressure.size() == 13);
-        CHECK(c.load == Approx(system.contact_loads(j)[i]).epsilon(1e-12).margin(1e-12));
+        // The kernels of both round a place on the race (1e-17 m) each in its own way, with a
+        // stiffness of 3e8 N/m.
+        CHECK(c.load == Approx(system.contact_loads(j)[i]).epsilon(1e-12).margin(3e-9));
         CHECK(std::accumulate(c.slice_load.begin(), c.slice_load.end(), 0.0) ==
               Approx(c.load).epsilon(1e-13).margin(1e-12));
         CHECK(c.max_pressure ==
-              *std::max_element(c.slice_pressure.begin(), c.slice_pressure.end()));
+              Approx(*std::max_element(c.slice_pressure.begin(), c.slice_pressure.end()))
+                  .epsilon(1e-9));
         if (!(c.load > 0.0)) {
           CHECK((c.max_pressure == 0.0 && c.half_major == 0.0 && c.max_slip == 0.0));
           continue;
