@@ -260,6 +260,7 @@ void print_time_line(Report& report, const thermal::TimeLine& line) {
   report.text(
       "Transient from the temperatures of record 9.1.3 to the steady state at constant speed and "
       "load. Heat capacities are included.");
+  if (!line.fallback.empty()) report.text(deck::message_in_units(line.fallback, report.units()));
   constexpr std::size_t kRows = 50;
   const std::size_t every = std::max<std::size_t>(1, line.points.size() / kRows);
   std::vector<Report::Row> rows;

@@ -1,3 +1,4 @@
+#include "deck/unit_text.hpp"
 #include "listing/print_file.hpp"
 #include "listing/rounding.hpp"
 #include "statics/stiffness_difference.hpp"
@@ -62,6 +63,8 @@ void print_row(Report& report, const statics::StiffnessRow& row) {
   if (differences)
     report.item("Deviation between the two methods / largest entry (same unit)",
                 statics::stiffness_disagreement(row.result.stiffness, *differences), unit::kPure);
+  for (const std::string& note : row.result.notes)
+    report.text(deck::message_in_units(note, report.units()));
   if (!row.operating) return;
   const bearing::OperatingFits& fits = *row.operating;
   report.item(fits.axial_setting ? "Change of the diametral clearance at this speed"

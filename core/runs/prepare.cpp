@@ -263,6 +263,25 @@ void fill_from_ranges(std::vector<Finding>& remarks, const std::vector<validity:
   }
 }
 
+/// Rows of the stiffness table without a friction equilibrium: the first one's reason.
+void say_stiffness_fallbacks(Prepared& out) {
+  std::size_t without = 0;
+  const statics::StiffnessRow* first = nullptr;
+  for (const statics::StiffnessRow& row : out.stiffness) {
+    if (row.result.notes.empty()) continue;
+    if (first == nullptr) first = &row;
+    ++without;
+  }
+  if (first == nullptr) return;
+  constexpr double kRpm = 30.0 / std::numbers::pi;
+  add_remark(out,
+             make_finding("statics.friction_balance",
+                          fmt::format("stiffness over speed: {} without a friction equilibrium, "
+                                      "first at rpm1 = {:g} and rpm2 = {:g}: {}",
+                                      counted(without, "row"), kRpm * first->speed[0],
+                                      kRpm * first->speed[1], first->result.notes.front())));
+}
+
 /// Laws that the quasi-static solution takes outside their range of validity. What other remarks
 /// on the solution describe in more detail is kept for RUN.json alone.
 void find_left_ranges(Prepared& out) {
@@ -396,6 +415,9 @@ Prepared prepare_model(LoadedDeck input) {
     if (out.options.thermal_transient) {
       out.time_line = thermal::solve_time_line(out.as_built, out.options.rollers, interrupt);
       if (!out.time_line->settled) throw SolverError("thermal time line: " + out.time_line->end);
+      if (!out.time_line->fallback.empty())
+        add_remark(out, make_finding("statics.friction_balance",
+                                     "thermal time line: " + out.time_line->fallback));
     }
     out.thermal = thermal::solve_steady_state(out.as_built, out.options.rollers, interrupt);
     out.as_built = out.thermal->as_built;
@@ -444,6 +466,7 @@ Prepared prepare_model(LoadedDeck input) {
                                kRpm * row.speed[0], kRpm * row.speed[1], text)));
     break;
   }
+  say_stiffness_fallbacks(out);
   const auto judge = [&](const life::RaceStrength& strength) {
     for (const std::string& text : life::strength_warnings(out.bearing, strength))
       add_remark(out, make_finding("statics.yield", text));
@@ -486,8 +509,7 @@ Prepared prepare_model(LoadedDeck input) {
   statics::FrictionBalance balance;
   out.solve_seconds = timed(
       [&] { out.statics = statics::solve_balls(out.bearing, ball_options(out), forms, balance); });
-  if (const std::string note = balance.note(); !note.empty())
-    add_remark(out, make_finding("statics.friction_balance", note));
+  for (Finding& one : balance.findings()) add_remark(out, std::move(one));
   if (out.bearing.lubrication) out.statics.films = statics::contact_films(out.bearing, out.statics);
   doubt_fluids(out);
   say_certainty(out);
@@ -522,6 +544,11 @@ Prepared prepare_model(LoadedDeck input) {
     ask_to_go_on(out.input);
     statics::FrictionBalance of_motion;
     out.start = statics::solve_balls(out.bearing, as_in_motion, forms, of_motion);
+    if (balance.findings().empty())
+      for (Finding& one : of_motion.findings()) {
+        one.message = "start of the motion: " + one.message;
+        add_remark(out, std::move(one));
+      }
     if (out.bearing.lubrication) out.start.films = statics::contact_films(out.bearing, out.start);
   }
   out.life = life::ball_bearing_life(out.bearing, life_inputs,

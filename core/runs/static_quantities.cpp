@@ -7,6 +7,8 @@
 #include "tribology/lubricant.hpp"
 #include "tribology/traction_curve.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -115,6 +117,7 @@ VariableCompliance variable_compliance(const Prepared& prepared) {
   const double under = first + pitch * std::round((load_azimuth - first) / pitch) - load_azimuth;
 
   bearing::Bearing bearing = prepared.bearing;
+  int without = 0;  // positions without a friction equilibrium
   const auto displacement = [&](double angle) {
     bearing::StaticConstraints& c = bearing.constraints;
     c = given;
@@ -124,11 +127,15 @@ VariableCompliance variable_compliance(const Prepared& prepared) {
     turn(c.outer_misalignment[0], c.outer_misalignment[1], angle);
     std::array<double, 5> q{};
     if (prepared.rollers) {
-      q = statics::solve_roller_statics(bearing, prepared.options.rollers).displacement;
+      const statics::RollerSolution solution =
+          statics::solve_roller_statics(bearing, prepared.options.rollers);
+      without += solution.friction.note().empty() ? 0 : 1;
+      q = solution.displacement;
     } else {
       statics::StaticSolution solution =
           statics::solve_ball_statics(bearing, ball_options(prepared));
-      (void)statics::balance_balls(bearing, ball_options(prepared), solution);
+      const auto balance = statics::balance_balls(bearing, ball_options(prepared), solution);
+      without += balance.findings().empty() ? 0 : 1;
       q = solution.displacement;
     }
     return (q[1] * c.load[1] + q[2] * c.load[2]) / force;
@@ -136,6 +143,12 @@ VariableCompliance variable_compliance(const Prepared& prepared) {
   std::array<double, kCompliancePositions> u{};
   for (std::size_t k = 0; k < u.size(); ++k)
     u[k] = displacement(under + pitch * static_cast<double>(k) / kCompliancePositions);
+  if (without != 0 && without != kCompliancePositions)
+    throw SolverError(
+        fmt::format("variable compliance: no friction equilibrium was found at {} of {} positions "
+                    "of the elements, so that displacements do not compare. Set ballFriction = "
+                    "spin-rule or rollerFriction = none",
+                    without, kCompliancePositions));
   const auto [least, largest] = std::minmax_element(u.begin(), u.end());
   return {u[kCompliancePositions / 2] - u[0], *largest - *least};
 }

@@ -31,6 +31,9 @@ std::vector<statics::StiffnessRow> stiffness_over_speed(const Prepared& prepared
       options.difference_share = request.share;
       if (previous != nullptr && last_rollers) options.start = &*last_rollers;
       statics::RollerSolution solution = statics::solve_roller_statics(bearing, options);
+      solution.notes.clear();
+      if (std::string note = solution.friction.note(); !note.empty())
+        solution.notes.push_back(std::move(note));
       last_rollers = std::move(solution);
       return *last_rollers;
     }
@@ -42,7 +45,7 @@ std::vector<statics::StiffnessRow> stiffness_over_speed(const Prepared& prepared
         if (!bearing.constraints.displacement_given[k])
           bearing.constraints.displacement[k] = previous->displacement[k];
     statics::StaticSolution solution = statics::solve_ball_statics(bearing, options);
-    (void)statics::balance_balls(bearing, options, solution);
+    solution.notes = statics::balance_balls(bearing, options, solution).notes();
     return solution;
   };
   std::vector<statics::StiffnessRow> rows = statics::stiffness_table(request, solve);

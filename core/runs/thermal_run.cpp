@@ -320,12 +320,15 @@ thermal::RaceConductance race_conductance(const Prepared& p) {
 
 std::vector<std::string> move_to(Prepared& p, bearing::Bearing operating) {
   p.bearing = std::move(operating);
+  std::vector<std::string> out;
   std::optional<statics::LubricantFilms> films;
   if (p.bearing.rollers()) {
     auto scene = std::make_shared<dynamics::RollerScene>();
     scene->options = p.options.rollers;
     scene->solution = statics::solve_roller_statics(p.bearing, p.options.rollers);
     p.start = dynamics::static_start(*scene, p.bearing);
+    if (std::string note = scene->solution.friction.note(); !note.empty())
+      out.push_back(std::move(note));
     if (p.bearing.lubrication) films = statics::contact_films(p.bearing, scene->solution);
     p.roller_scene = std::move(scene);
   } else {
@@ -334,11 +337,13 @@ std::vector<std::string> move_to(Prepared& p, bearing::Bearing operating) {
         p.options.system.moving_angle ? statics::Curvature::Potential : statics::Curvature::Fixed;
     as_in_motion.fixed_angle = p.fixed_angle;
     p.start = statics::solve_ball_statics(p.bearing, as_in_motion);
-    (void)statics::balance_balls(p.bearing, as_in_motion, p.start);
+    out = statics::balance_balls(p.bearing, as_in_motion, p.start).notes();
     if (p.bearing.lubrication) films = statics::contact_films(p.bearing, p.start);
   }
-  if (!films) return {};
-  return statics::film_doubts(*films, statics::FilmsOf::ThermalSteps);
+  if (!films) return out;
+  for (std::string& doubt : statics::film_doubts(*films, statics::FilmsOf::ThermalSteps))
+    out.push_back(std::move(doubt));
+  return out;
 }
 
 }  // namespace adore::runs

@@ -40,6 +40,7 @@ TimeRun::TimeRun(const RunParts& parts, const StartPoint& start, const RunSpan& 
       watch_(parts.prepared.control, parts.system->scales().time),
       race_watch_(parts.system->scales().time, control.maximum),
       film_tolerance_(control.tolerance, parts.system->scales()),
+      rest_watch_(parts.prepared),
       growth_(parts.growth),
       step_(start.step),
       substeps_(start.resume.substeps),
@@ -100,12 +101,14 @@ void TimeRun::adapt_tolerance() {
   start_anew(std::vector<double>(parts_.stepper.state().begin(), parts_.stepper.state().end()));
 }
 
-void TimeRun::start_anew(std::span<const double> y) {
+void TimeRun::start_anew(std::span<const double> y) { start_at(parts_.stepper.time(), y); }
+
+void TimeRun::start_at(double t, std::span<const double> y) {
   add_counters(counters_, parts_.stepper.counters());
   ++counters_.restarts;
   integrators::StepControl again = control_;
   again.initial = h_;
-  parts_.stepper.start(parts_.ode, parts_.stepper.time(), y, again);
+  parts_.stepper.start(parts_.ode, t, y, again);
 }
 
 bool TimeRun::update_held() {
@@ -239,7 +242,33 @@ void TimeRun::begin(bool remembers) {
   checkpoint();
 }
 
+bool TimeRun::rest_step() {
+  if (substeps_ != 0 || control_.minimum == control_.maximum) return false;
+  constexpr double kStepsOfRun = 50.0;
+  const double t = parts_.stepper.time();
+  const double usual = control_.maximum * static_cast<double>(parts_.prepared.control.substeps);
+  const double length = rest_watch_.step(parts_.stepper, parts_.ode, control_.tolerance, usual,
+                                         (span_.end - start_.time) / kStepsOfRun);
+  if (!(length > 0.0)) return false;
+  if (rest_from_ < 0.0) {
+    rest_from_ = t;
+    parts_.outputs.remark(
+        make_finding("run.rest",
+                     fmt::format("nothing moves from t = {:.4g} s on: steps of up to {:.3g} s "
+                                 "without integration",
+                                 t, length))
+            .at(t));
+  }
+  const std::vector<double> y(parts_.stepper.state().begin(), parts_.stepper.state().end());
+  start_at(std::min(t + length, span_.end), y);
+  return true;
+}
+
 bool TimeRun::counted_step() {
+  if (rest_step()) {
+    ++step_;
+    return true;
+  }
   const long whole = parts_.prepared.control.substeps;
   while (substeps_ < whole && parts_.stepper.time() < span_.end) {
     if (stop_.stop_requested()) return false;

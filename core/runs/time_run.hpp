@@ -3,6 +3,7 @@
 #include "runs/film_tolerance.hpp"
 #include "runs/progress_meter.hpp"
 #include "runs/race_watch.hpp"
+#include "runs/rest_watch.hpp"
 #include "runs/ring_growth.hpp"
 #include "runs/step_watch.hpp"
 #include "runs/system_ode.hpp"
@@ -60,6 +61,8 @@ class TimeRun {
   /// nStps steps, fewer at the end of the run. @return false: somebody stopped the run
   [[nodiscard]] bool counted_step();
   void after_counted_step();
+  /// One counted step of a bearing at rest, without integration; false: it moves.
+  [[nodiscard]] bool rest_step();
   void checkpoint();
   void watch_race();
   /// Another tolerance while films break down (film_tolerance.hpp).
@@ -72,6 +75,7 @@ class TimeRun {
   void thermal_step();
   void remark_thermal(const ThermalRun::Step& done, bool settles);
   void start_anew(std::span<const double> y);
+  void start_at(double t, std::span<const double> y);
   /// Continues y in the system of a changed bearing, moved to its equilibrium. @throws SolverError
   void move_into(dynamics::System next, double t, std::span<double> y, const std::string& cause);
   /// The geometry goes with the speeds (ring_growth.hpp). @returns whether it changed
@@ -92,6 +96,8 @@ class TimeRun {
   StepWatch watch_;
   RaceWatch race_watch_;
   FilmTolerance film_tolerance_;
+  RestWatch rest_watch_;
+  double rest_from_ = -1.0;  ///< of the first step without integration [s]; below 0: none
   const RingGrowth& growth_;
   RingGrowth::Levels growth_levels_{};
   bool started_ = false;  ///< the stepper took the start state

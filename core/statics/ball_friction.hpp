@@ -33,9 +33,15 @@
 /// a cage, speeds ω_c + λ (ω_k - mean) replace Σ F_θ = 0 where the angles of the balls would vary
 /// by more than their pockets let them: λ = clearance/variation, ω_k the orbits alone, and ω_c from
 /// Σ F_θ r = 0 over all balls [derived: rigid cage without friction; a ball that crosses its pocket
-/// and stays at its wall has λ of its variation]. Limits: land, pocket friction and weight of the
-/// cage, gravity, the change of the spin axis along
-/// the orbit and the tractions along e_θ on the inner race are left out; races are not tilted here.
+/// and stays at its wall has λ of its variation].
+///
+/// Spin axes that turn along the orbit take the moment J ω_m dω/dθ. Where it is above 1 % of the
+/// friction moment of a ball, all balls are balanced together with it (spin_lag.hpp).
+///
+/// Each equilibrium that is not found leaves the one before, and FrictionBalance::findings() names
+/// it: without the turning moment, without the cage, by the spin rule.
+/// Limits: land, pocket friction and weight of the cage, gravity and the tractions along e_θ on the
+/// inner race are left out; races are not tilted here.
 namespace adore::statics {
 
 /// @param r radius of the ball's orbit

@@ -18,6 +18,8 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace adore::statics {
 namespace {
@@ -149,9 +151,8 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
     }
   }
   add_drag(bearing, orbit, spin, out);
-  if (const std::string note = balance.note(); !note.empty())
-    out.notes.push_back(note);
-  else if (!balance.balls.empty())
+  for (std::string& note : balance.notes()) out.notes.push_back(std::move(note));
+  if (!balance.balls.empty() && balance.failure.empty() && balance.left.empty())
     out.notes.emplace_back(
         "ball speeds, spin axes, loads and heat are calculated from friction equilibrium; kAngVel "
         "is not used");

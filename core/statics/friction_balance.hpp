@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/finding.hpp"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -26,13 +28,25 @@ struct FrictionBalance {
   std::vector<BallMotion> balls;  ///< empty: not computed
   std::string failure;            ///< why it was given up for the whole bearing; empty: it was not
   std::vector<std::size_t> left;  ///< loaded balls without a balance, from 0
+  std::string without_cage;  ///< why balls that need their cage orbit without it; empty: they do
+                             ///< not (decision 881)
+  /// Largest moment that turns a spin axis along the orbit, over the friction moment
+  /// (spin_lag.hpp).
+  double turning = 0.0;
+  std::size_t turning_ball = 0;  ///< of that moment, from 0
+  std::string without_turning;   ///< why that moment was left out; empty: it was not
+
+  /// Stiffness without the slopes of the tractions, because no equilibrium was found with them.
+  bool plain_stiffness = false;
 
   /// Of ball k: in balance, or that of the solution.
   [[nodiscard]] BallMotion motion_of(std::size_t k, const StaticBall& ball) const;
   /// Orbit and angular velocity of the balls in balance, which start a motion.
   void give_speeds(StaticSolution& solution) const;
-  /// What outputs report; empty: all loaded balls are in balance, or nothing was computed.
-  [[nodiscard]] std::string note() const;
+  /// Equilibria that were not found, and those used instead. Empty: none, or nothing was computed.
+  [[nodiscard]] std::vector<Finding> findings() const;
+  /// Their sentences.
+  [[nodiscard]] std::vector<std::string> notes() const;
 };
 
 }  // namespace adore::statics

@@ -271,6 +271,10 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
         solve = again;
         solve.iterations += before;
         state = std::move(centred);
+      } else {
+        out.notes.emplace_back(
+            "rollers without flange load: no equilibrium was found with them in the middle of the "
+            "race. Their axial positions are those where the search ended");
       }
     }
   }

@@ -21,8 +21,8 @@ struct StiffnessRequest {
 };
 
 struct StiffnessRow {
-  std::array<double, 2> speed{};                    ///< [rad/s]
-  RaceResult result;                                ///< meaningless when there is a failure
+  std::array<double, 2> speed{};  ///< [rad/s]
+  RaceResult result;  ///< meaningless when there is a failure; notes: friction equilibria not found
   std::optional<bearing::OperatingFits> operating;  ///< fits and clearance at this speed, where
                                                     ///< the caller knows them
   std::string failure;  ///< why there is no equilibrium at this speed; empty: there is one

@@ -44,18 +44,21 @@ Vector5 vector_of(const std::array<double, 5>& values) {
   return Eigen::Map<const Vector5>(values.data());
 }
 
-/// The solution with the race held at q, put in the place of the equilibrium.
-void hold(runs::Prepared& prepared, const Vector5& q) {
+/// The solution with the race held at q, put in the place of the equilibrium. @return whether all
+/// elements have the laws of friction that the options ask for
+bool hold(runs::Prepared& prepared, const Vector5& q) {
   bearing::Bearing held = prepared.bearing;
   held.constraints.displacement_given.fill(true);
   for (Eigen::Index k = 0; k < 5; ++k)
     held.constraints.displacement[static_cast<std::size_t>(k)] = q(k);
-  if (prepared.rollers)
+  if (prepared.rollers) {
     prepared.rollers = statics::solve_roller_statics(held, prepared.options.rollers);
-  else
-    prepared.statics = statics::solve_ball_statics(held, runs::ball_options(prepared));
-  if (!prepared.rollers)
-    (void)statics::balance_balls(held, runs::ball_options(prepared), prepared.statics);
+    return prepared.rollers->friction.note().empty();
+  }
+  prepared.statics = statics::solve_ball_statics(held, runs::ball_options(prepared));
+  return statics::balance_balls(held, runs::ball_options(prepared), prepared.statics)
+      .findings()
+      .empty();
 }
 
 std::map<std::string, double> derivatives(const Study& study, std::size_t deck,
@@ -65,10 +68,11 @@ std::map<std::string, double> derivatives(const Study& study, std::size_t deck,
   const Vector5 q = vector_of(base.race_result().displacement);
   std::vector<runs::Prepared> sides;
   std::array<std::array<double, 4>, 5> residual{}, given{};
+  std::array<bool, 2> by_law{};  // solutions without and with all friction equilibria
   for (std::size_t s = 0; s < kSides.size(); ++s) {
     sides.push_back(prepare_at(study, deck, &variable, at.value + kSides[s] * at.step));
     const bearing::StaticConstraints& asked = sides.back().bearing.constraints;
-    hold(sides.back(), q);
+    by_law[hold(sides.back(), q) ? 1 : 0] = true;
     for (std::size_t k = 0; k < 5; ++k) {
       residual[k][s] = sides.back().race_result().load[k] - asked.load[k];
       given[k][s] = asked.displacement[k];
@@ -99,10 +103,11 @@ std::map<std::string, double> derivatives(const Study& study, std::size_t deck,
   }
   std::map<std::string, std::array<double, 4>> along;
   for (std::size_t s = 0; s < kSides.size(); ++s) {
-    hold(sides[s], q + kSides[s] * at.step * dq);
+    by_law[hold(sides[s], q + kSides[s] * at.step * dq) ? 1 : 0] = true;
     for (const results::KeyResult& result : runs::static_results(sides[s]))
       along[std::string(result.of.id)][s] = result.value;
   }
+  if (by_law[0] && by_law[1]) return {};  // solutions of other laws do not compare
   std::map<std::string, double> out;
   for (const auto& [name, values] : along) out[name] = fourth_order(values, at.step);
   return out;

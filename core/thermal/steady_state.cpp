@@ -84,6 +84,8 @@ OperatingState operating_state(const Bearing& as_built, const BulkTemperatures& 
     out.orbit = solution.orbital_speed;
     out.contact = race_conductance(out.bearing, solution);
     out.friction = statics::friction_estimate(out.bearing, solution);
+    if (std::string note = solution.friction.note(); !note.empty())
+      out.fallbacks.push_back(std::move(note));
   } else {
     statics::StaticsOptions balls;
     balls.frame = rollers.frame;
@@ -94,6 +96,7 @@ OperatingState operating_state(const Bearing& as_built, const BulkTemperatures& 
       out.orbit += ball.orbital_speed / static_cast<double>(solution.balls.size());
     out.contact = race_conductance(out.bearing, solution);
     out.friction = statics::friction_estimate(out.bearing, solution, balance);
+    out.fallbacks = balance.notes();
   }
   return out;
 }

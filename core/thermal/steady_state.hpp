@@ -40,8 +40,9 @@ struct SteadyState {
 struct OperatingState {
   bearing::Bearing bearing;
   statics::FrictionEstimate friction;
-  double orbit = 0.0;       ///< mean orbital speed of the elements [rad/s]
-  RaceConductance contact;  ///< of the race contacts [W/K]
+  double orbit = 0.0;                  ///< mean orbital speed of the elements [rad/s]
+  RaceConductance contact;             ///< of the race contacts [W/K]
+  std::vector<std::string> fallbacks;  ///< friction equilibria not found (friction_balance.hpp)
 };
 /// @throws InputError, SolverError where the bearing has no equilibrium at these temperatures
 [[nodiscard]] OperatingState operating_state(const bearing::Bearing& as_built,

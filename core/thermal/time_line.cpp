@@ -33,6 +33,8 @@ TimeLine solve_time_line(const bearing::Bearing& as_built, const statics::Roller
   step.duration = 1.0;
   double time = 0.0, stored = 0.0;
   BulkTemperatures bulk = BulkTemperatures::in(as_built);
+  std::size_t without = 0;
+  std::string first;
   while (out.points.size() < kMostPoints) {
     if (each_step) each_step();
     OperatingState at;
@@ -46,6 +48,12 @@ TimeLine solve_time_line(const bearing::Bearing& as_built, const statics::Roller
       out.end =
           fmt::format("the bearing can no longer operate after {:.4g} s: {}", time, error.what());
       return out;
+    }
+    if (!at.fallbacks.empty()) {
+      if (++without == 1)
+        first = fmt::format("first at {:.4g} s: {}", time, fmt::join(at.fallbacks, ". "));
+      out.fallback =
+          fmt::format("{} without a friction equilibrium, {}", counted(without, "step"), first);
     }
     const HeatSources heat = heat_sources(at.friction);
     out.points.push_back({time, heat.total(), stored, bulk,

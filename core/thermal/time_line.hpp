@@ -25,6 +25,8 @@ struct TimeLine {
   std::vector<TimeLinePoint> points;
   bool settled = false;  ///< otherwise `end` has the reason of its end
   std::string end;       ///< lost equilibrium or runaway, in words; empty: settled
+  /// Steps without a friction equilibrium, with the first reason; empty: none.
+  std::string fallback;
 };
 
 inline constexpr double kLargestChange = 2.0;  ///< of a part in a step [K] [choice]

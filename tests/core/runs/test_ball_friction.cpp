@@ -174,7 +174,9 @@ TEST_CASE("ball friction in statics: reported speeds are those of the balance an
 
 TEST_CASE("ball friction in statics: stiffness is the slope of the load, tractions follow",
           "[physics][statics]") {
-  for (const Sets& more : {Sets{}, Sets{{"appLoadZ", "300"}, {"appLoadX", "1500"}}}) {
+  // The last: balls with little load, whose spin axes turn along the orbit.
+  for (const Sets& more : {Sets{}, Sets{{"appLoadZ", "300"}, {"appLoadX", "1500"}},
+                           Sets{{"appLoadZ", "300"}, {"appLoadX", "600"}, {"rpm2", "5000"}}}) {
     const runs::Prepared at = prepared(thrust_deck(-1, more));
     const statics::StaticsOptions options = runs::ball_options(at);
     bearing::Bearing held = at.bearing;
@@ -269,6 +271,27 @@ TEST_CASE("ball friction in statics: a cage carries light balls, which orbit fas
   Sets axial{{"nCseg", "1"}};
   const std::vector<double> same = orbits(prepared(thrust_deck(-1, axial)));
   CHECK(same == orbits(prepared(thrust_deck(-1, {}))));
+}
+
+TEST_CASE("ball friction in statics: turning spin axes of light balls have the heat of motion",
+          "[physics][statics][modes]") {
+  const Sets light{{"appLoadX", "600"}, {"appLoadZ", "300"}, {"rpm2", "5000"}};
+  const runs::Prepared at = prepared(thrust_deck(-1, light));
+  statics::StaticSolution solution = statics::solve_ball_statics(at.bearing);
+  const statics::FrictionBalance found =
+      statics::balance_balls(at.bearing, runs::ball_options(at), solution);
+  INFO(found.turning);
+  REQUIRE(found.findings().empty());
+  CHECK(found.turning > 0.1);
+  double still = 0.0;
+  for (int j : {0, 1}) still += at.friction->of_race(j).total() - at.friction->of_race(j).rolling;
+  CHECK(still == Approx(heat_of_motion(light, {2.0, 3.0})).epsilon(0.03));
+  // Σ M = J ω_m dω/dθ adds up to no power around the bearing: spin of a ball is neither gained nor
+  // lost. Under thrust nothing turns.
+  statics::StaticSolution thrust =
+      statics::solve_ball_statics(prepared(thrust_deck(-1, {})).bearing);
+  const runs::Prepared axial = prepared(thrust_deck(-1, {}));
+  CHECK(statics::balance_balls(axial.bearing, runs::ball_options(axial), thrust).turning < 1e-6);
 }
 
 TEST_CASE("ball friction in statics: a slow ball has the loads of the spin rule",
