@@ -3,6 +3,7 @@
 #include "statics/ball_forces.hpp"
 #include "statics/ball_report.hpp"
 #include "statics/coupled_balls.hpp"
+#include "statics/race_text.hpp"
 #include "statics/stiffness_difference.hpp"
 
 #include <cmath>

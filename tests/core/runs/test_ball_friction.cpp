@@ -233,7 +233,7 @@ TEST_CASE("ball friction in statics: motions start with the specified load and i
   CHECK(pockets[1] < 0.5 * pockets[0]);
 }
 
-TEST_CASE("ball friction in statics: a cage carries light balls, which orbit faster alone",
+TEST_CASE("ball friction in statics: light balls keep their orbit by a cage, or nearly by inertia",
           "[physics][statics]") {
   const Sets sets{{"appLoadX", "400"}, {"appLoadZ", "520"}, {"rpm2", "3000"}};
   Sets with_cage = sets;
@@ -248,7 +248,9 @@ TEST_CASE("ball friction in statics: a cage carries light balls, which orbit fas
   const auto lightest = [](const runs::Prepared& of) { return of.statics.balls[6]; };
   const std::vector<double> free = orbits(alone), carried = orbits(caged);
   const auto [slow, fast] = std::minmax_element(free.begin(), free.end());
-  CHECK(*fast > 1.5 * *slow);
+  // At once, without m r ω dω/dθ, they would orbit 1.5 times as fast as loaded ones.
+  CHECK(*fast == Approx(*slow).epsilon(0.06));
+  CHECK(*fast > 1.02 * *slow);
   // The angle of a ball varies by the clearance of its pocket.
   double mean = 0.0, place = 0.0, least = 0.0, most = 0.0;
   for (const double orbit : carried) mean += orbit / static_cast<double>(carried.size());
@@ -266,7 +268,7 @@ TEST_CASE("ball friction in statics: a cage carries light balls, which orbit fas
         Approx(caged.bearing.element_inertia.mass * 0.5 * caged.bearing.balls().pitch_diameter *
                ball.orbital_speed * ball.orbital_speed)
             .epsilon(1e-6));
-  CHECK(ball.Q[0] < 0.5 * lightest(alone).Q[0]);
+  CHECK(ball.Q[0] == Approx(lightest(alone).Q[0]).epsilon(0.1));
   // Under thrust all orbits are the same: nothing is carried.
   Sets axial{{"nCseg", "1"}};
   const std::vector<double> same = orbits(prepared(thrust_deck(-1, axial)));
@@ -285,13 +287,13 @@ TEST_CASE("ball friction in statics: turning spin axes of light balls have the h
   CHECK(found.turning > 0.1);
   double still = 0.0;
   for (int j : {0, 1}) still += at.friction->of_race(j).total() - at.friction->of_race(j).rolling;
-  CHECK(still == Approx(heat_of_motion(light, {2.0, 3.0})).epsilon(0.03));
+  CHECK(still == Approx(heat_of_motion(light, {3.0, 6.0})).epsilon(0.005));
   // Σ M = J ω_m dω/dθ adds up to no power around the bearing: spin of a ball is neither gained nor
   // lost. Under thrust nothing turns.
   statics::StaticSolution thrust =
       statics::solve_ball_statics(prepared(thrust_deck(-1, {})).bearing);
   const runs::Prepared axial = prepared(thrust_deck(-1, {}));
-  CHECK(statics::balance_balls(axial.bearing, runs::ball_options(axial), thrust).turning < 1e-6);
+  CHECK(statics::balance_balls(axial.bearing, runs::ball_options(axial), thrust).turning == 0.0);
 }
 
 TEST_CASE("ball friction in statics: a slow ball has the loads of the spin rule",
