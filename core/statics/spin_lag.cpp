@@ -232,8 +232,6 @@ std::vector<double> SpinLag::moment_ratio(const std::vector<BallMotion>& motions
   double variation = 0.0;
   for (Index k = 0; k < n; ++k)
     variation = std::max(variation, (U.segment<3>(4 * k) - mean).norm());
-  constexpr double kSame = 1e-8;  // over the fastest spin: rounding, as under thrust
-  if (variation < kSame) return out;
   for (Index k = 0; k < n; ++k) {
     const Ball& ball = balls_[static_cast<std::size_t>(k)];
     const double moment = inertia(k) * std::abs(U[4 * k + 3]) * derivative(k, U).head<3>().norm();
