@@ -17,7 +17,7 @@ RestWatch::RestWatch(const Prepared& prepared) {
 double RestWatch::step(const integrators::Stepper& stepper, const integrators::OdeSystem& ode,
                        double tolerance, double usual, double most) const {
   if (!undisturbed_) return 0.0;
-  constexpr double kShare = 0.01;  // of the tolerance
+  constexpr double kShare = 0.1;  // of the tolerance
   const std::span<const double> scale = ode.scales(), rate = stepper.derivative();
   double longest = most;
   for (std::size_t i = 0; i < scale.size(); ++i) {
