@@ -1,6 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
 # Script of adore_discover_tests: writes the add_test commands of one Catch2 program. Names come whole from
 # --list-test-names-only; --list-tests breaks long names but prints each test's tags, six blanks deep, in the same order.
+# Tests with the tag [nightly] exist in the configuration "nightly" only (ctest -C nightly).
 foreach(what names tags)
   set(option --list-tests)
   if(what STREQUAL names)
@@ -39,8 +40,12 @@ foreach(test labels IN ZIP_LISTS names tags)
   string(REPLACE "@OPEN@" "[" test "${test}")
   string(REPLACE "@CLOSE@" "]" test "${test}")
   string(REGEX REPLACE "([][,])" "\\\\\\1" spec "${test}")
-  string(APPEND script "add_test([==[${NAME}: ${test}]==] [==[${PROGRAM}]==] [==[${spec}]==])\n"
+  string(CONCAT add "add_test([==[${NAME}: ${test}]==] [==[${PROGRAM}]==] [==[${spec}]==])\n"
          "set_tests_properties([==[${NAME}: ${test}]==] PROPERTIES LABELS \"${labels}\" TIMEOUT ${timeout}"
          " ENVIRONMENT [==[${ENVIRONMENT}]==])\n")
+  if("nightly" IN_LIST labels)
+    string(CONCAT add "if(CTEST_CONFIGURATION_TYPE STREQUAL nightly)\n" "${add}" "endif()\n")
+  endif()
+  string(APPEND script "${add}")
 endforeach()
 file(WRITE ${OUTPUT} "${script}")
