@@ -107,13 +107,16 @@ double offset_for_force(RowSet set, const Assembly& assembly, double force) {
     low -= step;
     at_low = surplus(low);
   }
+  const bool friction = std::any_of(set.rows.begin(), set.rows.end(),
+                                    [](const SetRow& row) { return row.model.has_friction(); });
+  const double accuracy = friction ? 1e-6 : 1e-9;
   // False position with halved ends (Illinois).
   int side = 0;
   for (int n = 0; n < 100; ++n) {
     if (high == low || at_high == at_low) return high;
     const double next = (low * at_high - high * at_low) / (at_high - at_low);
     const double value = surplus(next);
-    if (std::abs(value) <= 1e-9 * force || std::abs(high - low) < 1e-15) return next;
+    if (std::abs(value) <= accuracy * force || std::abs(high - low) < 1e-15) return next;
     if (value > 0.0) {
       high = next;
       at_high = value;
