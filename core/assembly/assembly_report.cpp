@@ -81,10 +81,10 @@ void add_preload(const AssemblyResult& result, std::vector<std::string>& out) {
     out.emplace_back(
         "unloading force: not computed, because no row is loaded without external load");
   for (const Unloading& one : result.unloading)
-    out.push_back(
-        fmt::format("unloading: an axial force of {} along x takes all load from row {} "
-                    "(shaft displacement {:.4g} µm)",
-                    force_text(one.force), one.row + 1, 1e6 * one.displacement));
+    out.push_back(fmt::format(
+        "unloading, without speed: an axial force of {} along x takes all load from row {} "
+        "(shaft displacement {:.4g} µm)",
+        force_text(one.force), one.row + 1, 1e6 * one.displacement));
 }
 
 void add_lives(const AssemblyResult& result, std::vector<std::string>& out) {

@@ -19,7 +19,7 @@ Pair pair_of(const runs::Prepared& row, double preload) {
   const double half = 0.5 * row.bearing.pitch_diameter();
   for (const int orientation : {1, -1})
     out.set.rows.push_back(
-        {RowModel(row, RowCondition::Operation), orientation, orientation > 0 ? -half : half, 0.0});
+        {RowModel(row, RowCondition::Mounted), orientation, orientation > 0 ? -half : half, 0.0});
   set_offsets(out.set, assembly, offset_for_force(out.set, assembly, preload));
   out.unloaded = solve_set(out.set, std::array<double, 5>{}).state;
   return out;

@@ -5,7 +5,7 @@
 #include <optional>
 
 /// Back-to-back pair of two rows of one deck, for comparison with printed figures of makers. SI.
-/// Rings and spacers are rigid (set_statics.hpp); the state is that of the deck in operation.
+/// Rings and spacers are rigid (set_statics.hpp); rows are mounted, without speed (row_model.hpp).
 namespace adore::assembly {
 
 struct DuplexPair {

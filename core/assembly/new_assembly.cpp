@@ -9,9 +9,28 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+
 namespace adore::assembly {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<const char*, 5> kLoads{"appLoadX", "appLoadY", "appLoadZ", "appMomY",
+                                            "appMomZ"};
+
+void reject_loads(const std::vector<std::pair<std::string, std::string>>& sets) {
+  for (const auto& [name, value] : sets)
+    if (std::find(kLoads.begin(), kLoads.end(), name) != kLoads.end())
+      throw InputError(fmt::format(
+          "{} = {:.40}: rows of a set have no load of their own. Enter the load of the set, with "
+          "--axial and --radial or as \"load\" in ASSEMBLY.json",
+          name, value));
+}
+
+}  // namespace
 
 std::string row_deck(const std::string& text,
                      const std::vector<std::pair<std::string, std::string>>& sets) {
@@ -19,10 +38,13 @@ std::string row_deck(const std::string& text,
   request.text = text;
   request.deck = "deck of a row";
   request.in_memory = true;
+  reject_loads(sets);
   request.sets = sets;
   const deck::Deck given = runs::load_deck(request).deck;
   if (given.integer("mode") >= 0) request.sets.emplace_back("mode", "-1");
   if (given.integer("kStif") > 0) request.sets.emplace_back("kStif", "0");
+  for (const char* load : kLoads)
+    if (given.has(load) && given.si(load) != 0.0) request.sets.emplace_back(load, "0");
   return request.sets.empty() ? text : deck::with_deck(text, runs::load_deck(request).deck).text;
 }
 

@@ -15,8 +15,9 @@ struct RowText {
   std::string deck, extension;
 };
 
-/// The text of a deck as a row of a set: with these values, quasi-static, without a table of
-/// stiffness over speed. Remarks stay. @throws InputError
+/// The text of a deck as a row of a set: with these values, quasi-static, without loads, which are
+/// those of the set, and without a table of stiffness over speed. Remarks stay.
+/// @throws InputError for a wrong deck and for a load among the values
 [[nodiscard]] std::string row_deck(const std::string& text,
                                    const std::vector<std::pair<std::string, std::string>>& sets);
 

@@ -7,11 +7,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace adore::assembly {
 namespace {
 
 constexpr std::array<double, 5> kNoLoad{};
+/// Part of the contact load without external load that counts as none.
+constexpr double kNoLoadShare = 1e-9;
 
 /// Mean offset of the rows of one orientation.
 double mean_offset(const RowSet& set, int orientation) {
@@ -49,6 +53,40 @@ double first_guess(const RowSet& set, double force) {
   }
   for (const double c : set.compliance) out += c * force;
   return out;
+}
+
+/// Secant search for the displacement that ends the last contact at the inner race of row k, on
+/// (Q/Q_0)^(1/n) of the largest contact load Q, which is linear where Q ~ δ^n.
+std::optional<Unloading> unloading_of(const RowSet& set, const SetState& unloaded, std::size_t k,
+                                      const std::function<void()>& poll) {
+  const RowState& row = unloaded.elements[k];
+  if (!(row.inner_load > 0.0) || !(axial_load(row) > 0.0)) return std::nullopt;
+  const double n = set.rows[k].model.rollers() ? 10.0 / 9.0 : 1.5;
+  const double start = unloaded.q(0), approach = n * axial_load(row) / row.stiffness(0, 0);
+  if (!(approach > 0.0) || !std::isfinite(approach)) return std::nullopt;
+  SetState at = unloaded;
+  const auto root_at = [&](double way) {
+    poll();
+    at = held_at(set, start - set.rows[k].orientation * way, at.q);
+    const double share = at.elements[k].inner_load / row.inner_load;
+    return share > kNoLoadShare ? std::pow(share, 1.0 / n) : 0.0;
+  };
+  double loaded = 0.0, root = 1.0, slope = -1.0 / approach;
+  double free = std::numeric_limits<double>::infinity(), next = 0.9 * approach;
+  for (int count = 0; count < 80 && loaded < 20.0 * approach; ++count) {
+    if (const double value = root_at(next); value > 0.0) {
+      slope = std::min((value - root) / (next - loaded), -0.1 / approach);
+      loaded = next;
+      root = value;
+    } else {
+      free = next;
+    }
+    if (root < 1e-5 || free - loaded < 1e-7 * approach)
+      return Unloading{k, at.load(0), at.q(0) - start};
+    next = loaded - root / slope;
+    if (!(next < free)) next = 0.5 * (loaded + free);
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -136,40 +174,10 @@ double offset_for_force(RowSet set, const Assembly& assembly, double force) {
 std::vector<Unloading> unloading_forces(const RowSet& set, const SetState& unloaded,
                                         const std::function<void()>& poll) {
   std::vector<Unloading> out;
-  const double start = unloaded.q(0);
-  for (std::size_t k = 0; k < set.rows.size(); ++k) {
-    const RowState& row = unloaded.elements[k];
-    if (!(row.inner_load > 0.0) || !(axial_load(row) > 0.0)) continue;
-    Vec5 last = unloaded.q;
-    SetState at;
-    // A billionth of the contact load is a millionth of the approach.
-    const auto is_loaded = [&](double way) {
-      poll();
-      at = held_at(set, start - set.rows[k].orientation * way, last);
-      last = at.q;
-      return at.elements[k].inner_load > 1e-9 * row.inner_load;
-    };
-    // Approach of a Hertz contact under its load, F ~ δ^1.5.
-    const double approach = 1.5 * axial_load(row) / row.stiffness(0, 0);
-    double low = 0.0, high = 1.05 * approach;
-    bool found = approach > 0.0 && std::isfinite(approach);
-    try {
-      for (int n = 0; found && is_loaded(high); ++n) {
-        found = n < 12;
-        low = high;
-        high *= 1.5;
-      }
-      for (int n = 0; found && n < 60 && high - low > 1e-8 * approach; ++n) {
-        const double middle = 0.5 * (low + high);
-        (is_loaded(middle) ? low : high) = middle;
-      }
-      if (!found) continue;
-      (void)is_loaded(high);
+  for (std::size_t k = 0; k < set.rows.size(); ++k) try {
+      if (const auto one = unloading_of(set, unloaded, k, poll)) out.push_back(*one);
     } catch (const SolverError&) {  // nothing supports the shaft so far away: not computed
-      continue;
     }
-    out.push_back({k, at.load(0), at.q(0) - start});
-  }
   return out;
 }
 

@@ -12,7 +12,12 @@
 /// Preload: the sum of the axial loads of the + rows without external load, equal to that of the -
 /// rows. Offset of the set: mean offset g of the + rows plus mean offset of the - rows, the gap
 /// that clamping closes. Unloading: the external axial force, with no other load, at which no
-/// element of a row has a load at the inner race any more; the others carry it alone.
+/// element of a row has a load at the inner race any more; the others carry it alone. A force along
+/// +X unloads - rows, one along -X unloads + rows. Of identical rows without change of the contact
+/// angle, δ ~ F^(2/3) for balls gives 2^1.5 = 2.83 times the preload of a pair.
+/// Limits: unloading and the axial curve are those of rows without speed (RowCondition::Mounted).
+/// Centrifugal forces hold elements at both races until the contact angle of the outer one is zero,
+/// far from the displacement at which the preload ends.
 namespace adore::assembly {
 
 /// Both orientations are there.
@@ -33,6 +38,7 @@ struct Unloading {
   double displacement = 0.0;  ///< of the shaft from the unloaded set [m]
 };
 /// Of each row that is loaded in the unloaded set and that an axial force unloads.
+/// @pre rows that are not in operation
 /// @param poll called between solutions; may throw
 [[nodiscard]] std::vector<Unloading> unloading_forces(const RowSet& set, const SetState& unloaded,
                                                       const std::function<void()>& poll);

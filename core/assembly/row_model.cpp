@@ -91,10 +91,10 @@ std::variant<statics::BallModel, statics::RollerModel> model_of(
 }  // namespace
 
 RowModel::RowModel(const runs::Prepared& prepared, RowCondition condition)
-    : bearing_(condition == RowCondition::Operation ? prepared.bearing : prepared.as_built),
+    : bearing_(condition == RowCondition::Unmounted ? prepared.as_built : prepared.bearing),
       ball_options_(runs::ball_options(prepared)),
       roller_options_(prepared.options.rollers) {
-  if (condition == RowCondition::Unmounted) {
+  if (condition != RowCondition::Operation) {
     bearing_.speed = {};
     bearing_.gravity.setZero();
     ball_options_.friction_balance = false;
@@ -115,6 +115,14 @@ RowState RowModel::at(const Vec5& own) const {
     return state_of(statics::solve_roller_statics(bearing, roller_options_), own);
   statics::FrictionBalance balance;
   return state_of(statics::solve_balls(bearing, ball_options_, {}, balance), own);
+}
+
+RowModel RowModel::without_friction() const {
+  RowModel out = *this;
+  out.ball_options_.friction_balance = false;
+  out.roller_options_.friction_balance = false;
+  out.friction_ = false;
+  return out;
 }
 
 double RowModel::under_thrust(double force) const {

@@ -155,6 +155,15 @@ bool place_all(const RowSet& set, const Vec5& q, std::vector<double> shifts,
   return false;
 }
 
+/// Start of the search with friction: the equilibrium without it, or the first guess.
+Vec5 start_without_friction(const RowSet& set, const statics::RaceTask& task, const Vec5& start) {
+  RowSet plain = set;
+  for (SetRow& row : plain.rows) row.model = row.model.without_friction();
+  SetState state;
+  state.q = start;
+  return statics::solve_race_surely(plain, task, state, 1e-6).converged ? state.q : start;
+}
+
 }  // namespace
 
 statics::RaceScales race_scales(const RowSet& set) {
@@ -218,7 +227,7 @@ SetSolution solve_set(const RowSet& set, const statics::RaceTask& task, const Ve
   const bool friction = has_friction(set);
   const double target = friction ? 1e-7 : 1e-11;
   SetSolution out;
-  out.state.q = start;
+  out.state.q = friction ? start_without_friction(set, task, start) : start;
   const statics::RaceSolve solve = statics::solve_race_surely(set, task, out.state, target);
   out.iterations = solve.iterations;
   out.residual = solve.residual;

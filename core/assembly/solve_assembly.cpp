@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace adore::assembly {
@@ -73,16 +74,21 @@ std::array<double, 5> load_at_origin(const Assembly& assembly) {
   return out;
 }
 
-/// The offsets of the rows for the preload of the assembly, in both sets.
-void preload_sets(const Assembly& assembly, RowSet& unmounted, RowSet& operation) {
+/// The same rows in three conditions.
+struct Sets {
+  RowSet unmounted, mounted, operation;
+};
+
+/// The offsets of the rows for the preload of the assembly.
+void preload_sets(const Assembly& assembly, Sets& sets) {
   double more = 0.0;
   if (assembly.preload.kind == PreloadKind::Offset)
     more = assembly.preload.offset;
   else if (assembly.preload.kind == PreloadKind::Force)
-    more = offset_for_force(assembly.preload.in_operation ? operation : unmounted, assembly,
-                            assembly.preload.force);
-  set_offsets(unmounted, assembly, more);
-  set_offsets(operation, assembly, more);
+    more = offset_for_force(assembly.preload.in_operation ? sets.operation : sets.unmounted,
+                            assembly, assembly.preload.force);
+  for (RowSet* set : {&sets.unmounted, &sets.mounted, &sets.operation})
+    set_offsets(*set, assembly, more);
 }
 
 void add(results::KeyResults& out, const char* id, double value) {
@@ -127,6 +133,19 @@ void add_race(AssemblyResult& out) {
   add(out.set, "largest_pressure_Pa", pressure);
   for (int k = 0; k < 5; ++k)
     add(out.set, kStiffness[static_cast<std::size_t>(k)], at.stiffness(k, k));
+}
+
+void add_preload_results(const Sets& sets, const std::function<void()>& poll, AssemblyResult& out) {
+  constexpr std::array<double, 5> kNoLoad{};
+  out.offset = total_offset(sets.operation);
+  out.preload_unmounted = preload_force(sets.unmounted, solve_set(sets.unmounted, kNoLoad).state);
+  out.unloaded = solve_set(sets.operation, kNoLoad);
+  out.preload_operation = preload_force(sets.operation, out.unloaded.state);
+  poll();
+  const SetState mounted = solve_set(sets.mounted, kNoLoad, out.unloaded.state.q).state;
+  out.unloading = unloading_forces(sets.mounted, mounted, poll);
+  out.curve = axial_curve(sets.mounted, mounted, out.unloading, kCurvePoints, poll);
+  out.preload = preload_curve(sets.unmounted, kPreloadPoints, poll);
 }
 
 void add_preload(AssemblyResult& out) {
@@ -235,21 +254,14 @@ AssemblyResult solve_assembly(const AssemblyRequest& request, std::stop_token st
   std::vector<double> widths;
   for (const runs::Prepared& row : prepared) widths.push_back(row.as_built.envelope.race_width[1]);
   const std::vector<double> at = positions(assembly, widths);
-  RowSet unmounted = set_of(prepared, assembly, at, RowCondition::Unmounted);
-  RowSet operation = set_of(prepared, assembly, at, RowCondition::Operation);
+  Sets sets{set_of(prepared, assembly, at, RowCondition::Unmounted),
+            set_of(prepared, assembly, at, RowCondition::Mounted),
+            set_of(prepared, assembly, at, RowCondition::Operation)};
+  const RowSet& operation = sets.operation;
   out.opposed = is_opposed(operation);
-  preload_sets(assembly, unmounted, operation);
+  preload_sets(assembly, sets);
   poll();
-  if (out.opposed) {
-    out.offset = total_offset(operation);
-    out.preload_unmounted =
-        preload_force(unmounted, solve_set(unmounted, std::array<double, 5>{}).state);
-    out.unloaded = solve_set(operation, std::array<double, 5>{});
-    out.preload_operation = preload_force(operation, out.unloaded.state);
-    out.unloading = unloading_forces(operation, out.unloaded.state, poll);
-    out.curve = axial_curve(operation, out.unloaded.state, out.unloading, kCurvePoints, poll);
-    out.preload = preload_curve(unmounted, kPreloadPoints, poll);
-  }
+  if (out.opposed) add_preload_results(sets, poll, out);
   poll();
   out.loaded = solve_set(operation, load_at_origin(assembly),
                          out.opposed ? out.unloaded.state.q : Vec5(Vec5::Zero()));

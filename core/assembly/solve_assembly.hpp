@@ -44,12 +44,12 @@ struct AssemblyResult {
   bool opposed = false;  ///< rows of both orientations: preload and offset exist
   double offset = 0.0;   ///< of the set [m]
   double preload_unmounted = 0.0, preload_operation = 0.0;  ///< [N]
-  std::vector<Unloading> unloading;
-  std::vector<CurvePoint> curve;
-  std::vector<PreloadPoint> preload;  ///< unmounted
-  results::KeyResults set;            ///< of the set: same names as of a single bearing
-  std::vector<Finding> findings;      ///< of all rows ("row 1: ...") and of the set
-  double seconds = 0.0;               ///< computing time
+  std::vector<Unloading> unloading;                         ///< mounted
+  std::vector<CurvePoint> curve;                            ///< mounted
+  std::vector<PreloadPoint> preload;                        ///< unmounted
+  results::KeyResults set;        ///< of the set: same names as of a single bearing
+  std::vector<Finding> findings;  ///< of all rows ("row 1: ...") and of the set
+  double seconds = 0.0;           ///< computing time
 };
 
 /// Points of the curves.

@@ -23,6 +23,9 @@ inline std::string timken_deck(const Sets& sets = {}) {
       read_text_file(source_dir() / "resources" / "experiments" / "timken-210.txt"), sets);
 }
 
+/// The same at rest: without friction, so that loads are exact to 1e-9.
+inline std::string resting_deck() { return timken_deck({{"rpm2", "0"}}); }
+
 /// Geometry of B7012-C as experiment FAG-B7012C.
 inline Sets b7012c() {
   return {
