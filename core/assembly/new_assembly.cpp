@@ -24,10 +24,10 @@ constexpr std::array<const char*, 5> kLoads{"appLoadX", "appLoadY", "appLoadZ", 
 void reject_loads(const std::vector<std::pair<std::string, std::string>>& sets) {
   for (const auto& [name, value] : sets)
     if (std::find(kLoads.begin(), kLoads.end(), name) != kLoads.end())
-      throw InputError(fmt::format(
-          "{} = {:.40}: rows of a set have no load of their own. Enter the load of the set, with "
-          "--axial and --radial or as \"load\" in ASSEMBLY.json",
-          name, value));
+      throw InputError(
+          fmt::format("{} = {:.40}: loads belong to the set, not to its rows. Enter them with "
+                      "--axial and --radial, or as \"load\" in ASSEMBLY.json",
+                      name, value));
 }
 
 }  // namespace

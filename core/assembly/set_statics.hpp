@@ -38,7 +38,7 @@ struct RowSet {
 
 using SetState = statics::RaceState<RowState>;
 
-// What race_equilibrium.hpp asks of an element set.
+// Functions of an element set for race_equilibrium.hpp.
 [[nodiscard]] statics::RaceScales race_scales(const RowSet& set);
 [[nodiscard]] double reference_stiffness(const RowSet& set, double load);
 [[nodiscard]] inline bool is_conservative(const RowSet&) { return false; }

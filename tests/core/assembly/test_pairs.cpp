@@ -192,7 +192,7 @@ TEST_CASE("elastic spacer: in series with both rows", "[physics][assembly]") {
   const AssemblyResult soft = AssemblyFolder(set, {{resting_deck(), ""}}).solve();
   CHECK(soft.preload_unmounted == Approx(560.0).epsilon(1e-8));
   CHECK(soft.offset - rigid_offset == Approx(560.0 / k).epsilon(1e-5));
-  // Row 2 hangs on the shaft by the spacer: 1/(1/k_row + 1/k).
+  // The spacer connects row 2 to the shaft: 1/(1/k_row + 1/k).
   const double row = soft.rows[0].state.stiffness(0, 0);
   CHECK(soft.loaded.state.stiffness(0, 0) ==
         Approx(row + 1.0 / (1.0 / row + 1.0 / k)).epsilon(1e-5));
@@ -330,7 +330,8 @@ TEST_CASE("row_deck(): loads of the deck → 0, so that rows have no warning of 
       read_text_file(source_dir() / "resources" / "experiments" / "timken-210.txt");
   CHECK(single(loaded, {}).input.deck.si("appLoadX") == 220.0);
   CHECK(single(row_deck(loaded, {}), {{"kFS1", "1"}}).input.deck.si("appLoadX") == 0.0);
-  CHECK_THROWS_WITH(row_deck(loaded, {{"appLoadX", "5"}}), Catch::Contains("load of the set"));
+  CHECK_THROWS_WITH(row_deck(loaded, {{"appLoadX", "5"}}),
+                    Catch::Contains("loads belong to the set"));
   const auto unused = [](const AssemblyResult& result) {
     return std::any_of(result.findings.begin(), result.findings.end(), [](const Finding& one) {
       return one.text().find("is not used") != std::string::npos;
