@@ -69,15 +69,16 @@ bool has_error(const std::vector<Finding>& issues) {
                      [](const Finding& one) { return one.severity == Severity::Error; });
 }
 
-/// Findings of the equilibrium at zero displacement: the set has others.
+/// Findings of the equilibrium: the set has them.
 bool is_of_equilibrium(const Finding& one) {
   const FindingKind* kind = find_finding_kind(one.code);
   return one.severity != Severity::Error && (kind == nullptr || kind->origin != "check");
 }
 
-void add_prefixed(AssemblyCheck& out, std::vector<Finding> findings, std::size_t k) {
+/// @param solved false: the displacement of the row is not known, and only errors are added
+void add_prefixed(AssemblyCheck& out, std::vector<Finding> findings, std::size_t k, bool solved) {
   for (Finding& one : findings) {
-    if (is_of_equilibrium(one)) continue;
+    if (is_of_equilibrium(one) || (!solved && one.severity != Severity::Error)) continue;
     one.message = fmt::format("row {}: {}", k + 1, one.message);
     out.issues.push_back(std::move(one));
   }
@@ -145,28 +146,31 @@ AssemblyCheck check_assembly(const AssemblyRequest& request, std::stop_token sto
     return out;
   }
   out.rows = assembly.rows.size();
+  std::optional<AssemblyResult> solved;
+  std::vector<Finding> failure;
+  try {
+    solved = solve_assembly(request, stop);
+  } catch (const InputError& error) {
+    failure = findings_of(error.issues());
+  } catch (const SolverError& error) {
+    failure.push_back(make_finding("deck.error", error.what()));
+    failure.back().file = out.file;
+  }
   for (std::size_t k = 0; k < assembly.rows.size(); ++k) try {
       runs::DeckRequest row = row_request(request, assembly, k);
       const deck::Deck deck = runs::load_deck(row).deck;
       check_row(deck, k);
-      for (auto& set : held_sets(Vec5::Zero(), deck.units())) row.sets.push_back(std::move(set));
-      add_prefixed(out, runs::check(row, stop).issues, k);
+      const auto held = solved ? solved->rows[k].changes : held_sets(Vec5::Zero(), deck.units());
+      row.sets.insert(row.sets.end(), held.begin(), held.end());
+      add_prefixed(out, runs::check(row, stop).issues, k, solved.has_value());
     } catch (const InputError& error) {
       add_errors(error);
     }
-  if (!out.ok()) return out;
-  try {
-    std::set<std::string> said;
-    for (const Finding& one : out.issues) said.insert(one.text());
-    for (Finding& one : solve_assembly(request, stop).findings)
-      if (said.insert(one.text()).second) out.issues.push_back(std::move(one));
-  } catch (const InputError& error) {
-    add_errors(error);
-  } catch (const SolverError& error) {
-    Finding finding = make_finding("deck.error", error.what());
-    finding.file = out.file;
-    out.issues.push_back(std::move(finding));
-  }
+  if (!out.ok()) return out;  // errors of a row explain the failure
+  std::set<std::string> said;
+  for (const Finding& one : out.issues) said.insert(one.text());
+  for (Finding& one : solved ? solved->findings : failure)
+    if (said.insert(one.text()).second) out.issues.push_back(std::move(one));
   return out;
 }
 

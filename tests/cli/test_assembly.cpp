@@ -65,7 +65,7 @@ TEST_CASE("adore check: assembly with and without errors", "[cli][assembly]") {
   const Result good = run_adore("check " + set);
   INFO(good.out);
   CHECK(good.code == 0);
-  CHECK(has(good, "2 rows, 0 errors"));
+  CHECK(has(good, "2 rows, 0 errors, 0 warnings or notes"));
   std::ofstream(fs::path(set) / "ASSEMBLY.json")
       << R"({"version": 1, "arrangement": "DB", "rows": [{"deck": "row-1"}, {"deck": "row-3"}]})";
   const Result missing = run_adore("check " + set);

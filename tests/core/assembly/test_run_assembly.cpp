@@ -85,6 +85,7 @@ TEST_CASE("check_assembly(): errors name file, row and cause; nothing is written
   const AssemblyCheck good = check_assembly(request);
   CHECK(good.ok());
   CHECK(good.rows == 2);
+  for (const Finding& one : good.issues) CHECK(one.text().find("has no load") == std::string::npos);
   CHECK_FALSE(std::filesystem::exists(folder.path() / "RUN.json"));
   request.sets = {{"mode", "0"}};
   const AssemblyCheck moving = check_assembly(request);
