@@ -36,7 +36,7 @@ TEST_CASE("adore run: folder with ASSEMBLY.json → files of set and rows", "[cl
   for (const char* name : {"PRINT.txt", "RUN.json", "row-1/PRINT.txt", "row-2/RUN.json"})
     CHECK(fs::exists(fs::path(out) / name));
   // Results are kept unless --overwrite is given.
-  CHECK(run_adore("run " + set + " --out " + out).code == 2);
+  CHECK(run_as_given("run " + set + " --out " + out + " < /dev/null").code == 2);
   const Result json = run_adore("run " + set + " --out " + out + " --overwrite --json");
   CHECK(json.code == 0);
   const auto data = nlohmann::json::parse(json.out.substr(json.out.find('{')));
