@@ -14,7 +14,7 @@ class Sets(unittest.TestCase):
         self.temporary = tempfile.TemporaryDirectory()
         self.folder = Path(self.temporary.name)
         deck = adore.new("ball-18")
-        deck.rpm2 = 0
+        deck.rpm2 = 1000
         self.set = adore.new_assembly(self.folder / "set", "DB", deck, preload={"force": "500 N"}, load={"x": "200 N"})
 
     def tearDown(self):
@@ -24,7 +24,7 @@ class Sets(unittest.TestCase):
         solution = self.set.statics()
         self.assertAlmostEqual(solution.summary["preload_unmounted_N"], 500.0, places=4)
         rows = solution.columns("rows")
-        self.assertAlmostEqual(float(np.sum(rows["load x [N]"])), 200.0, places=4)
+        self.assertAlmostEqual(float(np.sum(rows["load x [N]"])), 200.0, places=3)
         self.assertEqual(solution.stiffness.shape, (5, 5))
         self.assertEqual(len(solution.rows), 2)
         self.assertLess(solution.summary["life_iso16281_hours"], solution.rows[0]["life_iso16281_hours"])
