@@ -2,6 +2,7 @@
 #include "base/input_file.hpp"
 #include "base/json_text.hpp"
 #include "base/terminal_text.hpp"
+#include "cli/assembly.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
 #include "cli/option_ranges.hpp"
@@ -41,6 +42,7 @@ namespace {
 
 /// All errors and warnings of a deck; missing features are a note here and an error of `run`.
 int check(const DeckOptions& options, bool json) {
+  if (names_assembly(options)) return check_assembly(options, json);
   runs::DeckRequest request;
   options.fill(request);
   const runs::CheckReport report = runs::check(request);
@@ -160,6 +162,9 @@ void new_deck(const std::string& type, const std::string& out,
 
 struct NewOptions {
   std::string type, out, designation, from, bearing_type;
+  std::string arrangement;         ///< --assembly
+  std::vector<std::string> decks;  ///< --deck, of its rows
+  std::optional<double> preload, offset;
   double bore = 0.0;
   int choose = 0;
   bool list = false, json = false, ratings = false;
@@ -215,6 +220,40 @@ void write_bearing(const deck::CatalogueBearing& bearing, const NewOptions& o) {
       write_new(o.out, with_sets(deck::catalogue_deck(bearing), operating_sets(o)));
   const std::string story = text_of(deck::catalogue_story(bearing));
   tell(written.empty() ? story : fmt::format("wrote {}\n{}", written, story));
+}
+
+std::vector<assembly::RowText> rows_of(const NewOptions& o) {
+  NewOptions row = o;  // the load is that of the set
+  row.radial.clear();
+  row.axial.clear();
+  DeckOptions options;
+  options.sets = operating_sets(row);
+  const auto sets = options.pairs_of_sets();
+  const auto as_row = [&](const std::string& text) {
+    return assembly::RowText{assembly::row_deck(text, sets), {}};
+  };
+  if (!o.designation.empty())
+    return {as_row(deck::catalogue_deck(deck::find_bearing(o.designation)))};
+  if (!o.type.empty()) return {as_row(std::string(deck::template_text(o.type)))};
+  std::vector<assembly::RowText> out;
+  for (const std::string& name : o.decks) {
+    const std::filesystem::path deck = runs::deck_path(name);
+    out.push_back(as_row(read_text_file(deck)));
+    const std::filesystem::path extension = deck.parent_path() / "ADORE.json";
+    std::error_code error;
+    if (std::filesystem::exists(extension, error)) out.back().extension = read_text_file(extension);
+  }
+  return out;
+}
+
+void new_set(const NewOptions& o) {
+  const std::vector<assembly::RowText> rows = rows_of(o);
+  if (rows.empty())
+    throw InputError(
+        "--assembly needs the rows: give the name of an example, --catalogue BEARING, or --deck "
+        "FILE (once, or once for each row)");
+  const runs::OperatingPoint point = operating_point(o);
+  write_assembly({o.arrangement, o.out, o.preload, o.offset, point.axial, point.radial}, rows);
 }
 
 /// Without --choose: the table of candidates only.
@@ -484,6 +523,32 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
             "oil: number (kTrac) or the beginning of a name of the manual's table, such as "
             "FVA-3")
         ->type_name("OIL");
+    CLI::Option* assembly =
+        command
+            ->add_option("--assembly", o->arrangement,
+                         "write a set of rows on one shaft: a folder with ASSEMBLY.json and a deck "
+                         "for each row (DB back to back, DF face to face, DT tandem, TBT, TFT, TT, "
+                         "QBC, QFC, QBT, QFT, QT)")
+            ->type_name("ARRANGEMENT")
+            ->excludes(list)
+            ->excludes(from);
+    command
+        ->add_option("--deck", o->decks,
+                     "with --assembly: deck of the rows, once for all rows or once for each")
+        ->type_name("FILE")
+        ->allow_extra_args(false)
+        ->needs(assembly)
+        ->excludes(name)
+        ->excludes(catalogue);
+    command
+        ->add_option("--preload", o->preload, "with --assembly: preload of the unmounted set [N]")
+        ->type_name("N")
+        ->needs(assembly);
+    command
+        ->add_option("--offset", o->offset,
+                     "with --assembly: axial offset of the set that clamping closes [um]")
+        ->type_name("UM")
+        ->needs(assembly);
     command->add_option("--out", o->out, "file or folder to write (default: standard output)")
         ->type_name("FILE");
     command->footer(
@@ -492,10 +557,12 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
         "  adore new --list --bore 25 --type deep-groove\n"
         "  adore new --catalogue 6205 --radial 1.5kN --speed 3000 --temperature 70 --out DATA.txt\n"
         "  adore new --from FACTS.json\n"
-        "  adore new --from FACTS.json --choose 1 --out DATA.txt");
+        "  adore new --from FACTS.json --choose 1 --out DATA.txt\n"
+        "  adore new --assembly DB --catalogue 7012C --preload 211 --speed 10000 --out SET");
     add_sets(*command, o->sets);
     command->callback([=, &exit_code] {
       if (o->list) return list_catalogue(*o);
+      if (!o->arrangement.empty()) return new_set(*o);
       if (!o->from.empty()) {
         exit_code = new_from_facts(*o);
         return;

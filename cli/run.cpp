@@ -4,6 +4,7 @@
 #include "base/interrupted.hpp"
 #include "base/json_text.hpp"
 #include "base/terminal_text.hpp"
+#include "cli/assembly.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
 #include "cli/option_ranges.hpp"
@@ -171,12 +172,35 @@ int run_to_accuracy(const RunOptions& options, runs::RunRequest& request,
   }
 }
 
+/// An assembly is quasi-static and one run: options of motions and sweeps are errors.
+int run_set(const RunOptions& options, bool tolerance_given) {
+  const auto refuse = [](bool given, const char* option) {
+    if (given)
+      throw InputError(fmt::format(
+          "{}: not available for an assembly, which is quasi-static; remove the option", option));
+  };
+  refuse(!options.until.empty(), "--until");
+  refuse(!options.integrator.empty(), "--integrator");
+  refuse(tolerance_given, "--tol");
+  refuse(!options.accuracy.empty(), "--accuracy");
+  refuse(options.verify, "--verify");
+  refuse(options.extend, "--extend");
+  refuse(options.go_on, "--continue");
+  refuse(options.threads != 0, "--threads");
+  runs::RunRequest request;
+  options.fill(request);
+  if (studies::is_sweep(request))
+    throw InputError("--set: sweeps are not available for an assembly; give --set a single value");
+  return run_assembly(options, {options.out, options.overwrite, options.json, options.quiet});
+}
+
 int run(const RunOptions& options, bool tolerance_given) {
   if (options.list_options) {
     list_options(options.json);
     return 0;
   }
   if (options.reproducible) runs::require_reproducible();
+  if (names_assembly(options)) return run_set(options, tolerance_given);
   runs::RunRequest request;
   options.fill(request);
   if (!options.out.empty()) request.out = options.out;
@@ -297,6 +321,7 @@ void add_run(CLI::App& app, int& exit_code) {
       "  adore run DATA.txt --set rpm2=12000 --set appLoadX=800\n"
       "  adore run DATA.txt --set rpm2=2000:20000:10 --out sweep\n"
       "  adore run DATA.txt --out results --until 9rev --continue\n"
+      "  adore run SET --out results               the set of rows of SET/ASSEMBLY.json\n"
       "  adore new ball | adore run - --out example");
   command->callback([=, &exit_code] { exit_code = run(*options, tolerance->count() > 0); });
 }

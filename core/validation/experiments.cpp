@@ -1,8 +1,8 @@
 #include "validation/experiments.hpp"
 
+#include "assembly/duplex_pair.hpp"
 #include "base/errors.hpp"
 #include "base/resources.hpp"
-#include "design/preloaded_pair.hpp"
 #include "runs/prepare.hpp"
 #include "tribology/contact_film.hpp"
 #include "tribology/film_thickness.hpp"
@@ -199,11 +199,11 @@ constexpr Quantity kQuantities[] = {
      }},
     {"pair_axial_stiffness", "axial stiffness of the pair",
      [](const runs::Prepared& p) {
-       return design::pair_stiffness(p.race_result(), p.race_result()).axial;
+       return assembly::duplex_pair(p, p.race_result().load[0]).axial;
      }},
     {"pair_radial_stiffness", "radial stiffness of the pair",
      [](const runs::Prepared& p) {
-       return design::pair_stiffness(p.race_result(), p.race_result()).radial;
+       return assembly::duplex_pair(p, p.race_result().load[0]).radial;
      }},
 };
 
@@ -409,9 +409,10 @@ class RunFigures {
     }
     if (name == "fitting_rolling") return fitting_rolling(row);
     if (name == "pair_offset")
-      return design::pair_offset(row_under_thrust(), demand_part(row.from, "from"), thrust());
+      return assembly::duplex_pair(prepared(), thrust()).offset -
+             assembly::duplex_pair(prepared(), demand_part(row.from, "from")).offset;
     if (name == "unloading_force")
-      return design::unloading_force(row_under_thrust(), thrust(), 0.0);
+      return demand_part(assembly::duplex_unloading(prepared(), thrust()), "unloading force");
     if (name == kLife) return reference_life(prepared(), row.rating);
     return value(name, prepared());
   }
@@ -440,13 +441,6 @@ class RunFigures {
     return *prepared_;
   }
   double thrust() { return prepared().race_result().load[0]; }
-  design::RowUnderThrust row_under_thrust() {
-    return [this](double force) {
-      return runs::prepare(
-                 request_of(run_.deck, with(sets_, {{"appLoadX", fmt::format("{:.10e}", force)}})))
-          .race_result();
-    };
-  }
 
   void add_oil_share() {
     const deck::Deck deck = runs::load_deck(request_of(run_.deck, sets_)).deck;

@@ -116,7 +116,7 @@ TEST_CASE("sources: remarks are Finding; lists of sentences are in the modules b
                       // texts of findings for a listing
                       "core/listing/static_summary.hpp", "core/listing/static_summary.cpp",
                       "core/listing/print_file.hpp", "core/listing/print_file.cpp",
-                      "core/runs/run_outputs.cpp",
+                      "core/assembly/set_statics.hpp", "core/runs/run_outputs.cpp",
                       // about a drawing, a change of the deck, a page of experiments
                       "core/drawing/outline.hpp", "core/drawing/outline_model.hpp",
                       "core/deck/monitored_bodies.cpp", "core/python/bindings/deck.cpp",

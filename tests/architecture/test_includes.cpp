@@ -42,9 +42,9 @@ Rule dependency_rule() {
 }
 /// Parts of the core for applications: values, files, pages and drawings, runs, designs and
 /// studies.
-const std::set<std::string> kAppsMaySee = {"base",    "deck",         "results", "listing",
-                                           "drawing", "calculators",  "runs",    "design",
-                                           "studies", "command_line", "signal"};
+const std::set<std::string> kAppsMaySee = {"base",    "deck",        "results",      "listing",
+                                           "drawing", "calculators", "runs",         "design",
+                                           "studies", "assembly",    "command_line", "signal"};
 
 std::vector<fs::path> sources(const fs::path& folder) {
   std::vector<fs::path> out;

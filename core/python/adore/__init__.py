@@ -10,7 +10,7 @@
 (12, 2)
 
 Decks: :func:`new`, :func:`catalogue`, :func:`candidates`, :func:`read`, :class:`Deck`. Runs: :meth:`Deck.run`, :func:`open_run`. Files: :func:`read_table`.
-Calculators: :mod:`adore.calc`. Inverse calculations: :func:`find`. Errors: :mod:`adore.errors`. A deck or a result file cannot load code.
+Calculators: :mod:`adore.calc`. Inverse calculations: :func:`find`. Sets of rows: :class:`Assembly`. Errors: :mod:`adore.errors`. A deck or a result file cannot load code.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ if importlib.util.find_spec(f"{__name__}._core") is None:
 
 from . import _core, calc, errors, pictures, routines, schema, units
 from ._core import Issue, Progress
+from .assembly import Assembly, AssemblyStatics, new_assembly
 from .deck import Candidates, Deck, Record, candidates, catalogue, check, examples, new, read
 from .errors import (
     AdoreError,
@@ -49,6 +50,8 @@ __version__: str = _core.__version__
 
 __all__ = [
     "AdoreError",
+    "Assembly",
+    "AssemblyStatics",
     "Candidates",
     "Channels",
     "Deck",
@@ -83,6 +86,7 @@ __all__ = [
     "find_questions",
     "find_targets",
     "new",
+    "new_assembly",
     "open_run",
     "pictures",
     "read",

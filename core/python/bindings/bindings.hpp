@@ -2,7 +2,9 @@
 
 #include "base/errors.hpp"
 #include "base/interrupted.hpp"
+#include "results/h5_reader.hpp"
 #include "results/key_results.hpp"
+#include "results/static_tables.hpp"
 
 #include <condition_variable>
 #include <exception>
@@ -28,6 +30,7 @@ void bind_errors(py::module_& module);
 void bind_deck(py::module_& module);
 void bind_work(py::module_& module);
 void bind_find(py::module_& module);
+void bind_assembly(py::module_& module);
 void bind_results(py::module_& module);
 
 /// A NumPy array that owns the values; nothing is copied.
@@ -50,6 +53,23 @@ inline py::list to_list(const results::KeyResults& results) {
     out.append(py::make_tuple(std::string(result.of.id), label,
                               std::string(result.of.unit != nullptr ? result.of.unit->si : ""),
                               result.value));
+  }
+  return out;
+}
+
+/// {table: [(column, unit, values in SI)]}
+inline py::dict to_dict(std::vector<results::StaticTable>&& tables) {
+  py::dict out;
+  for (results::StaticTable& table : tables) {
+    py::list columns;
+    for (results::StaticColumn& column : table.columns) {
+      const auto rows = static_cast<py::ssize_t>(column.values.size());
+      const deck::UnitPair* unit = column.unit;
+      columns.append(py::make_tuple(
+          column.name, std::string(unit != nullptr ? results::coherent_unit(*unit) : ""),
+          to_array(std::move(column.values), {rows})));
+    }
+    out[py::str(table.name)] = columns;
   }
   return out;
 }

@@ -126,6 +126,7 @@ PYBIND11_MODULE(_core, module) {
   python::bind_routines(module);
   python::bind_work(module);
   python::bind_find(module);
+  python::bind_assembly(module);
   python::bind_results(module);
   python::bind_calculators(module);
   module.def(

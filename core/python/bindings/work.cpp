@@ -268,18 +268,6 @@ void bind_work(py::module_& module) {
         runs::Equilibrium solution = interruptible([&](std::stop_token stop) {
           return runs::solve_equilibrium(request, std::move(stop));
         });
-        py::dict tables;
-        for (results::StaticTable& table : solution.tables.tables) {
-          py::list columns;
-          for (results::StaticColumn& column : table.columns) {
-            const auto rows = static_cast<py::ssize_t>(column.values.size());
-            const deck::UnitPair* unit = column.unit;
-            columns.append(py::make_tuple(
-                column.name, std::string(unit != nullptr ? results::coherent_unit(*unit) : ""),
-                to_array(std::move(column.values), {rows})));
-          }
-          tables[py::str(table.name)] = columns;
-        }
         std::vector<double> stiffness;
         for (const auto& row : solution.stiffness)
           stiffness.insert(stiffness.end(), row.begin(), row.end());
@@ -289,7 +277,7 @@ void bind_work(py::module_& module) {
         out["load"] = solution.load;
         out["stiffness"] = to_array(std::move(stiffness), {5, 5});
         out["results"] = to_list(solution.results);
-        out["tables"] = tables;
+        out["tables"] = to_dict(std::move(solution.tables.tables));
         out["lines"] = solution.lines;
         out["remarks"] = solution.remarks;
         out["seconds"] = solution.seconds;

@@ -1,6 +1,5 @@
 #include "base/errors.hpp"
 #include "base/resources.hpp"
-#include "design/preloaded_pair.hpp"
 #include "validation/catalogue_torque.hpp"
 #include "validation/experiments.hpp"
 
@@ -340,27 +339,6 @@ TEST_CASE("experiments: the summary separates calibration, prediction and model 
   CHECK(summary.groups[1].ninth == Approx(0.46));  // 0.1 0.2 0.3 0.4 0.5, linear
   CHECK(summary.groups[2].median == Approx(2.0));
   CHECK(summary.parts == 1);
-}
-
-TEST_CASE("preloaded pair: rigid rows of F = c d^1.5 have the closed forms",
-          "[unit][experiments]") {
-  const double c = 1e9;
-  const design::RowUnderThrust row = [c](double force) {
-    statics::RaceResult out;
-    const double d = std::cbrt(force * force / (c * c));
-    out.displacement[0] = d;
-    out.stiffness.setZero();
-    out.stiffness(0, 0) = 1.5 * force / d;
-    out.stiffness(2, 2) = 7.0 * force / d;
-    return out;
-  };
-  const double P = 500.0;
-  const statics::RaceResult at = row(P);
-  const design::PairStiffness pair = design::pair_stiffness(at, row(4.0 * P));
-  CHECK(pair.axial == Approx(at.stiffness(0, 0) * (1.0 + std::cbrt(4.0))));
-  CHECK(pair.radial == Approx(pair.axial * 7.0 / 1.5));
-  CHECK(design::unloading_force(row, P, 0.0) == Approx(std::pow(2.0, 1.5) * P));
-  CHECK(design::pair_offset(row, P, 8.0 * P) == Approx(2.0 * 3.0 * at.displacement[0]));
 }
 
 TEST_CASE("friction torques of six bearings: limits, oils and growth with speed",

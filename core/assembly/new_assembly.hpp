@@ -1,0 +1,34 @@
+#pragma once
+
+#include "assembly/assembly.hpp"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// A new folder of an assembly: ASSEMBLY.json and the deck of each row.
+namespace adore::assembly {
+
+/// Deck of a row and the ADORE.json that belongs to it; empty: none.
+struct RowText {
+  std::string deck, extension;
+};
+
+/// The text of a deck as a row of a set: with these values, quasi-static, without loads, which are
+/// those of the set, and without a table of stiffness over speed. Remarks stay.
+/// @throws InputError for a wrong deck and for a load among the values
+[[nodiscard]] std::string row_deck(const std::string& text,
+                                   const std::vector<std::pair<std::string, std::string>>& sets);
+
+/// Rows of a named arrangement; their decks are row-1/DATA.txt, row-2/DATA.txt ...
+/// @throws InputError for an unknown arrangement and for "custom", whose orientations are not known
+[[nodiscard]] Assembly named_assembly(const std::string& arrangement);
+
+/// Writes the files. @param rows one text for each row @throws InputError when one exists already
+/// @return the files
+std::vector<std::filesystem::path> write_assembly(const std::filesystem::path& folder,
+                                                  const Assembly& assembly,
+                                                  const std::vector<RowText>& rows);
+
+}  // namespace adore::assembly
