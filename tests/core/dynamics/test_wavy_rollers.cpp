@@ -257,7 +257,7 @@ void check_orders(bearing::Type type, std::initializer_list<int> waves) {
 }  // namespace
 
 TEST_CASE("rollers on wavy races: the race's force shows the textbook orders and nothing else",
-          "[physics][rollers][imperfections][slow]") {
+          "[physics][rollers][imperfections][slow][nightly]") {
   check_orders(bearing::Type::Cylindrical, {7, 9, 8, 5});
 }
 TEST_CASE("cones on wavy races: the race's force shows the textbook orders and nothing else",
@@ -271,6 +271,6 @@ TEST_CASE("barrels on wavy races: the race's force shows the textbook orders and
 TEST_CASE(
     "barrels of cones on wavy races: the race's force shows the textbook orders and nothing "
     "else",
-    "[physics][rollers][imperfections][slow]") {
+    "[physics][rollers][imperfections][slow][nightly]") {
   check_orders(bearing::Type::SphericalTapered, {9, 8, 5});
 }

@@ -163,31 +163,41 @@ TEST_CASE("check: cold oil without a film → no error", "[physics][film][check]
   CHECK_FALSE(checked("ball", with({{"mode", "0"}}, with(cold, rest))).ok());
 }
 
-TEST_CASE("check: thermal steps from oil too thick for a film → allowed, from a glass → error",
-          "[physics][film][check][thermal]") {
+namespace {
+
+void check_thick_oil(const char* type) {
   const Sets thermal{{"mode", "0"},        {"kTherm", "1"},         {"kCoolant", "14"},
                      {"kBaseTemp", "3"},   {"kHTC", "0"},           {"kGeoMod", "0"},
                      {"baseTemp", "330."}, {"cFlowRate", "1.0e-5"}, {"aveTime", "2.0e-5"},
                      {"skipTime", "0.0"}};
   const testing::TemporaryFolder folder;
-  for (const char* type : {"ball", "cylindrical"}) {
-    CAPTURE(type);
-    const Sets warmed = with(with(thermal, in_oil(4)), at(155.0));
-    const runs::CheckReport report = checked(type, warmed);
-    INFO(to_text({report.issues.begin(), report.issues.end()}));
-    CHECK(report.ok());
-    CHECK(says(report, Severity::Warning, "Until thermal steps have warmed the oil"));
-    // The same without thermal steps is refused.
-    CHECK_FALSE(checked(type, with(warmed, {{"kTherm", "0"}})).ok());
-    CHECK(says(checked(type, with(warmed, at(95.0))), Severity::Error, "is a glass"));
-    // It warms: the temperatures settle, the energy closes. Windows are 1/90 of the passing of an
-    // element, so that the mean heat is followed slowly (decision 812).
-    const testing::Ran ran = testing::run_deck(
-        deck_of(type, with(warmed, {{"maxStps", "600"}, {"nStps", "10"}})), folder / type);
-    INFO(ran.outcome.message);
-    CHECK(ran.outcome.status == runs::RunStatus::Done);
-    CHECK(ran.print.find("temperatures settled at thermal step") != std::string::npos);
-  }
+  const Sets warmed = with(with(thermal, in_oil(4)), at(155.0));
+  const runs::CheckReport report = checked(type, warmed);
+  INFO(to_text({report.issues.begin(), report.issues.end()}));
+  CHECK(report.ok());
+  CHECK(says(report, Severity::Warning, "Until thermal steps have warmed the oil"));
+  // The same without thermal steps is refused.
+  CHECK_FALSE(checked(type, with(warmed, {{"kTherm", "0"}})).ok());
+  CHECK(says(checked(type, with(warmed, at(95.0))), Severity::Error, "is a glass"));
+  // It warms: the temperatures settle, the energy closes. Windows are 1/90 of the passing of an
+  // element, so that the mean heat is followed slowly (decision 812).
+  const testing::Ran ran = testing::run_deck(
+      deck_of(type, with(warmed, {{"maxStps", "600"}, {"nStps", "10"}})), folder / type);
+  INFO(ran.outcome.message);
+  CHECK(ran.outcome.status == runs::RunStatus::Done);
+  CHECK(ran.print.find("temperatures settled at thermal step") != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("check: rollers, thermal steps from oil too thick for a film → allowed, a glass → error",
+          "[physics][film][check][thermal]") {
+  check_thick_oil("cylindrical");
+}
+
+TEST_CASE("check: balls, thermal steps from oil too thick for a film → allowed, a glass → error",
+          "[physics][film][check][thermal][slow][nightly]") {
+  check_thick_oil("ball");
 }
 
 TEST_CASE("run: thermal steps that cool the oil into a glass → run ends with that message",
