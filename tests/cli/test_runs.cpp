@@ -245,8 +245,8 @@ TEST_CASE("run: fatigue lives printed, selected one stored in SOL7", "[cli]") {
         sol7_lives(stored_every, std::string("--set kLifeFreq=0 --set ") + stored_every);
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) CHECK(ends[i] == ends.front());
     CHECK(ends.front() == stored.front());
-    CHECK(ends.back() == Approx(stored.back()).epsilon(1e-6));
-    CHECK(ends.back() != Approx(ends.front()).epsilon(1e-5));
+    CHECK(ends.back() == Approx(stored.back()).epsilon(1e-7));
+    CHECK(ends.back() != Approx(ends.front()).epsilon(1e-7));
   }
 
   // A model of the program only when chosen; elements at their actual spin, not the formula's.
