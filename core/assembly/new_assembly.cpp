@@ -25,8 +25,8 @@ void reject_loads(const std::vector<std::pair<std::string, std::string>>& sets) 
   for (const auto& [name, value] : sets)
     if (std::find(kLoads.begin(), kLoads.end(), name) != kLoads.end())
       throw InputError(
-          fmt::format("{} = {:.40}: loads belong to the set, not to its rows. Enter them with "
-                      "--axial and --radial, or as \"load\" in ASSEMBLY.json",
+          fmt::format("{} = {:.40}: loads belong to the set, not to its rows. Enter them as "
+                      "\"load\" in ASSEMBLY.json",
                       name, value));
 }
 

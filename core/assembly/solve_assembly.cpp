@@ -43,7 +43,7 @@ void check_speeds(const std::vector<runs::Prepared>& rows) {
       if (const double own = deck.si(name), first = rows[0].input.deck.si(name);
           std::abs(own - first) > 1e-9 * std::max(std::abs(own), std::abs(first)))
         refuse(deck, k, name, "the speed differs from that of row 1, but all rows share one shaft",
-               "enter the same speed in all decks, or set it for all with --set");
+               "enter the same speed in all decks");
   }
 }
 

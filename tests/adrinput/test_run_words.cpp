@@ -104,7 +104,7 @@ TEST_CASE("run panel: progress bar → limit that ends the run", "[gui][adrinput
   window.document().save(folder.filePath("DATA.txt").toStdString());
   QSignalSpy spy(&window.runPanel(), &RunPanel::finished);
   for (const auto& [steps, time, said] :
-       {std::tuple{"1000000", "1e12", " of 1000000, "}, {"100000000", "1e6", " of 8.562 s"}}) {
+       {std::tuple{"1000000", "1e12", " of 1000000, "}, {"100000000", "1e6", " of 8.56"}}) {
     shorten(window.document(), steps);
     window.document().edit(cell("fTime"), time);
     if (fs::exists(folder.filePath("RUN.json").toStdString()))
