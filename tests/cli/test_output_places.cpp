@@ -226,7 +226,7 @@ TEST_CASE("outputs of pictures: no obstacle leads a write to another place", "[c
 
 TEST_CASE("outputs of accuracy studies: no obstacle leads a write to another place",
           "[cli][slow]") {
-  try_all({"accuracy DATA.txt --methods rkf3 --tols 1e-3 --turns 0.005 --budget 2 --out a", {}});
+  try_all({"accuracy DATA.txt --methods rkf3 --tols 1e-3 --turns 0.01 --budget 2 --out a", {}});
 }
 
 TEST_CASE("outputs of the apps: no obstacle leads a write to another place", "[cli][slow]") {
