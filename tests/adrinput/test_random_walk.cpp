@@ -131,7 +131,7 @@ TEST_CASE("adrinput: random walk → no crash; written decks pass the check or s
           "[gui][adrinput][slow]") {
   random_walk(20260101, 2500);
 }
-TEST_CASE("a second random walk never crashes either", "[gui][adrinput][slow]") {
+TEST_CASE("a second random walk never crashes either", "[gui][adrinput][slow][nightly]") {
   random_walk(20260202, 2500);
 }
 TEST_CASE("a third random walk never crashes either", "[gui][adrinput][slow][nightly]") {

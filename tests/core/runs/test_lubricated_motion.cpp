@@ -162,7 +162,7 @@ TEST_CASE("every lubricant with every type of bearing → runs", "[validation][f
     }
 }
 
-TEST_CASE("hard states of lubricated bearings → no NaN", "[validation][film][slow]") {
+TEST_CASE("hard states of lubricated bearings → no NaN", "[validation][film][slow][nightly]") {
   struct Case {
     const char* name;
     Sets sets;

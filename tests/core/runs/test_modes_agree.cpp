@@ -349,7 +349,7 @@ TEST_CASE("mode 1 of the tapered example has the heat and the cage speed of mode
 }
 
 TEST_CASE("mode 1 of the spherical-tapered example has the heat and the cage speed of mode 0",
-          "[physics][runs][constrained][slow]") {
+          "[physics][runs][constrained][slow][nightly]") {
   CHECK(differences_with_spread("spherical-tapered", {}, 2, kCages) == Faults{});
 }
 
@@ -367,7 +367,7 @@ TEST_CASE("mode 1 of a spherical bearing without skew has the heat and the cage 
 // multiplies their rate of skew by some hundred (decision 264): from rounding they reach the play
 // of their flanges within three turns, and the heat of a turn is 5 to 39 mJ in either mode.
 TEST_CASE("mode 1 of the cylindrical example has the heat of mode 0 from states of its own motion",
-          "[physics][runs][constrained][slow]") {
+          "[physics][runs][constrained][slow][nightly]") {
   // A tilted cage wakes the skew at the first blow. Single windows differ by up to 6 %.
   // All heat over three revolutions: +0.04 +- 0.11 %; -2.1 +- 0.5 % while mode 1 left out the
   // momentum with which rollers without load strike their flanges (decision 268).
