@@ -25,7 +25,8 @@ UNEVEN = {"cageGsCls[1]": 4.04e-5, "kCageGsImp": 1, "cageGsRadVar1[1]": 2e-5, "c
 SCENES = [
     ("balls, races and pockets", "ball", {"avRatio": 1.2}, 0.05, [OUTER, INNER, POCKETS], []),
     ("balls in oil", "ball", {**OIL, "avRatio": 1.2}, 0.05, [OUTER, INNER, POCKETS], []),
-    ("balls without a cage", "ball", {**NO_CAGE, "appLoadZ": 3000.0}, 1.0, [OUTER, INNER, NEIGHBORS], [POCKETS]),
+    ("balls without a cage", "ball", {**NO_CAGE, "nRe": 14, "gravityVecZ": -2000.0, "appLoadX": 300.0, "appLoadZ": 1500.0}, 1.0,
+     [OUTER, INNER, NEIGHBORS], [POCKETS]),
     ("guide lands", "cylindrical", NO_LAND_CLEARANCE, 0.02, [OUTER, INNER, LANDS], []),
     ("guide lands with shape errors", "cylindrical", UNEVEN, 0.05, [LANDS], []),
     ("cylindrical rollers", "cylindrical", {"avRatio": 1.2}, 0.02, [OUTER, INNER, POCKETS], []),
