@@ -119,7 +119,7 @@ def _(b):
 
 @feature("F172", G)
 def _(b):
-    bare = {"nCseg": 0, "kNumPltElem": 1, "kPltElemInd": 1, "appLoadZ": 3000.0, "nRe": 14}
+    bare = {"nCseg": 0, "kNumPltElem": 1, "kPltElemInd": 1, "appLoadX": 300.0, "appLoadZ": 1500.0, "gravityVecZ": -2000.0, "nRe": 14}
     names = ["reReTC1", "reReTC2", "reReTC3", "reReTC4"]
 
     def last(kind, *v):
@@ -150,7 +150,7 @@ def _(b):
             h.append(heat(b, r, part))
             command = r.command
         out.append(between(f"{kind}: heat of twice the coefficient over that before", h[1] / h[0], 1.6, 2.3))
-    bare = {"nCseg": 0, "kNumPltElem": 1, "kPltElemInd": 1, "appLoadZ": 3000.0, "nRe": 14}
+    bare = {"nCseg": 0, "kNumPltElem": 1, "kPltElemInd": 1, "appLoadX": 300.0, "appLoadZ": 1500.0, "gravityVecZ": -2000.0, "nRe": 14}
     speeds = []
     for size in (0.0001, 0.1):
         r = b.run(sets={**bare, "kRRTrac": -1}, until="1rev", more=["--user", user_curve(b, "element_element", f"{size}*tanh(u/0.02)", f"rr{size}")])

@@ -594,7 +594,8 @@ def _(b):
 @feature("F116", G)
 def _(b):
     bare = {"nCseg": 0, "kNumPltElem": 1, "kPltElemInd": 1, "appLoadZ": 3000.0}
-    r = b.run(sets={**bare, "nRe": 14}, until="1rev", opts={"contactDamping": 0})  # the elastic force
+    # Weight drives the balls into each other; the elastic force.
+    r = b.run(sets={**bare, "nRe": 14, "gravityVecZ": -2000.0, "appLoadX": 300.0, "appLoadZ": 1500.0}, until="1rev", opts={"contactDamping": 0})
     c = b.channels(r)
     momentum = r.json["conservation"]["momentum"]
     gap = b.channels(b.run(sets={**bare, "nRe": 8}, until="0.3rev"))
