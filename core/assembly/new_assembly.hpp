@@ -15,8 +15,8 @@ struct RowText {
   std::string deck, extension;
 };
 
-/// The text of a deck as a row of a set: with these values, quasi-static, without loads, which are
-/// those of the set, and without a table of stiffness over speed. Remarks stay.
+/// Text of a row deck: the given deck with these values, in mode -1. It has no loads, because
+/// ASSEMBLY.json has the load of the set, and no table of stiffness over speed. Comments are kept.
 /// @throws InputError for a wrong deck and for a load among the values
 [[nodiscard]] std::string row_deck(const std::string& text,
                                    const std::vector<std::pair<std::string, std::string>>& sets);

@@ -15,7 +15,7 @@
 /// element of a row has a load at the inner race any more; the others carry it alone. A force along
 /// +X unloads - rows, one along -X unloads + rows. Of identical rows without change of the contact
 /// angle, δ ~ F^(2/3) for balls gives 2^1.5 = 2.83 times the preload of a pair.
-/// Limits: unloading and the axial curve are those of rows without speed (RowCondition::Mounted).
+/// Limits: unloading and the axial curve are computed without speed (RowCondition::Mounted).
 /// Centrifugal forces hold elements at both races until the contact angle of the outer one is zero,
 /// far from the displacement at which the preload ends.
 namespace adore::assembly {

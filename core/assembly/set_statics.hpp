@@ -19,8 +19,8 @@
 /// Spacers of compliance c_k = 1/k_inner + 1/k_outer between rows k and k + 1, rings clamped
 /// against row 1 by a constant force:
 ///   e_1 = 0,   e_(k+1) - e_k = -c_k Σ_(j>k) (D F)_(x,j).
-/// Newton with the exact tangents of the rows (with friction: those of its statics), statics/
-/// race_equilibrium.hpp.
+/// Newton's method (statics/race_equilibrium.hpp) with the stiffness matrix of each row. With
+/// friction, that matrix includes the changes of the traction forces.
 /// Limits: shaft, housing and rings are rigid; radially, rings do not move by spacers.
 namespace adore::assembly {
 

@@ -59,7 +59,7 @@ constexpr KeyResultSpec kSpecs[] = {
     {"stiffness_about_y_Nm_per_rad", "Stiffness", "about y", &unit::kRotationalStiffness},
     {"stiffness_about_z_Nm_per_rad", "Stiffness", "about z", &unit::kRotationalStiffness},
     {"set_offset_m", "Axial offset of the set", "", &unit::kLength, "",
-     "of rows with opposite orientation in an assembly: gap that clamping closes"},
+     "axial gap between rows of opposite orientation, closed by clamping"},
     {"preload_unmounted_N", "Preload of the set", "unmounted", &unit::kForce, "",
      "at rest and room temperature, before mounting"},
     {"preload_N", "Preload of the set", "in operation", &unit::kForce, "",

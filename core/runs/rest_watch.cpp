@@ -9,8 +9,9 @@ RestWatch::RestWatch(const Prepared& prepared) {
   using scene::Effect;
   const auto& plan = prepared.plan;
   const bool varies = plan.has(Effect::RaceExcitation) || plan.has(Effect::FreeRaces) ||
-                      plan.has(Effect::TurningFrame) || plan.has(Effect::ThermalSteps) ||
-                      plan.has(Effect::LightLoadBalance) || prepared.user;
+                      plan.has(Effect::RaceBalance) || plan.has(Effect::TurningFrame) ||
+                      plan.has(Effect::ThermalSteps) || plan.has(Effect::LightLoadBalance) ||
+                      prepared.user;
   undisturbed_ = !varies && prepared.bearing.speed[0] == 0.0 && prepared.bearing.speed[1] == 0.0;
 }
 

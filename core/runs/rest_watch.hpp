@@ -5,11 +5,11 @@
 
 /// Steps of a bearing that is at rest and stays there. SI.
 ///
-/// Without speed, excitation, thermal steps and user routines the right-hand side does not depend
-/// on time. Where its present rates would change no component by more than a tenth of the
-/// tolerance over a time T, the state is constant to that accuracy, and a step of T needs no
-/// integration. Contact vibrations and stpMax do not limit it: explicit methods would need two
-/// hundred thousand steps per second at rest.
+/// Without speed, excitation, thermal steps, user routines and races under loads (free, or in
+/// balance in mode 2) the right-hand side does not depend on time. Where its present rates would
+/// change no component by more than a tenth of the tolerance over a time T, the state is constant
+/// to that accuracy, and a step of T needs no integration. Contact vibrations and stpMax do not
+/// limit it: explicit methods would need two hundred thousand steps per second at rest.
 namespace adore::runs {
 
 class RestWatch {

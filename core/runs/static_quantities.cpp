@@ -146,7 +146,7 @@ VariableCompliance variable_compliance(const Prepared& prepared) {
   if (without != 0 && without != kCompliancePositions)
     throw SolverError(
         fmt::format("variable compliance: no friction equilibrium was found at {} of {} positions "
-                    "of the elements, so that displacements do not compare. Set ballFriction = "
+                    "of the elements, so the variation cannot be computed. Set ballFriction = "
                     "spin-rule or rollerFriction = none",
                     without, kCompliancePositions));
   const auto [least, largest] = std::minmax_element(u.begin(), u.end());

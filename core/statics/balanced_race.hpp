@@ -28,7 +28,7 @@ class BalancedRace {
             const Eigen::Matrix<double, 3, 5>& slopes);
   void release(std::size_t k) { state_.elements[k].site.tractions.reset(); }
   /// Slopes of all tractions held over the places of all balls (coupled_balls.hpp), 3 n × 5 n.
-  /// Without them, those of each ball over its own places.
+  /// Until this is called, the traction of a ball depends on its own contacts only.
   void couple(Eigen::MatrixXd slopes);
 
   /// The equilibrium with these tractions; false: none was found, and nothing changes.

@@ -19,7 +19,8 @@ inline constexpr double kSpeedDifference = 1e-7;   ///< likewise
 
 using Vec4 = Eigen::Vector4d;
 using Mat4 = Eigen::Matrix4d;
-/// Places of a ball's contacts on which its tractions depend: those of GivenTractions.
+/// Loads, contact angles and radius that the traction forces of a ball depend on, in the order of
+/// GivenTractions.
 using Places = Eigen::Matrix<double, static_cast<int>(GivenTractions::kPlaces), 1>;
 [[nodiscard]] Places places_of(const StaticBall& ball);
 

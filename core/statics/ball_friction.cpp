@@ -24,11 +24,12 @@ using bearing::Bearing;
 
 constexpr int kPasses = 30;
 constexpr int kSearches = 2;  ///< without an equilibrium, of one ball; from then on the spin rule
-/// Tractions minus those of the equilibrium over the largest contact load: where passes end, and
-/// what is taken when they are used up.
+/// Change of the traction forces in a pass over the largest contact load: below kSteady the search
+/// ends. After kPasses passes, a change below kSteadyAccepted is accepted.
 constexpr double kSteady = 1e-10, kSteadyAccepted = 1e-5;
 
-/// What follows from the speeds of a ball in balance, in the place of the values of the spin rule.
+/// Replaces spin, pitch angle, gyroscopic moment, spin-to-roll and friction ratios of the spin rule
+/// by those of a ball in friction equilibrium.
 void give_ratios(const Bearing& bearing, const ContactLaws& laws, const BallMotion& motion,
                  double frame, StaticBall& ball) {
   const double along_x = motion.orbit - motion.omega[0];

@@ -24,7 +24,7 @@ def _texts(values: Optional[Mapping[str, Any]]) -> Dict[str, str]:
 
 
 class AssemblyStatics(Statics):
-    """The quasi-static solution of a set. Displacement, load and stiffness are those of the shaft at x = 0."""
+    """The quasi-static solution of a set. Displacement, load and stiffness refer to the point x = 0 of the shaft."""
 
     def __init__(self, solution: Mapping[str, Any]) -> None:
         super().__init__({**solution, "bearing": "assembly"})
@@ -66,7 +66,7 @@ class Assembly:
         options: Optional[Mapping[str, Any]] = None,
         overwrite: bool = False,
     ) -> Run:
-        """The same with files: PRINT.txt and RUN.json of the set, and those of each row in row-1, row-2, ...
+        """Solves the set and writes PRINT.txt and RUN.json of the set and of each row (in row-1, row-2, ...).
 
         out: output folder (default: the folder of the assembly). sets: deck variables of all rows."""
         folder = _core.run_assembly(

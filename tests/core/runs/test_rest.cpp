@@ -51,9 +51,18 @@ TEST_CASE("rest: bearing at rest → at most 100 steps, its loads stay, and a no
     CHECK(load[i] == Approx(load[i % width]).epsilon(1e-6).margin(1e-6));
 }
 
-TEST_CASE("rest: turning shaft → integrated", "[physics][runs]") {
+TEST_CASE("rest: speed, vibration or load over time → integrated", "[physics][runs]") {
   const testing::TemporaryFolder folder;
-  const testing::Ran ran =
-      testing::run_deck(resting({{"rpm2", "1"}, {"fTime", "20"}}), folder / "turning");
-  CHECK_FALSE(has_rest(ran));
+  const testing::Options cases[] = {
+      {{"rpm2", "1"}},
+      {{"kVarSpeed", "1"}, {"raceAngAcc2", "1e6"}, {"endTime2", "1"}},
+      {{"kVarSpeed", "2"}, {"raceSpeedAmp2", "20000"}, {"raceSpeedFreq2", "500"}},
+      {{"kVarLoad", "2"}, {"raceVibAmp21", "2e-6"}, {"raceVibFreq1", "3000"}},
+      {{"mode", "2"}, {"kVarLoad", "1"}, {"rotLoadFrac2", "1"}, {"rotLoadRpm2", "60000"}},
+  };
+  for (testing::Options moved : cases) {
+    INFO(moved.back().first);
+    moved.insert(moved.begin(), {"fTime", "20"});
+    CHECK_FALSE(has_rest(testing::run_deck(resting(moved), folder / moved.back().first)));
+  }
 }
