@@ -96,7 +96,7 @@ void bind_assembly(py::module_& module) {
       [](const std::string& folder, const std::string& arrangement,
          const std::vector<std::string>& decks, const std::string& members) {
         assembly::Assembly set = assembly::named_assembly(arrangement);
-        auto json = nlohmann::ordered_json::parse(assembly::assembly_text(set));
+        auto json = parse_json<nlohmann::ordered_json>(assembly::assembly_text(set), "set");
         json.update(parse_json<nlohmann::ordered_json>(members, "members"));
         set = assembly::read_assembly(dump_json(json), assembly::kFileName);
         std::vector<assembly::RowText> rows;
