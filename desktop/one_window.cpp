@@ -1,7 +1,7 @@
 #include "desktop/one_window.hpp"
 
-#include <QCryptographicHash>
-#include <QDir>
+#include "desktop/user_socket.hpp"
+
 #include <QFileInfo>
 #include <QtNetwork/QLocalServer>
 #include <QtNetwork/QLocalSocket>
@@ -13,12 +13,8 @@ namespace {
 
 constexpr int kPatience = 500;  // ms for a window that is busy drawing
 
-/// The same for every spelling of a folder.
 QString server_name(const QString& program, const QString& folder) {
-  const QByteArray path = QDir(folder).canonicalPath().toUtf8();
-  const QByteArray user = QDir::homePath().toUtf8();
-  return "adore-" + program + "-" +
-         QCryptographicHash::hash(user + '\n' + path, QCryptographicHash::Sha1).toHex().left(20);
+  return "adore-" + program + "-" + folder_key(folder);
 }
 
 }  // namespace
