@@ -11,6 +11,7 @@
 #include "desktop/dialogs.hpp"
 #include "desktop/disclaimer.hpp"
 #include "desktop/one_window.hpp"
+#include "desktop/project.hpp"
 #include "desktop/theme.hpp"
 #include "desktop/window_place.hpp"
 
@@ -29,6 +30,9 @@ int render(int& argc, char** argv, const std::vector<std::filesystem::path>& fil
     throw InputError(
         "--render needs a result file (SOL1 to SOL7, RUN.json or SWEEP.csv) or the folder of a "
         "study");
+  for (const auto& file : files)
+    if (desktop::opens_as_project(file))
+      throw InputError(file.string() + " is a project. --render needs the folders of its runs");
   end_when_interrupted();
   const auto app = desktop::make_application(argc, argv, "adrplot", desktop::Display::Headless);
   options.tell = [](const std::string& sentence) {
@@ -107,7 +111,7 @@ int main(int argc, char** argv) {
   std::string size = "1280x800", abscissa = "rev", domain = "history", curve, scale, rows, project;
   cli.add_option("FILE", files,
                  "result files (SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json), study tables "
-                 "(RUNS.csv, STUDY.h5), or folders of runs and studies")
+                 "(RUNS.csv, STUDY.h5), PROJECT.json, or folders of runs, studies and projects")
       ->type_name("PATH");
   CLI::Option* one_window =
       cli.add_option("--project", project, "reuse one window for all files of this folder")

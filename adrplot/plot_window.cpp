@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QProgressDialog>
+#include <QScopedValueRollback>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSplitter>
@@ -90,7 +91,7 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   tabs->setObjectName("side");
   tabs->setDocumentMode(true);
   tabs->setMinimumWidth(180);
-  tabs->addTab(tree_, tr("Pages"));
+  tabs->addTab(makePages(), tr("Pages"));
   makeSide(tabs);
   makeStatistics();
   auto* splitter = new QSplitter(this);
@@ -100,6 +101,7 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   splitter->setSizes({270, 1010});
   setCentralWidget(splitter);
   tree_->setAccessibleName(tr("Files and pages"));
+  makeLink();
   makeButtons();
   makeMenus();
   new desktop::MenuKeys(*this);
@@ -119,6 +121,7 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
     page_ = item->data(0, kPageRole).toInt();
     values_.clear();  // of the page before
     showCurrent();
+    tellElement();
   });
   connect(view_, &desktop::ChartView::runsChosen, this, &PlotWindow::showRuns);
   // The panel under the pointer provides the curve of the spectrogram.
@@ -239,8 +242,7 @@ void PlotWindow::showCurrent() {
     chart.title = "AdrPlot";
     chart.note =
         "Open or drop a result file (SOL1 to SOL7, RESULTS.h5, RUN.json), a table (*.csv), a "
-        "session "
-        "(*.adrplot) or the folder of a run or study.";
+        "session (*.adrplot), a project (PROJECT.json) or the folder of a run or study.";
     orbit_action_->setVisible(false);
     offerCurves(chart);
   }
@@ -252,7 +254,13 @@ void PlotWindow::showCurrent() {
     log_y_action_->setChecked(std::any_of(chart.panels.begin(), chart.panels.end(),
                                           [](const auto& panel) { return panel.log; }));
   }
-  view_->showPage(std::move(chart));
+  {
+    const QScopedValueRollback quiet(taking_, true);
+    view_->showPage(std::move(chart));
+  }
+  joinLink();
+  showLinkedTime();
+  markRun();
   fillStatistics();
   offerNames();
   view_->setMinimumHeight(static_cast<int>(view_->chartScene().leastHeight()));

@@ -3,11 +3,13 @@
 #include "adrplot/curve_dialog.hpp"
 #include "adrplot/formula_document.hpp"
 #include "adrplot/plot_document.hpp"
+#include "desktop/project.hpp"
 
 #include <QList>
 #include <QMainWindow>
 #include <QStringList>
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -32,6 +34,8 @@ struct Finding;
 namespace adore::desktop {
 class ChartView;
 class FindingsBar;
+class RunLink;
+struct LinkState;
 enum class ChartDeed : unsigned char;
 }  // namespace adore::desktop
 
@@ -55,6 +59,9 @@ class PlotWindow : public QMainWindow {
   /// The same for results in memory.
   void addFile(results::SolFile file, const results::SolRange& range = {});
 
+  /// Lists the runs of a project above the pages and opens the first one that is there. False,
+  /// after a message, if PROJECT.json is damaged or newer.
+  bool openProject(const std::filesystem::path& path);
   /// All plot files of a folder: SOL1 to SOL7, or those listed in RUN.json or SWEEP.csv.
   void openFolder(const QString& folder, const results::SolRange& range = {});
   /// Opens the files of a dialog or a drop; for a single file the user selects the steps.
@@ -97,6 +104,7 @@ class PlotWindow : public QMainWindow {
  public slots:
   void askForFile();
   void askForFolder();
+  void askForProject();
   void askForCurves();
   void askForFormula();
   void askForSession(bool save);
@@ -168,6 +176,22 @@ class PlotWindow : public QMainWindow {
   [[nodiscard]] QString fittedReadout() const;
   void fitCursors();
   void askForRange(const QString& path);
+  // Runs of a project (plot_window_project.cpp).
+  QWidget* makePages();
+  void listRuns(const std::vector<desktop::Project::Entry>& runs);
+  void reloadProject();
+  void openRun(const QString& folder);
+  void markRun();
+  // Linked windows of the run (plot_window_link.cpp).
+  void makeLink();
+  void joinLink();
+  [[nodiscard]] const PlotDocument* linkedFile();
+  [[nodiscard]] const RunMotion& linkedMotion();
+  void tellCursor();
+  void tellElement();
+  void takeLinked(const desktop::LinkState& change);
+  void showLinkedTime();
+  void showElement(int number);
   // User-defined charts and channels.
   void makeStatistics();
   void fillStatistics();
@@ -196,7 +220,7 @@ class PlotWindow : public QMainWindow {
   bool watchReading(double part);
 
   static constexpr const char* kApp = "adrplot";  ///< name of the settings and recent files
-  enum TreeRole { kPageRole = Qt::UserRole, kFileRole };
+  enum TreeRole { kPageRole = Qt::UserRole, kFileRole, kRunRole };
 
   std::vector<std::unique_ptr<Document>> documents_;
   int current_ = -1, page_ = 0;
@@ -210,7 +234,15 @@ class PlotWindow : public QMainWindow {
   StatisticsModel* statistics_model_ = nullptr;
   QAction* statistics_action_ = nullptr;
   std::pair<double, double> statistics_range_;  ///< that the table shows
+  desktop::RunLink* link_ = nullptr;
+  std::optional<RunMotion> motion_;    ///< of the run that is shown, when needed
+  std::optional<double> linked_time_;  ///< of cursor A, here or in another window [s]
+  double linked_cursor_ =
+      std::numeric_limits<double>::quiet_NaN();  ///< cursor A as told or received last
+  bool taking_ = false;                          ///< changes now are not of the user
   QTreeWidget* tree_;
+  QTreeWidget* runs_ = nullptr;
+  std::filesystem::path project_;  ///< its file; empty: none
   desktop::FindingsBar* findings_;
   std::string findings_seen_;  ///< folder and time of the RUN.json that they are of
   QLabel* note_;

@@ -14,7 +14,7 @@ namespace adore::adrplot {
 
 void PlotWindow::askForFile() {
   desktop::ask_files(this, kApp, tr("Open plot files"),
-                     "SOL[1-7] RESULTS.h5 RUN.json ACCURACY.json *.csv *.adrplot",
+                     "SOL[1-7] RESULTS.h5 RUN.json ACCURACY.json *.csv *.adrplot PROJECT.json",
                      [this](const QStringList& names) { openSeveral(names); });
 }
 

@@ -14,6 +14,7 @@
 #include <QApplication>
 #include <QFileInfo>
 #include <QProgressDialog>
+#include <QScopedValueRollback>
 #include <QStatusBar>
 #include <QTimer>
 #include <QTreeWidget>
@@ -69,6 +70,7 @@ bool PlotWindow::watchReading(double part) {
 }
 
 bool PlotWindow::openFile(const std::filesystem::path& path, const results::SolRange& range) {
+  if (path.filename() == desktop::kProjectFile) return openProject(path);
   if (is_session(path)) return openSession(QString::fromStdString(path.string()));
   try {
     addDocument(
@@ -95,7 +97,8 @@ void PlotWindow::addDocument(PlotDocument document, const results::SolRange& ran
       std::make_unique<Document>(Document{std::move(document), range, on_disk, std::move(seen)}));
   current_ = fileCount() - 1;
   page_ = 1;
-  view_->zoomAll();  // a new file begins whole
+  view_->zoomAll();                                 // a new file begins whole
+  const QScopedValueRollback quiet(taking_, true);  // opened, not selected
   fillTree();
 }
 
@@ -154,6 +157,10 @@ void PlotWindow::openFolder(const QString& folder, const results::SolRange& rang
     openFile(folder.toStdString(), range);
     return;
   }
+  if (desktop::opens_as_project(folder.toStdString())) {
+    openProject(folder.toStdString());
+    return;
+  }
   std::vector<std::filesystem::path> files;
   try {
     files = files_of(folder.toStdString());
@@ -209,6 +216,7 @@ void PlotWindow::showFiles(const QStringList& paths, bool to_front) {
 void PlotWindow::reload() {
   readAgain(true);
   readReplaced();
+  reloadProject();
 }
 
 /// A followed file may be invalid for a moment: the status bar shows this, without a dialog, until

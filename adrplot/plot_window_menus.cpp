@@ -1,6 +1,7 @@
 #include "adrplot/plot_window.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/chrome.hpp"
+#include "desktop/link_action.hpp"
 #include "desktop/spoken_name.hpp"
 
 #include <QAction>
@@ -61,6 +62,7 @@ void PlotWindow::makeMenus() {
   file->addAction(tr("&Open..."), QKeySequence::Open, this, &PlotWindow::askForFile);
   file->addAction(tr("Open &Folder..."), Qt::CTRL | Qt::SHIFT | Qt::Key_O, this,
                   &PlotWindow::askForFolder);
+  file->addAction(tr("Open Pro&ject..."), this, &PlotWindow::askForProject);
   desktop::add_recent_menu(*file, kApp, [this](const QString& name) { openSeveral({name}); });
   file->addAction(tr("Ope&n Session..."), this, [this] { askForSession(false); });
   file->addAction(tr("Save Sess&ion As..."), Qt::CTRL | Qt::SHIFT | Qt::Key_S, this,
@@ -105,6 +107,7 @@ void PlotWindow::makeMenus() {
   connect(log_x, &QAction::toggled, this, [this](bool on) { setLogAxes(on, log_y_); });
   connect(log_y, &QAction::toggled, this, [this](bool on) { setLogAxes(log_x_, on); });
   view->addAction(statistics_action_);
+  desktop::add_link_action(*view, *link_, kApp);
   view->addAction(tr("&Dark/Light"), Qt::CTRL | Qt::Key_D, this, &PlotWindow::switchTheme);
   makeChartMenu(menuBar()->addMenu(tr("&Chart")));
   desktop::add_help_menu(

@@ -68,6 +68,7 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
   picture->addWidget(canvas_, 1);
   picture->addWidget(findings_);
   row->addLayout(picture, 1);
+  makeLink();
   makeMenus();
   buttons_ = makeButtons();
   new desktop::MenuKeys(*this);
@@ -348,6 +349,7 @@ void AgoreWindow::showFrame() {
   options_.moving = playing();
   showPanel();
   canvas_->show(picture_.get(), frame_, options_);
+  tellLinked(!playing());
 }
 
 void AgoreWindow::refresh() {

@@ -3,6 +3,7 @@
 #include "agore/film_dialog.hpp"
 #include "agore/motion_picture.hpp"
 #include "agore/render.hpp"
+#include "desktop/link_message.hpp"
 
 #include <QElapsedTimer>
 #include <QMainWindow>
@@ -24,7 +25,8 @@ namespace adore {
 struct Finding;
 namespace desktop {
 class FindingsBar;
-}
+class RunLink;
+}  // namespace desktop
 }  // namespace adore
 
 namespace adore::agore {
@@ -155,6 +157,13 @@ class AgoreWindow : public QMainWindow {
 
  protected:
  private:
+  // Linked windows of the run (window_link.cpp).
+  void makeLink();
+  void joinLink();
+  [[nodiscard]] desktop::LinkState linkedNow() const;
+  /// @param by_user else a playing animation or a growing file
+  void tellLinked(bool by_user);
+  void takeLinked(const desktop::LinkState& change);
   void lookForGrowth();
   /// Replaces the animation by that of a file; the previous picture stays until then.
   void adopt(Animation animation);
@@ -215,6 +224,9 @@ class AgoreWindow : public QMainWindow {
   std::string seen_;      ///< modification times of the displayed files
   int refused_ = 0;       ///< checks files that could not replace the displayed ones
   bool writing_ = false;  ///< a movie of the displayed views
+  desktop::RunLink* link_ = nullptr;
+  desktop::LinkState linked_;  ///< as told or received last
+  bool taking_ = false;        ///< changes now are not of the user
   ViewOptions options_;
 };
 

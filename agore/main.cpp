@@ -12,6 +12,7 @@
 #include "desktop/disclaimer.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/one_window.hpp"
+#include "desktop/project.hpp"
 #include "desktop/theme.hpp"
 #include "desktop/window_place.hpp"
 #include "results/run_folder.hpp"
@@ -122,7 +123,7 @@ int show(int& argc, char** argv, const Request& request) {
   window.show();
   if (request.file.empty())
     QTimer::singleShot(0, &window, &agore::AgoreWindow::askForFile);
-  else if (window.openFile(request.file)) {
+  else if (window.openFile(request.file) && window.picture() != nullptr) {
     agore::ViewOptions view = request.options.view;
     if (request.race.empty()) agore::choose_flange_race(window.picture()->animation(), view);
     window.showAsAsked(view);
@@ -140,7 +141,8 @@ int main(int argc, char** argv) {
       "agore");
   CLI::App& cli = *program;
   Request request;
-  cli.add_option("SOL8", request.file, "animation file, RESULTS.h5, or the folder of a run")
+  cli.add_option("SOL8", request.file,
+                 "animation file, RESULTS.h5, PROJECT.json, or the folder of a run or project")
       ->type_name("PATH");
   CLI::Option* one_window =
       cli.add_option("--project", request.project, "reuse one window for all files of this folder")
@@ -234,7 +236,10 @@ int main(int argc, char** argv) {
     one_window->excludes(cli.get_option(of_first));
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("agore", [&] {
-    if (!request.file.empty()) request.file = results::animation_file(request.file);
+    const bool project = desktop::opens_as_project(request.file);
+    if (project && !request.folder.empty())
+      throw InputError("--render needs an animation file (SOL8), not a project");
+    if (!request.file.empty() && !project) request.file = results::animation_file(request.file);
     const std::string race = request.race.empty() ? "inner" : request.race;
     request.options.view.view = agore::view_named(request.view, race);
     request.options.view.beside = agore::views_beside(request.beside, race);

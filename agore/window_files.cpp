@@ -6,12 +6,14 @@
 #include "desktop/dialogs.hpp"
 #include "desktop/findings_bar.hpp"
 #include "desktop/project.hpp"
+#include "desktop/project_words.hpp"
 #include "results/run_findings.hpp"
 #include "results/run_folder.hpp"
 
 #include <QAction>
 #include <QElapsedTimer>
 #include <QMenu>
+#include <QScopedValueRollback>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,7 +45,7 @@ std::string state_of(const std::filesystem::path& path) {
 }  // namespace
 
 bool AgoreWindow::openFile(const std::filesystem::path& named, long most_frames) {
-  if (named.filename() == desktop::kProjectFile) return openProject(named);
+  if (desktop::opens_as_project(named)) return openProject(named);
   std::filesystem::path path;
   try {
     path = results::animation_file(named);
@@ -80,26 +82,18 @@ bool AgoreWindow::openProject(const std::filesystem::path& path) {
   desktop::remember_file(kApp, QString::fromStdString(project->file().string()));
   auto* menu = findChild<QMenu*>("projectMenu");
   menu->clear();
-  QStringList missing;
   std::optional<std::filesystem::path> first;
   for (const desktop::Project::Entry& run : project->runs()) {
     const QString name = QString::fromStdString(run.name);
     QAction* action = menu->addAction(run.missing ? tr("%1 (missing)").arg(name) : name, this,
                                       [this, folder = run.path] { openFile(folder); });
     action->setEnabled(!run.missing);
-    if (run.missing)
-      missing << name;
-    else if (!first)
-      first = run.path;
+    if (!run.missing && !first) first = run.path;
   }
   menu->setEnabled(!menu->isEmpty());
   if (first) openFile(*first);
-  if (menu->isEmpty())
-    desktop::show_message(this, tr("The project lists no runs. Add them in AdrInput (File > Add to "
-                                   "Project)."));
-  else if (!missing.isEmpty())
-    desktop::show_message(this,
-                          tr("Runs of the project without files: %1.").arg(missing.join(", ")));
+  if (const QString problem = desktop::problem_of_runs(*project); !problem.isEmpty())
+    desktop::show_message(this, problem);
   return true;
 }
 
@@ -125,9 +119,13 @@ void AgoreWindow::reload() {
 void AgoreWindow::setAnimation(Animation animation) {
   pause();
   options_.span_from = options_.span_to = std::nullopt;
-  adopt(std::move(animation));
-  frame_ = 0;
-  refresh();
+  {
+    const QScopedValueRollback quiet(taking_, true);  // opened, not moved
+    adopt(std::move(animation));
+    frame_ = 0;
+    refresh();
+  }
+  joinLink();
 }
 
 void AgoreWindow::adopt(Animation animation) {
@@ -181,10 +179,14 @@ void AgoreWindow::lookForGrowth() {
   if (!showable(*fresh) && ++refused_ < kPatience) return;
   const bool at_end = frame_ + 1 == frameCount() && !playing();
   const double moment = picture_->animation().time[frame_];
-  adopt(std::move(*fresh));
-  seen_ = now;  // steps that arrive while reading are found at the next check
-  frame_ = at_end ? frameCount() - 1 : picture_->frameAt(moment);
-  refresh();
+  {
+    const QScopedValueRollback quiet(taking_, true);
+    adopt(std::move(*fresh));
+    seen_ = now;  // steps that arrive while reading are found at the next check
+    frame_ = at_end ? frameCount() - 1 : picture_->frameAt(moment);
+    refresh();
+  }
+  tellLinked(false);
   // Reading a long file takes processor time, which the solver needs.
   constexpr int kShare = 8;
   growth_.setInterval(std::max(kLook, kShare * static_cast<int>(clock.elapsed())));
@@ -199,7 +201,7 @@ void AgoreWindow::askForFile() {
          "the file in the next dialog."),
       static_cast<int>(results::MotionFile::kMostFrames), 1, 100'000'000, [this](int steps) {
         desktop::ask_file(
-            this, kApp, tr("Open animation file"), "SOL8* RESULTS.h5",
+            this, kApp, tr("Open animation file"), "SOL8* RESULTS.h5 PROJECT.json",
             [this, steps](const QString& name) { openFile(name.toStdString(), steps); });
       });
 }

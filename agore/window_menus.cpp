@@ -3,6 +3,7 @@
 #include "agore/view_scene.hpp"
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/link_action.hpp"
 #include "desktop/spoken_name.hpp"
 
 #include <QAction>
@@ -287,6 +288,7 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
     action->setData(factor);
     group->addAction(action);
   }
+  desktop::add_link_action(*menu, *link_, kApp);
   menu->addAction(tr("&Dark/Light"), Qt::CTRL | Qt::Key_D, this, &AgoreWindow::switchTheme);
 }
 

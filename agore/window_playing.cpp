@@ -1,4 +1,5 @@
 #include "agore/agore_window.hpp"
+#include "desktop/run_link.hpp"
 
 #include <QAction>
 #include <QComboBox>
@@ -54,6 +55,7 @@ void AgoreWindow::play(int direction) {
   if (direction < 0 && (!within || frame_ == first)) setFrame(last);
   pending_ = 0.0;
   film_time_ = picture_->animation().time[frame_];
+  link_->tell({film_time_, {}});
   clock_.start();
   timer_.start();
 }

@@ -38,6 +38,10 @@ bool is_project(const fs::path& path) {
          (fs::is_directory(path, none) && fs::exists(path / kProjectFile, none));
 }
 
+bool opens_as_project(const fs::path& path) {
+  return path.filename() == kProjectFile || (is_project(path) && !has_results(path));
+}
+
 Project Project::open(const fs::path& named) {
   Project out;
   std::error_code none;

@@ -48,5 +48,7 @@ class Project {
 
 /// Is it PROJECT.json, or a folder that has one?
 [[nodiscard]] bool is_project(const std::filesystem::path& path);
+/// The same for programs that show results: a folder with results of a run is that run.
+[[nodiscard]] bool opens_as_project(const std::filesystem::path& path);
 
 }  // namespace adore::desktop
