@@ -67,7 +67,7 @@ Session::Session(DeckWindow& window, const QString& folder)
     make_own_folder(folder_);
     file_ = folder_ / fmt::format("{}-{}{}", QCoreApplication::applicationPid(), number, kSuffix);
     if (fs::exists(file_)) continue;  // of an earlier program, still to be answered
-    lock_ = InstanceLock::take(lock_of(file_));
+    lock_ = desktop::InstanceLock::take(lock_of(file_));
     if (lock_ && !fs::exists(lock_of(file_))) lock_.reset();
   }
   timer_->setSingleShot(true);
@@ -154,7 +154,7 @@ void Session::lookForOrphans() {
     if (file.extension() == kSuffix && file != file_) files.push_back(file);
     // The lock of a program that was cut off with nothing to lose.
     if (file.extension() == ".lock" && !fs::exists(file.replace_extension(), error) &&
-        InstanceLock::take(entry.path()))
+        desktop::InstanceLock::take(entry.path()))
       remove_file(entry.path());
   }
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
@@ -162,7 +162,7 @@ void Session::lookForOrphans() {
     return fs::last_write_time(a, ignored) > fs::last_write_time(b, ignored);
   });
   for (const fs::path& file : files) {
-    std::optional<InstanceLock> lock = InstanceLock::take(lock_of(file));
+    std::optional<desktop::InstanceLock> lock = desktop::InstanceLock::take(lock_of(file));
     if (lock && fs::exists(file, error)) orphans_.push_back({file, std::move(*lock)});
   }
 }

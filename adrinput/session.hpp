@@ -1,6 +1,6 @@
 #pragma once
 
-#include "adrinput/instance_lock.hpp"
+#include "desktop/instance_lock.hpp"
 
 #include <QObject>
 #include <QString>
@@ -40,7 +40,7 @@ class Session : public QObject {
  private:
   struct Orphan {
     std::filesystem::path file;
-    InstanceLock lock;
+    desktop::InstanceLock lock;
   };
   void lookForOrphans();
   bool offerNext();
@@ -51,8 +51,8 @@ class Session : public QObject {
 
   DeckWindow& window_;
   std::filesystem::path folder_, file_;
-  std::optional<InstanceLock> lock_;  ///< nothing: nothing can be stored
-  std::vector<Orphan> orphans_;       ///< unanswered questions; the first one is shown
+  std::optional<desktop::InstanceLock> lock_;  ///< nothing: nothing can be stored
+  std::vector<Orphan> orphans_;                ///< unanswered questions; the first one is shown
   QTimer* timer_;
   bool failed_ = false;
 };

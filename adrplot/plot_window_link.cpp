@@ -19,7 +19,7 @@ void PlotWindow::makeLink() {
   connect(view_, &desktop::ChartView::cursorsChanged, this, &PlotWindow::tellCursor);
 }
 
-/// A user-defined chart is of the run of its first curve.
+/// A user-defined chart belongs to the run of its first curve.
 const PlotDocument* PlotWindow::linkedFile() {
   const Document* const doc = document();
   if (doc == nullptr) return nullptr;

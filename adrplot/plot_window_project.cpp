@@ -57,7 +57,7 @@ bool PlotWindow::openProject(const std::filesystem::path& path) {
 }
 
 void PlotWindow::listRuns(const std::vector<desktop::Project::Entry>& runs) {
-  constexpr int kMostLines = 8;
+  constexpr int kLineLimit = 8;
   runs_->clear();
   for (const desktop::Project::Entry& run : runs) {
     const QString name = QString::fromStdString(run.name);
@@ -67,7 +67,7 @@ void PlotWindow::listRuns(const std::vector<desktop::Project::Entry>& runs) {
     item->setDisabled(run.missing);
   }
   runs_->setVisible(!runs.empty());
-  const int lines = std::min(runs_->topLevelItemCount(), kMostLines);
+  const int lines = std::min(runs_->topLevelItemCount(), kLineLimit);
   if (lines > 0)
     runs_->setFixedHeight(runs_->header()->sizeHint().height() + lines * runs_->sizeHintForRow(0) +
                           2 * runs_->frameWidth());

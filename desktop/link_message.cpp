@@ -31,9 +31,9 @@ std::optional<LinkMessage> read_link_message(const QByteArray& line) {
   if (line.size() > kLongestMessage) return std::nullopt;
   const QJsonObject read = QJsonDocument::fromJson(line).object();
   if (read[QLatin1String(kFormat)].toDouble() != kVersion) return std::nullopt;
-  constexpr qint64 kMostActions = 1'000'000'000'000;
+  constexpr qint64 kActionLimit = 1'000'000'000'000;
   LinkMessage message{{}, read[QLatin1String(kAction)].toInteger(-1)};
-  if (message.action < 0 || message.action > kMostActions) return std::nullopt;
+  if (message.action < 0 || message.action > kActionLimit) return std::nullopt;
   LinkState& out = message.change;
   if (const QJsonValue time = read[QLatin1String(kTime)]; !time.isUndefined()) {
     if (!time.isDouble() || !std::isfinite(time.toDouble())) return std::nullopt;

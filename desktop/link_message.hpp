@@ -8,7 +8,7 @@
 ///   {"adore-link": 1, "action": 7, "time": 0.0123, "element": 3}
 namespace adore::desktop {
 
-/// What windows share. A message has only the parts that change.
+/// Values that windows share. A message has only the parts that change.
 struct LinkState {
   std::optional<double> time;  ///< of the cursor or frame [s]
   std::optional<int> element;  ///< selected rolling element, from 1

@@ -3,7 +3,6 @@
 #include "desktop/user_socket.hpp"
 
 #include <QFileInfo>
-#include <QLockFile>
 #include <QRandomGenerator>
 #include <QtNetwork/QLocalServer>
 #include <QtNetwork/QLocalSocket>
@@ -95,11 +94,11 @@ void RunLink::retry() {
 }
 
 bool RunLink::becomeHub() {
-  auto lock = std::make_unique<QLockFile>(path_ + ".lock");
-  lock->setStaleLockTime(0);  // stale only if its program has ended
-  if (!lock->tryLock(0)) return false;
+  auto lock = InstanceLock::take((path_ + ".lock").toStdString());
+  if (!lock) return false;
   QLocalServer::removeServer(path_);  // of a hub that was cut off
   auto server = std::make_unique<QLocalServer>();
+  server->setSocketOptions(QLocalServer::UserAccessOption);
   server->setMaxPendingConnections(kWindowsLimit);
   if (!server->listen(path_)) return false;
   lock_ = std::move(lock);
@@ -121,6 +120,7 @@ void RunLink::welcome() {
 }
 
 void RunLink::connectToHub() {
+  if (!is_own_socket(path_)) return retry();
   auto* socket = new QLocalSocket(this);
   adopt(socket);
   connect(socket, &QLocalSocket::connected, this, [this] {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "desktop/instance_lock.hpp"
 #include "desktop/link_message.hpp"
 
 #include <QList>
@@ -7,10 +8,10 @@
 #include <QTimer>
 
 #include <memory>
+#include <optional>
 
 class QLocalServer;
 class QLocalSocket;
-class QLockFile;
 
 namespace adore::desktop {
 
@@ -62,7 +63,7 @@ class RunLink : public QObject {
 
   QString folder_, path_;
   bool active_ = true, connected_ = false;
-  std::unique_ptr<QLockFile> lock_;
+  std::optional<InstanceLock> lock_;
   std::unique_ptr<QLocalServer> server_;  ///< of the hub
   QList<QLocalSocket*> sockets_;          ///< of the hub: to all others; else: to the hub
   LinkState state_;

@@ -11,13 +11,10 @@
 namespace adore::desktop {
 namespace {
 
-/// Creates the folder if it is missing.
 bool is_private(const QByteArray& folder) {
-  constexpr mode_t kOwner = 0700, kOthers = 0077;
-  if (folder.isEmpty()) return false;
-  ::mkdir(folder.constData(), kOwner);
+  constexpr mode_t kOthers = 0077;
   struct stat found {};
-  return ::lstat(folder.constData(), &found) == 0 && S_ISDIR(found.st_mode) &&
+  return !folder.isEmpty() && ::lstat(folder.constData(), &found) == 0 && S_ISDIR(found.st_mode) &&
          found.st_uid == ::geteuid() && (found.st_mode & kOthers) == 0;
 }
 
@@ -34,13 +31,16 @@ QString folder_key(const QString& folder) {
 
 QString user_socket(const QString& name) {
   QByteArray folder = qgetenv("XDG_RUNTIME_DIR");
-  if (!is_private(folder)) {
-    folder = QFile::encodeName(QDir::tempPath()) + "/adore-" + QByteArray::number(::geteuid());
-    if (!is_private(folder)) return {};
-  }
+  if (!is_private(folder)) folder = QFile::encodeName(QDir::tempPath());
   const QByteArray path = folder + '/' + QFile::encodeName(name);
   const bool fits = path.size() < static_cast<qsizetype>(sizeof(sockaddr_un::sun_path));
   return fits ? QFile::decodeName(path) : QString();
+}
+
+bool is_own_socket(const QString& path) {
+  struct stat found {};
+  return ::lstat(QFile::encodeName(path).constData(), &found) == 0 && S_ISSOCK(found.st_mode) &&
+         found.st_uid == ::geteuid();
 }
 
 }  // namespace adore::desktop

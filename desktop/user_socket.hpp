@@ -8,8 +8,11 @@ namespace adore::desktop {
 /// The same for every spelling of a folder, different for each user.
 [[nodiscard]] QString folder_key(const QString& folder);
 
-/// Path of a socket in a folder that only the user can read: $XDG_RUNTIME_DIR, else a folder among
-/// the temporary files. Empty: there is none, or the path is too long for a socket.
+/// Path of a socket in $XDG_RUNTIME_DIR, which only the user can read, else among the temporary
+/// files. Empty: the path is too long for a socket.
 [[nodiscard]] QString user_socket(const QString& name);
+
+/// Does a socket belong to the user? Among temporary files it can be another user's.
+[[nodiscard]] bool is_own_socket(const QString& path);
 
 }  // namespace adore::desktop

@@ -6,7 +6,6 @@
 
 #include <QAction>
 #include <QFile>
-#include <QMessageBox>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
@@ -64,10 +63,9 @@ TEST_CASE("plot_window: project → its runs listed, missing ones named, the fir
   CHECK(runs->topLevelItem(1)->text(0) == "first");
   CHECK(runs->currentItem() == runs->topLevelItem(1));
   CHECK(window.fileCount() == 2);
-  auto* message = window.findChild<QMessageBox*>("message");
-  REQUIRE(message != nullptr);
-  CHECK(message->text().contains("gone"));
-  CHECK_FALSE(message->text().contains("second"));
+  const QString message = test::take_message(window);
+  CHECK(message.contains("gone"));
+  CHECK_FALSE(message.contains("second"));
 }
 
 TEST_CASE("plot_window: run of a project chosen → the page of the same file", "[gui][project]") {
@@ -76,7 +74,7 @@ TEST_CASE("plot_window: run of a project chosen → the page of the same file", 
   adrplot::PlotWindow window;
   window.show();
   REQUIRE(window.openFile(folder.file));
-  if (auto* message = window.findChild<QMessageBox*>("message")) message->close();
+  CHECK(test::take_message(window).contains("gone"));
   QTreeWidget* runs = runs_of(window);
   auto* tree = window.findChild<QTreeWidget*>("pages");
   tree->setCurrentItem(tree->topLevelItem(0)->child(2));  // SOL1
@@ -106,22 +104,18 @@ TEST_CASE("plot_window: damaged or newer project → message, file and window un
   adrplot::PlotWindow window;
   window.show();
   REQUIRE(window.openFile(folder.file));
-  if (auto* message = window.findChild<QMessageBox*>("message")) message->close();
+  CHECK(test::take_message(window).contains("gone"));
   const int files = window.fileCount();
   for (const char* text :
        {R"({"format": "adore-pro)", R"({"format": "adore-project", "version": 2})"}) {
     test::write_text(other.file, text);
     CHECK_FALSE(window.openFile(other.file));
-    auto* message = window.findChild<QMessageBox*>("message");
-    REQUIRE(message != nullptr);
-    CHECK(message->text().contains("The file is not changed."));
+    CHECK(test::take_message(window).contains("The file is not changed."));
     QFile read(QString::fromStdString(other.file.string()));
     REQUIRE(read.open(QIODevice::ReadOnly));
     CHECK(read.readAll() == text);
     CHECK(window.fileCount() == files);
     CHECK(runs_of(window)->topLevelItemCount() == 3);
-    message->close();
-    QTest::qWait(10);
   }
 }
 

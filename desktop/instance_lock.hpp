@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-namespace adore::adrinput {
+namespace adore::desktop {
 
 /// Held by a running program and let go by the system when it ends, however it ends.
 class InstanceLock {
@@ -25,4 +25,4 @@ class InstanceLock {
   int descriptor_ = -1;
 };
 
-}  // namespace adore::adrinput
+}  // namespace adore::desktop

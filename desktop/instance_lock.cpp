@@ -1,4 +1,4 @@
-#include "adrinput/instance_lock.hpp"
+#include "desktop/instance_lock.hpp"
 
 #include "base/errors.hpp"
 #include "base/write_folder.hpp"
@@ -6,7 +6,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-namespace adore::adrinput {
+namespace adore::desktop {
 
 std::optional<InstanceLock> InstanceLock::take(const std::filesystem::path& file) {
   int descriptor = -1;
@@ -25,4 +25,4 @@ InstanceLock::~InstanceLock() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-}  // namespace adore::adrinput
+}  // namespace adore::desktop
