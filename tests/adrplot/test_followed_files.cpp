@@ -61,7 +61,7 @@ TEST_CASE("plot_window: names of files are those of the run that has replaced th
   REQUIRE(window.openFile(first));
   REQUIRE(window.openFile(second));
   const auto named = [&](int one, int two) {
-    const auto* tree = window.findChild<QTreeWidget*>();
+    const auto* tree = window.findChild<QTreeWidget*>("pages");
     return tree->topLevelItem(0)->text(0).endsWith(QString("rolling element %1").arg(one)) &&
            tree->topLevelItem(1)->text(0).endsWith(QString("rolling element %1").arg(two));
   };
