@@ -20,7 +20,7 @@ QWidget* PlotWindow::makePages() {
   auto* pages = new QWidget(this);
   auto* column = new QVBoxLayout(pages);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  column->setSpacing(4);
   runs_ = new QTreeWidget(pages);
   runs_->setObjectName("runs");
   runs_->setAccessibleName(tr("Runs of the project"));
@@ -51,8 +51,11 @@ bool PlotWindow::openProject(const std::filesystem::path& path) {
   const auto first =
       std::find_if(runs.begin(), runs.end(), [](const auto& run) { return !run.missing; });
   if (first != runs.end()) openRun(QString::fromStdString(first->path.string()));
-  if (const QString problem = desktop::problem_of_runs(*project); !problem.isEmpty())
+  const QString problem = desktop::problem_of_runs(*project);
+  if (runs.empty())
     desktop::show_message(this, problem);
+  else
+    desktop::tell_in_foot(this, problem);  // the list has them, too
   return true;
 }
 

@@ -354,6 +354,24 @@ void ChartView::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
+namespace {
+
+/// Ctrl: cursor A, Ctrl+Shift: cursor B, at the stored point nearest to a position.
+void place_cursor(ChartView& view, QPointF position, Qt::KeyboardModifiers held) {
+  const int which = held.testFlag(Qt::ShiftModifier) ? 1 : 0;
+  constexpr qreal kAnywhere = 1e9;
+  const ChartScene& scene = view.chartScene();
+  if (!scene.panelAt(position)) return;
+  const ChartPage& page = scene.page();
+  if (!page.equal_axes)
+    view.setCursor(which, scene.abscissaAt(position.x()));
+  else if (const auto point = scene.pointNear(position, kAnywhere);
+           point && point->index < page.along.size())
+    view.setCursor(which, page.along[point->index]);
+}
+
+}  // namespace
+
 void ChartView::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   const QPointF position = mapToScene(event->position().toPoint());
@@ -370,17 +388,7 @@ void ChartView::mousePressEvent(QMouseEvent* event) {
     pressed_title_ = drop_types_.isEmpty() ? std::nullopt : titleAt(position);
     if (pressed_name_ || pressed_title_) return;
   }
-  if ((event->modifiers() & Qt::ControlModifier) != 0) {
-    const int which = (event->modifiers() & Qt::ShiftModifier) != 0 ? 1 : 0;
-    constexpr qreal kAnywhere = 1e9;
-    if (!scene_->panelAt(position)) return;
-    if (!scene_->page().equal_axes)
-      setCursor(which, scene_->abscissaAt(position.x()));
-    else if (const auto point = scene_->pointNear(position, kAnywhere);
-             point && point->index < scene_->page().along.size())
-      setCursor(which, scene_->page().along[point->index]);
-    return;
-  }
+  if (for_cursor) return place_cursor(*this, position, event->modifiers());
   if ((event->modifiers() & Qt::ShiftModifier) != 0) {
     boxing_ = true;
     box_from_ = event->position().toPoint();
@@ -408,6 +416,10 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
       startDrag(*title, std::nullopt);
     return;
   }
+  const bool left = event->buttons().testFlag(Qt::LeftButton);
+  if (left && !dragging_ && !boxing_ && event->modifiers().testFlag(Qt::ControlModifier) &&
+      !scene_->page().study)
+    place_cursor(*this, position, event->modifiers());
   if (boxing_) band_->setGeometry(QRect(box_from_, event->position().toPoint()).normalized());
   if (dragging_ && scene_->isPlane()) {
     if (scene_->zoomed())

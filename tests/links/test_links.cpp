@@ -8,6 +8,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDir>
+#include <QMouseEvent>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -70,6 +71,16 @@ struct Plot {
         view.mapFromScene(QPointF(area.left() + part * area.width(), area.center().y()));
     QTest::mouseClick(view.viewport(), Qt::LeftButton, Qt::ControlModifier, at);
   }
+  /// The same with the button held down.
+  void dragTo(double part) {
+    desktop::ChartView& view = window.view();
+    const QRectF& area = view.chartScene().plotAreas().front();
+    const QPoint at =
+        view.mapFromScene(QPointF(area.left() + part * area.width(), area.center().y()));
+    QMouseEvent move(QEvent::MouseMove, at, view.viewport()->mapToGlobal(at), Qt::NoButton,
+                     Qt::LeftButton, Qt::ControlModifier);
+    QCoreApplication::sendEvent(view.viewport(), &move);
+  }
   void type(const QString& action, bool on) {
     auto* found = window.findChild<QAction*>(action);
     REQUIRE(found != nullptr);
@@ -124,6 +135,23 @@ TEST_CASE("linked windows: cursor A → nearest frame, and frame → cursor A, f
     QTest::keyClick(&motion.window, Qt::Key_Home);
     CHECK(comes([&] { return close(plot.time(), 0.0, 1e-12); }));
   }
+}
+
+TEST_CASE("linked windows: cursor A dragged → the animation follows", "[gui][links]") {
+  test::use_qt();
+  const QTemporaryDir base;
+  const Run run(base.filePath("run"));
+  Plot plot(run);
+  Motion motion(run);
+  plot.clickAt(0.2);
+  for (const double part : {0.3, 0.4, 0.5, 0.6}) {
+    const double before = plot.at();
+    plot.dragTo(part);
+    CHECK(plot.at() > before);
+    CHECK(comes([&] { return close(plot.time(), motion.time(), 0.5 * motion.step()); }));
+  }
+  const auto zoom = plot.window.view().chartScene().zoomed();
+  CHECK_FALSE(zoom);
 }
 
 TEST_CASE("linked windows: after a change → no further movement", "[gui][links]") {
