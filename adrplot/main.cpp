@@ -154,7 +154,7 @@ int main(int argc, char** argv) {
   command_line::one_of(
       cli.add_option("--scale", scale,
                      "amplitudes of spectra: in units of the curve, in dB of 1 unit, or relative "
-                     "to the maximum (default: units)")
+                     "to the maximum (default: units, for spectrograms dB)")
           ->type_name("SCALE"),
       {"units", "db", "relative"});
   command_line::one_of(

@@ -186,8 +186,9 @@ void PlotWindow::setDomain(Domain domain) { domain_->setCurrentIndex(static_cast
 void PlotWindow::setSpectrum(const SpectrumOptions& spectrum) {
   constexpr std::array kWindows{Window::Hann, Window::FlatTop, Window::None};
   const auto window = std::find(kWindows.begin(), kWindows.end(), spectrum.window);
-  const std::array<qsizetype, 3> chosen{static_cast<qsizetype>(spectrum.scale),
-                                        window - kWindows.begin(), spectrum.over_speed ? 1 : 0};
+  const auto scale = std::find(kScales.begin(), kScales.end(), spectrum.scale);
+  const std::array<qsizetype, 3> chosen{scale - kScales.begin(), window - kWindows.begin(),
+                                        spectrum.over_speed ? 1 : 0};
   for (std::size_t i = 0; i < chosen.size(); ++i)
     spectrum_actions_.at(static_cast<qsizetype>(i))->menu()->actions().at(chosen.at(i))->trigger();
 }

@@ -163,8 +163,10 @@ void PlotWindow::makeChartMenu(QMenu* menu) {
       group->addAction(action);
     }
   };
-  choices(tr("Spectrum: &Amplitude"), {tr("in units"), tr("in dB"), tr("relative")},
-          [](PageOptions& o, int i) { o.spectrum.scale = static_cast<SpectrumScale>(i); });
+  choices(
+      tr("Spectrum: &Amplitude"),
+      {tr("automatic (spectrogram: in dB)"), tr("in units"), tr("in dB"), tr("relative")},
+      [](PageOptions& o, int i) { o.spectrum.scale = kScales.at(static_cast<std::size_t>(i)); });
   choices(tr("Spectrum: &Window"), {tr("Hann"), tr("flat top"), tr("none")},
           [](PageOptions& o, int i) {
             constexpr std::array kWindows{Window::Hann, Window::FlatTop, Window::None};

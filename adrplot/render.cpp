@@ -33,9 +33,10 @@ void set_domain(PageOptions& view, const std::string& domain, const std::string&
     throw InputError("--scale is for spectra and needs --domain spectrum or spectrogram");
   view.spectrogram_of = curve;
   view.spectrum.over_speed = rows == "speed";
-  view.spectrum.scale = scale == "db"         ? SpectrumScale::Decibel
+  view.spectrum.scale = scale == "units"      ? SpectrumScale::Units
+                        : scale == "db"       ? SpectrumScale::Decibel
                         : scale == "relative" ? SpectrumScale::Relative
-                                              : SpectrumScale::Units;
+                                              : SpectrumScale::Automatic;
 }
 
 namespace {

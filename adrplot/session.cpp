@@ -23,7 +23,7 @@ constexpr auto kKey = "adrplot_session";
 constexpr std::array kAbscissae{"revolutions", "time", "step"};
 constexpr std::array kDomains{"history", "spectrum", "spectrogram"};
 constexpr std::array kWindows{"none", "hann", "flat top"};
-constexpr std::array kScales{"units", "db", "relative"};
+constexpr std::array kScaleNames{"units", "db", "relative", "automatic"};
 
 template <class Enum, std::size_t n>
 void read_choice(const Json& json, const char* key, const std::array<const char*, n>& names,
@@ -91,7 +91,7 @@ Json json_of(const Session& session, const fs::path& folder) {
            {"domain", kDomains.at(static_cast<std::size_t>(view.domain))},
            {"orbit", {view.orbit.across, view.orbit.up}},
            {"window", kWindows.at(static_cast<std::size_t>(view.spectrum.window))},
-           {"scale", kScales.at(static_cast<std::size_t>(view.spectrum.scale))},
+           {"scale", kScaleNames.at(static_cast<std::size_t>(view.spectrum.scale))},
            {"over_speed", view.spectrum.over_speed},
            {"spectrogram_of", view.spectrogram_of}};
   if (session.log_x) shown["log_x"] = *session.log_x;
@@ -105,7 +105,7 @@ void read_view(const Json& view, Session& out) {
   read_choice(view, "abscissa", kAbscissae, out.view.abscissa);
   read_choice(view, "domain", kDomains, out.view.domain);
   read_choice(view, "window", kWindows, out.view.spectrum.window);
-  read_choice(view, "scale", kScales, out.view.spectrum.scale);
+  read_choice(view, "scale", kScaleNames, out.view.spectrum.scale);
   out.view.spectrum.over_speed = view.value("over_speed", false);
   out.view.spectrogram_of = view.value("spectrogram_of", std::string());
   if (view.contains("log_x")) out.log_x = view.at("log_x").get<bool>();

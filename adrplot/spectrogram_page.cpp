@@ -201,18 +201,19 @@ void to_spectrogram(desktop::ChartPage& page, const RunMotion& motion,
   // Races without relative rotation have no speed.
   const bool steady = turns.empty() || !(turns.back() > turns.front()) || keeps_speed(times, turns);
   const Places rows = places_of(motion, gram, options.over_speed && !steady);
-  const bool decibel = options.scale == SpectrumScale::Decibel;
-  desktop::ChartPanel panel{name, spectrum_unit(options.scale, source.unit), {}, false};
+  const SpectrumScale scale = drawn_scale(options.scale, SpectrumScale::Decibel);
+  const bool decibel = scale == SpectrumScale::Decibel;
+  desktop::ChartPanel panel{name, spectrum_unit(scale, source.unit), {}, false};
   double highest = 0.0;
   for (std::size_t row = 0; row < rows.at.size(); ++row) {
     const std::size_t piece = rows.piece[row];
     desktop::ChartCurve curve{desktop::pretty_quantity(gram.time[piece], "s", 4), {}, {}};
     if (!steady) curve.name += ", " + rpm_text(speed_of_piece(motion, gram, piece));
     for (const double a : gram.amplitude[piece])
-      curve.y.push_back(scaled_amplitude(a, largest, options.scale));
+      curve.y.push_back(scaled_amplitude(a, largest, scale));
     panel.curves.push_back(std::move(curve));
   }
-  highest = scaled_amplitude(largest, largest, options.scale);
+  highest = scaled_amplitude(largest, largest, scale);
   panel.rows = desktop::ChartRows{rows.speed ? "Shaft speed" : "Time",
                                   rows.speed ? "rpm" : "s",
                                   rows.at,

@@ -3,6 +3,7 @@
 #include "signal/sampling.hpp"
 #include "signal/spectrum.hpp"
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -12,26 +13,36 @@ namespace adore::adrplot {
 using signal::Window;
 
 /// Units: amplitude in the unit of the curve. Decibel: 20 log10 of the amplitude over 1 of that
-/// unit. Relative: over the largest amplitude of the curve.
-enum class SpectrumScale : unsigned char { Units, Decibel, Relative };
+/// unit. Relative: over the largest amplitude of the curve. Automatic: units for spectra, decibels
+/// for spectrograms, whose colors span several orders of magnitude.
+enum class SpectrumScale : unsigned char { Units, Decibel, Relative, Automatic };
+
+/// In the order of the menu.
+inline constexpr std::array kScales{SpectrumScale::Automatic, SpectrumScale::Units,
+                                    SpectrumScale::Decibel, SpectrumScale::Relative};
 
 struct SpectrumOptions {
   Window window = Window::Hann;
-  SpectrumScale scale = SpectrumScale::Units;
+  SpectrumScale scale = SpectrumScale::Automatic;
   bool over_speed = false;  ///< spectrograms: shaft speed instead of time
 };
+
+/// The scale that is drawn. @param automatic for SpectrumScale::Automatic
+[[nodiscard]] inline SpectrumScale drawn_scale(SpectrumScale scale, SpectrumScale automatic) {
+  return scale == SpectrumScale::Automatic ? automatic : scale;
+}
 
 /// Processing of the samples, or the reason why there are none.
 [[nodiscard]] std::string sampling_note(const signal::Samples& samples, std::size_t stored);
 
-/// Unit of the amplitudes of a curve: "N", "dB re 1 N", "of largest".
+/// Unit of the amplitudes of a curve on a drawn scale: "N", "dB re 1 N", "of largest".
 [[nodiscard]] std::string spectrum_unit(SpectrumScale scale, const std::string& unit);
 
 /// Are values of this unit levels in decibels, which have no logarithmic axis?
 [[nodiscard]] inline bool is_decibel(std::string_view unit) { return unit.starts_with("dB"); }
 
-/// An amplitude on a scale; `largest` of the curve or spectrogram. Levels end 160 dB below the
-/// largest: rounding of sixteen digits.
+/// An amplitude on a drawn scale; `largest` of the curve or spectrogram. Levels end 160 dB below
+/// the largest: rounding of sixteen digits.
 [[nodiscard]] double scaled_amplitude(double amplitude, double largest, SpectrumScale scale);
 void scale_spectrum(signal::Spectrum& spectrum, SpectrumScale scale);
 

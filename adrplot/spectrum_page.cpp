@@ -230,6 +230,7 @@ static void tell_drift(ChartPage& chart, const std::vector<std::string>& driftin
 }
 
 void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOptions& options) {
+  const SpectrumScale scale = drawn_scale(options.scale, SpectrumScale::Units);
   std::vector<double> frequency;
   std::vector<Aside> asides;
   std::vector<std::string> drifting;
@@ -268,7 +269,7 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
       if (first_line_is_drift(spectrum, samples, options.window))
         drifting.push_back(panel.title + (curve.name.empty() ? "" : ", " + curve.name));
       ++drawn;
-      scale_spectrum(spectrum, options.scale);
+      scale_spectrum(spectrum, scale);
       curve.y = std::move(spectrum.amplitude);
       add_note(chart, sampling_note(samples, t.size()));  // of the drawn curves
       if (!bridged.told.empty()) add_aside(asides, {curve.name, bridged.told}, panel.title);
@@ -276,7 +277,7 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
     tell_reasons(panel, reasons, asides);
     panel.wraps = false;
     panel.least_span = 0.0;
-    panel.unit = spectrum_unit(options.scale, panel.unit);
+    panel.unit = spectrum_unit(scale, panel.unit);
   }
   const bool all_still =
       chart.panels.size() > 1 &&

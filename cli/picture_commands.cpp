@@ -77,7 +77,7 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
       command
           ->add_option("--scale", request->scale,
                        "amplitudes of spectra: in units of the curve, in dB of 1 unit, or relative "
-                       "to the maximum (default: units)")
+                       "to the maximum (default: units, for spectrograms dB)")
           ->type_name("SCALE"),
       {"units", "db", "relative"});
   command_line::one_of(

@@ -458,6 +458,7 @@ TEST_CASE("plot_window: any history has a spectrum and a spectrogram", "[gui]") 
   const auto& load = scene.page().panels[0].curves[0].y;
   CHECK(scene.page().panels[0].unit == "N");
   CHECK(*std::max_element(load.begin(), load.end()) == Approx(160.0).epsilon(0.2));
+  window.setSpectrum({Window::Hann, SpectrumScale::Units});
   window.setDomain(Domain::Spectrogram);
   REQUIRE(scene.page().panels.size() == 1);
   CHECK(scene.page().panels[0].curves.size() > 10);

@@ -289,9 +289,40 @@ TEST_CASE("render: a spectrogram of a named curve is drawn where there is one", 
   CHECK_THROWS_WITH(set_domain(options.view, "spectrum", "", "", "speed"),
                     Contains("--rows") && Contains("--domain spectrogram"));
   CHECK_THROWS_WITH(set_domain(options.view, "history", "", "db"), Contains("--scale"));
+  set_domain(options.view, "spectrogram", "", "units");
+  CHECK(options.view.spectrum.scale == SpectrumScale::Units);
+  set_domain(options.view, "spectrogram", "");
+  CHECK(options.view.spectrum.scale == SpectrumScale::Automatic);
   set_domain(options.view, "spectrogram", "", "db", "speed");
   CHECK(options.view.spectrum.scale == SpectrumScale::Decibel);
   CHECK(options.view.spectrum.over_speed);
+}
+
+TEST_CASE("spectrum scale: automatic → units for spectra, dB for spectrograms", "[gui]") {
+  test::use_qt();
+  PlotWindow window;
+  window.addFile(test::synthetic_sol(results::SolKind::Power));
+  const auto unit = [&] { return window.view().chartScene().page().panels.front().unit; };
+  const auto choose = [&](const QString& text) {
+    for (QAction* one : window.findChildren<QAction*>())
+      if (one->text() == text) return one->trigger();
+  };
+  window.setDomain(Domain::Spectrum);
+  CHECK(unit() == "W");
+  window.setDomain(Domain::Spectrogram);
+  CHECK(unit() == "dB re 1 W");
+  choose("in units");
+  CHECK(unit() == "W");
+  window.setDomain(Domain::Spectrum);
+  choose("automatic (spectrogram: in dB)");
+  CHECK(unit() == "W");
+  // As a session and a command set it.
+  for (const auto& [scale, of_spectrogram] : {std::pair{SpectrumScale::Relative, "of largest"},
+                                              {SpectrumScale::Automatic, "dB re 1 W"}}) {
+    window.setSpectrum({signal::Window::Hann, scale});
+    window.setDomain(Domain::Spectrogram);
+    CHECK(unit() == of_spectrogram);
+  }
 }
 
 TEST_CASE("spectrogram: low picture → about half of it is the map", "[gui]") {

@@ -216,6 +216,22 @@ TEST_CASE("programs: files of other types → rejected with exit code 2", "[gui]
   }
 }
 
+TEST_CASE("programs: pictures of a project → rejected with exit code 2", "[gui][apps]") {
+  adore::test::use_qt();
+  const QTemporaryDir folder, pictures;
+  QFile project(folder.filePath("PROJECT.json"));
+  REQUIRE(project.open(QIODevice::WriteOnly));
+  project.write(R"({"format": "adore-project", "version": 1, "decks": [], "runs": []})");
+  project.close();
+  for (const char* program : {"adrplot", "agore"})
+    for (const QString& named : {folder.path(), project.fileName()}) {
+      const Ended ended = start(program, {"--render", pictures.path(), named});
+      INFO(ended.output.toStdString());
+      CHECK(ended.code == 2);
+      CHECK(ended.output.contains("project"));
+    }
+}
+
 TEST_CASE("programs: pipe instead of a file → rejected at once; next to a file → skipped",
           "[gui][apps]") {
   adore::test::use_qt();

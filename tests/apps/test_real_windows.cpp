@@ -108,6 +108,30 @@ TEST_CASE("real windows start dark and at the page that a command asks for",
   CHECK(ends("Bearing motion"));
 }
 
+TEST_CASE("real windows: project on the command line → its first run that exists",
+          "[gui][apps][window][slow]") {
+  adore::test::use_qt();
+  const auto desk = Desk::make("1280x800x24");
+  if (!desk) return;
+  const QTemporaryDir folder;
+  REQUIRE(QFile::link(adore::test::short_run(), folder.filePath("first")));
+  QFile project(folder.filePath("PROJECT.json"));
+  REQUIRE(project.open(QIODevice::WriteOnly));
+  project.write(
+      R"({"format": "adore-project", "version": 1, "decks": [], "runs": ["gone", "first"]})");
+  project.close();
+  for (const auto& [program, title] : {std::pair{"adrplot", "first/SOL1"}, {"agore", "first/SOL8"}})
+    for (const QString& named : {folder.path(), project.fileName()}) {
+      INFO(program << " " << named.toStdString());
+      desk->start(program, {named});
+      CHECK(desk->shows(title));
+      if (std::string(program) == "agore") desk->keys({"Return"});  // the missing run
+      desk->xdotool({"windowactivate", "--sync", desk->window(title)});
+      desk->keys({"ctrl+q"});
+      CHECK(desk->ends());
+    }
+}
+
 TEST_CASE("real windows: files that are dragged from another program open where they are dropped",
           "[gui][apps][window][slow]") {
   adore::test::use_qt();
