@@ -28,6 +28,7 @@ DEFINITIONS = {
     "how-to/effect.md": "interfaces and files",
     "how-to/extension-file.md": "records",
     "how-to/index.md": "links",
+    "how-to/projects.md": "menus and files",
     "how-to/user-routine.md": "interfaces",
     "library.md": "headers",
     "python-tour.md": "exit codes",
