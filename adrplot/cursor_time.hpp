@@ -8,11 +8,11 @@
 /// Times of places on the abscissa of a page where cursors can be. No Qt.
 namespace adore::adrplot {
 
-/// Time at an abscissa [s]; nothing if the page is not over the course of a run, such as a
-/// spectrum, and outside the run. Revolutions are those of `motion`; of a shaft at rest the end.
+/// Time at an abscissa [s]; a place beyond the first or last step gives the time of that step.
+/// Nothing on pages without a time, such as spectra. Revolutions are looked up in `motion`.
 [[nodiscard]] std::optional<double> time_of_cursor(const desktop::ChartPage& page,
                                                    const RunMotion& motion, double abscissa);
-/// Abscissa at a time, within the run.
+/// Abscissa at a time [s], limited to the steps of the run; nothing on pages without a time.
 [[nodiscard]] std::optional<double> cursor_at_time(const desktop::ChartPage& page,
                                                    const RunMotion& motion, double time);
 

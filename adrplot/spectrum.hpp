@@ -35,14 +35,15 @@ struct SpectrumOptions {
 /// Processing of the samples, or the reason why there are none.
 [[nodiscard]] std::string sampling_note(const signal::Samples& samples, std::size_t stored);
 
-/// Unit of the amplitudes of a curve on a drawn scale: "N", "dB re 1 N", "of largest".
+/// Unit label of spectrum amplitudes: "N", "dB re 1 N", "of largest".
+/// @param scale from drawn_scale()   @param unit of the curve
 [[nodiscard]] std::string spectrum_unit(SpectrumScale scale, const std::string& unit);
 
 /// Are values of this unit levels in decibels, which have no logarithmic axis?
 [[nodiscard]] inline bool is_decibel(std::string_view unit) { return unit.starts_with("dB"); }
 
-/// An amplitude on a drawn scale; `largest` of the curve or spectrogram. Levels end 160 dB below
-/// the largest: rounding of sixteen digits.
+/// Converts an amplitude to a scale from drawn_scale(); `largest` of the curve or spectrogram.
+/// Levels end 160 dB below the largest: rounding of sixteen digits.
 [[nodiscard]] double scaled_amplitude(double amplitude, double largest, SpectrumScale scale);
 void scale_spectrum(signal::Spectrum& spectrum, SpectrumScale scale);
 

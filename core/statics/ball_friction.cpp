@@ -28,8 +28,8 @@ constexpr int kSearches = 2;  ///< without an equilibrium, of one ball; from the
 /// ends. After kPasses passes, a change below kSteadyAccepted is accepted.
 constexpr double kSteady = 1e-10, kSteadyAccepted = 1e-5;
 
-/// Replaces spin, pitch angle, gyroscopic moment, spin-to-roll and friction ratios of the spin rule
-/// by those of a ball in friction equilibrium.
+/// Computes spin, pitch angle, gyroscopic moment, spin-to-roll and friction ratios from the motion
+/// of the friction equilibrium. Before the call, the ball has those of the spin rule.
 void give_ratios(const Bearing& bearing, const ContactLaws& laws, const BallMotion& motion,
                  double frame, StaticBall& ball) {
   const double along_x = motion.orbit - motion.omega[0];
