@@ -19,7 +19,7 @@
 namespace adore::adrinput {
 namespace {
 
-constexpr int kBarSteps = 1000;
+constexpr int kAccuracyBarSteps = 1000;
 
 QString row_text(const studies::AccuracyRow& row) {
   return QString::fromStdString(
@@ -75,9 +75,9 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
                    &AccuracyPanel::cancel);
   target_ = number(tr("target error"), "accuracy-target", 1.0, 0.01, 50.0, " %");
   budget_ = number(tr("time limit"), "accuracy-budget", 120.0, 1.0, 100000.0, " s");
-  turns_ = number(tr("run length"), "accuracy-turns", studies::AccuracyRequest().turns, 0.1,
-                  10000.0, tr(" rev"));
-  turns_->setToolTip(tr(
+  revolutions_box_ = number(tr("run length"), "accuracy-turns", studies::AccuracyRequest().turns,
+                            0.1, 10000.0, tr(" rev"));
+  revolutions_box_->setToolTip(tr(
       "Simulated shaft revolutions of the runs that compare the best settings (fewer if the time "
       "limit is reached). The first round compares all settings in shorter runs (see the table)."));
   row->addStretch();
@@ -85,10 +85,10 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   row = new desktop::FlowLayout;  // two short rows: one long one would widen the whole window
   bar_ = new QProgressBar(this);
   bar_->setObjectName("study-progress");
-  bar_->setRange(0, kBarSteps);
+  bar_->setRange(0, kAccuracyBarSteps);
   row->addWidget(bar_);
   apply_ = button(tr("Apply to deck"), "apply-accuracy",
-                  tr("Set the recommended values in this deck"), &AccuracyPanel::applyWanted);
+                  tr("Set the recommended values in this deck"), &AccuracyPanel::applyRequested);
   note_ = new QLabel(
       tr("Runs this deck with different integrators, tolerances and maximum steps, and compares "
          "error and computing time (as `adore accuracy` does). Writes no files."),
@@ -110,16 +110,16 @@ QString AccuracyPanel::text() const { return view_->toPlainText(); }
 void AccuracyPanel::enableButtons() {
   start_->setEnabled(!busy());
   cancel_->setEnabled(busy());
-  apply_->setEnabled(!busy() && !sets_.empty());
+  apply_->setEnabled(!busy() && !recommended_settings_.empty());
 }
 
-void AccuracyPanel::cancel() { background_.stop(); }
+void AccuracyPanel::cancel() { background_task_.stop(); }
 
 void AccuracyPanel::start(const deck::Deck& deck, const RunOptionValues& options) {
   if (busy()) return;
-  studied_ = deck;
-  dropped_ = reread_ = stale_ = false;
-  sets_.clear();
+  studied_deck_ = deck;
+  deck_replaced_ = file_reloaded_ = stale_ = false;
+  recommended_settings_.clear();
   view_->clear();
   view_->show();
   bar_->setValue(0);
@@ -130,7 +130,7 @@ void AccuracyPanel::start(const deck::Deck& deck, const RunOptionValues& options
   for (const auto& [name, value] : options) request.options.emplace_back(name, value);
   request.target = target_->value() / 100.0;
   request.budget = budget_->value();
-  request.turns = turns_->value();
+  request.turns = revolutions_box_->value();
   round_.clear();
   struct End {
     studies::AccuracyStudy study;
@@ -140,17 +140,17 @@ void AccuracyPanel::start(const deck::Deck& deck, const RunOptionValues& options
   const auto row_done = [this](const studies::AccuracyRow& row,
                                const studies::AccuracyStudy& so_far) {
     const double used = so_far.seconds;
-    background_.report([this, line = row_text(row), used,
-                        round = QString::fromStdString(studies::round_text(row, so_far))] {
+    background_task_.report([this, line = row_text(row), used,
+                             round = QString::fromStdString(studies::round_text(row, so_far))] {
       showRow(line, round, used);
     });
   };
-  background_.start(
+  background_task_.start(
       [function = study, request = std::move(request), row_done, end](std::stop_token token) {
         try {
           end->study = function(request, row_done, std::move(token));
         } catch (const std::exception& error) {
-          end->failure = in_window_words(error.what());
+          end->failure = replace_cli_terms(error.what());
         }
       },
       [this, end] { show(end->study, QString::fromStdString(end->failure)); });
@@ -161,8 +161,8 @@ void AccuracyPanel::showRow(const QString& line, const QString& round, double us
   if (!busy()) return;
   if (round != round_) view_->appendPlainText(round_ = round);
   const double share = used / std::max(budget_->value(), 1.0);
-  bar_->setValue(
-      std::max(bar_->value(), static_cast<int>(std::lround(kBarSteps * std::min(share, 1.0)))));
+  bar_->setValue(std::max(bar_->value(),
+                          static_cast<int>(std::lround(kAccuracyBarSteps * std::min(share, 1.0)))));
   view_->appendPlainText("  " + line);
   note_->setText(tr("Running: %1 s of %2 s computing time used.")
                      .arg(used, 0, 'f', 0)
@@ -175,8 +175,8 @@ void AccuracyPanel::show(const studies::AccuracyStudy& study_made, const QString
   } else if (!study_made.complete) {
     headline_ = tr("The study was stopped before it was complete.");
   } else {
-    bar_->setValue(kBarSteps);
-    if (!dropped_) sets_ = studies::recommended_sets(study_made);
+    bar_->setValue(kAccuracyBarSteps);
+    if (!deck_replaced_) recommended_settings_ = studies::recommended_sets(study_made);
     headline_ = QString::fromStdString(studies::recommendation(study_made));
     view_->setPlainText(QString::fromStdString(studies::accuracy_table(study_made)));
   }
@@ -187,34 +187,34 @@ void AccuracyPanel::show(const studies::AccuracyStudy& study_made, const QString
 
 void AccuracyPanel::showNote() {
   QStringList changes;
-  for (const auto& [name, value] : sets_)
+  for (const auto& [name, value] : recommended_settings_)
     changes << QString::fromStdString(fmt::format("{} = {}", name, value));
   note_->setText(
-      (reread_    ? tr("Out of date: the file was reloaded. Run the study again. ")
-       : dropped_ ? tr("Results of another deck. ")
-       : stale_   ? tr("Out of date: the deck has changed. Run the study again. ")
-                  : QString()) +
+      (file_reloaded_   ? tr("Out of date: the file was reloaded. Run the study again. ")
+       : deck_replaced_ ? tr("Results of another deck. ")
+       : stale_         ? tr("Out of date: the deck has changed. Run the study again. ")
+                        : QString()) +
       headline_ +
       (changes.isEmpty() ? QString() : tr(" \"Apply to deck\" sets %1.").arg(changes.join(", "))));
 }
 
-void AccuracyPanel::forget(bool reread) {
-  if (studied_.records.empty()) return;
-  reread_ = reread && (reread_ || !dropped_);
-  dropped_ = true;
-  sets_.clear();
+void AccuracyPanel::invalidateResult(bool reread) {
+  if (studied_deck_.records.empty()) return;
+  file_reloaded_ = reread && (file_reloaded_ || !deck_replaced_);
+  deck_replaced_ = true;
+  recommended_settings_.clear();
   enableButtons();
 }
 
-void AccuracyPanel::setStored(const QString& text) {
-  if (busy() || !studied_.records.empty()) return;
+void AccuracyPanel::setStoredAccuracy(const QString& text) {
+  if (busy() || !studied_deck_.records.empty()) return;
   view_->setPlainText(text);
   view_->setVisible(!text.isEmpty());
 }
 
 void AccuracyPanel::setDeck(const deck::Deck& deck) {
-  if (studied_.records.empty()) return;
-  stale_ = !(deck == studied_);
+  if (studied_deck_.records.empty()) return;
+  stale_ = !(deck == studied_deck_);
   if (!busy()) showNote();
 }
 

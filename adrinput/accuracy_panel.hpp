@@ -41,13 +41,13 @@ class AccuracyPanel : public QWidget {
   /// The current deck: a study of an older one is marked as out of date.
   void setDeck(const deck::Deck& deck);
   /// Another deck was opened, or its file was reloaded: the recommendation is not for it.
-  void forget(bool reread);
+  void invalidateResult(bool reread);
   /// What is stored beside the deck (stored_accuracy.hpp), shown while no study of the window is.
-  void setStored(const QString& text);
-  [[nodiscard]] bool busy() const { return background_.busy(); }
+  void setStoredAccuracy(const QString& text);
+  [[nodiscard]] bool busy() const { return background_task_.busy(); }
   [[nodiscard]] QString text() const;
   /// Recommended settings; empty before a study or without a recommendation.
-  [[nodiscard]] const Sets& recommended() const { return sets_; }
+  [[nodiscard]] const Sets& recommended() const { return recommended_settings_; }
 
  public slots:
   void cancel();
@@ -57,7 +57,7 @@ class AccuracyPanel : public QWidget {
   void wanted();
   void finished();
   /// The recommended settings are to be put into the deck.
-  void applyWanted();
+  void applyRequested();
 
  private:
   void showRow(const QString& line, const QString& round, double used);
@@ -66,16 +66,16 @@ class AccuracyPanel : public QWidget {
   void enableButtons();
 
   QPushButton *start_, *cancel_, *apply_;
-  QDoubleSpinBox *target_, *budget_, *turns_;
+  QDoubleSpinBox *target_, *budget_, *revolutions_box_;
   QProgressBar* bar_;
   QLabel* note_;
   QPlainTextEdit* view_;
-  Background background_;
-  deck::Deck studied_;
-  bool dropped_ = false;  ///< since the study began a deck was opened, perhaps
-  bool reread_ = false;   ///< of the same file
-  bool stale_ = false;    ///< the deck is not the one that is studied
-  Sets sets_;
+  BackgroundTask background_task_;
+  deck::Deck studied_deck_;
+  bool deck_replaced_ = false;  ///< since the study began a deck was opened, perhaps
+  bool file_reloaded_ = false;  ///< of the same file
+  bool stale_ = false;          ///< the deck is not the one that is studied
+  Sets recommended_settings_;
   QString headline_, round_;
 };
 

@@ -8,19 +8,20 @@
 
 namespace adore::adrinput {
 
-Background::~Background() {
+BackgroundTask::~BackgroundTask() {
   stop();
   if (thread_ != nullptr) thread_->wait();
 }
 
-void Background::report(std::function<void()> act) {
+void BackgroundTask::report(std::function<void()> act) {
   QMetaObject::invokeMethod(this, std::move(act), Qt::QueuedConnection);
 }
 
-void Background::start(std::function<void(std::stop_token)> work, std::function<void()> ended) {
+void BackgroundTask::start(std::function<void(std::stop_token)> work, std::function<void()> ended) {
   demand(!busy(), "a background task is already active");
-  stop_ = {};
-  thread_ = QThread::create([work = std::move(work), token = stop_.get_token()] { work(token); });
+  stop_source_ = {};
+  thread_ =
+      QThread::create([work = std::move(work), token = stop_source_.get_token()] { work(token); });
   thread_->setParent(this);
   connect(thread_, &QThread::finished, this, [this, ended = std::move(ended)] {
     std::exchange(thread_, nullptr)->deleteLater();

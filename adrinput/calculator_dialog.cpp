@@ -1,5 +1,6 @@
 #include "adrinput/calculator_dialog.hpp"
 
+#include "adrinput/qt_text.hpp"
 #include "adrinput/wheel_guard.hpp"
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
@@ -29,8 +30,6 @@ using calculators::SchemaInput;
 using calculators::SchemaKind;
 using Json = nlohmann::json;
 
-QString from(const std::string& text) { return QString::fromStdString(text); }
-
 bool is_choice(const SchemaInput& input) {
   return (input.type == "code" || input.type == "true or false") &&
          input.name.find("[]") == std::string::npos;
@@ -39,7 +38,7 @@ bool is_choice(const SchemaInput& input) {
 QString scalar_text(const Json& value) {
   if (value.is_number_float())
     return QString::number(value.get<double>(), 'g', QLocale::FloatingPointShortest);
-  return from(value.is_string() ? value.get<std::string>() : dump_json(value));
+  return text_of(value.is_string() ? value.get<std::string>() : dump_json(value));
 }
 
 /// Values at a path ("lands[].race"), lists in lists for each "[]"; null: not given.
@@ -74,16 +73,16 @@ void put(Json& into, const QStringList& path, const Json& value, qsizetype at = 
 
 /// "lands[].race" as lands, [], race
 QStringList steps_of(const std::string& path) {
-  QString text = from(path);
+  QString text = text_of(path);
   return text.replace("[]", ".[]").split('.', Qt::SkipEmptyParts);
 }
 
-QString text_of(const Json& value) {
+QString value_text(const Json& value) {
   if (!value.is_array()) return scalar_text(value);
   QStringList parts;
   const bool rows =
       std::any_of(value.begin(), value.end(), [](const Json& v) { return v.is_array(); });
-  for (const Json& item : value) parts << text_of(item);
+  for (const Json& item : value) parts << value_text(item);
   return parts.join(rows ? "; " : ", ");
 }
 
@@ -102,7 +101,7 @@ Json scalar_of(const QString& text, const SchemaInput& input) {
 }
 
 Json value_of(const QString& text, const SchemaInput& input) {
-  const auto depth = from(input.name).count("[]");
+  const auto depth = text_of(input.name).count("[]");
   if (depth == 0) return scalar_of(text, input);
   Json out = Json::array();
   if (depth > 1) {
@@ -130,7 +129,7 @@ QString presence(const SchemaKind& kind, const SchemaInput& input) {
   for (const auto& group : kind.one_of)
     if (std::find(group.begin(), group.end(), input.name) != group.end()) {
       QStringList names;
-      for (const std::string& name : group) names << from(name);
+      for (const std::string& name : group) names << text_of(name);
       return CalculatorDialog::tr("exactly one of %1").arg(names.join(", "));
     }
   if (!input.default_value.is_null())
@@ -150,7 +149,7 @@ CalculatorDialog::CalculatorDialog(QWidget* parent)
     : QDialog(parent),
       calculator_(new QComboBox(this)),
       kind_(new QComboBox(this)),
-      area_(new QScrollArea(this)),
+      scroll_area_(new QScrollArea(this)),
       help_(new QLabel(this)),
       message_(new QLabel(this)),
       results_(new QTableWidget(0, 4, this)) {
@@ -163,13 +162,15 @@ CalculatorDialog::CalculatorDialog(QWidget* parent)
   kind_->setAccessibleName(tr("Kind of calculation"));
   for (QComboBox* list : {calculator_, kind_}) new WheelGuard(list);
   for (const calculators::CalculatorInfo& info : calculators::calculator_list())
-    if (calculators::schema_of(info.family) != nullptr) calculator_->addItem(from(info.name));
+    if (calculators::family_schema(info.family) != nullptr)
+      calculator_->addItem(text_of(info.name));
   for (QLabel* label : {help_, message_}) label->setWordWrap(true);
   message_->setObjectName("calculator-message");
-  area_->setWidgetResizable(true);
-  area_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // the width of the fields is constant
-  area_->setAccessibleName(tr("Inputs"));
-  area_->setMinimumSize(320, 90);
+  scroll_area_->setWidgetResizable(true);
+  scroll_area_->setVerticalScrollBarPolicy(
+      Qt::ScrollBarAlwaysOn);  // the width of the fields is constant
+  scroll_area_->setAccessibleName(tr("Inputs"));
+  scroll_area_->setMinimumSize(320, 90);
   results_->setMinimumHeight(60);
   results_->setObjectName("calculator-results");
   results_->setAccessibleName(tr("Results"));
@@ -189,7 +190,7 @@ CalculatorDialog::CalculatorDialog(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->addLayout(form);
   column->addWidget(help_);
-  column->addWidget(area_, 2);
+  column->addWidget(scroll_area_, 2);
   column->addWidget(message_);
   column->addWidget(results_, 1);
   column->addWidget(buttons);
@@ -214,11 +215,11 @@ std::size_t CalculatorDialog::kindIndex() const {
 
 void CalculatorDialog::showCalculator() {
   const calculators::CalculatorInfo& info = calculator();
-  help_->setText(from(info.help));
-  kinds_ = calculators::kinds_of(*calculators::schema_of(info.family), info.kind);
+  help_->setText(text_of(info.help));
+  kinds_ = calculators::calculation_kinds(*calculators::family_schema(info.family), info.kind);
   const QSignalBlocker quiet(kind_);
   kind_->clear();
-  for (const SchemaKind* kind : kinds_) kind_->addItem(from(kind->name));
+  for (const SchemaKind* kind : kinds_) kind_->addItem(text_of(kind->name));
   showKind();
 }
 
@@ -229,16 +230,16 @@ void CalculatorDialog::showKind() {
   auto* column = new QVBoxLayout(page);
   for (const SchemaInput& input : kind().inputs) addField(*column, input);
   column->addStretch(1);
-  area_->setWidget(page);
+  scroll_area_->setWidget(page);
   page->show();
   fitPage();
 }
 
 void CalculatorDialog::fitPage() {
-  QWidget* page = area_->widget();
+  QWidget* page = scroll_area_->widget();
   if (page == nullptr) return;
   page->layout()->activate();
-  page->setMinimumHeight(page->layout()->totalHeightForWidth(area_->viewport()->width()));
+  page->setMinimumHeight(page->layout()->totalHeightForWidth(scroll_area_->viewport()->width()));
 }
 
 void CalculatorDialog::showEvent(QShowEvent* event) {
@@ -255,13 +256,13 @@ void CalculatorDialog::resizeEvent(QResizeEvent* event) {
 void CalculatorDialog::addField(QBoxLayout& column, const SchemaInput& input) {
   QWidget* page = column.parentWidget();
   QWidget* editor = nullptr;
-  const QString name = from(input.name), needed = presence(kind(), input);
+  const QString name = text_of(input.name), needed = presence(kind(), input);
   if (is_choice(input)) {
     auto* list = new QComboBox(page);
     new WheelGuard(list);
     list->addItem(QString());
     if (input.type == "true or false") list->addItems({"true", "false"});
-    for (const std::string& code : input.codes) list->addItem(from(code));
+    for (const std::string& code : input.codes) list->addItem(text_of(code));
     if (input.null_meaning) list->addItem("null");
     editor = list;
   } else {
@@ -270,8 +271,8 @@ void CalculatorDialog::addField(QBoxLayout& column, const SchemaInput& input) {
     editor = line;
   }
   const QString hint = tr("%1, %2%3")
-                           .arg(from(input.value_text()), needed,
-                                input.meaning.empty() ? QString() : ". " + from(input.meaning));
+                           .arg(text_of(input.value_text()), needed,
+                                input.meaning.empty() ? QString() : ". " + text_of(input.meaning));
   editor->setObjectName(name);
   editor->setAccessibleName(name);
   editor->setAccessibleDescription(hint);
@@ -300,7 +301,7 @@ void CalculatorDialog::fillExample() {
     const Json value = values_at(example, steps_of(field.input->name));
     const bool is_given =
         !value.is_null() || (field.input->null_meaning && example.contains(field.input->name));
-    const QString text = is_given ? text_of(value) : QString();
+    const QString text = is_given ? value_text(value) : QString();
     if (auto* list = qobject_cast<QComboBox*>(field.editor))
       list->setCurrentIndex(std::max(0, list->findText(text, Qt::MatchFixedString)));
     else if (auto* line = qobject_cast<QLineEdit*>(field.editor))
@@ -333,9 +334,9 @@ void CalculatorDialog::compute() {
   } catch (const InputError& error) {
     if (error.issues().empty()) showError({}, error.what());
     for (const Issue& issue : error.issues()) {
-      QString text = from(issue.message);
-      if (!issue.remedy.empty()) text += "; " + from(issue.remedy);
-      showError(from(issue.variable), text);
+      QString text = text_of(issue.message);
+      if (!issue.remedy.empty()) text += "; " + text_of(issue.remedy);
+      showError(text_of(issue.variable), text);
     }
   } catch (const std::exception& error) {
     showError({}, error.what());
@@ -346,7 +347,7 @@ void CalculatorDialog::showError(const QString& variable, const QString& text) {
   const QString path = schema_path(variable);
   const Field* at = nullptr;
   for (const Field& field : fields_) {
-    const QString name = from(field.input->name);
+    const QString name = text_of(field.input->name);
     if (name == path || name == path + "[]") at = &field;
     if (at == nullptr && !path.isEmpty() && name.startsWith(path)) at = &field;
   }
@@ -368,12 +369,12 @@ void CalculatorDialog::showError(const QString& variable, const QString& text) {
   fitPage();
   if (!first) return;
   at->editor->setFocus();
-  area_->ensureWidgetVisible(at->editor);
+  scroll_area_->ensureWidgetVisible(at->editor);
 }
 
 void CalculatorDialog::showResults(const nlohmann::json& results) {
   const Json units = results.value("units", Json::object());
-  const calculators::SchemaFamily& family = *calculators::schema_of(calculator().family);
+  const calculators::SchemaFamily& family = *calculators::family_schema(calculator().family);
   const auto row = [&](const QString& path, const Json& value) {
     const std::string name = schema_path(path).toStdString();
     const std::string in_list = value.is_array() && !name.ends_with("[]") ? name + "[]" : name;
@@ -384,9 +385,9 @@ void CalculatorDialog::showResults(const nlohmann::json& results) {
     results_->insertRow(at);
     const QStringList cells{
         path,
-        value.is_number_float() ? QString::number(value.get<double>(), 'g', 7) : text_of(value),
-        unit == "1" ? QString() : from(unit),
-        meaning == family.results.end() ? QString() : from(meaning->meaning)};
+        value.is_number_float() ? QString::number(value.get<double>(), 'g', 7) : value_text(value),
+        unit == "1" ? QString() : text_of(unit),
+        meaning == family.results.end() ? QString() : text_of(meaning->meaning)};
     for (int k = 0; k < cells.size(); ++k) {
       results_->setItem(at, k, new QTableWidgetItem(cells[k]));
       results_->item(at, k)->setToolTip(cells[k]);
@@ -396,7 +397,7 @@ void CalculatorDialog::showResults(const nlohmann::json& results) {
     if (value.is_object()) {
       for (const auto& [key, item] : value.items())
         if (!path.isEmpty() || key != "units")
-          again(again, path.isEmpty() ? from(key) : path + "." + from(key), item);
+          again(again, path.isEmpty() ? text_of(key) : path + "." + text_of(key), item);
     } else if (value.is_array() && std::any_of(value.begin(), value.end(),
                                                [](const Json& v) { return v.is_object(); })) {
       for (std::size_t i = 0; i < value.size(); ++i)

@@ -55,7 +55,7 @@ class CalculatorDialog : public QDialog {
   void showResults(const nlohmann::json& results);
 
   QComboBox *calculator_, *kind_;
-  QScrollArea* area_;
+  QScrollArea* scroll_area_;
   QLabel *help_, *message_;
   QTableWidget* results_;
   std::vector<const calculators::SchemaKind*> kinds_;

@@ -46,7 +46,7 @@ QLineEdit* CatalogueDialog::addField(QFormLayout& form, const QString& label, co
   field->setAccessibleName(accessible);
   field->setMaximumWidth(120);
   form.addRow(label, field);
-  connect(field, &QLineEdit::textChanged, this, &CatalogueDialog::look);
+  connect(field, &QLineEdit::textChanged, this, &CatalogueDialog::updateCandidates);
   return field;
 }
 
@@ -54,13 +54,14 @@ CatalogueDialog::CatalogueDialog(QWidget* parent)
     : QDialog(parent),
       name_(new QLineEdit(this)),
       candidates_(new QListWidget(this)),
-      story_(new QLabel(this)) {
+      description_label_(new QLabel(this)) {
   setObjectName("catalogue");
   desktop::delete_when_done(*this);
   setWindowTitle(tr("New deck from the catalog"));
-  auto* label = new QLabel(tr("&Bearing, e.g. 6205, 7208 B, NU209, 30208 or 22210, type and size, "
-                              "e.g. deep-groove 25x52x15, or a test rig, e.g. CWRU-6205-DE:"),
-                           this);
+  auto* label =
+      new QLabel(tr("&Bearing: designation (6205, 7208 B, NU209, 30208, 22210), type and size "
+                    "(deep-groove 25x52x15) or test rig (CWRU-6205-DE):"),
+                 this);
   label->setWordWrap(true);
   label->setBuddy(name_);
   name_->setObjectName("designation");
@@ -68,7 +69,7 @@ CatalogueDialog::CatalogueDialog(QWidget* parent)
   QStringList all;
   for (const std::string& designation : deck::catalogue_designations())
     all << QString::fromStdString(designation);
-  for (const std::string& rig : deck::rig_names()) all << QString::fromStdString(rig);
+  for (const std::string& rig : deck::test_rig_names()) all << QString::fromStdString(rig);
   auto* completer = new QCompleter(all, this);
   completer->setCaseSensitivity(Qt::CaseInsensitive);
   name_->setCompleter(completer);
@@ -90,38 +91,38 @@ CatalogueDialog::CatalogueDialog(QWidget* parent)
   candidates_->setAccessibleName(tr("Internal geometries that agree with the published facts"));
   candidates_->setMaximumHeight(6 * fontMetrics().lineSpacing());
   candidates_->hide();
-  story_->setObjectName("story");
-  story_->setWordWrap(true);
-  story_->setTextFormat(Qt::PlainText);
-  area_ = new QScrollArea(this);
-  area_->setAccessibleName(tr("Description of the bearing"));
-  area_->setWidgetResizable(true);
-  area_->setFrameShape(QFrame::NoFrame);
-  area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area_->setMinimumSize(480, 160);
-  area_->setWidget(story_);
-  story_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  description_label_->setObjectName("story");
+  description_label_->setWordWrap(true);
+  description_label_->setTextFormat(Qt::PlainText);
+  scroll_area_ = new QScrollArea(this);
+  scroll_area_->setAccessibleName(tr("Description of the bearing"));
+  scroll_area_->setWidgetResizable(true);
+  scroll_area_->setFrameShape(QFrame::NoFrame);
+  scroll_area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_area_->setMinimumSize(480, 160);
+  scroll_area_->setWidget(description_label_);
+  description_label_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  take_ = buttons->addButton(tr("Create &deck"), QDialogButtonBox::AcceptRole);
-  take_->setObjectName("take");
-  take_->setDefault(true);
+  create_button_ = buttons->addButton(tr("Create &deck"), QDialogButtonBox::AcceptRole);
+  create_button_->setObjectName("take");
+  create_button_->setDefault(true);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(label);
   layout->addWidget(name_);
   layout->addLayout(fields);
   layout->addWidget(candidates_);
-  layout->addWidget(area_, 1);
+  layout->addWidget(scroll_area_, 1);
   layout->addWidget(buttons);
-  connect(name_, &QLineEdit::textChanged, this, &CatalogueDialog::look);
+  connect(name_, &QLineEdit::textChanged, this, &CatalogueDialog::updateCandidates);
   connect(candidates_, &QListWidget::currentRowChanged, this, &CatalogueDialog::showBearing);
-  connect(buttons, &QDialogButtonBox::accepted, this, &CatalogueDialog::take);
+  connect(buttons, &QDialogButtonBox::accepted, this, &CatalogueDialog::createDeck);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  look();
+  updateCandidates();
 }
 
-QString CatalogueDialog::story() const { return story_->text(); }
+QString CatalogueDialog::descriptionText() const { return description_label_->text(); }
 
-std::optional<design::BearingFacts> CatalogueDialog::facts() const {
+std::optional<design::BearingFacts> CatalogueDialog::publishedFacts() const {
   constexpr double kKilonewton = 1e3;
   design::BearingFacts out;
   out.C = number_in(*C_);
@@ -142,7 +143,7 @@ std::optional<design::BearingFacts> CatalogueDialog::facts() const {
   if (named.standard) {
     out.designation = name_->text().toStdString();
   } else {
-    out.type = deck::type_word(named.type);
+    out.type = deck::bearing_type_keyword(named.type);
     out.bore = named.envelope.bore;
     out.outside = named.envelope.outside;
     out.width = named.envelope.width;
@@ -160,12 +161,12 @@ runs::OperatingPoint CatalogueDialog::operatingPoint() const {
   return out;
 }
 
-void CatalogueDialog::look() {
-  take_->setEnabled(false);
+void CatalogueDialog::updateCandidates() {
+  create_button_->setEnabled(false);
   report_.reset();
   try {
     (void)operatingPoint();
-    const std::optional<design::BearingFacts> given = facts();
+    const std::optional<design::BearingFacts> given = publishedFacts();
     if (given) report_ = design::find_candidates(*given);
     showCandidates();
     showBearing();
@@ -175,7 +176,7 @@ void CatalogueDialog::look() {
     showCandidates();
     showError(name_->text(), error);
   }
-  if (isVisible()) makeRoom();
+  if (isVisible()) growToFitDescription();
 }
 
 void CatalogueDialog::showCandidates() {
@@ -201,19 +202,19 @@ void CatalogueDialog::showBearing() {
   QStringList lines;
   deck::CatalogueBearing found;
   if (report_ && report_->candidates.empty()) {
-    story_->setText(QString::fromStdString(design::candidates_text(*report_)));
+    description_label_->setText(QString::fromStdString(design::candidates_text(*report_)));
     return;
   }
   if (report_) {
-    found = design::chosen_candidate(*report_, std::max(candidates_->currentRow(), 0) + 1);
+    found = design::candidate_bearing(*report_, std::max(candidates_->currentRow(), 0) + 1);
     if (!report_->decisive.empty()) lines << QString::fromStdString(report_->decisive);
   } else {
     found = deck::find_bearing(name_->text().toStdString());
   }
-  for (const std::string& line : deck::catalogue_story(found))
+  for (const std::string& line : deck::describe_catalogue_bearing(found))
     lines << QString::fromStdString(line);
-  story_->setText(lines.join("\n\n"));
-  take_->setEnabled(true);
+  description_label_->setText(lines.join("\n\n"));
+  create_button_->setEnabled(true);
 }
 
 void CatalogueDialog::showError(const QString& designation, const InputError& error) {
@@ -222,14 +223,16 @@ void CatalogueDialog::showError(const QString& designation, const InputError& er
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   if (!designation.trimmed().isEmpty())
     text = designation.trimmed() + " " + QString::fromStdString(issue.message) + ". " + text;
-  story_->setText(error.issues().empty() ? QString::fromUtf8(error.what()) : text + ".");
+  description_label_->setText(error.issues().empty() ? QString::fromUtf8(error.what())
+                                                     : text + ".");
 }
 
 /// The description of a bearing ends with unknown values: they must be visible. On a low screen it
 /// scrolls.
-void CatalogueDialog::makeRoom() {
+void CatalogueDialog::growToFitDescription() {
   layout()->activate();
-  const int more = story_->heightForWidth(area_->viewport()->width()) - area_->viewport()->height();
+  const int more = description_label_->heightForWidth(scroll_area_->viewport()->width()) -
+                   scroll_area_->viewport()->height();
   const QScreen* on = screen();
   constexpr double kShare = 0.9;
   const int most =
@@ -239,20 +242,20 @@ void CatalogueDialog::makeRoom() {
 
 void CatalogueDialog::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
-  makeRoom();
+  growToFitDescription();
 }
 
-void CatalogueDialog::take() {
+void CatalogueDialog::createDeck() {
   try {
     const deck::CatalogueBearing bearing =
-        report_ ? design::chosen_candidate(*report_, std::max(candidates_->currentRow(), 0) + 1)
+        report_ ? design::candidate_bearing(*report_, std::max(candidates_->currentRow(), 0) + 1)
                 : deck::find_bearing(name_->text().toStdString());
     const QString text = QString::fromStdString(
         runs::with_operating_point(deck::catalogue_deck(bearing), operatingPoint()));
     accept();
-    emit chosen(text);
+    emit deckCreated(text);
   } catch (const InputError& error) {
-    story_->setText(QString::fromUtf8(error.what()));
+    description_label_->setText(QString::fromUtf8(error.what()));
   }
 }
 

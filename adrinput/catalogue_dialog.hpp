@@ -23,11 +23,11 @@ class CatalogueDialog : public QDialog {
   Q_OBJECT
  public:
   explicit CatalogueDialog(QWidget* parent = nullptr);
-  [[nodiscard]] QString story() const;
+  [[nodiscard]] QString descriptionText() const;
 
  signals:
   /// The text of the deck.
-  void chosen(const QString& text);
+  void deckCreated(const QString& text);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -35,22 +35,22 @@ class CatalogueDialog : public QDialog {
  private:
   QLineEdit* addField(QFormLayout& form, const QString& label, const char* name,
                       const QString& accessible);
-  void look();
+  void updateCandidates();
   /// Empty: no field of published facts has a value. @throws InputError for a field without a
   /// number
-  [[nodiscard]] std::optional<design::BearingFacts> facts() const;
+  [[nodiscard]] std::optional<design::BearingFacts> publishedFacts() const;
   [[nodiscard]] runs::OperatingPoint operatingPoint() const;
   void showCandidates();
   void showBearing();
   void showError(const QString& designation, const InputError& error);
-  void makeRoom();
-  void take();
+  void growToFitDescription();
+  void createDeck();
 
   QLineEdit *name_, *C_, *C0_, *BPFO_, *count_, *radial_, *axial_, *speed_, *temperature_;
   QListWidget* candidates_;
-  QLabel* story_;
-  QScrollArea* area_ = nullptr;
-  QPushButton* take_;
+  QLabel* description_label_;
+  QScrollArea* scroll_area_ = nullptr;
+  QPushButton* create_button_;
   std::optional<design::CandidateReport> report_;  ///< of published facts
 };
 

@@ -50,7 +50,7 @@ const deck::VariableSpec* variable_of(const Cell& cell) {
              : &spec->variables[cell.variable];
 }
 
-std::optional<Issue> place_of_finding(const deck::Deck& deck, const Finding& finding) {
+std::optional<Issue> issue_of_finding(const deck::Deck& deck, const Finding& finding) {
   if (!finding.variable.empty()) return finding;
   const FindingKind* kind = find_finding_kind(finding.code);
   if (kind == nullptr) return std::nullopt;

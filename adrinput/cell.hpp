@@ -28,6 +28,6 @@ struct Cell {
 /// The value that an issue speaks of: its first element when it names the whole variable.
 [[nodiscard]] std::optional<Cell> cell_of(const Issue& issue);
 /// Record and variable of a finding, or those of its kind if the deck has the record.
-[[nodiscard]] std::optional<Issue> place_of_finding(const deck::Deck& deck, const Finding& finding);
+[[nodiscard]] std::optional<Issue> issue_of_finding(const deck::Deck& deck, const Finding& finding);
 
 }  // namespace adore::adrinput

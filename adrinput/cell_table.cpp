@@ -96,7 +96,7 @@ class CellDelegate : public QStyledItemDelegate {
     const deck::VariableSpec& variable = *variable_of(at(index));
     if (variable.options.empty()) return new CellEditor(table_, parent);
     auto* combo = new QComboBox(parent);
-    desktop::name_box(*combo, QString::fromStdString(std::string(variable.name)));
+    desktop::set_accessible_name(*combo, QString::fromStdString(std::string(variable.name)));
     for (const deck::OptionSpec& choice : variable.options)
       combo->addItem(choice_text(choice.code, choice.meaning),
                      QString::fromStdString(std::string(choice.code)));
@@ -116,9 +116,9 @@ class CellDelegate : public QStyledItemDelegate {
                                           : qobject_cast<QLineEdit*>(editor)->text();
     const Cell cell = at(index);
     if (text == shown_value(document_, cell)) return;
-    document_.end_step();
-    document_.edit(cell, as_meant(document_, cell, text.toStdString()));
-    document_.end_step();
+    document_.end_undo_step();
+    document_.edit(cell, add_display_unit(document_, cell, text.toStdString()));
+    document_.end_undo_step();
   }
 
  private:
@@ -139,7 +139,7 @@ CellTable::CellTable(Document& document, const std::string& record, std::size_t 
 }
 
 CellTable::CellTable(Document& document, const std::string& record, QWidget* parent)
-    : QTableWidget(parent), document_(document), record_(record), repeated_(true) {
+    : QTableWidget(parent), document_(document), record_(record), is_repeated_record_(true) {
   const deck::RecordSpec& spec = *deck::find_record(record);
   for (std::size_t v = 0; v < spec.variables.size(); ++v) {
     const auto length =
@@ -152,7 +152,7 @@ CellTable::CellTable(Document& document, const std::string& record, QWidget* par
 CellTable::CellTable(Document& document, QWidget* parent)
     : QTableWidget(parent), document_(document) {}
 
-CellTable* CellTable::ofListedDiameters(Document& document, QWidget* parent) {
+CellTable* CellTable::createForListedDiameters(Document& document, QWidget* parent) {
   auto* table = new CellTable(document, parent);
   for (const char* record : {"5G.1D.1", "5G.1D.2", "5G.1D.3", "5G.1D.4"})
     table->lines_.push_back({1, 0, record});
@@ -172,7 +172,7 @@ void CellTable::setUp() {
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setWordWrap(false);
   setRowCount(static_cast<int>(lines_.size()));
-  verticalHeader()->setVisible(repeated_ || severalRecords());
+  verticalHeader()->setVisible(is_repeated_record_ || hasSeveralRecords());
   sync();
 }
 
@@ -182,14 +182,14 @@ void CellTable::nameRows() {
   for (const Line& line : lines_) {
     const deck::VariableSpec& variable = spec.variables[line.variable];
     QString name = QString::fromStdString(std::string(variable.name));
-    if (severalRecords()) {
+    if (hasSeveralRecords()) {
       const auto first = 10 * names.size() + 1;
       names << tr("%1 to %2").arg(first).arg(first + 9);
       continue;
     }
-    if (repeated_ && variable.length != "1")
-      name += " " + QString::fromStdString(deck::element_name(variable, line.element));
-    const QString unit = shown_unit(document_, variable);
+    if (is_repeated_record_ && variable.length != "1")
+      name += " " + QString::fromStdString(deck::array_element_name(variable, line.element));
+    const QString unit = display_unit(document_, variable);
     if (!unit.isEmpty()) name += QString(" [%1]").arg(unit);
     names << name;
   }
@@ -201,13 +201,13 @@ Cell CellTable::cellAt(int row, int column) const {
   Cell cell;
   cell.record = record_;
   cell.variable = line.variable;
-  if (severalRecords()) {
+  if (hasSeveralRecords()) {
     cell.record = line.record;
     cell.variable += static_cast<std::size_t>(column);
     return cell;
   }
-  cell.instance = repeated_ ? column + 1 : 1;
-  cell.element = repeated_ ? line.element : static_cast<std::size_t>(column);
+  cell.instance = is_repeated_record_ ? column + 1 : 1;
+  cell.element = is_repeated_record_ ? line.element : static_cast<std::size_t>(column);
   return cell;
 }
 
@@ -218,7 +218,7 @@ void CellTable::fillCell(int row, int column) {
   std::string meaning = meaning_of(variable, code);
   const deck::Value* value = value_at(document_.deck(), cell);
   if (const auto* body = value == nullptr ? nullptr : std::get_if<long long>(value);
-      body != nullptr && variable.name == "kPltElemInd" && !document_.is_draft(cell))
+      body != nullptr && variable.name == "kPltElemInd" && !document_.has_unparsed_text(cell))
     meaning = deck::body_name(document_.deck(), *body);
   const QString text = meaning.empty() ? shown_value(document_, cell) : choice_text(code, meaning);
   QTableWidgetItem* old = item(row, column);
@@ -226,11 +226,11 @@ void CellTable::fillCell(int row, int column) {
     setItem(row, column, new QTableWidgetItem(text));
   else if (old->text() != text)
     old->setText(text);
-  const QString other = shows_other_units_ ? in_other_units(document_, cell) : QString();
+  const QString other = shows_other_units_ ? value_in_other_units(document_, cell) : QString();
   item(row, column)->setData(kOtherRole, other);
 }
 
-void CellTable::setOtherUnits(bool shown) {
+void CellTable::setOtherUnitsShown(bool shown) {
   if (shown == shows_other_units_) return;
   shows_other_units_ = shown;
   verticalHeader()->setDefaultSectionSize(shown ? kTwoLines : kRowHeight);
@@ -241,23 +241,23 @@ void CellTable::sync() {
   const QSignalBlocker quiet(this);
   nameRows();
   constexpr int kListed = 10;  // deviations in a record
-  const int columns = severalRecords() ? kListed
-                      : repeated_
+  const int columns = hasSeveralRecords() ? kListed
+                      : is_repeated_record_
                           ? document_.instances(record_)
                           : deck::array_length(document_.deck(), *variable_of(cellAt(0, 0)));
   if (columnCount() != columns) {
     setColumnCount(columns);
     QStringList names;
     for (int column = 0; column < columns; ++column)
-      names << (repeated_ || severalRecords()
+      names << (is_repeated_record_ || hasSeveralRecords()
                     ? QString::number(column + 1)
-                    : QString::fromStdString(deck::element_name(*variable_of(cellAt(0, 0)),
-                                                                static_cast<std::size_t>(column))));
+                    : QString::fromStdString(deck::array_element_name(
+                          *variable_of(cellAt(0, 0)), static_cast<std::size_t>(column))));
     setHorizontalHeaderLabels(names);
   }
   std::set<Cell> wrong;
   for (const Problem& problem : document_.problems())
-    if (problem.cell && (severalRecords() || problem.page == record_) &&
+    if (problem.cell && (hasSeveralRecords() || problem.page == record_) &&
         problem.issue.severity == Severity::Error)
       wrong.insert(*problem.cell);
   QColor mark = desktop::current_theme().red;
@@ -265,7 +265,7 @@ void CellTable::sync() {
   for (int row = 0; row < rowCount(); ++row)
     for (int column = 0; column < columns; ++column) {
       fillCell(row, column);
-      const bool used = document_.unused_because(cellAt(row, column)).empty();
+      const bool used = document_.unused_reason(cellAt(row, column)).empty();
       const desktop::Theme& theme = desktop::current_theme();
       item(row, column)->setForeground(used ? theme.text : theme.muted);
       QFont font = item(row, column)->font();
@@ -284,10 +284,10 @@ void CellTable::sync() {
   int height = 2 * frameWidth() + horizontalHeader()->sizeHint().height() + 2;
   for (int row = 0; row < rowCount(); ++row) height += rowHeight(row);
   // A table is as wide as its cells, and scrolls if there is less space.
-  const bool named = repeated_ || severalRecords();
+  const bool named = is_repeated_record_ || hasSeveralRecords();
   int width = 2 * frameWidth() + (named ? verticalHeader()->sizeHint().width() : 0) + 2;
   for (int column = 0; column < columns; ++column) width += columnWidth(column);
-  cells_ = {width, height};
+  content_size_ = {width, height};
   setMaximumWidth(width);
   fitHeight();
   setVisible(columns > 0);
@@ -295,14 +295,15 @@ void CellTable::sync() {
 
 /// Space for the scroll bar if the table scrolls horizontally.
 void CellTable::fitHeight() {
-  const bool scrolls = width() < cells_.width();
+  const bool scrolls = width() < content_size_.width();
   setHorizontalScrollBarPolicy(scrolls ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
-  setFixedHeight(cells_.height() + (scrolls ? horizontalScrollBar()->sizeHint().height() : 0));
+  setFixedHeight(content_size_.height() +
+                 (scrolls ? horizontalScrollBar()->sizeHint().height() : 0));
 }
 
 void CellTable::resizeEvent(QResizeEvent* event) {
   QTableWidget::resizeEvent(event);
-  if (cells_.isValid()) fitHeight();
+  if (content_size_.isValid()) fitHeight();
 }
 
 bool CellTable::focusCell(const Cell& cell) {
@@ -328,14 +329,14 @@ void CellTable::pasteInOrder(const QString& text) {
   for (const QString& value : values) {
     if (at >= rowCount() * columnCount()) break;
     const Cell cell = cellAt(at / columnCount(), at % columnCount());
-    typed.emplace_back(cell, as_meant(document_, cell, value.toStdString()));
+    typed.emplace_back(cell, add_display_unit(document_, cell, value.toStdString()));
     ++at;
   }
   document_.edit_all(typed);
 }
 
 void CellTable::paste() {
-  if (!repeated_) return pasteInOrder(QApplication::clipboard()->text());
+  if (!is_repeated_record_) return pasteInOrder(QApplication::clipboard()->text());
   const int top = std::max(currentRow(), 0), left = std::max(currentColumn(), 0);
   QStringList lines = QApplication::clipboard()->text().split('\n');
   if (!lines.isEmpty() && lines.back().isEmpty()) lines.removeLast();
@@ -343,8 +344,9 @@ void CellTable::paste() {
   for (int r = 0; r < lines.size() && top + r < rowCount(); ++r) {
     const QStringList values = lines[r].remove('\r').split('\t');
     for (int c = 0; c < values.size() && left + c < columnCount(); ++c)
-      typed.emplace_back(cellAt(top + r, left + c),
-                         as_meant(document_, cellAt(top + r, left + c), values[c].toStdString()));
+      typed.emplace_back(
+          cellAt(top + r, left + c),
+          add_display_unit(document_, cellAt(top + r, left + c), values[c].toStdString()));
   }
   document_.edit_all(typed);
 }

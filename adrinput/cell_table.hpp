@@ -18,11 +18,11 @@ class CellTable : public QTableWidget {
   CellTable(Document& document, const std::string& record, QWidget* parent = nullptr);
 
   /// The four records of ten listed diameter deviations, as one table.
-  static CellTable* ofListedDiameters(Document& document, QWidget* parent);
+  static CellTable* createForListedDiameters(Document& document, QWidget* parent);
 
   void sync();
   /// Shows each value in the other unit system, too.
-  void setOtherUnits(bool shown);
+  void setOtherUnitsShown(bool shown);
   /// Pastes the clipboard from the current cell on: one step for undo.
   void paste();
   /// False when the cell is not in this table.
@@ -48,14 +48,14 @@ class CellTable : public QTableWidget {
   void fitHeight();
   [[nodiscard]] bool atEnd(bool next) const;
   void pasteInOrder(const QString& text);
-  [[nodiscard]] bool severalRecords() const { return !lines_.front().record.empty(); }
+  [[nodiscard]] bool hasSeveralRecords() const { return !lines_.front().record.empty(); }
 
   Document& document_;
   std::string record_;
-  bool repeated_ = false;
+  bool is_repeated_record_ = false;
   bool shows_other_units_ = false;
   std::vector<Line> lines_;  ///< rows
-  QSize cells_;              ///< all of them, without a bar
+  QSize content_size_;       ///< all of them, without a bar
 };
 
 }  // namespace adore::adrinput

@@ -27,10 +27,10 @@ CompareDialog::CompareDialog(const Document& document, deck::Deck other, const Q
                              QWidget* parent)
     : QDialog(parent),
       document_(document),
-      other_(std::move(other)),
-      name_(name),
+      other_deck_(std::move(other)),
+      other_deck_name_(name),
       summary_(new QLabel(this)),
-      labels_(new QCheckBox(tr("Include record &labels"), this)),
+      include_labels_box_(new QCheckBox(tr("Include record &labels"), this)),
       list_(new QListWidget(this)) {
   setObjectName("compare");
   desktop::delete_when_done(*this);
@@ -39,7 +39,7 @@ CompareDialog::CompareDialog(const Document& document, deck::Deck other, const Q
   summary_->setObjectName("summary");
   summary_->setWordWrap(true);
   summary_->setTextFormat(Qt::PlainText);
-  labels_->setObjectName("labels");
+  include_labels_box_->setObjectName("labels");
   list_->setObjectName("differences");
   list_->setAccessibleName(tr("Differences"));
   list_->setWordWrap(true);
@@ -49,10 +49,10 @@ CompareDialog::CompareDialog(const Document& document, deck::Deck other, const Q
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(summary_);
   layout->addWidget(list_, 1);
-  layout->addWidget(labels_);
+  layout->addWidget(include_labels_box_);
   layout->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
-  connect(labels_, &QCheckBox::toggled, this, &CompareDialog::sync);
+  connect(include_labels_box_, &QCheckBox::toggled, this, &CompareDialog::sync);
   connect(list_, &QListWidget::itemActivated, this,
           [this](QListWidgetItem* item) { choose(list_->row(item)); });
   connect(list_, &QListWidget::itemClicked, this,
@@ -62,27 +62,29 @@ CompareDialog::CompareDialog(const Document& document, deck::Deck other, const Q
 }
 
 void CompareDialog::sync() {
-  rows_ = deck::differences(document_.deck(), other_);
+  differences_ = deck::differences(document_.deck(), other_deck_);
   const auto label = [](const deck::Difference& d) { return d.label; };
-  const auto labels = static_cast<int>(std::count_if(rows_.begin(), rows_.end(), label));
-  if (!labels_->isChecked()) std::erase_if(rows_, label);
-  const int number = static_cast<int>(rows_.size()) - (labels_->isChecked() ? labels : 0);
-  QString text =
-      number == 0
-          ? tr("No difference from %1").arg(name_)
-          : tr("%1 from %2").arg(counted(number, tr("difference"), tr("differences")), name_);
+  const auto labels =
+      static_cast<int>(std::count_if(differences_.begin(), differences_.end(), label));
+  if (!include_labels_box_->isChecked()) std::erase_if(differences_, label);
+  const int number =
+      static_cast<int>(differences_.size()) - (include_labels_box_->isChecked() ? labels : 0);
+  QString text = number == 0 ? tr("No difference from %1").arg(other_deck_name_)
+                             : tr("%1 from %2")
+                                   .arg(counted(number, tr("difference"), tr("differences")),
+                                        other_deck_name_);
   if (labels > 0)
     text += tr("; %1 (no effect on a run)")
                 .arg(counted(labels, tr("record label differs"), tr("record labels differ")));
-  text += tr(". \"Here\" is the deck in the window, \"there\" is %1.").arg(name_);
+  text += tr(". \"Here\" is the deck in the window, \"there\" is %1.").arg(other_deck_name_);
   summary_->setText(text);
-  labels_->setEnabled(labels > 0);
+  include_labels_box_->setEnabled(labels > 0);
 
   const int current = list_->currentRow();
   list_->clear();
   std::string record;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const deck::Difference& row = rows_[i];
+  for (std::size_t i = 0; i < differences_.size(); ++i) {
+    const deck::Difference& row = differences_[i];
     if (row.variable.empty() && row.record != "12") {
       record.clear();
       QString heading = page_heading(*deck::find_record(row.record));
@@ -109,8 +111,8 @@ void CompareDialog::sync() {
 /// A value that only the other deck has has no field; its record is shown if it exists.
 void CompareDialog::choose(int row) {
   const int at = list_->item(row)->data(kRowRole).toInt();
-  if (at < 0 || at >= static_cast<int>(rows_.size())) return;
-  const deck::Difference& difference = rows_[static_cast<std::size_t>(at)];
+  if (at < 0 || at >= static_cast<int>(differences_.size())) return;
+  const deck::Difference& difference = differences_[static_cast<std::size_t>(at)];
   Cell cell;
   cell.record = difference.record;
   cell.instance = difference.instance;
@@ -118,7 +120,7 @@ void CompareDialog::choose(int row) {
   const auto& variables = deck::find_record(cell.record)->variables;
   for (std::size_t v = 0; v < variables.size(); ++v)
     if (variables[v].name == difference.variable) cell.variable = v;
-  emit chosen(cell);
+  emit cellChosen(cell);
 }
 
 }  // namespace adore::adrinput

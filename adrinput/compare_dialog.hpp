@@ -21,21 +21,21 @@ class CompareDialog : public QDialog {
                 QWidget* parent = nullptr);
 
   void sync();
-  [[nodiscard]] const std::vector<deck::Difference>& shown() const { return rows_; }
+  [[nodiscard]] const std::vector<deck::Difference>& shown() const { return differences_; }
 
  signals:
-  void chosen(const adore::adrinput::Cell& cell);
+  void cellChosen(const adore::adrinput::Cell& cell);
 
  private:
   void choose(int row);
 
   const Document& document_;
-  deck::Deck other_;
-  QString name_;
+  deck::Deck other_deck_;
+  QString other_deck_name_;
   QLabel* summary_;
-  QCheckBox* labels_;
+  QCheckBox* include_labels_box_;
   QListWidget* list_;
-  std::vector<deck::Difference> rows_;
+  std::vector<deck::Difference> differences_;
 };
 
 }  // namespace adore::adrinput

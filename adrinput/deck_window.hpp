@@ -48,22 +48,22 @@ class DeckWindow : public QMainWindow {
   /// impossible.
   bool openFile(const std::filesystem::path& path);
   void showRecord(const std::string& record);
-  [[nodiscard]] const std::string& currentRecord() const { return current_; }
+  [[nodiscard]] const std::string& currentRecord() const { return current_record_; }
   /// Front page (design_page.hpp), in place of the record.
   void showDesign();
-  [[nodiscard]] bool designShown() const;
-  [[nodiscard]] DesignPage& design() { return *design_; }
+  [[nodiscard]] bool isDesignShown() const;
+  [[nodiscard]] DesignPage& design() { return *design_page_; }
   /// The record, or kDesignPage.
   [[nodiscard]] std::string currentPage() const;
   /// QMainWindow::saveState() with the docks that the front page hides.
   [[nodiscard]] QByteArray dockState() const;
-  [[nodiscard]] RecordPage* page() { return page_; }
-  [[nodiscard]] QScrollArea& pageArea() { return *scroll_; }
-  [[nodiscard]] EvaluationPanel& planPanel() { return *plan_; }
-  [[nodiscard]] EvaluationPanel& staticsPanel() { return *statics_; }
-  [[nodiscard]] RunPanel& runPanel() { return *run_; }
-  [[nodiscard]] AccuracyPanel& accuracyPanel() { return *accuracy_; }
-  [[nodiscard]] SolutionCharts& solutionCharts() { return *charts_; }
+  [[nodiscard]] RecordPage* page() { return record_page_; }
+  [[nodiscard]] QScrollArea& pageArea() { return *scroll_area_; }
+  [[nodiscard]] EvaluationPanel& planPanel() { return *plan_panel_; }
+  [[nodiscard]] EvaluationPanel& staticsPanel() { return *statics_panel_; }
+  [[nodiscard]] RunPanel& runPanel() { return *run_panel_; }
+  [[nodiscard]] AccuracyPanel& accuracyPanel() { return *accuracy_panel_; }
+  [[nodiscard]] SolutionCharts& solutionCharts() { return *solution_charts_; }
   /// Goes to a value. If the deck does not have it: to the option that would show it, with its
   /// name.
   void goTo(const Cell& cell);
@@ -77,7 +77,7 @@ class DeckWindow : public QMainWindow {
   void restoreDeck(const std::string& bytes, std::function<void()> then);
   /// Shows the differences from another deck; `name`: its name in sentences.
   void compareWith(deck::Deck other, const QString& name);
-  [[nodiscard]] DrawingPanel& drawingPanel() { return *drawing_; }
+  [[nodiscard]] DrawingPanel& drawingPanel() { return *drawing_panel_; }
   /// The slower checks, which follow a change after a short pause, now.
   void checkNow();
 
@@ -93,10 +93,10 @@ class DeckWindow : public QMainWindow {
   void askForProject();
   void newFromCatalogue();
   /// Puts a proposal for the inside into the deck, from its bore, outside diameter and widths.
-  void proposeInside();
+  void estimateInternalGeometry();
   void save();
   /// Parks the deck with its errors in a file that AdrInput opens again.
-  void parkDraft();
+  void saveDraft();
   void studyAccuracy();
   void saveAs();
   void saveAndExit();
@@ -112,7 +112,7 @@ class DeckWindow : public QMainWindow {
   void continueRun();
   void askForSweep();
   /// The value of an input at which a result meets a target.
-  void askForFind();
+  void openFindDialog();
   void switchTheme();
   /// A separate window for a study of this deck, after that has a name.
   void newStudy(const QString& kind);
@@ -124,34 +124,34 @@ class DeckWindow : public QMainWindow {
   void documentChanged();
   void pageShown();
   /// The user wants to recover unsaved decks of earlier sessions.
-  void unsavedWanted();
+  void recoveryRequested();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  void openDropped(const QStringList& files);
-  void makeCentre();
-  QWidget* makeDesign();
-  void leaveDesign();
+  void openDroppedFile(const QStringList& files);
+  void makeCentralWidget();
+  QWidget* makeDesignPage();
+  void hideDesign();
   /// The form of a record, without showing it.
-  void loadRecord(const std::string& record);
-  void makeDrawing();
+  void buildRecordPage(const std::string& record);
+  void makeDocks();
   QWidget* makeButtons();
   void makeFileMenu();
   void makeOtherMenus();
   void makeNotices(QBoxLayout* column);
   void makeCompareMenu(QMenu* file);
-  void makeStudyMenu(QMenu* file);
+  void makeStudyMenu();
   void makeUnitsMenu(QMenu* view);
   void makeUnitChoices(QMenu* view);
-  void applyAccuracy();
+  void applyAccuracySettings();
   void showCharts();
   /// Computes the scales for the times of a run, if they are shown.
-  void askForScales();
+  void requestTimeScales();
   /// Checks whether a run can start, if this is still unknown.
-  void askForStart();
-  void goToOptionOf(const Cell& cell);
+  void requestStartCheck();
+  void goToEnablingOption(const Cell& cell);
   /// True if the deck can be computed; else a message gives the reason.
   bool readyToCompute();
   void refreshNotices();
@@ -160,8 +160,8 @@ class DeckWindow : public QMainWindow {
   void makeToolBar();
   /// Continues with a deck without errors, after it is saved.
   void withSavedDeck(std::function<void()> then);
-  void orderTabs();
-  void showChanged(const std::string& record);
+  void updateTabOrder();
+  void showChangedRecord(const std::string& record);
   void showUnits();
   void refresh();
   void refreshProblems();
@@ -169,53 +169,53 @@ class DeckWindow : public QMainWindow {
   void goToProblem(int row);
   /// To the field that a finding of a run names, or that its kind has.
   void goToFinding(const Finding& finding);
-  void stepProblem(int by);
+  void goToAdjacentProblem(int by);
   void saveTo(const std::filesystem::path& path, std::function<void()> then = nullptr);
-  void refuseToSave(const std::vector<Issue>& issues, const QString& otherwise);
+  void showSaveErrors(const std::vector<Issue>& issues, const QString& otherwise);
   bool writeTo(const std::filesystem::path& path);
   void askForName(std::function<void()> then);
   /// Continues at once, or after the user has saved or discarded the changes.
-  void leaveDeck(std::function<void()> then);
+  void resolveUnsavedChanges(std::function<void()> then);
   /// Continues at once, or after the user has agreed to stop the active run.
-  void leaveRun(std::function<void()> then);
-  void remember(const std::filesystem::path& path);
-  void forgetResults(bool reread = false);
+  void confirmStopRun(std::function<void()> then);
+  void addRecentFile(const std::filesystem::path& path);
+  void invalidateResults(bool reread = false);
 
   static constexpr int kDrawingWidth = 300;  ///< of the drawing next to the form
   /// For a window whose form needs the space of list and drawing.
   static constexpr int kNarrow = 1100;
   Document document_;
   std::string visited_problem_;  ///< its text
-  std::string current_;
+  std::string current_record_;
   std::string shown_original_;  ///< content of the panel "File as opened"
-  RecordPage* page_ = nullptr;
+  RecordPage* record_page_ = nullptr;
   RecordList* list_ = nullptr;
-  QScrollArea* scroll_ = nullptr;
+  QScrollArea* scroll_area_ = nullptr;
   QTabWidget* tabs_ = nullptr;
-  DesignPage* design_ = nullptr;
+  DesignPage* design_page_ = nullptr;
   QWidget* buttons_ = nullptr;
-  QByteArray docks_;  ///< state of the docks when the front page hid them
-  QListWidget* problems_ = nullptr;
-  QPlainTextEdit* original_ = nullptr;
-  EvaluationPanel *plan_ = nullptr, *statics_ = nullptr;
-  RunPanel* run_ = nullptr;
-  AccuracyPanel* accuracy_ = nullptr;
-  SolutionCharts* charts_ = nullptr;
+  QByteArray saved_dock_state_;  ///< state of the docks when the front page hid them
+  QListWidget* problem_list_ = nullptr;
+  QPlainTextEdit* original_view_ = nullptr;
+  EvaluationPanel *plan_panel_ = nullptr, *statics_panel_ = nullptr;
+  RunPanel* run_panel_ = nullptr;
+  AccuracyPanel* accuracy_panel_ = nullptr;
+  SolutionCharts* solution_charts_ = nullptr;
   QDockWidget* charts_dock_ = nullptr;
-  DrawingPanel* drawing_ = nullptr;
-  LubricantPanel* lubricant_ = nullptr;
+  DrawingPanel* drawing_panel_ = nullptr;
+  LubricantPanel* lubricant_panel_ = nullptr;
   QDockWidget* drawing_dock_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr;
-  QTimer* check_ = nullptr;
-  TimeScale* scale_ = nullptr;
+  QTimer* check_timer_ = nullptr;
+  TimeScale* time_scale_ = nullptr;
   StartCheck* start_check_ = nullptr;
   NoticeBar *session_notice_ = nullptr, *file_notice_ = nullptr, *units_notice_ = nullptr,
             *search_notice_ = nullptr;
-  FileWatch* watch_ = nullptr;
-  QPointer<CompareDialog> compare_;
-  QPointer<FindDialog> find_;
+  FileWatch* file_watch_ = nullptr;
+  QPointer<CompareDialog> compare_dialog_;
+  QPointer<FindDialog> find_dialog_;
   QAction* other_units_ = nullptr;
-  bool leaving_ = false;
+  bool close_confirmed_ = false;
 };
 
 }  // namespace adore::adrinput

@@ -22,8 +22,8 @@
 namespace adore::adrinput {
 
 bool DeckWindow::readyToCompute() {
-  if (designShown()) design_->form().finish();
-  document_.end_step();  // includes the text being typed
+  if (isDesignShown()) design_page_->form().commitFields();
+  document_.end_undo_step();  // includes the text being typed
   if (!document_.has_errors()) return true;
   desktop::show_message(this, tr("The deck has errors. Correct them first (F8)."), true);
   return false;
@@ -37,22 +37,22 @@ void DeckWindow::showPanel(const QWidget* panel) {
 }
 
 void DeckWindow::showPlan() {
-  showPanel(plan_);
+  showPanel(plan_panel_);
   if (!readyToCompute()) return;
-  plan_->start(document_.deck(), document_.path(), document_.options());
+  plan_panel_->start(document_.deck(), document_.path(), document_.options());
 }
 
 void DeckWindow::runQuasiStatic() {
-  showPanel(statics_);
+  showPanel(statics_panel_);
   if (!readyToCompute()) return;
-  statics_->start(document_.deck(), document_.path(), document_.options());
+  statics_panel_->start(document_.deck(), document_.path(), document_.options());
 }
 
 void DeckWindow::showCharts() {
-  if (statics_->tables() == nullptr) return;
-  charts_->setSolution(*statics_->tables());
-  charts_->setStale(statics_->stale());
-  if (designShown()) {  // which has the space of the docks
+  if (statics_panel_->tables() == nullptr) return;
+  solution_charts_->setSolution(*statics_panel_->tables());
+  solution_charts_->setStale(statics_panel_->stale());
+  if (isDesignShown()) {  // which has the space of the docks
     charts_dock_->setProperty("waiting", true);
     return;
   }
@@ -64,35 +64,37 @@ void DeckWindow::showCharts() {
     // Legends of curves need more space than the drawing; a width chosen by the user is kept.
     const int wanted = width() < kNarrow ? 0 : width() / 3;
     if (as_made)
-      resizeDocks({charts_dock_}, {std::max(wanted, charts_->wholeWidth())}, Qt::Horizontal);
+      resizeDocks({charts_dock_}, {std::max(wanted, solution_charts_->fullChartWidth())},
+                  Qt::Horizontal);
   }
 }
 
 void DeckWindow::hideEmptyPanels() {
-  if (statics_->tables() != nullptr || charts_dock_->isHidden()) return;
+  if (statics_panel_->tables() != nullptr || charts_dock_->isHidden()) return;
   charts_dock_->hide();
   if (!drawing_dock_->isHidden()) drawing_dock_->raise();
 }
 
 void DeckWindow::studyAccuracy() {
-  showPanel(accuracy_);
-  if (accuracy_->busy() || !readyToCompute()) return;
-  accuracy_->start(document_.deck(), document_.options());
+  showPanel(accuracy_panel_);
+  if (accuracy_panel_->busy() || !readyToCompute()) return;
+  accuracy_panel_->start(document_.deck(), document_.options());
 }
 
-void DeckWindow::applyAccuracy() {
+void DeckWindow::applyAccuracySettings() {
   try {
-    document_.change(accuracy_->recommended());
-    page_->sync(true);
+    document_.change(accuracy_panel_->recommended());
+    record_page_->sync(true);
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
   }
 }
 
 void DeckWindow::runDeck() {
-  showPanel(run_);
-  if (run_->busy() || !readyToCompute()) return;
-  withSavedDeck([this] { run_->start(document_.path(), document_.deck(), document_.options()); });
+  showPanel(run_panel_);
+  if (run_panel_->busy() || !readyToCompute()) return;
+  withSavedDeck(
+      [this] { run_panel_->start(document_.path(), document_.deck(), document_.options()); });
 }
 
 void DeckWindow::withSavedDeck(std::function<void()> then) {
@@ -102,30 +104,32 @@ void DeckWindow::withSavedDeck(std::function<void()> then) {
 }
 
 void DeckWindow::runInNewFolder() {
-  showPanel(run_);
-  if (run_->busy() || !readyToCompute()) return;
-  withSavedDeck(
-      [this] { run_->startInNewFolder(document_.path(), document_.deck(), document_.options()); });
+  showPanel(run_panel_);
+  if (run_panel_->busy() || !readyToCompute()) return;
+  withSavedDeck([this] {
+    run_panel_->startInNewFolder(document_.path(), document_.deck(), document_.options());
+  });
 }
 
 void DeckWindow::continueRun() {
-  showPanel(run_);
-  if (run_->busy() || !readyToCompute()) return;
-  withSavedDeck(
-      [this] { run_->continueAny(document_.path(), document_.deck(), document_.options()); });
+  showPanel(run_panel_);
+  if (run_panel_->busy() || !readyToCompute()) return;
+  withSavedDeck([this] {
+    run_panel_->continueInterruptedRun(document_.path(), document_.deck(), document_.options());
+  });
 }
 
-void DeckWindow::askForFind() {
+void DeckWindow::openFindDialog() {
   if (!readyToCompute()) return;
-  delete find_;
-  find_ = new FindDialog(document_, this);
-  connect(find_, &FindDialog::applied, this, [this] { page_->sync(true); });
-  find_->show();
+  delete find_dialog_;
+  find_dialog_ = new FindDialog(document_, this);
+  connect(find_dialog_, &FindDialog::solutionApplied, this, [this] { record_page_->sync(true); });
+  find_dialog_->show();
 }
 
 void DeckWindow::askForSweep() {
-  showPanel(run_);
-  if (run_->busy() || !readyToCompute()) return;
+  showPanel(run_panel_);
+  if (run_panel_->busy() || !readyToCompute()) return;
   auto* dialog = new QInputDialog(this);
   dialog->setObjectName("sweep");
   desktop::delete_when_done(*dialog);
@@ -134,7 +138,7 @@ void DeckWindow::askForSweep() {
     QString told = tr("e.g. appLoadZ=500:1500:5 or appLoadZ=0.5 kN:1.5 kN:5");
     try {
       if (!typed.trimmed().isEmpty())
-        told = QString::fromStdString(read_sweep(document_, typed.toStdString()).told);
+        told = QString::fromStdString(parse_sweep_range(document_, typed.toStdString()).told);
     } catch (const InputError&) {
       const QString unit = QString::fromStdString(sweep_unit(document_, typed.toStdString()));
       if (!unit.isEmpty()) told = tr("Numbers without a unit are in %1.").arg(unit);
@@ -151,9 +155,10 @@ void DeckWindow::askForSweep() {
   connect(dialog, &QInputDialog::textValueChanged, this, tell);
   connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& typed) {
     try {
-      const QString range = QString::fromStdString(read_sweep(document_, typed.toStdString()).set);
+      const QString range =
+          QString::fromStdString(parse_sweep_range(document_, typed.toStdString()).set);
       withSavedDeck([this, range] {
-        run_->sweep(document_.path(), document_.deck(), document_.options(), range);
+        run_panel_->sweep(document_.path(), document_.deck(), document_.options(), range);
       });
     } catch (const InputError& error) {
       desktop::show_message(this, QString::fromUtf8(error.what()), true);

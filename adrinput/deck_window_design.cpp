@@ -13,56 +13,63 @@
 /// The front page in the window. Records, panels and docks have the space when it is left.
 namespace adore::adrinput {
 
-QWidget* DeckWindow::makeDesign() {
-  design_ = new DesignPage(document_, this);
-  design_->hide();
-  connect(design_, &DesignPage::recordsWanted, this, [this] { showRecord(current_); });
-  connect(design_, &DesignPage::catalogueWanted, this, &DeckWindow::newFromCatalogue);
-  connect(design_, &DesignPage::findingChosen, this, &DeckWindow::goToFinding);
-  connect(design_, &DesignPage::moved, this, [this](bool run) {
-    page_->sync(true);
+QWidget* DeckWindow::makeDesignPage() {
+  design_page_ = new DesignPage(document_, this);
+  design_page_->hide();
+  connect(design_page_, &DesignPage::recordsRequested, this,
+          [this] { showRecord(current_record_); });
+  connect(design_page_, &DesignPage::catalogRequested, this, &DeckWindow::newFromCatalogue);
+  connect(design_page_, &DesignPage::findingChosen, this, &DeckWindow::goToFinding);
+  connect(design_page_, &DesignPage::convertedToDynamicDeck, this, [this](bool run) {
+    record_page_->sync(true);
     if (run) runDeck();
   });
   connect(list_, &RecordList::designChosen, this, &DeckWindow::showDesign);
-  return design_;
+  return design_page_;
 }
 
-bool DeckWindow::designShown() const { return design_ != nullptr && !design_->isHidden(); }
+bool DeckWindow::isDesignShown() const {
+  return design_page_ != nullptr && !design_page_->isHidden();
+}
 
-std::string DeckWindow::currentPage() const { return designShown() ? kDesignPage : current_; }
+std::string DeckWindow::currentPage() const {
+  return isDesignShown() ? kDesignPage : current_record_;
+}
 
-QByteArray DeckWindow::dockState() const { return designShown() ? docks_ : saveState(); }
+QByteArray DeckWindow::dockState() const {
+  return isDesignShown() ? saved_dock_state_ : saveState();
+}
 
 void DeckWindow::showDesign() {
-  if (designShown()) return design_->form().focusBearing();
-  document_.end_step();
-  docks_ = saveState();
+  if (isDesignShown()) return design_page_->form().focusBearing();
+  document_.end_undo_step();
+  saved_dock_state_ = saveState();
   for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->hide();
   tabs_->hide();  // a run, plan or solution shows them
-  scroll_->hide();
+  scroll_area_->hide();
   buttons_->hide();
-  design_->show();
-  list_->setCurrent(kDesignPage);
-  design_->form().focusBearing();
+  design_page_->show();
+  list_->setCurrentRecord(kDesignPage);
+  design_page_->form().focusBearing();
   emit pageShown();
 }
 
-void DeckWindow::leaveDesign() {
-  if (!designShown()) return;
-  design_->form().finish();
-  document_.end_step();
-  design_->hide();
-  scroll_->show();
+void DeckWindow::hideDesign() {
+  if (!isDesignShown()) return;
+  design_page_->form().commitFields();
+  document_.end_undo_step();
+  design_page_->hide();
+  scroll_area_->show();
   buttons_->show();
   tabs_->show();
-  restoreState(std::exchange(docks_, {}));
+  restoreState(std::exchange(saved_dock_state_, {}));
   hideEmptyPanels();
   if (charts_dock_->property("waiting").toBool()) {  // a solution came meanwhile
     charts_dock_->setProperty("waiting", false);
     showCharts();
   }
-  list_->setCurrent(current_);
-  page_->sync(true);
+  list_->setCurrentRecord(current_record_);
+  record_page_->sync(true);
 }
 
 }  // namespace adore::adrinput

@@ -9,6 +9,7 @@
 #include "adrinput/record_page.hpp"
 #include "adrinput/replace_question.hpp"
 #include "adrinput/run_panel.hpp"
+#include "adrinput/settings.hpp"
 #include "adrinput/solution_charts.hpp"
 #include "adrinput/study_menu.hpp"
 #include "base/version.hpp"
@@ -28,7 +29,6 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QSettings>
 #include <QStatusBar>
 #include <QToolBar>
 
@@ -43,8 +43,6 @@ namespace {
 const QString kApp = "adrinput";
 
 QString from(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
-
-QSettings settings() { return QSettings("Adore", "adrinput"); }
 
 /// Shows and hides a dock; a covered dock is raised first.
 QAction* dock_action(QDockWidget* dock, const QString& text) {
@@ -92,18 +90,17 @@ void DeckWindow::makeFileMenu() {
                    &DeckWindow::newFromCatalogue);
   file->addAction(tr("&Open …"), QKeySequence::Open, this, &DeckWindow::askForFile);
   desktop::add_recent_menu(*file, kApp, [this](const QString& name) {
-    leaveDeck([this, name] { openFile(name.toStdString()); });
+    resolveUnsavedChanges([this, name] { openFile(name.toStdString()); });
   });
   makeCompareMenu(file);
-  makeStudyMenu(file);
   file->addSeparator();
   file->addAction(tr("&Save"), QKeySequence::Save, this, &DeckWindow::save);
   file->addAction(tr("Save &As …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), this,
                   &DeckWindow::saveAs);
   file->addAction(tr("Add to pro&ject …"), this, &DeckWindow::addToProject);
   file->addAction(tr("Open dec&k of a project …"), this, &DeckWindow::askForProject);
-  file->addAction(tr("Save as &draft …"), this, &DeckWindow::parkDraft);
-  file->addAction(tr("Recover &unsaved decks …"), this, &DeckWindow::unsavedWanted);
+  file->addAction(tr("Save as &draft …"), this, &DeckWindow::saveDraft);
+  file->addAction(tr("Recover &unsaved decks …"), this, &DeckWindow::recoveryRequested);
   file->addSeparator();
   file->addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), this, &DeckWindow::close);
 }
@@ -116,7 +113,7 @@ void DeckWindow::makeOtherMenus() {
       {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
   edit->addSeparator();
   edit->addAction(tr("Estimate &internal geometry from bore, outside diameter and width"), this,
-                  &DeckWindow::proposeInside);
+                  &DeckWindow::estimateInternalGeometry);
   edit->addAction(tr("&Find variable"), QKeySequence::Find, this, [this] { list_->startSearch(); });
 
   QMenu* go = menuBar()->addMenu(tr("&Go"));
@@ -142,14 +139,17 @@ void DeckWindow::makeOtherMenus() {
                  &DeckWindow::runInNewFolder);
   QAction* go_on = run->addAction(tr("&Continue the run"), this, &DeckWindow::continueRun);
   run->setToolTipsVisible(true);
-  connect(run, &QMenu::aboutToShow, this, [this, go_on] { run_->nameContinuation(*go_on); });
+  connect(run, &QMenu::aboutToShow, this,
+          [this, go_on] { run_panel_->updateContinueAction(*go_on); });
   run->addSeparator();
   run->addAction(tr("S&weep a variable …"), this, &DeckWindow::askForSweep);
-  run->addAction(tr("&Find the value of an input …"), this, &DeckWindow::askForFind);
+  run->addAction(tr("&Find the value of an input …"), this, &DeckWindow::openFindDialog);
   run->addAction(tr("Study &accuracy"), QKeySequence(Qt::Key_F9), this, &DeckWindow::studyAccuracy);
   run->addSeparator();
   run->addAction(tr("Ca&lculators …"), this, [this] { (new CalculatorDialog(this))->show(); })
       ->setObjectName("calculators");
+
+  makeStudyMenu();
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
   QAction* drawing = dock_action(drawing_dock_, tr("Drawin&g"));
@@ -168,7 +168,7 @@ void DeckWindow::makeOtherMenus() {
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   help->setObjectName("help");
   help->addAction(tr("This &record"), QKeySequence(Qt::Key_F1), this, [this] {
-    const deck::RecordSpec& record = *page_record(current_);
+    const deck::RecordSpec& record = *page_record(current_record_);
     desktop::show_help(this, page_heading(record), record_help(document_.deck(), record));
   });
   help->addAction(tr("&Deck format"), this,
@@ -186,26 +186,26 @@ void DeckWindow::makeOtherMenus() {
 
 /// Results of the previous deck do not belong to the new one.
 /// `reread`: the same file, changed by another program.
-void DeckWindow::forgetResults(bool reread) {
-  plan_->forget();
-  statics_->forget();
-  charts_->forget();
-  accuracy_->forget(reread);
-  run_->setAnother(document_.path());
+void DeckWindow::invalidateResults(bool reread) {
+  plan_panel_->invalidateResult();
+  statics_panel_->invalidateResult();
+  solution_charts_->invalidateResult();
+  accuracy_panel_->invalidateResult(reread);
+  run_panel_->setOpenedFile(document_.path());
 }
 
 bool DeckWindow::openFile(const std::filesystem::path& path) {
   const Waiting sign;
   try {
     // Paths relative to the start folder have no meaning in its dialogs.
-    const std::filesystem::path file = whole_path(runs::deck_path(path));
+    const std::filesystem::path file = normalized_path(runs::deck_path(path));
     const bool reread = file == document_.path();
     document_.open(file);
-    forgetResults(reread);
+    invalidateResults(reread);
     checkNow();
-    remember(file);
-    current_.clear();
-    loadRecord(document_.pages().front());
+    addRecentFile(file);
+    current_record_.clear();
+    buildRecordPage(document_.pages().front());
     return true;
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
@@ -214,37 +214,37 @@ bool DeckWindow::openFile(const std::filesystem::path& path) {
 }
 
 void DeckWindow::newDeck(const QString& template_name) {
-  leaveDeck([this, template_name] {
+  resolveUnsavedChanges([this, template_name] {
     document_.start_new(template_name.toStdString());
-    forgetResults();
+    invalidateResults();
     checkNow();
-    current_.clear();
-    loadRecord(document_.pages().front());
+    current_record_.clear();
+    buildRecordPage(document_.pages().front());
   });
 }
 
 void DeckWindow::newFromCatalogue() {
   auto* dialog = new CatalogueDialog(this);
-  connect(dialog, &CatalogueDialog::chosen, this, [this](const QString& text) {
-    leaveDeck([this, text] {
-      document_.start_with(text.toStdString());
-      forgetResults();
+  connect(dialog, &CatalogueDialog::deckCreated, this, [this](const QString& text) {
+    resolveUnsavedChanges([this, text] {
+      document_.start_from_text(text.toStdString());
+      invalidateResults();
       checkNow();
-      current_.clear();
-      loadRecord(document_.pages().front());
-      if (!designShown()) showPage("4");
+      current_record_.clear();
+      buildRecordPage(document_.pages().front());
+      if (!isDesignShown()) showPage("4");
     });
   });
   dialog->open();
 }
 
-void DeckWindow::proposeInside() {
-  document_.end_step();
+void DeckWindow::estimateInternalGeometry() {
+  document_.end_undo_step();
   try {
     const deck::Deck& deck = document_.deck();
-    const deck::InnerGeometry inner = deck::propose_inner(deck);
+    const deck::ProposedInternalGeometry inner = deck::propose_internal_geometry(deck);
     document_.change(inner.sets);
-    page_->sync(true);
+    record_page_->sync(true);
     desktop::show_message(this,
                           tr("The deck now contains estimated values. Undo with Ctrl+Z.\n\n%1.")
                               .arg(QString::fromStdString(inner.reasons)));
@@ -254,7 +254,7 @@ void DeckWindow::proposeInside() {
 }
 
 void DeckWindow::askForFile() {
-  leaveDeck([this] {
+  resolveUnsavedChanges([this] {
     auto* dialog =
         new QFileDialog(this, tr("Open deck"), settings().value("folder").toString(),
                         tr("Decks and drafts (*.txt *.TXT *.dat *.DAT *.draft);;All files (*)"));
@@ -267,7 +267,7 @@ void DeckWindow::askForFile() {
   });
 }
 
-void DeckWindow::remember(const std::filesystem::path& path) {
+void DeckWindow::addRecentFile(const std::filesystem::path& path) {
   const QString name = QFileInfo(QString::fromStdString(path.string())).absoluteFilePath();
   desktop::remember_file(kApp, name);
   settings().setValue("folder", QFileInfo(name).absolutePath());
@@ -316,7 +316,7 @@ bool DeckWindow::writeTo(const std::filesystem::path& path) {
   try {
     const std::filesystem::path draft = document_.draft();
     document_.save(path);
-    remember(document_.path());
+    addRecentFile(document_.path());
     QString said = tr("Saved %1").arg(QString::fromStdString(path.string()));
     if (!document_.kept_copy().empty())
       said += tr("; the previous file is kept as %1")
@@ -328,7 +328,7 @@ bool DeckWindow::writeTo(const std::filesystem::path& path) {
     statusBar()->showMessage(said, 8000);
     return true;
   } catch (const InputError& error) {
-    refuseToSave(error.issues(), QString::fromUtf8(error.what()));
+    showSaveErrors(error.issues(), QString::fromUtf8(error.what()));
   } catch (const std::exception& error) {
     desktop::show_message(
         this, tr("The deck was not saved.\n\n%1").arg(QString::fromUtf8(error.what())), true);
@@ -337,7 +337,7 @@ bool DeckWindow::writeTo(const std::filesystem::path& path) {
 }
 
 /// The reasons, and the offer to park the deck.
-void DeckWindow::refuseToSave(const std::vector<Issue>& issues, const QString& otherwise) {
+void DeckWindow::showSaveErrors(const std::vector<Issue>& issues, const QString& otherwise) {
   QString text = tr("The deck was not saved.");
   for (const Issue& issue : issues) text += "\n\n" + QString::fromStdString(issue.text());
   if (issues.empty()) text += "\n\n" + otherwise;
@@ -349,7 +349,7 @@ void DeckWindow::refuseToSave(const std::vector<Issue>& issues, const QString& o
   QPushButton* park = box->addButton(tr("Save as draft …"), QMessageBox::ActionRole);
   park->setObjectName("park-draft");
   connect(box, &QMessageBox::buttonClicked, this, [this, park](QAbstractButton* button) {
-    if (button == park) parkDraft();
+    if (button == park) saveDraft();
   });
   box->open();
 }
@@ -357,7 +357,7 @@ void DeckWindow::refuseToSave(const std::vector<Issue>& issues, const QString& o
 void DeckWindow::askForName(std::function<void()> then) {
   // Another name does not remove errors.
   if (const std::vector<Issue> errors = document_.errors(); !errors.empty())
-    return refuseToSave(errors, {});
+    return showSaveErrors(errors, {});
   auto* dialog = new QFileDialog(this, tr("Save deck"), settings().value("folder").toString(),
                                  tr("Decks (*.txt);;All files (*)"));
   dialog->setObjectName("save");
@@ -371,8 +371,8 @@ void DeckWindow::askForName(std::function<void()> then) {
   dialog->open();
 }
 
-void DeckWindow::parkDraft() {
-  document_.end_step();
+void DeckWindow::saveDraft() {
+  document_.end_undo_step();
   auto* dialog =
       new QFileDialog(this, tr("Save the deck as a draft"), settings().value("folder").toString(),
                       tr("Drafts of AdrInput (*.draft);;All files (*)"));
@@ -401,7 +401,7 @@ void DeckWindow::parkDraft() {
 }
 
 void DeckWindow::save() {
-  document_.end_step();
+  document_.end_undo_step();
   if (document_.path().empty()) return askForName(nullptr);
   saveTo(document_.path());
 }
@@ -413,14 +413,14 @@ void DeckWindow::saveAndExit() {
   saveTo(document_.path(), [this] { close(); });
 }
 
-void DeckWindow::leaveDeck(std::function<void()> then) {
-  document_.end_step();
+void DeckWindow::resolveUnsavedChanges(std::function<void()> then) {
+  document_.end_undo_step();
   if (!document_.modified()) return then();
   auto* box = new QMessageBox(
       QMessageBox::Warning, "AdrInput",
       tr("%1 has unsaved changes. Save them?")
           .arg(document_.path().empty() ? tr("The new deck")
-                                        : QString::fromStdString(short_name(document_.path()))),
+                                        : QString::fromStdString(shortened_path(document_.path()))),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   box->setObjectName("unsaved");
   desktop::delete_when_done(*box);
@@ -435,8 +435,8 @@ void DeckWindow::leaveDeck(std::function<void()> then) {
   box->open();
 }
 
-void DeckWindow::leaveRun(std::function<void()> then) {
-  if (!run_->busy()) return then();
+void DeckWindow::confirmStopRun(std::function<void()> then) {
+  if (!run_panel_->busy()) return then();
   auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput",
                               tr("A run is active. Quitting stops the run. The files are then "
                                  "valid up to the last stored step."),
@@ -452,25 +452,25 @@ void DeckWindow::leaveRun(std::function<void()> then) {
 }
 
 void DeckWindow::closeEvent(QCloseEvent* event) {
-  document_.end_step();
-  if (std::exchange(leaving_, false) || (!document_.modified() && !run_->busy())) {
-    run_->cancel();
-    accuracy_->cancel();
+  document_.end_undo_step();
+  if (std::exchange(close_confirmed_, false) || (!document_.modified() && !run_panel_->busy())) {
+    run_panel_->cancel();
+    accuracy_panel_->cancel();
     return event->accept();
   }
   event->ignore();
-  leaveRun([this] {
-    leaveDeck([this] {
-      leaving_ = true;
+  confirmStopRun([this] {
+    resolveUnsavedChanges([this] {
+      close_confirmed_ = true;
       close();
     });
   });
 }
 
-void DeckWindow::openDropped(const QStringList& files) {
+void DeckWindow::openDroppedFile(const QStringList& files) {
   const std::string name = files.front().toStdString();
-  if (is_study(name)) return openStudyFile(name);
-  leaveDeck([this, name] { openFile(name); });
+  if (has_study_file_name(name)) return openStudyFile(name);
+  resolveUnsavedChanges([this, name] { openFile(name); });
 }
 
 }  // namespace adore::adrinput

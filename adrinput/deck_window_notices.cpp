@@ -9,6 +9,7 @@
 #include "adrinput/options_page.hpp"
 #include "adrinput/record_page.hpp"
 #include "adrinput/search.hpp"
+#include "adrinput/settings.hpp"
 #include "adrinput/typed.hpp"
 #include "adrinput/unit_choice.hpp"
 #include "adrinput/unit_view.hpp"
@@ -21,7 +22,6 @@
 #include <QBoxLayout>
 #include <QFileDialog>
 #include <QMenu>
-#include <QSettings>
 #include <QStatusBar>
 
 #include <algorithm>
@@ -37,8 +37,8 @@ void DeckWindow::makeNotices(QBoxLayout* column) {
   search_notice_ = new NoticeBar("search-notice", this);
   for (NoticeBar* bar : {session_notice_, file_notice_, units_notice_, search_notice_})
     column->addWidget(bar);
-  watch_ = new FileWatch(this);
-  connect(watch_, &FileWatch::touched, this, &DeckWindow::checkFile);
+  file_watch_ = new FileWatch(this);
+  connect(file_watch_, &FileWatch::fileModified, this, &DeckWindow::checkFile);
 }
 
 void DeckWindow::makeCompareMenu(QMenu* file) {
@@ -63,13 +63,14 @@ void DeckWindow::makeUnitsMenu(QMenu* view) {
   other_units_->setObjectName("other-units-action");
   other_units_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_U));
   other_units_->setCheckable(true);
-  connect(other_units_, &QAction::toggled, this, [this](bool on) { page_->setOtherUnits(on); });
+  connect(other_units_, &QAction::toggled, this,
+          [this](bool on) { record_page_->setOtherUnitsShown(on); });
   QAction* reopen = view->addAction(tr("R&eopen the last deck at startup"));
   reopen->setObjectName("reopen");
   reopen->setCheckable(true);
-  reopen->setChecked(QSettings("Adore", "adrinput").value("session/reopen", true).toBool());
+  reopen->setChecked(settings().value("session/reopen", true).toBool());
   connect(reopen, &QAction::toggled, this,
-          [](bool on) { QSettings("Adore", "adrinput").setValue("session/reopen", on); });
+          [](bool on) { settings().setValue("session/reopen", on); });
 }
 
 /// The unit in which values of each kind of quantity are shown; same as the button next to each
@@ -77,7 +78,7 @@ void DeckWindow::makeUnitsMenu(QMenu* view) {
 void DeckWindow::makeUnitChoices(QMenu* view) {
   QMenu* choices = view->addMenu(tr("Show &values in"));
   choices->setObjectName("unit-choices");
-  for (const Quantity& quantity : quantities_with_a_choice()) {
+  for (const Quantity& quantity : quantities_with_unit_choice()) {
     QMenu* menu = choices->addMenu(quantity.name);
     connect(menu, &QMenu::aboutToShow, this, [this, menu, si = quantity.si] {
       menu->clear();
@@ -99,10 +100,10 @@ void DeckWindow::makeUnitChoices(QMenu* view) {
 }
 
 /// To the option that would bring the value's record in, with the offer to set it.
-void DeckWindow::goToOptionOf(const Cell& cell) {
+void DeckWindow::goToEnablingOption(const Cell& cell) {
   const deck::RecordSpec& spec = *page_record(cell.record);
   const QString name = QString::fromStdString(std::string(variable_of(cell)->name));
-  const std::optional<OptionWay> way = way_to(document_.deck(), cell.record);
+  const std::optional<EnablingOption> way = find_enabling_option(document_.deck(), cell.record);
   if (!way) {
     desktop::show_message(
         this,
@@ -115,22 +116,22 @@ void DeckWindow::goToOptionOf(const Cell& cell) {
   const QString code = QString::fromStdString(way->code);
   const QString meaning = QString::fromStdString(meaning_of(option, way->code));
   showRecord(way->option.record);
-  page_->focusCell(way->option);
+  record_page_->focusCell(way->option);
   search_notice_->ask(
       (way->enough ? tr("%1 is in record %2, which requires %3 = %4%5.")
                    : tr("%1 is in record %2, which this deck does not have. Set %3 = %4%5 first."))
           .arg(name, record_number(spec), option_name, code,
                meaning.isEmpty() ? QString() : " (" + meaning + ")"),
-      {{"set-option", tr("&Set %1 = %2").arg(option_name, code),
+      {{"set-option", tr("Ad&just %1 to %2").arg(option_name, code),
         [this, way = *way, cell] {
-          document_.end_step();
+          document_.end_undo_step();
           document_.edit(way.option, way.code);
-          document_.end_step();
-          page_->sync(true);
+          document_.end_undo_step();
+          record_page_->sync(true);
           if (way.enough || document_.instances(cell.record) > 0)
             goTo(cell);
           else
-            goToOptionOf(cell);
+            goToEnablingOption(cell);
         }},
        {"leave-option", tr("Ignore"), nullptr}});
 }
@@ -142,9 +143,9 @@ void DeckWindow::showPage(const std::string& record) {
 }
 
 void DeckWindow::refreshNotices() {
-  watch_->setPath(document_.path());
-  const std::optional<deck::UnitSystem> numbers_in = document_.numbers_in();
-  if (!numbers_in) {
+  file_watch_->setPath(document_.path());
+  const std::optional<deck::UnitSystem> previous_units = document_.previous_units();
+  if (!previous_units) {
     units_notice_->hide();
   } else if (!units_notice_->isVisibleTo(this)) {
     const bool si = document_.deck().units() == deck::UnitSystem::SI;
@@ -154,24 +155,24 @@ void DeckWindow::refreshNotices() {
                        {{"convert", tr("C&onvert values"),
                          [this] {
                            document_.convert_values();
-                           page_->sync(true);
-                           page_->setFocus();
-                           page_->focusFirst();
+                           record_page_->sync(true);
+                           record_page_->setFocus();
+                           record_page_->focusFirst();
                          }},
                         {"keep-numbers", tr("&Keep numbers"), [this] {
                            document_.keep_numbers();
-                           page_->focusFirst();
+                           record_page_->focusFirst();
                          }}});
   }
-  if (compare_ != nullptr) compare_->sync();
-  if (find_ != nullptr) find_->sync();
+  if (compare_dialog_ != nullptr) compare_dialog_->sync();
+  if (find_dialog_ != nullptr) find_dialog_->sync();
 }
 
 void DeckWindow::checkFile() {
   const std::filesystem::path path = document_.path();
   std::error_code error;
   if (path.empty()) return;
-  const QString name = QString::fromStdString(short_name(path));
+  const QString name = QString::fromStdString(shortened_path(path));
   if (!std::filesystem::exists(path, error)) {
     file_notice_->ask(
         tr("Another program removed or renamed %1. Saving creates it again.").arg(name),
@@ -186,7 +187,7 @@ void DeckWindow::checkFile() {
                         const std::string page = currentPage();
                         if (openFile(path)) showPage(page);
                       }},
-                     {"keep-mine", tr("Keep m&ine"), [this] { document_.keep_mine(); }},
+                     {"keep-mine", tr("Keep m&ine"), [this] { document_.keep_edited_deck(); }},
                      {"compare-file", tr("Co&mpare"), [this] {
                         compareWithSaved();
                         checkFile();  // the question is still open
@@ -194,17 +195,17 @@ void DeckWindow::checkFile() {
 }
 
 void DeckWindow::restoreDeck(const std::string& bytes, std::function<void()> then) {
-  leaveDeck([this, bytes, then = std::move(then)] {
+  resolveUnsavedChanges([this, bytes, then = std::move(then)] {
     try {
       const std::filesystem::path before = document_.path();
       const std::string page = document_.restore(bytes);
       if (!before.empty() && before != document_.path())
         statusBar()->showMessage(
-            tr("%1 was closed").arg(QString::fromStdString(short_name(before))), 8000);
-      forgetResults();
+            tr("%1 was closed").arg(QString::fromStdString(shortened_path(before))), 8000);
+      invalidateResults();
       checkNow();
-      current_.clear();
-      loadRecord(document_.pages().front());
+      current_record_.clear();
+      buildRecordPage(document_.pages().front());
       showPage(page);
       checkFile();
       then();
@@ -215,14 +216,14 @@ void DeckWindow::restoreDeck(const std::string& bytes, std::function<void()> the
 }
 
 void DeckWindow::compareWith(deck::Deck other, const QString& name) {
-  delete compare_;
-  compare_ = new CompareDialog(document_, std::move(other), name, this);
-  connect(compare_, &CompareDialog::chosen, this, [this](const Cell& cell) {
+  delete compare_dialog_;
+  compare_dialog_ = new CompareDialog(document_, std::move(other), name, this);
+  connect(compare_dialog_, &CompareDialog::cellChosen, this, [this](const Cell& cell) {
     if (document_.instances(cell.record) == 0 && cell.record != "12") return;
     showRecord(cell.record);
-    page_->focusCell(cell);
+    record_page_->focusCell(cell);
   });
-  compare_->show();
+  compare_dialog_->show();
 }
 
 void DeckWindow::compareWithSaved() {
@@ -233,7 +234,7 @@ void DeckWindow::compareWithSaved() {
 
 void DeckWindow::compareWithFile(const std::filesystem::path& path, const QString& name) {
   try {
-    refuse_pipe(path);
+    reject_special_file(path);
     compareWith(deck::read_deck(path).deck, name);
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
@@ -241,8 +242,7 @@ void DeckWindow::compareWithFile(const std::filesystem::path& path, const QStrin
 }
 
 void DeckWindow::askForComparison() {
-  auto* dialog = new QFileDialog(this, tr("Compare with"),
-                                 QSettings("Adore", "adrinput").value("folder").toString(),
+  auto* dialog = new QFileDialog(this, tr("Compare with"), settings().value("folder").toString(),
                                  tr("Decks (*.txt *.TXT *.dat *.DAT);;All files (*)"));
   dialog->setObjectName("compare-open");
   desktop::delete_when_done(*dialog);

@@ -17,8 +17,8 @@ namespace adore::adrinput {
 
 void DeckWindow::refreshProblems() {
   const desktop::Theme& theme = desktop::current_theme();
-  const int selected = problems_->currentRow();
-  problems_->clear();
+  const int selected = problem_list_->currentRow();
+  problem_list_->clear();
   int errors = 0, warnings = 0;
   for (const Problem& problem : document_.problems()) {
     const Issue& issue = problem.issue;
@@ -41,19 +41,19 @@ void DeckWindow::refreshProblems() {
                                        : problem.refused || issue.severity == Severity::Warning
                                            ? RecordState::Doubtful
                                            : RecordState::Untouched),
-                            text, problems_);
+                            text, problem_list_);
     item->setForeground(error ? theme.red : theme.text);
   }
-  if (problems_->count() == 0) {
+  if (problem_list_->count() == 0) {
     const bool ready = document_.deck_state() == DeckState::Ready;
     auto* item =
         new QListWidgetItem(state_icon(ready ? RecordState::Complete : RecordState::Untouched),
                             ready ? tr("The deck is complete and has no problems.")
                                   : tr("The deck has no errors. Checking that the run can start …"),
-                            problems_);
+                            problem_list_);
     item->setFlags(Qt::ItemIsEnabled);
   }
-  problems_->setCurrentRow(std::min(selected, problems_->count() - 1));
+  problem_list_->setCurrentRow(std::min(selected, problem_list_->count() - 1));
   const auto total = static_cast<int>(document_.problems().size());
   QStringList counts;
   for (const auto& [count, one] : {std::pair(errors, "error"), std::pair(warnings, "warning"),
@@ -69,34 +69,34 @@ void DeckWindow::goToProblem(int row) {
   visited_problem_ = problem.issue.text();
   if (problem.page.empty()) return;
   showRecord(problem.page);
-  if (problem.cell) page_->focusCell(*problem.cell);
+  if (problem.cell) record_page_->focusCell(*problem.cell);
 }
 
 void DeckWindow::goToFinding(const Finding& finding) {
-  const Issue place = place_of_finding(document_.deck(), finding).value_or(finding);
+  const Issue place = issue_of_finding(document_.deck(), finding).value_or(finding);
   const std::optional<Cell> cell = cell_of(place);
   if (place.record.empty()) return;
   const std::vector<std::string> pages = document_.pages();
   if (std::find(pages.begin(), pages.end(), place.record) == pages.end()) return;
   showRecord(place.record);
-  if (cell) page_->focusCell(*cell);
+  if (cell) record_page_->focusCell(*cell);
 }
 
-void DeckWindow::stepProblem(int by) {
+void DeckWindow::goToAdjacentProblem(int by) {
   const auto count = static_cast<int>(document_.problems().size());
-  tabs_->setCurrentWidget(problems_);
+  tabs_->setCurrentWidget(problem_list_);
   if (count == 0) return;
-  const int here = problems_->currentRow();
+  const int here = problem_list_->currentRow();
   // A corrected problem is removed from the list, and the next one is in its row.
   const bool mended =
       by > 0 && here >= 0 && here < count && !visited_problem_.empty() &&
       document_.problems()[static_cast<std::size_t>(here)].issue.text() != visited_problem_;
   const int row = mended ? here : (std::max(here, by > 0 ? -1 : 0) + by + count) % count;
-  problems_->setCurrentRow(row);
+  problem_list_->setCurrentRow(row);
   goToProblem(row);
 }
 
-void DeckWindow::nextProblem() { stepProblem(1); }
-void DeckWindow::previousProblem() { stepProblem(-1); }
+void DeckWindow::nextProblem() { goToAdjacentProblem(1); }
+void DeckWindow::previousProblem() { goToAdjacentProblem(-1); }
 
 }  // namespace adore::adrinput

@@ -22,16 +22,16 @@ void DeckWindow::addToProject() {
   dialog->setOption(QFileDialog::ShowDirsOnly);
   connect(dialog, &QFileDialog::fileSelected, this, [this, deck](const QString& folder) {
     try {
-      desktop::Project project = desktop::Project::of_folder(folder.toStdString());
+      desktop::Project project = desktop::Project::open_or_create(folder.toStdString());
       project.add_deck(deck);
       const std::filesystem::path run = runPanel().resultFolder();
       std::error_code none;
       const bool has_run = std::filesystem::exists(run / "RUN.json", none);
       if (has_run) project.add_run(run);
       project.save();
-      desktop::tell_in_foot(this, (has_run ? tr("Added the deck and its run to %1.")
-                                           : tr("Added the deck to %1. It has no run yet."))
-                                      .arg(QString::fromStdString(project.file().string())));
+      desktop::show_in_status_bar(this, (has_run ? tr("Added the deck and its run to %1.")
+                                                 : tr("Added the deck to %1. It has no run yet."))
+                                            .arg(QString::fromStdString(project.file().string())));
     } catch (const std::exception& error) {
       desktop::show_message(this, QString::fromUtf8(error.what()), true);
     }
@@ -56,7 +56,8 @@ void DeckWindow::askForProject() {
       return desktop::show_message(this, QString::fromUtf8(error.what()), true);
     }
     if (decks.isEmpty())
-      return desktop::show_message(this, tr("The project lists no deck that is on the disk."));
+      return desktop::show_message(this,
+                                   tr("None of the decks of the project exists on the disk."));
     auto* choice = new QInputDialog(this);
     choice->setObjectName("projectDecks");
     desktop::delete_when_done(*choice);
@@ -64,7 +65,7 @@ void DeckWindow::askForProject() {
     choice->setLabelText(tr("Deck:"));
     choice->setComboBoxItems(decks);
     connect(choice, &QInputDialog::textValueSelected, this, [this, folder](const QString& deck) {
-      leaveDeck([this, folder, deck] { openFile(folder / deck.toStdString()); });
+      resolveUnsavedChanges([this, folder, deck] { openFile(folder / deck.toStdString()); });
     });
     choice->open();
   });

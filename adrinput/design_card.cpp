@@ -25,7 +25,7 @@ bool is_left(const std::string& group) {
 
 }  // namespace
 
-DesignCard::DesignCard(QWidget* parent)
+DesignResultsPanel::DesignResultsPanel(QWidget* parent)
     : QWidget(parent),
       state_(new QLabel(this)),
       heading_(new QLabel(this)),
@@ -60,25 +60,26 @@ DesignCard::DesignCard(QWidget* parent)
   setSummary(std::nullopt, tr("Computing …"));
 }
 
-void DesignCard::setSummary(std::optional<design::DesignSummary> summary, const QString& failure) {
+void DesignResultsPanel::setSummary(std::optional<design::DesignSummary> summary,
+                                    const QString& failure) {
   failure_ = failure;
   stale_ = false;
   // Without a new summary the old values stay, pale.
   if (summary) summary_ = std::move(summary);
   const bool first = summary_ && rows_.empty();
-  if (first) build();
-  fill();
-  if (first) emit built();
+  if (first) buildRows();
+  fillRows();
+  if (first) emit rowsBuilt();
 }
 
-void DesignCard::setStale(bool stale) {
+void DesignResultsPanel::setStale(bool stale) {
   if (stale == stale_) return;
   stale_ = stale;
-  fill();
+  fillRows();
 }
 
 /// One label per value: the ids are the same for every deck.
-void DesignCard::build() {
+void DesignResultsPanel::buildRows() {
   int row[2] = {0, 0};
   std::string group[2];
   for (const design::DesignValue& one : summary_->values) {
@@ -107,7 +108,7 @@ void DesignCard::build() {
   grid_->setColumnStretch(kColumns, 1);
 }
 
-void DesignCard::fill() {
+void DesignResultsPanel::fillRows() {
   const desktop::Theme& theme = desktop::current_theme();
   const bool old = stale_ || !failure_.isEmpty();
   heading_->setText(summary_ ? tr("Results: %1").arg(QString::fromStdString(summary_->bearing))
@@ -131,7 +132,7 @@ void DesignCard::fill() {
     }
 }
 
-void DesignCard::setFindings(std::vector<Finding> findings) {
+void DesignResultsPanel::setFindings(std::vector<Finding> findings) {
   findings_ = std::move(findings);
   std::stable_sort(findings_.begin(), findings_.end(), [](const Finding& a, const Finding& b) {
     return static_cast<int>(a.severity) > static_cast<int>(b.severity);
@@ -146,13 +147,13 @@ void DesignCard::setFindings(std::vector<Finding> findings) {
   if (findings_.empty()) list_->addItem(tr("No findings."));
 }
 
-QString DesignCard::textOf(const std::string& id) const {
+QString DesignResultsPanel::textOf(const std::string& id) const {
   const auto found = rows_.find(id);
   return found == rows_.end() ? QString() : found->second.value->text();
 }
 
-void DesignCard::restyle() {
-  fill();
+void DesignResultsPanel::restyle() {
+  fillRows();
   setFindings(findings_);
 }
 

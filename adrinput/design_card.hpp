@@ -18,10 +18,10 @@ namespace adore::adrinput {
 
 /// Results of the design page: values in groups, and all findings with their severity. A value that
 /// is not computed says so, with its reason as tooltip.
-class DesignCard : public QWidget {
+class DesignResultsPanel : public QWidget {
   Q_OBJECT
  public:
-  explicit DesignCard(QWidget* parent = nullptr);
+  explicit DesignResultsPanel(QWidget* parent = nullptr);
 
   void setSummary(std::optional<design::DesignSummary> summary, const QString& failure);
   /// The values belong to an older deck: shown pale until the next summary.
@@ -36,11 +36,11 @@ class DesignCard : public QWidget {
  signals:
   void findingChosen(const adore::Finding& finding);
   /// The rows of the first summary are there, and with them the width of the card.
-  void built();
+  void rowsBuilt();
 
  private:
-  void build();
-  void fill();
+  void buildRows();
+  void fillRows();
 
   std::optional<design::DesignSummary> summary_;
   QString failure_;

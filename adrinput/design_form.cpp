@@ -26,14 +26,14 @@
 namespace adore::adrinput {
 namespace {
 
-constexpr int kPause = 250;  // ms without a key before a valid text becomes the value
+constexpr int kTypingPause = 250;  // ms without a key before a valid text becomes the value
 constexpr int kFieldWidth = 84;
 
 QString text_of(const std::string& text) { return QString::fromStdString(text); }
 
 /// "2600" in a field of newtons is "2600 N"; a text with a unit stays.
 std::string with_unit(const std::string& typed, const std::string& unit) {
-  const std::string plain = plain_text(typed);
+  const std::string plain = normalized_text(typed);
   double number = 0.0;
   if (unit.empty() || deck::parse_real(plain, number)) return typed;
   return plain + " " + (unit == "°" ? "deg" : unit);
@@ -59,62 +59,62 @@ QString reason_of(const InputError& error, const QString& designation) {
 DesignForm::DesignForm(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      bearing_(new QLineEdit(this)),
-      facts_(new QLabel(this)),
+      bearing_field_(new QLineEdit(this)),
+      bearing_facts_(new QLabel(this)),
       oil_row_(new QWidget(this)),
-      oil_(new QComboBox(oil_row_)),
+      oil_box_(new QComboBox(oil_row_)),
       grid_(new QGridLayout),
-      pause_(new QTimer(this)) {
+      delay_timer_(new QTimer(this)) {
   setObjectName("design-form");
-  bearing_->setObjectName("design-bearing");
-  bearing_->setAccessibleName(tr("Bearing designation"));
-  bearing_->setPlaceholderText(tr("e.g. 7208 B"));
+  bearing_field_->setObjectName("design-bearing");
+  bearing_field_->setAccessibleName(tr("Bearing designation"));
+  bearing_field_->setPlaceholderText(tr("e.g. 7208 B"));
   QStringList all;
   for (const std::string& one : deck::catalogue_designations()) all << text_of(one);
   auto* completer = new QCompleter(all, this);
   completer->setCaseSensitivity(Qt::CaseInsensitive);
-  bearing_->setCompleter(completer);
-  connect(bearing_, &QLineEdit::editingFinished, this, &DesignForm::takeBearing);
+  bearing_field_->setCompleter(completer);
+  connect(bearing_field_, &QLineEdit::editingFinished, this, &DesignForm::applyBearing);
   connect(
       completer, qOverload<const QString&>(&QCompleter::activated), this,
       [this] {
-        bearing_->setModified(true);
-        takeBearing();
+        bearing_field_->setModified(true);
+        applyBearing();
       },
       Qt::QueuedConnection);
   completer->popup()->installEventFilter(this);
-  bearing_->installEventFilter(this);
+  bearing_field_->installEventFilter(this);
   auto* more = new QPushButton(tr("&Catalog …"), this);
   more->setObjectName("design-catalogue");
-  more->setToolTip(tr("Describe a bearing of the catalog before its deck is created (Ctrl+N)"));
+  more->setToolTip(tr("Select a bearing from the catalog and create its deck (Ctrl+N)"));
   more->setAutoDefault(true);
-  connect(more, &QPushButton::clicked, this, &DesignForm::catalogueWanted);
+  connect(more, &QPushButton::clicked, this, &DesignForm::catalogRequested);
   auto* name = new QLabel(tr("&Bearing"), this);
-  name->setBuddy(bearing_);
-  facts_->setObjectName("design-facts");
-  facts_->setWordWrap(true);
-  facts_->setTextFormat(Qt::PlainText);
-  oil_->setObjectName("design-oil");
-  desktop::name_box(*oil_, tr("Oil"));
-  oil_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  oil_->setMinimumContentsLength(9);
-  oil_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  name->setBuddy(bearing_field_);
+  bearing_facts_->setObjectName("design-facts");
+  bearing_facts_->setWordWrap(true);
+  bearing_facts_->setTextFormat(Qt::PlainText);
+  oil_box_->setObjectName("design-oil");
+  desktop::set_accessible_name(*oil_box_, tr("Oil"));
+  oil_box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  oil_box_->setMinimumContentsLength(9);
+  oil_box_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   auto* oil_box = new QHBoxLayout(oil_row_);
   oil_box->setContentsMargins(0, 0, 0, 0);
   auto* oil_name = new QLabel(tr("Oil"), oil_row_);
   oil_box->addWidget(oil_name);
-  oil_box->addWidget(oil_, 1);
-  oil_->setFocusPolicy(Qt::StrongFocus);
-  new WheelGuard(oil_);
-  connect(oil_, &QComboBox::activated, this, [this](int index) {
+  oil_box->addWidget(oil_box_, 1);
+  oil_box_->setFocusPolicy(Qt::StrongFocus);
+  new WheelGuard(oil_box_);
+  connect(oil_box_, &QComboBox::activated, this, [this](int index) {
     const std::vector<design::DesignOil> oils = design::design_oils(document_.deck());
     if (index < 0 || index >= static_cast<int>(oils.size())) return;
     // Each typed letter of a name activates an entry.
-    if (design::design_oil_of(document_.deck()) == static_cast<std::size_t>(index)) return;
+    if (design::design_oil_index(document_.deck()) == static_cast<std::size_t>(index)) return;
     document_.change(oils[static_cast<std::size_t>(index)].sets);
   });
   auto* row = new QHBoxLayout;
-  row->addWidget(bearing_, 1);
+  row->addWidget(bearing_field_, 1);
   row->addWidget(more);
   grid_->setHorizontalSpacing(8);
   grid_->setVerticalSpacing(4);
@@ -124,28 +124,28 @@ DesignForm::DesignForm(Document& document, QWidget* parent)
   column->setSpacing(4);
   column->addWidget(name);
   column->addLayout(row);
-  column->addWidget(facts_);
+  column->addWidget(bearing_facts_);
   column->addLayout(grid_);
   column->addStretch(1);
-  pause_->setSingleShot(true);
-  pause_->setInterval(kPause);
-  connect(pause_, &QTimer::timeout, this, &DesignForm::accept);
+  delay_timer_->setSingleShot(true);
+  delay_timer_->setInterval(kTypingPause);
+  connect(delay_timer_, &QTimer::timeout, this, &DesignForm::acceptValidFields);
   sync();
 }
 
 /// Fields report their end when they lose the focus: not to a form that is no more.
 DesignForm::~DesignForm() {
-  finish();
-  bearing_->removeEventFilter(this);
-  bearing_->completer()->popup()->removeEventFilter(this);
-  bearing_->disconnect(this);
+  commitFields();
+  bearing_field_->removeEventFilter(this);
+  bearing_field_->completer()->popup()->removeEventFilter(this);
+  bearing_field_->disconnect(this);
   for (const Field& field : fields_) field.line->disconnect(this);
 }
 
 std::vector<Cell> DesignForm::cellsOf(const design::DesignInput& input) const {
   std::vector<Cell> cells;
   for (const std::string& variable : input.variables) {
-    const deck::VariableRef ref = deck::find_present(document_.deck(), variable);
+    const deck::VariableRef ref = deck::find_present_variable(document_.deck(), variable);
     if (ref.record != nullptr) cells.push_back({std::string(ref.record->id), 1, ref.position, 0});
   }
   return cells;
@@ -158,8 +158,8 @@ QLineEdit* DesignForm::fieldOf(const std::string& variable) const {
 }
 
 void DesignForm::focusBearing() {
-  bearing_->setFocus();
-  bearing_->selectAll();
+  bearing_field_->setFocus();
+  bearing_field_->selectAll();
 }
 
 DesignForm::Field DesignForm::makeField(const design::DesignInput& input) {
@@ -168,10 +168,10 @@ DesignForm::Field DesignForm::makeField(const design::DesignInput& input) {
   line->setObjectName(text_of("design-" + input.variables.front()));
   line->setAlignment(Qt::AlignRight);
   line->setFixedWidth(kFieldWidth);
-  connect(line, &QLineEdit::textEdited, pause_, qOverload<>(&QTimer::start));
+  connect(line, &QLineEdit::textEdited, delay_timer_, qOverload<>(&QTimer::start));
   connect(line, &QLineEdit::editingFinished, this, [this, line] {
     for (Field& one : fields_)
-      if (one.line == line) return take(one, true);
+      if (one.line == line) return applyField(one, true);
   });
   return field;
 }
@@ -200,7 +200,7 @@ void DesignForm::rebuild() {
   for (QLabel* title : findChildren<QLabel*>("design-group")) delete title;
   int row = 0;
   std::string group;
-  QWidget* last = bearing_;
+  QWidget* last = bearing_field_;
   const auto next = [&](QWidget* field) { setTabOrder(std::exchange(last, field), field); };
   const auto title = [&](const QString& text) {
     auto* label = new QLabel(text, this);
@@ -213,7 +213,7 @@ void DesignForm::rebuild() {
     if (field.input.group != group) {
       if (!group.empty()) {  // the oil ends the operation
         grid_->addWidget(oil_row_, row++, 0, 1, 3);
-        next(oil_);
+        next(oil_box_);
       }
       group = field.input.group;
       grid_->addWidget(title(text_of(group)), row++, 0, 1, 3);
@@ -230,7 +230,7 @@ void DesignForm::rebuild() {
 }
 
 void DesignForm::sync() {
-  if (taking_) return;
+  if (applying_input_) return;
   const std::vector<design::DesignInput> inputs = design::design_inputs(document_.deck());
   const bool same = std::equal(inputs.begin(), inputs.end(), fields_.begin(), fields_.end(),
                                [](const design::DesignInput& input, const Field& field) {
@@ -242,7 +242,7 @@ void DesignForm::sync() {
     Field& field = fields_[i];
     field.input = inputs[i];
     const std::vector<Cell> cells = cellsOf(field.input);
-    const bool draft = !cells.empty() && document_.is_draft(cells.front());
+    const bool draft = !cells.empty() && document_.has_unparsed_text(cells.front());
     field.line->setEnabled(field.input.why_fixed.empty());
     field.line->setToolTip(field.input.why_fixed.empty()
                                ? tr("%1 in record %2")
@@ -257,20 +257,20 @@ void DesignForm::sync() {
     paint_invalid(*field.line, draft);
   }
   fillOils();
-  if (!bearing_->isModified()) showBearing();
+  if (!bearing_field_->isModified()) showBearing();
 }
 
 void DesignForm::fillOils() {
   const std::vector<design::DesignOil> oils = design::design_oils(document_.deck());
-  const auto now = design::design_oil_of(document_.deck());
+  const auto now = design::design_oil_index(document_.deck());
   const int count = static_cast<int>(oils.size()) + (now ? 0 : 1);
-  if (oil_->count() != count) {
-    oil_->clear();
-    for (const design::DesignOil& one : oils) oil_->addItem(text_of(one.name));
-    if (!now) oil_->addItem(tr("as in the records"));
+  if (oil_box_->count() != count) {
+    oil_box_->clear();
+    for (const design::DesignOil& one : oils) oil_box_->addItem(text_of(one.name));
+    if (!now) oil_box_->addItem(tr("as in the records"));
   }
-  oil_->setCurrentIndex(now ? static_cast<int>(*now) : count - 1);
-  oil_->setToolTip(now ? oil_->currentText() : tr("Records 10.0 to 10.4 and X2"));
+  oil_box_->setCurrentIndex(now ? static_cast<int>(*now) : count - 1);
+  oil_box_->setToolTip(now ? oil_box_->currentText() : tr("Records 10.0 to 10.4 and X2"));
 }
 
 /// The designation if the deck still has the main dimensions of the catalog.
@@ -280,7 +280,7 @@ void DesignForm::showBearing() {
   QString shown, facts;
   try {
     const deck::CatalogueBearing found = deck::find_bearing(designation);
-    const deck::Deck made = design::with_bearing(deck, designation, false);
+    const deck::Deck made = design::replace_bearing(deck, designation, false);
     const auto inputs = design::design_inputs(deck);
     const bool as_made =
         made.integer("kBrg") == deck.integer("kBrg") &&
@@ -289,67 +289,67 @@ void DesignForm::showBearing() {
                  design::input_text(deck, one) == design::input_text(made, one);
         });
     shown = text_of(found.designation);
-    const std::vector<std::string> story = deck::catalogue_story(found);
+    const std::vector<std::string> story = deck::describe_catalogue_bearing(found);
     facts = as_made ? text_of(story.front())
                     : tr("%1 with changed geometry").arg(text_of(found.designation));
     QStringList lines;
     for (const std::string& line : story) lines << text_of(line);
-    facts_->setToolTip(lines.join("\n\n"));
+    bearing_facts_->setToolTip(lines.join("\n\n"));
     if (as_made) facts += tr(" Internal geometry: ESTIMATED.");
   } catch (const InputError&) {
     facts = tr("%1 (not in the catalog)").arg(text_of(designation));
-    facts_->setToolTip({});
+    bearing_facts_->setToolTip({});
   }
-  bearing_->setText(shown);
-  paint_invalid(*bearing_, false);
-  facts_->setText(facts);
+  bearing_field_->setText(shown);
+  paint_invalid(*bearing_field_, false);
+  bearing_facts_->setText(facts);
 }
 
-void DesignForm::takeBearing() {
-  if (!bearing_->isModified() || taking_) return;
-  const QString typed = bearing_->text().trimmed();
-  bearing_->setModified(false);
+void DesignForm::applyBearing() {
+  if (!bearing_field_->isModified() || applying_input_) return;
+  const QString typed = bearing_field_->text().trimmed();
+  bearing_field_->setModified(false);
   if (typed.isEmpty()) return sync();
   try {
     const std::string designation = typed.toStdString();
     const bool pristine = document_.path().empty() && !document_.modified() &&
                           !document_.can_undo();  // the example of a new window
-    const deck::Deck next = design::with_bearing(document_.deck(), designation, !pristine);
-    bearing_->completer()->popup()->hide();
+    const deck::Deck next = design::replace_bearing(document_.deck(), designation, !pristine);
+    bearing_field_->completer()->popup()->hide();
     document_.replace(next, deck::catalogue_deck(deck::find_bearing(designation)));
   } catch (const InputError& error) {
-    paint_invalid(*bearing_, true);
-    facts_->setText(reason_of(error, typed));
+    paint_invalid(*bearing_field_, true);
+    bearing_facts_->setText(reason_of(error, typed));
   }
 }
 
-void DesignForm::accept() {
+void DesignForm::acceptValidFields() {
   for (Field& field : fields_)
-    if (field.line->isModified()) take(field, false);
+    if (field.line->isModified()) applyField(field, false);
 }
 
-void DesignForm::finish() {
-  takeBearing();
+void DesignForm::commitFields() {
+  applyBearing();
   for (Field& field : fields_)
-    if (field.line->isModified()) take(field, true);
+    if (field.line->isModified()) applyField(field, true);
 }
 
 /// Enter in the list of designations without a choice there takes the typed one.
 bool DesignForm::eventFilter(QObject* object, QEvent* event) {
-  QAbstractItemView* list = bearing_->completer()->popup();
+  QAbstractItemView* list = bearing_field_->completer()->popup();
   if (event->type() == QEvent::KeyPress && list->isVisible() && !list->currentIndex().isValid()) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     if (key == Qt::Key_Return || key == Qt::Key_Enter) {
       list->hide();
-      takeBearing();
+      applyBearing();
       return true;
     }
   }
   return QWidget::eventFilter(object, event);
 }
 
-void DesignForm::take(Field& field, bool finished) {
-  pause_->stop();
+void DesignForm::applyField(Field& field, bool finished) {
+  delay_timer_->stop();
   if (!field.line->isModified()) return;
   const std::string typed = field.line->text().toStdString();
   const std::string meant = with_unit(typed, field.input.unit);
@@ -359,19 +359,19 @@ void DesignForm::take(Field& field, bool finished) {
   paint_invalid(*field.line, !valid);
   if (!valid && !finished) return;  // incomplete
   // The text of a field that is being edited is not replaced.
-  taking_ = true;
+  applying_input_ = true;
   if (cells.size() == 1) {
     document_.edit(cells.front(), valid ? meant : typed);
-    if (finished) document_.end_step();
+    if (finished) document_.end_undo_step();
   } else if (valid) {
     std::vector<std::pair<Cell, std::string>> all;
     for (const Cell& cell : cells) all.emplace_back(cell, meant);
     document_.edit_all(all);
   } else {
     document_.edit(cells.front(), typed);
-    document_.end_step();
+    document_.end_undo_step();
   }
-  taking_ = false;
+  applying_input_ = false;
   if (!finished) return;
   field.line->setModified(false);
   sync();

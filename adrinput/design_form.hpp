@@ -26,17 +26,17 @@ class DesignForm : public QWidget {
   /// The document has changed.
   void sync();
   /// Enters the text into the deck if it is valid, and leaves it in the field.
-  void accept();
+  void acceptValidFields();
   /// The same for any text, as when its field is left.
-  void finish();
+  void commitFields();
   void focusBearing();
-  [[nodiscard]] QLineEdit& bearingField() { return *bearing_; }
+  [[nodiscard]] QLineEdit& bearingField() { return *bearing_field_; }
   /// The field of a variable; nullptr: the deck does not have it.
   [[nodiscard]] QLineEdit* fieldOf(const std::string& variable) const;
-  [[nodiscard]] QComboBox& oilField() { return *oil_; }
+  [[nodiscard]] QComboBox& oilField() { return *oil_box_; }
 
  signals:
-  void catalogueWanted();
+  void catalogRequested();
 
  protected:
   bool eventFilter(QObject* object, QEvent* event) override;
@@ -49,22 +49,22 @@ class DesignForm : public QWidget {
   };
   [[nodiscard]] Field makeField(const design::DesignInput& input);
   void rebuild();
-  void takeBearing();
-  void take(Field& field, bool finished);
+  void applyBearing();
+  void applyField(Field& field, bool finished);
   void showBearing();
   void fillOils();
   /// Cells of an input in the deck.
   [[nodiscard]] std::vector<Cell> cellsOf(const design::DesignInput& input) const;
 
   Document& document_;
-  QLineEdit* bearing_;
-  QLabel* facts_;
+  QLineEdit* bearing_field_;
+  QLabel* bearing_facts_;
   QWidget* oil_row_;
-  QComboBox* oil_;
+  QComboBox* oil_box_;
   QGridLayout* grid_;
   std::vector<Field> fields_;
-  QTimer* pause_;
-  bool taking_ = false;
+  QTimer* delay_timer_;
+  bool applying_input_ = false;
 };
 
 }  // namespace adore::adrinput

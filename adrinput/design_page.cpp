@@ -72,9 +72,9 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       form_(new DesignForm(document)),
-      card_(new DesignCard),
+      results_panel_(new DesignResultsPanel),
       drawing_(new DrawingView(this)),
-      loads_(new desktop::ChartView(this)),
+      load_chart_(new desktop::ChartView(this)),
       solver_(new DesignSolver(this)) {
   setObjectName("design-page");
   auto* move = new QPushButton(tr("&Make it move …"), this);
@@ -87,24 +87,24 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
   records->setObjectName("design-records");
   records->setToolTip(tr("All values of the same deck in the record forms"));
   records->setAutoDefault(true);
-  connect(move, &QPushButton::clicked, this, &DesignPage::makeItMove);
-  connect(records, &QPushButton::clicked, this, &DesignPage::recordsWanted);
-  connect(form_, &DesignForm::catalogueWanted, this, &DesignPage::catalogueWanted);
-  connect(card_, &DesignCard::findingChosen, this, &DesignPage::findingChosen);
+  connect(move, &QPushButton::clicked, this, &DesignPage::convertToDynamicDeck);
+  connect(records, &QPushButton::clicked, this, &DesignPage::recordsRequested);
+  connect(form_, &DesignForm::catalogRequested, this, &DesignPage::catalogRequested);
+  connect(results_panel_, &DesignResultsPanel::findingChosen, this, &DesignPage::findingChosen);
   solver_->found = [this](std::optional<design::DesignSummary> summary, const QString& failure) {
-    card_->setSummary(std::move(summary), failure);
+    results_panel_->setSummary(std::move(summary), failure);
     showFindings();
-    if (!failure.isEmpty() || !card_->summary()) return;
-    const auto pages = desktop::static_pages(card_->summary()->tables);
+    if (!failure.isEmpty() || !results_panel_->summary()) return;
+    const auto pages = desktop::static_pages(results_panel_->summary()->tables);
     if (pages.empty()) return;
-    loads_->showPage(narrow_page(pages.front()));
-    loads_->setToolTip(QString::fromStdString(pages.front().note));
+    load_chart_->showPage(narrow_page(pages.front()));
+    load_chart_->setToolTip(QString::fromStdString(pages.front().note));
   };
   drawing_->setObjectName("design-drawing");
   drawing_->setMinimumHeight(160);
-  loads_->setObjectName("design-loads");
-  loads_->setAccessibleName(tr("Load distribution"));
-  loads_->setMinimumSize(kPictureWidth, 300);
+  load_chart_->setObjectName("design-loads");
+  load_chart_->setAccessibleName(tr("Load distribution"));
+  load_chart_->setMinimumSize(kPictureWidth, 300);
   auto* buttons = new QHBoxLayout;
   buttons->setContentsMargins(12, 0, 8, 8);
   buttons->addWidget(move);
@@ -116,15 +116,15 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
   column->addLayout(buttons);
   auto* pictures = new QSplitter(Qt::Vertical, this);
   pictures->addWidget(drawing_);
-  pictures->addWidget(loads_);
+  pictures->addWidget(load_chart_);
   pictures->setStretchFactor(0, 1);
   pictures->setStretchFactor(1, 1);
   pictures->setChildrenCollapsible(false);
   auto* parts = new QSplitter;
   parts->addWidget(inputs);
-  QScrollArea* results = scrolled(card_, tr("Results"));
+  QScrollArea* results = scrolled(results_panel_, tr("Results"));
   parts->addWidget(results);
-  connect(card_, &DesignCard::built, results, [results, parts] {
+  connect(results_panel_, &DesignResultsPanel::rowsBuilt, results, [results, parts] {
     results->updateGeometry();
     const int least = results->minimumSizeHint().width();
     QList<int> sizes = parts->sizes();
@@ -168,62 +168,64 @@ void DesignPage::sync() {
 void DesignPage::compute() {
   if (document_.has_errors()) {
     solver_->cancel();
-    card_->setSummary(std::nullopt, tr("The deck has errors. Correct them to see results."));
+    results_panel_->setSummary(std::nullopt,
+                               tr("The deck has errors. Correct them to see results."));
     return;
   }
   solver_->ask({document_.deck(), document_.options()});
-  card_->setStale(solver_->pending());
+  results_panel_->setStale(solver_->pending());
 }
 
 void DesignPage::draw() {
-  if (drawn_ == document_.deck()) return;
-  drawn_ = document_.deck();
-  drawing_->setDrawing(section_of(drawn_));
+  if (drawn_deck_ == document_.deck()) return;
+  drawn_deck_ = document_.deck();
+  drawing_->setDrawing(section_of(drawn_deck_));
 }
 
 /// Problems of the deck, and findings of the solution that are not among them.
 void DesignPage::showFindings() {
   std::vector<Finding> all;
   for (const Problem& problem : document_.problems()) all.emplace_back(problem.issue);
-  if (card_->summary() && !document_.has_errors())
-    for (const Finding& one : card_->summary()->findings)
+  if (results_panel_->summary() && !document_.has_errors())
+    for (const Finding& one : results_panel_->summary()->findings)
       if (std::none_of(all.begin(), all.end(),
                        [&](const Finding& other) { return other.message == one.message; }))
         all.push_back(one);
-  card_->setFindings(std::move(all));
+  results_panel_->setFindings(std::move(all));
 }
 
-void DesignPage::makeItMove() {
-  form_->finish();
-  document_.end_step();
+void DesignPage::convertToDynamicDeck() {
+  form_->commitFields();
+  document_.end_undo_step();
   if (document_.has_errors())
     return desktop::show_message(window(), tr("The deck has errors. Correct them first (F8)."),
                                  true);
-  design::MovingDeck moving;
+  design::DynamicDeckProposal moving;
   QGuiApplication::setOverrideCursor(Qt::WaitCursor);
   QString failure;
   try {
-    moving = design::moving_deck(document_.deck(), document_.options());
+    moving = design::propose_dynamic_deck(document_.deck(), document_.options());
   } catch (const std::exception& error) {
-    failure = QString::fromStdString(in_window_words(error.what()));
+    failure = QString::fromStdString(replace_cli_terms(error.what()));
   }
   QGuiApplication::restoreOverrideCursor();
   if (!failure.isEmpty()) return desktop::show_message(window(), failure, true);
-  auto* dialog = new MovingDialog(moving.assumptions, window());
-  connect(dialog, &MovingDialog::chosen, this, [this, sets = moving.sets](bool run) {
-    try {
-      document_.change(sets);
-      emit moved(run);
-    } catch (const std::exception& error) {
-      desktop::show_message(window(), QString::fromUtf8(error.what()), true);
-    }
-  });
+  auto* dialog = new MotionAssumptionsDialog(moving.assumptions, window());
+  connect(dialog, &MotionAssumptionsDialog::assumptionsAccepted, this,
+          [this, sets = moving.sets](bool run) {
+            try {
+              document_.change(sets);
+              emit convertedToDynamicDeck(run);
+            } catch (const std::exception& error) {
+              desktop::show_message(window(), QString::fromUtf8(error.what()), true);
+            }
+          });
   dialog->open();
 }
 
 void DesignPage::restyle() {
-  card_->restyle();
-  loads_->chartScene().setTheme(desktop::current_theme());
+  results_panel_->restyle();
+  load_chart_->chartScene().setTheme(desktop::current_theme());
   drawing_->update();
   form_->sync();
 }

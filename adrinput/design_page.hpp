@@ -11,7 +11,7 @@ class QPushButton;
 
 namespace adore::adrinput {
 
-class DesignCard;
+class DesignResultsPanel;
 class DesignForm;
 class DesignSolver;
 class DrawingView;
@@ -30,21 +30,21 @@ class DesignPage : public QWidget {
   /// The document has changed.
   void sync();
   [[nodiscard]] DesignForm& form() { return *form_; }
-  [[nodiscard]] DesignCard& card() { return *card_; }
+  [[nodiscard]] DesignResultsPanel& resultsPanel() { return *results_panel_; }
   /// Is a result on its way?
   [[nodiscard]] bool computing() const;
   void restyle();
 
  signals:
-  void catalogueWanted();
-  void recordsWanted();
+  void catalogRequested();
+  void recordsRequested();
   /// The deck has become one of motion; `run`: it shall run.
-  void moved(bool run);
+  void convertedToDynamicDeck(bool run);
   void findingChosen(const adore::Finding& finding);
 
  public slots:
   /// Shows the assumptions of a deck of motion (a dialog named "moving"), then writes it.
-  void makeItMove();
+  void convertToDynamicDeck();
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -56,11 +56,11 @@ class DesignPage : public QWidget {
 
   Document& document_;
   DesignForm* form_;
-  DesignCard* card_;
+  DesignResultsPanel* results_panel_;
   DrawingView* drawing_;
-  desktop::ChartView* loads_;
+  desktop::ChartView* load_chart_;
   DesignSolver* solver_;
-  deck::Deck drawn_;
+  deck::Deck drawn_deck_;
 };
 
 }  // namespace adore::adrinput

@@ -11,59 +11,62 @@
 namespace adore::adrinput {
 namespace {
 
-constexpr int kPause = 120;  // ms without a change
+constexpr int kSolverPause = 120;  // ms without a change
 
 }  // namespace
 
-DesignSolver::DesignSolver(QObject* parent) : QObject(parent), pause_(new QTimer(this)) {
-  pause_->setSingleShot(true);
-  pause_->setInterval(kPause);
-  connect(pause_, &QTimer::timeout, this, &DesignSolver::start);
+DesignSolver::DesignSolver(QObject* parent) : QObject(parent), delay_timer_(new QTimer(this)) {
+  delay_timer_->setSingleShot(true);
+  delay_timer_->setInterval(kSolverPause);
+  connect(delay_timer_, &QTimer::timeout, this, &DesignSolver::start);
 }
 
 void DesignSolver::ask(Request request) {
-  if (wanted_ ? *wanted_ == request : running_ ? *running_ == request : done_ && *done_ == request)
+  if (pending_request_  ? *pending_request_ == request
+      : active_request_ ? *active_request_ == request
+                        : solved_request_ && *solved_request_ == request)
     return;
-  wanted_ = std::move(request);
-  running_.reset();
-  background_.stop();
-  pause_->start();
+  pending_request_ = std::move(request);
+  active_request_.reset();
+  background_task_.stop();
+  delay_timer_->start();
 }
 
 void DesignSolver::cancel() {
-  pause_->stop();
-  wanted_.reset();
-  running_.reset();
-  done_.reset();
-  background_.stop();
+  delay_timer_->stop();
+  pending_request_.reset();
+  active_request_.reset();
+  solved_request_.reset();
+  background_task_.stop();
 }
 
-bool DesignSolver::pending() const { return wanted_ || running_; }
+bool DesignSolver::pending() const { return pending_request_ || active_request_; }
 
 void DesignSolver::start() {
-  if (!wanted_ || background_.busy()) return;  // the end of the canceled one starts it
-  running_ = std::exchange(wanted_, std::nullopt);
+  if (!pending_request_ || background_task_.busy())
+    return;  // the end of the canceled one starts it
+  active_request_ = std::exchange(pending_request_, std::nullopt);
   struct Answer {
     std::optional<design::DesignSummary> summary;
     QString failure;
   };
   auto answer = std::make_shared<Answer>();
-  background_.start(
-      [request = *running_, answer](const std::stop_token& stop) {
+  background_task_.start(
+      [request = *active_request_, answer](const std::stop_token& stop) {
         try {
           answer->summary = design::design_summary(request.deck, request.options, stop);
           for (Finding& one : answer->summary->findings) {
-            one.message = in_window_words(std::move(one.message));
-            one.remedy = in_window_words(std::move(one.remedy));
+            one.message = replace_cli_terms(std::move(one.message));
+            one.remedy = replace_cli_terms(std::move(one.remedy));
           }
         } catch (const std::exception& error) {
-          answer->failure = QString::fromStdString(in_window_words(error.what()));
+          answer->failure = QString::fromStdString(replace_cli_terms(error.what()));
         }
       },
       [this, answer] {
-        const bool current = running_.has_value();
-        if (current) done_ = std::exchange(running_, std::nullopt);
-        if (wanted_ && !pause_->isActive()) start();
+        const bool current = active_request_.has_value();
+        if (current) solved_request_ = std::exchange(active_request_, std::nullopt);
+        if (pending_request_ && !delay_timer_->isActive()) start();
         if (current && found) found(std::move(answer->summary), answer->failure);
       });
 }

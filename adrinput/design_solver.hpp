@@ -42,11 +42,11 @@ class DesignSolver : public QObject {
  private:
   void start();
 
-  QTimer* pause_;
-  std::optional<Request> wanted_;   ///< not started
-  std::optional<Request> running_;  ///< active; nothing: canceled
-  std::optional<Request> done_;
-  Background background_;  ///< last: ends first
+  QTimer* delay_timer_;
+  std::optional<Request> pending_request_;  ///< not started
+  std::optional<Request> active_request_;   ///< active; nothing: canceled
+  std::optional<Request> solved_request_;
+  BackgroundTask background_task_;  ///< last: ends first
 };
 
 }  // namespace adore::adrinput

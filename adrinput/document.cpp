@@ -37,24 +37,24 @@ void Document::start(State state) {
   state_ = std::move(state);
   undo_.clear();
   redo_.clear();
-  step_cell_.reset();
-  typing_.reset();
-  draft_.clear();
-  foreign_ = false;
+  undo_step_cell_.reset();
+  typed_cell_.reset();
+  draft_path_.clear();
+  file_changed_externally_ = false;
   refusals_.clear();
   start_refusals_.clear();
-  rehearsed_.reset();
-  unused_.clear();
+  checked_candidate_.reset();
+  unused_reasons_.clear();
   effects_.clear();
-  kept_copy_.clear();
+  backup_path_.clear();
   model_issues_.clear();
   change_issues_.clear();
   // Values of the file that its options do not need are kept with the hidden ones.
   for (const deck::RecordData& record : std::exchange(state_.deck.shelf, {}))
     state_.shelf.try_emplace({record.id, record.instance}, record);
-  settle();
+  complete_records();
   saved_deck_ = state_.deck;
-  saved_drafts_ = state_.drafts;
+  saved_unparsed_texts_ = state_.drafts;
   saved_options_ = state_.options;
   saved_comments_ = state_.comments;
   find_problems();
@@ -64,30 +64,30 @@ void Document::start_new(std::string_view template_name) {
   State state;
   state.deck = deck::new_deck(template_name);
   path_.clear();
-  original_.clear();
-  original_kept_ = true;
-  broken_ = false;
+  original_text_.clear();
+  original_matches_deck_ = true;
+  file_has_errors_ = false;
   option_file_ = {};
   file_issues_.clear();
   start(std::move(state));
   notify();
 }
 
-void Document::start_with(const std::string& text) {
+void Document::start_from_text(const std::string& text) {
   deck::ReadResult read = deck::read_deck_text(text, "new deck");
   if (!read.ok()) throw InputError(std::move(read.issues));
   start_new("ball");  // otherwise like a new deck
   State state;
   state.deck = std::move(read.deck);
   state.deck.file.clear();
-  original_ = text;
-  original_kept_ = true;  // nobody's file
+  original_text_ = text;
+  original_matches_deck_ = true;  // nobody's file
   start(std::move(state));
   notify();
 }
 
 void Document::change(const std::vector<std::pair<std::string, std::string>>& sets) {
-  end_step();
+  end_undo_step();
   deck::Deck changed_deck = state_.deck;
   changed_deck.set_all(sets);
   if (changed_deck == state_.deck) return;
@@ -97,41 +97,41 @@ void Document::change(const std::vector<std::pair<std::string, std::string>>& se
             deck::find_record_data(state_.deck, record.id, record.instance);
         cell.record.empty() && (old == nullptr || !(*old == record)))
       cell.record = record.id;
-  begin_step(cell);
+  begin_undo_step(cell);
   state_.drafts.clear();
   const deck::Deck before = std::exchange(state_.deck, std::move(changed_deck));
-  note_typed(before);
-  settle();
+  mark_changed_as_typed(before);
+  complete_records();
   if (std::none_of(sets.begin(), sets.end(), [](const auto& set) {
         return std::string_view(set.first).starts_with("kPltElemInd");
       }))
-    follow_bodies(before);
-  step_cell_.reset();
+    renumber_monitored_bodies(before);
+  undo_step_cell_.reset();
   find_problems();
   notify();
 }
 
 void Document::replace(deck::Deck deck, std::string text) {
-  end_step();
+  end_undo_step();
   if (deck == state_.deck) return;
   Cell cell;
   cell.record = "4";
-  begin_step(cell);
+  begin_undo_step(cell);
   state_.drafts.clear();
   state_.shelf.clear();  // values of another bearing
-  state_.numbers_in.reset();
+  state_.previous_units.reset();
   state_.typed_since.clear();
   state_.comments = std::move(text);
   state_.deck = std::move(deck);
-  settle();
-  step_cell_.reset();
+  complete_records();
+  undo_step_cell_.reset();
   file_issues_.clear();
   find_problems();
   notify();
 }
 
 bool Document::modified() const {
-  return !(state_.deck == saved_deck_) || state_.drafts != saved_drafts_ ||
+  return !(state_.deck == saved_deck_) || state_.drafts != saved_unparsed_texts_ ||
          state_.options != saved_options_;
 }
 
@@ -159,38 +159,38 @@ std::string Document::text(const Cell& cell) const {
   return value == nullptr ? std::string() : shown_text(*value);
 }
 
-std::string Document::unused_because(const Cell& cell) const {
-  const auto found = unused_.find(cell);
-  return found == unused_.end() ? std::string() : found->second;
+std::string Document::unused_reason(const Cell& cell) const {
+  const auto found = unused_reasons_.find(cell);
+  return found == unused_reasons_.end() ? std::string() : found->second;
 }
 
-void Document::begin_step(const Cell& cell) {
+void Document::begin_undo_step(const Cell& cell) {
   redo_.clear();
-  if (step_cell_ == cell || (together_ && step_cell_)) return;
-  step_cell_ = cell;
+  if (undo_step_cell_ == cell || (step_spans_cells_ && undo_step_cell_)) return;
+  undo_step_cell_ = cell;
   change_issues_.clear();
   undo_.push_back({state_, cell.record});
   if (undo_.size() > kMostSteps) undo_.erase(undo_.begin());
 }
 
 void Document::type(const Cell& cell, std::string_view typed) {
-  if (typing_ && *typing_ != cell) end_step();
+  if (typed_cell_ && *typed_cell_ != cell) end_undo_step();
   if (cell.record == kOptionsPage) return edit(cell, typed);
   if (value_at(state_.deck, cell) == nullptr) return;
   if (text(cell) == typed &&
-      (is_draft(cell) || !meaning || meaning(cell, std::string(typed)) == typed))
+      (has_unparsed_text(cell) || !meaning || meaning(cell, std::string(typed)) == typed))
     return;
-  begin_step(cell);
+  begin_undo_step(cell);
   state_.drafts[cell] = typed;
-  typing_ = cell;
+  typed_cell_ = cell;
   find_problems();
   notify();
 }
 
 /// The text being typed becomes the value; one step for undo, and none if nothing changed.
-void Document::end_step() {
-  if (typing_) {
-    const Cell cell = *std::exchange(typing_, std::nullopt);
+void Document::end_undo_step() {
+  if (typed_cell_) {
+    const Cell cell = *std::exchange(typed_cell_, std::nullopt);
     const auto draft = state_.drafts.find(cell);
     if (draft != state_.drafts.end()) {
       const std::string typed = draft->second;
@@ -207,23 +207,23 @@ void Document::end_step() {
       }
     }
   }
-  step_cell_.reset();
+  undo_step_cell_.reset();
 }
 
 void Document::edit(const Cell& cell, std::string_view typed) {
-  if (typing_ && *typing_ != cell) end_step();
-  if (typing_) {
-    typing_.reset();
+  if (typed_cell_ && *typed_cell_ != cell) end_undo_step();
+  if (typed_cell_) {
+    typed_cell_.reset();
     state_.drafts.erase(cell);
   }
   if (cell.record == kOptionsPage) return edit_option(cell, typed);
   const deck::Value* old = value_at(state_.deck, cell);
   if (old == nullptr) return;
   const deck::VariableSpec& variable = *variable_of(cell);
-  Typed value = parse(cell, typed);
+  TypedValue value = parse(cell, typed);
   if (text(cell) == typed && (value.problem || state_.drafts.count(cell) == 0)) return;
   if (!value.problem && value.value == *old && state_.drafts.count(cell) == 0) return;
-  begin_step(cell);
+  begin_undo_step(cell);
   const deck::UnitSystem units = state_.deck.units();
   const deck::Deck before = state_.deck;
   if (value.problem) {
@@ -234,12 +234,12 @@ void Document::edit(const Cell& cell, std::string_view typed) {
     record.values[cell.variable][cell.element] = std::move(value.value);
     std::erase(record.defaulted, deck::RecordData::Element{cell.variable, cell.element});
     if (variable.type == deck::VarType::Integer) {
-      settle();
-      if (variable.name == "nRe" || variable.name == "nCseg") follow_bodies(before);
+      complete_records();
+      if (variable.name == "nRe" || variable.name == "nCseg") renumber_monitored_bodies(before);
     }
   }
-  if (state_.numbers_in && !value.problem) state_.typed_since.insert(cell);
-  note_units(units);
+  if (state_.previous_units && !value.problem) state_.typed_since.insert(cell);
+  track_unit_change(units);
   std::erase_if(file_issues_, [&](const Issue& issue) {
     const std::optional<Cell> at = cell_of(issue);
     return at && same_variable(*at, cell);
@@ -249,24 +249,24 @@ void Document::edit(const Cell& cell, std::string_view typed) {
 }
 
 void Document::edit_all(const std::vector<std::pair<Cell, std::string>>& typed) {
-  end_step();
+  end_undo_step();
   {
     struct Apart {  // edit() may throw
       bool& together;
       ~Apart() { together = false; }
-    } const apart{together_};
-    together_ = true;
+    } const apart{step_spans_cells_};
+    step_spans_cells_ = true;
     for (const auto& [cell, text] : typed) edit(cell, text);
   }
-  end_step();
+  end_undo_step();
 }
 
 void Document::set_user_lines(std::vector<std::string> lines) {
-  if (typing_) end_step();
+  if (typed_cell_) end_undo_step();
   if (lines == state_.deck.user_lines) return;
   Cell cell;
   cell.record = kUserLines;
-  begin_step(cell);
+  begin_undo_step(cell);
   state_.deck.user_lines = std::move(lines);
   find_problems();
   notify();
@@ -297,39 +297,39 @@ void Document::remember(const deck::RecordData& record) {
 }
 
 /// Adds records and array elements needed by the options, with the values that they had before.
-void Document::settle() {
+void Document::complete_records() {
   for (const deck::RecordData& record : state_.deck.records) remember(record);
-  bring_back();
+  restore_from_shelf();
 }
 
-void Document::bring_back() {
+void Document::restore_from_shelf() {
   state_.deck.records.clear();
   for (const auto& [place, record] : state_.shelf) state_.deck.records.push_back(record);
   state_.deck.complete();
-  if (state_.numbers_in) note_taken_over();
+  if (state_.previous_units) mark_inherited_as_typed();
 }
 
-std::string Document::travel(std::vector<Step>& from, std::vector<Step>& to) {
+std::string Document::move_in_history(std::vector<UndoStep>& from, std::vector<UndoStep>& to) {
   if (from.empty()) return {};
-  Step step = std::move(from.back());
+  UndoStep step = std::move(from.back());
   from.pop_back();
   change_issues_.clear();
   to.push_back({std::move(state_), step.page});
   state_ = std::move(step.state);
-  step_cell_.reset();
+  undo_step_cell_.reset();
   find_problems();
   notify();
   return step.page;
 }
 
 std::string Document::undo() {
-  end_step();
-  return travel(undo_, redo_);
+  end_undo_step();
+  return move_in_history(undo_, redo_);
 }
 
 std::string Document::redo() {
-  end_step();
-  return travel(redo_, undo_);
+  end_undo_step();
+  return move_in_history(redo_, undo_);
 }
 
 void Document::add_problem(Issue issue, bool refused) {
@@ -350,7 +350,7 @@ void Document::add_problem(Issue issue, bool refused) {
 void Document::find_problems() {
   problems_.clear();
   for (const auto& [cell, typed] : state_.drafts) {
-    if (value_at(state_.deck, cell) == nullptr || typing_ == cell) continue;
+    if (value_at(state_.deck, cell) == nullptr || typed_cell_ == cell) continue;
     const deck::VariableSpec& variable = *variable_of(cell);
     deck::NumberProblem problem = parse(cell, typed).problem;
     if (!problem)  // of a session that was cut off
@@ -412,24 +412,26 @@ void Document::add_refusals() {
   if (!refusals_.empty()) return;
   for (Issue issue : start_refusals_) {
     issue.severity = Severity::Note;
+    issue.code = "deck.refused";
     issue.message = "`adore run` will refuse this deck: " + issue.message;
     add_problem(std::move(issue), true);
   }
 }
 
-bool Document::wants_rehearsal() const {
-  return !typing_ && !has_error(problems_) && !(rehearsed_ && *rehearsed_ == candidate());
+bool Document::needs_start_check() const {
+  return !typed_cell_ && !has_error(problems_) &&
+         !(checked_candidate_ && *checked_candidate_ == candidate());
 }
 
-void Document::forget_rehearsal() {
-  rehearsed_.reset();
+void Document::invalidate_start_check() {
+  checked_candidate_.reset();
   notify();
 }
 
-void Document::set_rehearsal(const Candidate& of, std::vector<Issue> refusals,
-                             std::vector<Finding> remarks) {
+void Document::set_start_check_result(const Candidate& of, std::vector<Issue> refusals,
+                                      std::vector<Finding> remarks) {
   if (!(of == candidate())) return;  // of a deck that is no longer here
-  rehearsed_ = of;
+  checked_candidate_ = of;
   start_refusals_ = std::move(refusals);
   start_remarks_ = shown_findings(remarks);
   find_problems();
@@ -439,7 +441,7 @@ void Document::set_rehearsal(const Candidate& of, std::vector<Issue> refusals,
 DeckState Document::deck_state() const {
   if (has_error(problems_)) return DeckState::Wrong;
   if (!refusals_.empty()) return DeckState::Refused;
-  if (!rehearsed_ || !(*rehearsed_ == candidate())) return DeckState::Unchecked;
+  if (!checked_candidate_ || !(*checked_candidate_ == candidate())) return DeckState::Unchecked;
   return start_refusals_.empty() ? DeckState::Ready : DeckState::Refused;
 }
 
@@ -456,18 +458,18 @@ void Document::check_model() {
       found.issues.push_back(std::move(issue));
     }
   for (Issue& issue : found.issues) {
-    issue.message = in_window_words(std::move(issue.message));
-    issue.remedy = in_window_words(std::move(issue.remedy));
+    issue.message = replace_cli_terms(std::move(issue.message));
+    issue.remedy = replace_cli_terms(std::move(issue.remedy));
   }
-  model_issues_ = std::move(found.issues);
+  model_issues_.assign(found.issues.begin(), found.issues.end());
   if (examined) refusals_ = std::move(found.refusals);
   if (examined) effects_ = std::move(found.effects);
-  if (examined) unused_.clear();  // else it is unchanged since the last valid deck
+  if (examined) unused_reasons_.clear();  // else it is unchanged since the last valid deck
   for (const deck::NoPart& value : found.unused) {
     Issue named;
     named.record = value.record;
     named.variable = value.variable;
-    if (const std::optional<Cell> cell = cell_of(named)) unused_[*cell] = value.because;
+    if (const std::optional<Cell> cell = cell_of(named)) unused_reasons_[*cell] = value.because;
   }
   find_problems();
   notify();
@@ -476,7 +478,7 @@ void Document::check_model() {
 /// Findings of statics and plan that the checks of the deck do not contain. A finding without
 /// variable leads to the field of its kind.
 void Document::add_remarks() {
-  if (!rehearsed_ || !(*rehearsed_ == candidate())) return;
+  if (!checked_candidate_ || !(*checked_candidate_ == candidate())) return;
   for (const Finding& one : start_remarks_) {
     const bool said = std::any_of(problems_.begin(), problems_.end(), [&](const Problem& problem) {
       return problem.issue.message == one.message && problem.issue.variable == one.variable;
@@ -484,7 +486,7 @@ void Document::add_remarks() {
     if (said) continue;
     add_problem(one);
     if (!one.variable.empty()) continue;
-    if (const std::optional<Issue> place = place_of_finding(state_.deck, one)) {
+    if (const std::optional<Issue> place = issue_of_finding(state_.deck, one)) {
       problems_.back().page = place->record;
       problems_.back().cell = cell_of(*place);
     }

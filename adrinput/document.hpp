@@ -49,8 +49,8 @@ class Document {
 
   /// Called after every change of anything below.
   std::function<void()> changed;
-  /// Meaning of a typed text if fields show other units than the deck (as_meant()). Not called for
-  /// edit().
+  /// Meaning of a typed text if fields show other units than the deck (add_display_unit()). Not
+  /// called for edit().
   std::function<std::string(const Cell&, const std::string&)> meaning;
 
   /// A new data set from an example deck (deck/templates.hpp). @throws InputError
@@ -58,37 +58,37 @@ class Document {
   /// A new data set from the text of a deck without errors; its comments are kept in the saved
   /// file.
   /// @throws InputError
-  void start_with(const std::string& text);
+  void start_from_text(const std::string& text);
   /// Reads as much as possible of a deck with errors: texts that are not values stay in their
   /// fields, and all remarks of the reader are among the problems.
   /// @throws InputError if the file is missing or is not text; the document is then unchanged.
   void open(const std::filesystem::path& name);
   /// Writes the deck if `adore check` accepts it and it reads back equal, based on the text of the
-  /// file that it was opened from, with its comments (deck/keep_text.hpp). If that text cannot be
-  /// kept, the first save keeps the old file as NAME.bak. Run options are written to ADORE.json in
-  /// the same folder if they differ from it.
+  /// file that it was opened from, with its comments (deck/deck_text_with_comments.hpp). If that
+  /// text cannot be kept, the first save keeps the old file as NAME.bak. Run options are written to
+  /// ADORE.json in the same folder if they differ from it.
   /// @throws InputError with all errors; then no file is changed.
   void save(const std::filesystem::path& name);
   /// Errors for which save() would reject the deck for any file.
   [[nodiscard]] std::vector<Issue> errors();
   /// Path of the previous file kept by the last save(); empty if none.
-  [[nodiscard]] const std::filesystem::path& kept_copy() const { return kept_copy_; }
+  [[nodiscard]] const std::filesystem::path& kept_copy() const { return backup_path_; }
   /// Saves the document, with errors, as a draft that only AdrInput reads: open() restores it. It
   /// counts as saved. @throws InputError
   void save_draft(const std::filesystem::path& path);
   /// The draft file of this document; empty: none.
-  [[nodiscard]] const std::filesystem::path& draft() const { return draft_; }
+  [[nodiscard]] const std::filesystem::path& draft() const { return draft_path_; }
 
   [[nodiscard]] const deck::Deck& deck() const { return state_.deck; }
   /// A whole name, from wherever it was given; empty: not named.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  [[nodiscard]] const std::string& original() const { return original_; }  ///< file as opened
+  [[nodiscard]] const std::string& original() const { return original_text_; }  ///< file as opened
   [[nodiscard]] bool modified() const;
   /// Did another program change the file that this deck would replace?
   [[nodiscard]] bool changed_on_disk(const std::filesystem::path& path) const;
   /// Keeps the current deck although another program changed the file: counts as not saved, and
   /// saving keeps the file of the other program as NAME.bak.
-  void keep_mine();
+  void keep_edited_deck();
 
   /// State for restore() in a later session, without the undo history.
   [[nodiscard]] std::string snapshot(std::string_view page) const;
@@ -107,11 +107,13 @@ class Document {
   void set_scales(const deck::Deck& of, const std::optional<runs::RunScales>& scales);
   [[nodiscard]] std::optional<runs::RunScales> scales() const;
   /// A text of a field as a value: also "5 rev" and "0.02 s" for times of a run.
-  [[nodiscard]] Typed parse(const Cell& cell, std::string_view text) const;
+  [[nodiscard]] TypedValue parse(const Cell& cell, std::string_view text) const;
 
   /// The system of units that the numbers were given in before kUnit was changed, until one of the
   /// two answers below is given.
-  [[nodiscard]] std::optional<deck::UnitSystem> numbers_in() const { return state_.numbers_in; }
+  [[nodiscard]] std::optional<deck::UnitSystem> previous_units() const {
+    return state_.previous_units;
+  }
   /// After such a change: converts all values to the new units, except those entered since; part of
   /// the last step.
   void convert_values();
@@ -125,21 +127,24 @@ class Document {
   /// Content of the field of a cell: the value, or the text that is not a value.
   [[nodiscard]] std::string text(const Cell& cell) const;
   /// Does the field contain a text that is not a value (yet)?
-  [[nodiscard]] bool is_draft(const Cell& cell) const { return state_.drafts.count(cell) > 0; }
+  [[nodiscard]] bool has_unparsed_text(const Cell& cell) const {
+    return state_.drafts.count(cell) > 0;
+  }
   /// Reason why a run of this deck does not use a value, as a clause; empty if it does, or if the
   /// deck cannot be run.
-  [[nodiscard]] std::string unused_because(const Cell& cell) const;
+  [[nodiscard]] std::string unused_reason(const Cell& cell) const;
 
   /// Applies a typed text. Options and counts add and remove records and array elements; earlier
-  /// values return with them. Changes of the same cell are one step for undo until end_step().
+  /// values return with them. Changes of the same cell are one step for undo until end_undo_step().
   void edit(const Cell& cell, std::string_view typed);
   /// Several values, one step for undo.
   void edit_all(const std::vector<std::pair<Cell, std::string>>& typed);
   /// The same while the user is typing: the text is shown and kept, but the deck keeps its value
-  /// until end_step() applies the text, so that the "12.7" of "12.7 mm" is never used as a value.
+  /// until end_undo_step() applies the text, so that the "12.7" of "12.7 mm" is never used as a
+  /// value.
   void type(const Cell& cell, std::string_view typed);
   /// Is there a text that is being typed?
-  [[nodiscard]] const std::optional<Cell>& typing() const { return typing_; }
+  [[nodiscard]] const std::optional<Cell>& cell_being_typed() const { return typed_cell_; }
   /// Sets several variables as one step of undo (deck::Deck::set_all). @throws InputError; the
   /// document stays as it was.
   void change(const std::vector<std::pair<std::string, std::string>>& sets);
@@ -147,7 +152,7 @@ class Document {
   /// comments of `text`, a deck without errors, instead of those of the file.
   void replace(deck::Deck deck, std::string text);
   void set_user_lines(std::vector<std::string> lines);
-  void end_step();
+  void end_undo_step();
   /// The user has seen the record: its defaults count as confirmed.
   void accept_defaults(std::string_view record);
 
@@ -176,13 +181,13 @@ class Document {
   };
   [[nodiscard]] Candidate candidate() const { return {state_.deck, options(), path_}; }
   /// Is it still unknown whether a run of this deck can start (runs/rehearsal.hpp)?
-  [[nodiscard]] bool wants_rehearsal() const;
+  [[nodiscard]] bool needs_start_check() const;
   /// Result of a check of a deck, which may have changed since.
   /// @param remarks as `adore check` lists them
-  void set_rehearsal(const Candidate& of, std::vector<Issue> refusals,
-                     std::vector<Finding> remarks = {});
+  void set_start_check_result(const Candidate& of, std::vector<Issue> refusals,
+                              std::vector<Finding> remarks = {});
   /// Files of the folder have changed, which affects runs that continue from them.
-  void forget_rehearsal();
+  void invalidate_start_check();
 
  private:
   struct State {
@@ -190,7 +195,7 @@ class Document {
     std::map<Cell, std::string> drafts;  ///< typed texts that are not values
     std::map<std::pair<std::string, int>, deck::RecordData> shelf;  ///< every record ever seen
     std::map<std::string, std::string> options;                     ///< run options that are given
-    std::optional<deck::UnitSystem> numbers_in;  ///< before kUnit was changed; unanswered
+    std::optional<deck::UnitSystem> previous_units;  ///< before kUnit was changed; unanswered
     /// Bodies monitored with other counts of elements and segments, for the time when these counts
     /// return; and those before the last change of a count.
     std::map<std::pair<long long, long long>, std::vector<long long>> monitored_with;
@@ -198,62 +203,62 @@ class Document {
     std::set<Cell> typed_since;  ///< values in the new units already
     std::string comments;        ///< text of replace(); empty: those of the file
   };
-  struct Step {
+  struct UndoStep {
     State state;
     std::string page;
   };
   void start(State state);
-  void begin_step(const Cell& cell);
+  void begin_undo_step(const Cell& cell);
   void edit_option(const Cell& cell, std::string_view typed);
   void find_option_problems();
   void save_options(const std::filesystem::path& deck_file);
-  void note_units(deck::UnitSystem before);
-  void note_typed(const deck::Deck& before);
-  void note_taken_over();
-  void keep_numbers_given();
-  enum class Given { Left, Alone };  ///< values typed since kUnit changed
-  void convert_all(deck::UnitSystem from, deck::UnitSystem to, Given given);
+  void track_unit_change(deck::UnitSystem before);
+  void mark_changed_as_typed(const deck::Deck& before);
+  void mark_inherited_as_typed();
+  void clear_unit_change();
+  enum class TypedValues { Left, Alone };  ///< values typed since kUnit changed
+  void convert_all(deck::UnitSystem from, deck::UnitSystem to, TypedValues given);
   void convert(deck::RecordData& record, const deck::Deck& deck, deck::UnitSystem from,
-               deck::UnitSystem to, Given given) const;
-  void settle();
-  void bring_back();
-  void follow_bodies(const deck::Deck& before);
+               deck::UnitSystem to, TypedValues given) const;
+  void complete_records();
+  void restore_from_shelf();
+  void renumber_monitored_bodies(const deck::Deck& before);
   void remember(const deck::RecordData& record);
-  void keep_issues_of_file_only();
+  void remove_duplicate_file_issues();
   void keep_unread_values(const std::vector<Issue>& issues);
   void find_problems();
   void add_problem(Issue issue, bool refused = false);
   void add_refusals();
   void add_remarks();
   void notify();
-  std::string travel(std::vector<Step>& from, std::vector<Step>& to);
+  std::string move_in_history(std::vector<UndoStep>& from, std::vector<UndoStep>& to);
 
   State state_;
   deck::Deck saved_deck_;
-  std::map<Cell, std::string> saved_drafts_;
+  std::map<Cell, std::string> saved_unparsed_texts_;
   std::map<std::string, std::string> saved_options_;
   runs::OptionFile option_file_;  ///< ADORE.json as read
   std::filesystem::path path_;
-  std::string original_;
-  std::string saved_comments_;  ///< State::comments of the file
-  bool original_kept_ = false;  ///< the deck alone makes the same text
-  bool foreign_ = false;        ///< the file was written by another program
-  bool broken_ = false;         ///< the file has errors: reading it was a guess
+  std::string original_text_;
+  std::string saved_comments_;            ///< State::comments of the file
+  bool original_matches_deck_ = false;    ///< the deck alone makes the same text
+  bool file_changed_externally_ = false;  ///< the file was written by another program
+  bool file_has_errors_ = false;          ///< the file has errors: reading it was a guess
   std::vector<Issue> file_issues_, model_issues_;
   std::vector<Issue> change_issues_;    ///< records removed by the last change
   std::vector<Issue> refusals_;         ///< of the model issues those that no run accepts
-  std::vector<Issue> start_refusals_;   ///< error at the end of a run of `rehearsed_`
+  std::vector<Issue> start_refusals_;   ///< error at the end of a run of `checked_candidate_`
   std::vector<Finding> start_remarks_;  ///< findings of statics and plan
-  std::optional<Candidate> rehearsed_;
-  std::map<Cell, std::string> unused_;  ///< values without a part, and why
+  std::optional<Candidate> checked_candidate_;
+  std::map<Cell, std::string> unused_reasons_;  ///< values without a part, and why
   std::vector<std::string> effects_;
   std::vector<Problem> problems_;
-  std::vector<Step> undo_, redo_;
-  std::optional<Cell> step_cell_, typing_;
-  bool together_ = false;  ///< changes of other cells belong to the step that is open
-  std::filesystem::path draft_, kept_copy_;
+  std::vector<UndoStep> undo_, redo_;
+  std::optional<Cell> undo_step_cell_, typed_cell_;
+  bool step_spans_cells_ = false;  ///< changes of other cells belong to the step that is open
+  std::filesystem::path draft_path_, backup_path_;
   std::optional<runs::RunScales> scales_;
-  std::vector<deck::RecordData> scaled_;  ///< records that the scales are of
+  std::vector<deck::RecordData> scale_records_;  ///< records that the scales are of
 };
 
 }  // namespace adore::adrinput

@@ -8,8 +8,8 @@ namespace adore::adrinput {
 
 /// Monitored bodies are kept when their count changes. When a count returns, so do the bodies
 /// chosen for it.
-void Document::follow_bodies(const deck::Deck& before) {
-  if (deck::number_bodies_alike(state_.deck, before)) return;
+void Document::renumber_monitored_bodies(const deck::Deck& before) {
+  if (deck::have_same_body_numbers(state_.deck, before)) return;
   const auto counts = [](const deck::Deck& deck) {
     return std::pair(deck.integer("nRe"), deck.integer("nCseg"));
   };
@@ -22,13 +22,13 @@ void Document::follow_bodies(const deck::Deck& before) {
   if (right) state_.monitored_with[counts(before)] = monitored;
   const auto known = state_.monitored_with.find(counts(state_.deck));
   if (known != state_.monitored_with.end()) {
-    deck::monitor(state_.deck, known->second);
+    deck::set_monitored_bodies(state_.deck, known->second);
   } else {
-    for (Issue& issue : deck::follow_bodies(state_.deck, before))
+    for (Issue& issue : deck::renumber_monitored_bodies(state_.deck, before))
       change_issues_.push_back(std::move(issue));
   }
   state_.followed = deck::monitored_bodies(state_.deck);
-  settle();
+  complete_records();
 }
 
 }  // namespace adore::adrinput

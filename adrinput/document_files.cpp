@@ -4,7 +4,7 @@
 #include "base/input_file.hpp"
 #include "base/kept_copy.hpp"
 #include "base/write_folder.hpp"
-#include "deck/keep_text.hpp"
+#include "deck/deck_text_with_comments.hpp"
 #include "deck/lookup.hpp"
 #include "runs/check.hpp"
 
@@ -116,14 +116,14 @@ void take_errors(std::vector<Issue>& reasons, const std::vector<Issue>& issues) 
 }  // namespace
 
 void Document::open(const fs::path& name) {
-  const fs::path path = whole_path(name);
-  refuse_pipe(path);
+  const fs::path path = normalized_path(name);
+  reject_special_file(path);
   if (holds_draft(path)) {
     const std::string bytes = bytes_of(path);
     (void)restore(std::string_view(bytes).substr(kDraftHead.size()));
-    draft_ = path;
+    draft_path_ = path;
     saved_deck_ = state_.deck;
-    saved_drafts_ = state_.drafts;
+    saved_unparsed_texts_ = state_.drafts;
     saved_options_ = state_.options;
     return notify();
   }
@@ -137,22 +137,22 @@ void Document::open(const fs::path& name) {
   state.deck = std::move(read.deck);
   state.options = option_file_.values();
   path_ = path;
-  original_ = std::move(bytes);
-  original_kept_ = deck::write_deck(runs::without_extension(state.deck)) == original_;
+  original_text_ = std::move(bytes);
+  original_matches_deck_ = deck::write_deck(runs::without_extension(state.deck)) == original_text_;
   file_issues_ = read.issues;
-  broken_ = !read.ok();
+  file_has_errors_ = !read.ok();
   std::swap(state_, state);
   state_.shelf.clear();
   keep_unread_values(read.issues);
   state = std::move(state_);
   start(std::move(state));
-  keep_issues_of_file_only();
+  remove_duplicate_file_issues();
   find_problems();
   notify();
 }
 
 /// A remark of the deck replaces the same remark of its file.
-void Document::keep_issues_of_file_only() {
+void Document::remove_duplicate_file_issues() {
   const std::vector<Issue> live = deck::check_deck(state_.deck);
   std::erase_if(file_issues_, [&](const Issue& issue) {
     return std::any_of(live.begin(), live.end(), [&](const Issue& other) {
@@ -170,7 +170,7 @@ void Document::keep_unread_values(const std::vector<Issue>& issues) {
     if (issue.severity != Severity::Error || !cell || issue.value.empty()) continue;
     const deck::Value* value = value_at(state_.deck, *cell);
     if (value != nullptr && std::holds_alternative<std::monostate>(*value) &&
-        parse_typed(*variable_of(*cell), issue.value).problem)
+        parse_typed_text(*variable_of(*cell), issue.value).problem)
       state_.drafts[*cell] = issue.value;
   }
   for (deck::RecordData& record : state_.deck.records) {
@@ -190,11 +190,11 @@ void Document::keep_unread_values(const std::vector<Issue>& issues) {
 bool Document::changed_on_disk(const fs::path& path) const {
   std::error_code error;
   return !path_.empty() && same_file(path, path_) && fs::exists(path, error) &&
-         bytes_of(path) != original_;
+         bytes_of(path) != original_text_;
 }
 
 std::vector<Issue> Document::errors() {
-  end_step();
+  end_undo_step();
   check_model();
   std::vector<Issue> reasons;
   for (const Problem& problem : problems_)
@@ -203,13 +203,13 @@ std::vector<Issue> Document::errors() {
 }
 
 void Document::save(const fs::path& name) {
-  const fs::path path = whole_path(name);
+  const fs::path path = normalized_path(name);
   std::vector<Issue> reasons = errors();
   // The text of the file is kept as far as possible; foreign characters as UTF-8.
-  const std::string& base = state_.comments.empty() ? original_ : state_.comments;
+  const std::string& base = state_.comments.empty() ? original_text_ : state_.comments;
   // Records X go to ADORE.json.
   const deck::Deck plain = runs::without_extension(state_.deck);
-  deck::KeptText kept{deck::write_deck(plain), original_.empty(), {}};
+  deck::DeckTextWithComments kept{deck::write_deck(plain), original_text_.empty(), {}};
   if (!base.empty()) kept = deck::with_deck(is_utf8(base) ? base : utf8_of_latin1(base), plain);
   const bool replaced = state_.comments != saved_comments_;  // the file has another bearing
   const std::string& text = kept.text;
@@ -229,25 +229,26 @@ void Document::save(const fs::path& name) {
     }
   }
   if (!reasons.empty()) throw InputError(std::move(reasons));
-  const bool lost = foreign_ || (!original_kept_ && (broken_ || !kept.kept || replaced));
-  kept_copy_.clear();
-  if (lost && same_file(path, path_)) kept_copy_ = keep_copy(path, original_);
+  const bool lost = file_changed_externally_ ||
+                    (!original_matches_deck_ && (file_has_errors_ || !kept.kept || replaced));
+  backup_path_.clear();
+  if (lost && same_file(path, path_)) backup_path_ = write_backup_copy(path, original_text_);
   save_options(path);
   write_file_atomically(path, text);
   path_ = path;
-  original_ = text;
-  original_kept_ = text == deck::write_deck(plain);
-  foreign_ = broken_ = false;
+  original_text_ = text;
+  original_matches_deck_ = text == deck::write_deck(plain);
+  file_changed_externally_ = file_has_errors_ = false;
   file_issues_ = std::move(back.issues);  // also needed by readers of the new file
-  keep_issues_of_file_only();
+  remove_duplicate_file_issues();
   for (const std::string& record : kept.doubtful_units)
     file_issues_.push_back(doubtful_units(record, state_.deck.units()));
-  if (!draft_.empty()) {  // it became this deck
-    remove_file(draft_);
-    draft_.clear();
+  if (!draft_path_.empty()) {  // it became this deck
+    remove_file(draft_path_);
+    draft_path_.clear();
   }
   saved_deck_ = state_.deck;
-  saved_drafts_ = state_.drafts;
+  saved_unparsed_texts_ = state_.drafts;
   saved_options_ = state_.options;
   saved_comments_ = state_.comments;
   find_problems();
@@ -255,22 +256,22 @@ void Document::save(const fs::path& name) {
 }
 
 void Document::save_draft(const fs::path& path) {
-  end_step();
+  end_undo_step();
   write_file_atomically(path, std::string(kDraftHead) + snapshot(""));
-  draft_ = whole_path(path);
+  draft_path_ = normalized_path(path);
   saved_deck_ = state_.deck;
-  saved_drafts_ = state_.drafts;
+  saved_unparsed_texts_ = state_.drafts;
   saved_options_ = state_.options;
   notify();
 }
 
-void Document::keep_mine() {
+void Document::keep_edited_deck() {
   if (path_.empty()) return;
-  original_ = bytes_of(path_);
-  original_kept_ = original_.empty();
-  foreign_ = !original_kept_;
-  saved_deck_ = deck::read_deck_text(original_, path_.string()).deck;
-  saved_drafts_.clear();
+  original_text_ = bytes_of(path_);
+  original_matches_deck_ = original_text_.empty();
+  file_changed_externally_ = !original_matches_deck_;
+  saved_deck_ = deck::read_deck_text(original_text_, path_.string()).deck;
+  saved_unparsed_texts_.clear();
   notify();
 }
 

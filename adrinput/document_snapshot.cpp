@@ -133,16 +133,17 @@ std::string Document::snapshot(std::string_view page) const {
       {"drafts", json_of(state_.drafts)},
       {"options", state_.options},
       {"saved_deck", json_of(saved_deck_)},
-      {"saved_drafts", json_of(saved_drafts_)},
+      {"saved_drafts", json_of(saved_unparsed_texts_)},
       {"saved_options", saved_options_},
-      {"original", original_},
+      {"original", original_text_},
       {"comments", state_.comments},
       {"saved_comments", saved_comments_},
-      {"original_kept", original_kept_},
+      {"original_kept", original_matches_deck_},
       {"issues", std::move(issues)},
       {"option_file", option_file_.text()},
       {"has_option_file", option_file_.exists()},
-      {"numbers_in", state_.numbers_in ? Json(static_cast<int>(*state_.numbers_in)) : Json()},
+      {"numbers_in",
+       state_.previous_units ? Json(static_cast<int>(*state_.previous_units)) : Json()},
       {"typed_since", std::move(typed_since)}};
   std::string out;
   Json::to_cbor(json, out);
@@ -164,11 +165,12 @@ std::string Document::restore(std::string_view bytes) {
     state.drafts = drafts_in(json.at("drafts"));
     // An earlier release had no question of units in its files.
     const Json none = Json::array();
-    const Json numbers_in = json.value("numbers_in", Json());
-    if (!numbers_in.is_null())
-      state.numbers_in = numbers_in.get<int>() == static_cast<int>(deck::UnitSystem::English)
-                             ? deck::UnitSystem::English
-                             : deck::UnitSystem::SI;
+    const Json previous_units = json.value("numbers_in", Json());
+    if (!previous_units.is_null())
+      state.previous_units =
+          previous_units.get<int>() == static_cast<int>(deck::UnitSystem::English)
+              ? deck::UnitSystem::English
+              : deck::UnitSystem::SI;
     for (const Json& item : json.value("typed_since", none)) {
       const Cell cell{item.at(0).get<std::string>(), item.at(1).get<int>(),
                       item.at(2).get<std::size_t>(), item.at(3).get<std::size_t>()};
@@ -192,16 +194,17 @@ std::string Document::restore(std::string_view bytes) {
     auto page = json.at("page").get<std::string>();
     // From here on nothing throws.
     path_ = path;
-    original_ = std::move(original);
-    original_kept_ = kept;
+    original_text_ = std::move(original);
+    original_matches_deck_ = kept;
     option_file_ =
         has_options ? runs::OptionFile::from_text(std::move(option_text)) : runs::OptionFile();
-    broken_ = std::any_of(issues.begin(), issues.end(),
-                          [](const Issue& issue) { return issue.severity == Severity::Error; });
+    file_has_errors_ = std::any_of(issues.begin(), issues.end(), [](const Issue& issue) {
+      return issue.severity == Severity::Error;
+    });
     file_issues_ = std::move(issues);
     start(std::move(state));
     saved_deck_ = std::move(saved_deck);
-    saved_drafts_ = std::move(saved_drafts);
+    saved_unparsed_texts_ = std::move(saved_drafts);
     saved_options_ = std::move(saved_options);
     saved_comments_ = std::move(saved_comments);
     notify();

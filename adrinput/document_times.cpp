@@ -1,6 +1,7 @@
 #include "adrinput/document.hpp"
 #include "adrinput/run_times.hpp"
 #include "adrinput/typed.hpp"
+#include "base/constants.hpp"
 #include "deck/quantity.hpp"
 #include "deck/units.hpp"
 
@@ -48,7 +49,7 @@ std::vector<std::pair<Cell, std::string>> typed_times(const Document& document) 
   const deck::RecordSpec& spec = *deck::find_record("2.1");
   for (std::size_t v = 0; v < spec.variables.size(); ++v) {
     const Cell cell{std::string(spec.id), 1, v, 0};
-    if (is_run_time(spec.variables[v]) && document.is_draft(cell) &&
+    if (is_run_time(spec.variables[v]) && document.has_unparsed_text(cell) &&
         ends_with_letter(document.text(cell)))
       out.emplace_back(cell, document.text(cell));
   }
@@ -57,12 +58,12 @@ std::vector<std::pair<Cell, std::string>> typed_times(const Document& document) 
 
 }  // namespace
 
-bool has_waiting_times(const Document& document) {
-  return !document.typing() && !typed_times(document).empty();
+bool has_pending_times(const Document& document) {
+  return !document.cell_being_typed() && !typed_times(document).empty();
 }
 
-bool take_waiting_times(Document& document) {
-  if (document.typing() || !document.scales()) return false;
+bool apply_pending_times(Document& document) {
+  if (document.cell_being_typed() || !document.scales()) return false;
   bool any = false;
   for (const auto& [cell, typed] : typed_times(document)) {
     if (document.parse(cell, typed).problem) continue;
@@ -73,11 +74,12 @@ bool take_waiting_times(Document& document) {
 }
 
 std::optional<deck::Deck> deck_without_scales(const Document& document) {
-  if (document.typing() || document.scales()) return std::nullopt;
+  if (document.cell_being_typed() || document.scales()) return std::nullopt;
   for (const Problem& problem : document.problems()) {
     if (problem.issue.severity != Severity::Error) continue;
     // For a text that is not a value the deck keeps the previous value.
-    const bool kept = problem.cell && document.is_draft(*problem.cell) && problem.page == "2.1";
+    const bool kept =
+        problem.cell && document.has_unparsed_text(*problem.cell) && problem.page == "2.1";
     const std::string_view named =
         std::string_view(problem.issue.variable).substr(0, problem.issue.variable.find('['));
     if (!kept && (problem.page != kTimeVariation || !is_beside_the_scale(problem.page, named)))
@@ -93,23 +95,23 @@ std::optional<deck::Deck> deck_without_scales(const Document& document) {
 
 void Document::set_scales(const deck::Deck& of, const std::optional<runs::RunScales>& scales) {
   scales_ = scales;
-  scaled_ = deciding(of);
+  scale_records_ = deciding(of);
   notify();
 }
 
 std::optional<runs::RunScales> Document::scales() const {
-  return scales_ && deciding(state_.deck) == scaled_ ? scales_ : std::nullopt;
+  return scales_ && deciding(state_.deck) == scale_records_ ? scales_ : std::nullopt;
 }
 
-Typed Document::parse(const Cell& cell, std::string_view text) const {
+TypedValue Document::parse(const Cell& cell, std::string_view text) const {
   const deck::VariableSpec& variable = *variable_of(cell);
   if (variable.type == deck::VarType::Real) {
     std::size_t values = 0;  // from this one on
     for (Cell at = cell; value_at(state_.deck, at) != nullptr; ++at.element) ++values;
-    if (deck::NumberProblem problem = product_or_values(text, values))
+    if (deck::NumberProblem problem = check_product_ambiguity(text, values))
       return {{}, std::move(problem)};
   }
-  Typed plain = parse_typed(state_.deck, variable, text);
+  TypedValue plain = parse_typed_text(state_.deck, variable, text);
   if (!plain.problem || !is_run_time(variable) || !ends_with_letter(text)) return plain;
   double seconds = 0.0, angle = 0.0;
   const bool turns = !deck::parse_quantity(text, deck::unit::kRadian, deck::UnitSystem::SI, angle);
@@ -125,7 +127,7 @@ Typed Document::parse(const Cell& cell, std::string_view text) const {
     return {{},
             {"is in revolutions, but both races rotate at the same speed",
              "enter it in s or as a multiple of the time scale"}};
-  if (turns) seconds = angle / (2.0 * deck::unit::kPi) / now->turns_per_second;
+  if (turns) seconds = angle / (2.0 * kPi) / now->turns_per_second;
   double value = 0.0;
   const deck::NumberProblem problem = deck::parse_quantity(
       deck::format_real(seconds / now->time), deck::unit::kPure, deck::UnitSystem::SI, value);

@@ -7,20 +7,20 @@
 namespace adore::adrinput {
 
 /// Called after an edit: whether it was the one that changed the units, or changed them back.
-void Document::note_units(deck::UnitSystem before) {
+void Document::track_unit_change(deck::UnitSystem before) {
   const deck::UnitSystem now = state_.deck.units();
   if (now == before) return;
-  const bool back = state_.numbers_in == now;
+  const bool back = state_.previous_units == now;
   // Values typed in the other units since then are converted back, too.
-  if (back && !state_.typed_since.empty()) convert_all(before, now, Given::Alone);
-  keep_numbers_given();
-  if (!back) state_.numbers_in = before;
+  if (back && !state_.typed_since.empty()) convert_all(before, now, TypedValues::Alone);
+  clear_unit_change();
+  if (!back) state_.previous_units = before;
 }
 
 /// Called after a change of several values: those that are others than before are in the units of
 /// the deck.
-void Document::note_typed(const deck::Deck& before) {
-  if (!state_.numbers_in) return;
+void Document::mark_changed_as_typed(const deck::Deck& before) {
+  if (!state_.previous_units) return;
   for (const deck::RecordData& record : state_.deck.records)
     for (std::size_t v = 0; v < record.values.size(); ++v)
       for (std::size_t k = 0; k < record.values[v].size(); ++k) {
@@ -41,7 +41,7 @@ void Document::note_typed(const deck::Deck& before) {
 
 /// A cage that is cut, or made whole, starts with the values of the previous one
 /// (Deck::complete()): values entered there in the units of the deck are in these units here, too.
-void Document::note_taken_over() {
+void Document::mark_inherited_as_typed() {
   constexpr const char *kWhole = "9.6", *kSegment = "9.6.k";
   const bool cut = state_.shelf.count({kSegment, 1}) > 0;
   for (const deck::RecordData& record : state_.deck.records) {
@@ -55,45 +55,45 @@ void Document::note_taken_over() {
   }
 }
 
-void Document::keep_numbers_given() {
-  state_.numbers_in.reset();
+void Document::clear_unit_change() {
+  state_.previous_units.reset();
   state_.typed_since.clear();
 }
 
 void Document::keep_numbers() {
-  keep_numbers_given();
+  clear_unit_change();
   notify();
 }
 
 void Document::convert_values() {
-  if (!state_.numbers_in) return;
-  end_step();
-  convert_all(*state_.numbers_in, state_.deck.units(), Given::Left);
-  keep_numbers_given();
+  if (!state_.previous_units) return;
+  end_undo_step();
+  convert_all(*state_.previous_units, state_.deck.units(), TypedValues::Left);
+  clear_unit_change();
   redo_.clear();
   find_problems();
   notify();
 }
 
 /// Also stored values, for the time when their record applies again.
-void Document::convert_all(deck::UnitSystem from, deck::UnitSystem to, Given given) {
+void Document::convert_all(deck::UnitSystem from, deck::UnitSystem to, TypedValues given) {
   for (const deck::RecordData& record : state_.deck.records) remember(record);
   // Codes that make a value a pure number: of records that are not there, the last ones.
   deck::Deck ever;
   for (const auto& [place, record] : state_.shelf) ever.records.push_back(record);
   for (auto& [place, record] : state_.shelf)
     convert(record, state_.deck.has_record(record.id) ? state_.deck : ever, from, to, given);
-  bring_back();
+  restore_from_shelf();
 }
 
 void Document::convert(deck::RecordData& record, const deck::Deck& deck, deck::UnitSystem from,
-                       deck::UnitSystem to, Given given) const {
+                       deck::UnitSystem to, TypedValues given) const {
   const deck::RecordData old = record;
   deck::convert_values(record, deck, from, to);
   for (std::size_t v = 0; v < std::min(old.values.size(), record.values.size()); ++v)
     for (std::size_t k = 0; k < std::min(old.values[v].size(), record.values[v].size()); ++k) {
       const bool is_given = state_.typed_since.count({record.id, record.instance, v, k}) > 0;
-      if (is_given != (given == Given::Alone)) record.values[v][k] = old.values[v][k];
+      if (is_given != (given == TypedValues::Alone)) record.values[v][k] = old.values[v][k];
     }
 }
 

@@ -15,7 +15,8 @@ namespace adore::adrinput {
 using desktop::Theme;
 using drawing::Part;
 
-void DrawingView::writeLabels(QPainter& painter, const drawing::Pane& pane, const Frame& frame) {
+void DrawingView::writeLabels(QPainter& painter, const drawing::Pane& pane,
+                              const PaneLayout& frame) {
   const Theme& t = desktop::current_theme();
   const QRectF area =
       pane.axes.empty() ? frame.area : frame.area.adjusted(kAxisLeft, 0.0, 0.0, -kAxisBottom);
@@ -23,20 +24,20 @@ void DrawingView::writeLabels(QPainter& painter, const drawing::Pane& pane, cons
     return marks::label_point(d, frame.place);
   };
   for (const drawing::Dimension& d : pane.dimensions)
-    if (ofRecord(d.variable) && inFocus(d))
-      write(painter, area, middle(d), text_of(d.label), true, t.accent,
-            marks::room_for(d, frame.place, text_of(d.label).size() * 8.0) ? 0.0 : 12.0);
+    if (isInFocusedRecord(d.variable) && inFocus(d))
+      writeLabel(painter, area, middle(d), text_of(d.label), true, t.accent,
+                 marks::label_fits(d, frame.place, text_of(d.label).size() * 8.0) ? 0.0 : 12.0);
   for (const drawing::Arrow& arrow : pane.arrows)
     if (inFocus(arrow) && !arrow.path.empty())
-      write(painter, area, marks::beyond_tip(arrow, frame.place), text_of(arrow.label), true,
-            t.accent);
-  if (!measured_ && &pane == &drawing_.panes.front() && !focus_.variable.empty()) {
+      writeLabel(painter, area, marks::arrow_label_point(arrow, frame.place), text_of(arrow.label),
+                 true, t.accent);
+  if (!focus_has_dimension_ && &pane == &drawing_.panes.front() && !focus_.variable.empty()) {
     // The body that the field speaks of, or the curve, carries its name.
     for (const drawing::Shape& shape : pane.shapes) {
       if (!inFocus(shape) || focus_.variable == "recID" || focus_label_.isEmpty()) continue;
       const QRectF box = path_of(shape, frame.place, false).boundingRect().intersected(area);
-      write(painter, area, QPointF(box.center().x(), box.top() + 0.25 * box.height()), focus_label_,
-            true, t.accent);
+      writeLabel(painter, area, QPointF(box.center().x(), box.top() + 0.25 * box.height()),
+                 focus_label_, true, t.accent);
       break;
     }
   }
@@ -57,14 +58,14 @@ void DrawingView::writeLabels(QPainter& painter, const drawing::Pane& pane, cons
   }
   for (const drawing::Arrow& arrow : pane.arrows)
     if (arrow.value != 0.0 && !inFocus(arrow) && !arrow.path.empty())
-      write(painter, area, marks::beyond_tip(arrow, frame.place), text_of(arrow.label), false,
-            marks::arrow_colour(t, arrow.kind));
+      writeLabel(painter, area, marks::arrow_label_point(arrow, frame.place), text_of(arrow.label),
+                 false, marks::arrow_colour(t, arrow.kind));
   for (const drawing::Dimension& d : pane.dimensions)
-    if (visible(d) && !inFocus(d) && marks::worth_a_name(d, frame.place)) {
+    if (isDimensionVisible(d) && !inFocus(d) && marks::needs_label(d, frame.place)) {
       const QString name =
           (d.half ? QString::fromUtf8("\u2300 ") : QString()) + text_of(d.variable);
-      if (writeAlong(painter, area, d, frame.place, name)) continue;
-      if (write(painter, area, middle(d), name, false, t.muted) &&
+      if (writeAlongDimension(painter, area, d, frame.place, name)) continue;
+      if (writeLabel(painter, area, middle(d), name, false, t.muted) &&
           d.kind == drawing::Dimension::Kind::Leader)
         paintDimension(painter, d, frame.place);
     }
@@ -73,14 +74,15 @@ void DrawingView::writeLabels(QPainter& painter, const drawing::Pane& pane, cons
       if (shape.part != Part::Curve || shape.paths.empty() || pane.shapes.size() < 2) continue;
       const drawing::Path& path = shape.paths.front();
       const drawing::Point& p = path[path.size() * 3 / 4];
-      write(painter, area, frame.place.map(QPointF(p.x, p.y)), text_of(shape.name), false,
-            inFocus(shape) ? t.accent : t.muted);
+      writeLabel(painter, area, frame.place.map(QPointF(p.x, p.y)), text_of(shape.name), false,
+                 inFocus(shape) ? t.accent : t.muted);
     }
 }
 
 /// A name along a vertical line, as in engineering drawings: lines are closer than names are long.
-bool DrawingView::writeAlong(QPainter& painter, const QRectF& area, const drawing::Dimension& d,
-                             const QTransform& place, const QString& text) {
+bool DrawingView::writeAlongDimension(QPainter& painter, const QRectF& area,
+                                      const drawing::Dimension& d, const QTransform& place,
+                                      const QString& text) {
   const QPointF from = place.map(QPointF(d.from.x, d.from.y)),
                 to = place.map(QPointF(d.to.x, d.to.y));
   painter.setFont(desktop::ui_font(kText));
@@ -110,8 +112,8 @@ bool DrawingView::writeAlong(QPainter& painter, const QRectF& area, const drawin
   return true;
 }
 
-bool DrawingView::write(QPainter& painter, const QRectF& area, QPointF near, const QString& text,
-                        bool strong, const QColor& colour, double free) {
+bool DrawingView::writeLabel(QPainter& painter, const QRectF& area, QPointF near,
+                             const QString& text, bool strong, const QColor& colour, double free) {
   painter.setFont(desktop::ui_font(strong ? 12 : kText, strong));
   const QFontMetricsF metrics(painter.font());
   QSizeF size = metrics.size(Qt::TextSingleLine, text) + QSizeF(6, 2);

@@ -66,7 +66,7 @@ void arrow(QPainter& painter, const QPolygonF& path, const QColor& colour, doubl
   painter.setPen(pen);
   painter.setBrush(Qt::NoBrush);
   painter.drawPolyline(shaft);
-  desktop::arrow_head(painter, tip, direction, std::min(size, 1.5 * long_enough), colour);
+  desktop::draw_arrow_head(painter, tip, direction, std::min(size, 1.5 * long_enough), colour);
 }
 
 QColor arrow_colour(const desktop::Theme& theme, drawing::Arrow::Kind kind) {
@@ -104,7 +104,7 @@ void dimension(QPainter& painter, const Dimension& d, const QTransform& place, c
     if (length(to - from) < 1.0) return;
     painter.setPen(line);
     painter.drawLine(from, to);
-    desktop::arrow_head(painter, to, (to - from) / length(to - from), size, colour);
+    desktop::draw_arrow_head(painter, to, (to - from) / length(to - from), size, colour);
     return;
   }
   painter.setPen(thin);
@@ -122,14 +122,14 @@ void dimension(QPainter& painter, const Dimension& d, const QTransform& place, c
   if (long_enough >= kShortest) {
     // The line of a diameter continues beyond the axis, without an arrowhead there.
     painter.drawLine(from + u * (d.half ? -size : 0.7 * size), to - u * 0.7 * size);
-    if (!d.half) desktop::arrow_head(painter, from, -u, size, colour);
-    desktop::arrow_head(painter, to, u, size, colour);
+    if (!d.half) desktop::draw_arrow_head(painter, from, -u, size, colour);
+    desktop::draw_arrow_head(painter, to, u, size, colour);
     return;
   }
   painter.drawLine(from - u * 18.0, from - u * 0.7 * size);
   painter.drawLine(to + u * 18.0, to + u * 0.7 * size);
-  desktop::arrow_head(painter, from, u, size, colour);
-  desktop::arrow_head(painter, to, -u, size, colour);
+  desktop::draw_arrow_head(painter, from, u, size, colour);
+  desktop::draw_arrow_head(painter, to, -u, size, colour);
 }
 
 QPointF label_point(const Dimension& d, const QTransform& place) {
@@ -148,14 +148,14 @@ QPointF label_point(const Dimension& d, const QTransform& place) {
   return 0.5 * (from + to);
 }
 
-bool room_for(const Dimension& d, const QTransform& place, double width) {
+bool label_fits(const Dimension& d, const QTransform& place, double width) {
   if (d.kind == Dimension::Kind::Leader) return true;
   if (d.kind != Dimension::Kind::Span) return false;
   const QPointF along = map(place, d.to) - map(place, d.from);
   return std::abs(along.x()) > width + 30.0 || std::abs(along.y()) > 60.0;
 }
 
-QPointF beyond_tip(const drawing::Arrow& arrow, const QTransform& place) {
+QPointF arrow_label_point(const drawing::Arrow& arrow, const QTransform& place) {
   const QPointF tip = map(place, arrow.path.back());
   if (arrow.path.size() > 2) {  // turning: below its arc
     QPolygonF arc;
@@ -166,7 +166,7 @@ QPointF beyond_tip(const drawing::Arrow& arrow, const QTransform& place) {
   return length(along) > 0.0 ? tip + along / length(along) * 12.0 : tip;
 }
 
-bool worth_a_name(const Dimension& d, const QTransform& place) {
+bool needs_label(const Dimension& d, const QTransform& place) {
   if (d.kind == Dimension::Kind::Angle) {
     const QPolygonF arc = arc_of(d, place);
     return length(arc.back() - arc.front()) > 4.0;

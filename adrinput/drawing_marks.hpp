@@ -25,12 +25,12 @@ void dimension(QPainter& painter, const drawing::Dimension& dimension, const QTr
 /// Position of the label of a dimension.
 [[nodiscard]] QPointF label_point(const drawing::Dimension& dimension, const QTransform& place);
 /// Does a label of that width fit into the line?
-[[nodiscard]] bool room_for(const drawing::Dimension& dimension, const QTransform& place,
-                            double width);
+[[nodiscard]] bool label_fits(const drawing::Dimension& dimension, const QTransform& place,
+                              double width);
 /// Position of the label of an arrow.
-[[nodiscard]] QPointF beyond_tip(const drawing::Arrow& arrow, const QTransform& place);
+[[nodiscard]] QPointF arrow_label_point(const drawing::Arrow& arrow, const QTransform& place);
 /// Is it large enough on the screen to be named without being in focus?
-[[nodiscard]] bool worth_a_name(const drawing::Dimension& dimension, const QTransform& place);
+[[nodiscard]] bool needs_label(const drawing::Dimension& dimension, const QTransform& place);
 /// Distance of a point from its line.
 [[nodiscard]] double distance(const drawing::Dimension& dimension, const QTransform& place,
                               QPointF from);

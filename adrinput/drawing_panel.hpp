@@ -25,34 +25,35 @@ class DrawingPanel : public QWidget {
   /// Name of a field in a figure; without it number and unit of the deck. Empty: default.
   std::function<QString(const std::string& variable, int instance, int index)> wording;
   /// Updates all names, in the units now displayed.
-  void nameAnew() { drawNow(); }
+  void updateNames() { drawNow(); }
   void setDeck(const deck::Deck& deck);
   /// Shows the view that the field belongs to, unless the user chose another one for it.
   void setFocusOn(DrawingFocus focus);
   void chooseView(drawing::View view);
   /// The view that is shown.
   [[nodiscard]] drawing::View view() const;
-  [[nodiscard]] DrawingView& picture() { return *picture_; }
+  [[nodiscard]] DrawingView& drawingView() { return *drawing_view_; }
   /// Draws the last deck, without the pause.
   void drawNow();
 
  signals:
-  void fieldWanted(const QString& variable, int instance, int index);
+  void fieldRequested(const QString& variable, int instance, int index);
 
  private:
   void fillViews();
   void label();
-  [[nodiscard]] std::string worded(const std::string& label, const std::string& variable,
-                                   int instance, int index) const;
+  [[nodiscard]] std::string displayLabel(const std::string& label, const std::string& variable,
+                                         int instance, int index) const;
 
   deck::Deck deck_;
-  drawing::View preferred_ = drawing::View::CrossSection;  ///< of the field in focus
-  std::optional<drawing::View> chosen_;             ///< by hand, for as long as preferred_ stays
-  std::map<drawing::View, drawing::Drawing> good_;  ///< the last that could be drawn, by view
-  long long type_ = 0;                              ///< of bearing, of `good_`
-  QComboBox* views_ = nullptr;
-  DrawingView* picture_ = nullptr;
-  QTimer* pause_ = nullptr;
+  drawing::View preferred_view_ = drawing::View::CrossSection;  ///< of the field in focus
+  std::optional<drawing::View> chosen_view_;  ///< by hand, for as long as preferred_view_ stays
+  std::map<drawing::View, drawing::Drawing>
+      last_valid_drawings_;           ///< the last that could be drawn, by view
+  long long drawn_bearing_type_ = 0;  ///< of bearing, of `last_valid_drawings_`
+  QComboBox* view_box_ = nullptr;
+  DrawingView* drawing_view_ = nullptr;
+  QTimer* delay_timer_ = nullptr;
 };
 
 }  // namespace adore::adrinput

@@ -83,14 +83,14 @@ void DrawingView::setDrawing(drawing::Drawing drawing, const QString& stale) {
 
 void DrawingView::setFocusOn(DrawingFocus focus) {
   focus_ = std::move(focus);
-  parts_ = drawing::parts_of(focus_.record, focus_.variable);
-  measured_ = false;
+  focused_parts_ = drawing::parts_of(focus_.record, focus_.variable);
+  focus_has_dimension_ = false;
   for (const drawing::Pane& pane : drawing_.panes) {
-    measured_ = measured_ ||
-                std::any_of(pane.dimensions.begin(), pane.dimensions.end(),
-                            [&](const auto& dimension) { return inFocus(dimension); }) ||
-                std::any_of(pane.arrows.begin(), pane.arrows.end(),
-                            [&](const auto& arrow) { return inFocus(arrow); });
+    focus_has_dimension_ = focus_has_dimension_ ||
+                           std::any_of(pane.dimensions.begin(), pane.dimensions.end(),
+                                       [&](const auto& dimension) { return inFocus(dimension); }) ||
+                           std::any_of(pane.arrows.begin(), pane.arrows.end(),
+                                       [&](const auto& arrow) { return inFocus(arrow); });
   }
   update();
 }
@@ -100,8 +100,8 @@ void DrawingView::setFocusLabel(const QString& label) {
   update();
 }
 
-bool DrawingView::visible(const drawing::Dimension& d) const {
-  return ofRecord(d.variable) && (inFocus(d) || !d.minor);
+bool DrawingView::isDimensionVisible(const drawing::Dimension& d) const {
+  return isInFocusedRecord(d.variable) && (inFocus(d) || !d.minor);
 }
 
 bool DrawingView::inFocus(const drawing::Dimension& d) const {
@@ -116,18 +116,18 @@ bool DrawingView::inFocus(const drawing::Shape& shape) const {
   if (focus_.variable.empty()) return false;
   if (std::find(shape.shows.begin(), shape.shows.end(), focus_.variable) != shape.shows.end())
     return true;
-  return shape.style != Style::Strong &&
-         std::find(parts_.begin(), parts_.end(), shape.part) != parts_.end();
+  return shape.style != Style::Strong && std::find(focused_parts_.begin(), focused_parts_.end(),
+                                                   shape.part) != focused_parts_.end();
 }
 
-bool DrawingView::ofRecord(const std::string& variable) const {
+bool DrawingView::isInFocusedRecord(const std::string& variable) const {
   const deck::RecordSpec* spec = deck::find_record(focus_.record);
   return spec != nullptr &&
          std::any_of(spec->variables.begin(), spec->variables.end(),
                      [&](const deck::VariableSpec& v) { return v.name == variable; });
 }
 
-QTransform DrawingView::fitted(const drawing::Pane& pane, const QRectF& area) const {
+QTransform DrawingView::fitTransform(const drawing::Pane& pane, const QRectF& area) const {
   double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
   const auto take = [&](const drawing::Point& p) {
     left = std::min(left, p.x);
@@ -153,7 +153,7 @@ QTransform DrawingView::fitted(const drawing::Pane& pane, const QRectF& area) co
     for (const drawing::Arrow& arrow : pane.arrows)
       for (const drawing::Point& p : arrow.path) take(p);
     for (const drawing::Dimension& d : pane.dimensions)
-      if (ofRecord(d.variable)) {
+      if (isInFocusedRecord(d.variable)) {
         take(d.from);
         take(d.to);
       }
@@ -171,7 +171,7 @@ QTransform DrawingView::fitted(const drawing::Pane& pane, const QRectF& area) co
 }
 
 void DrawingView::layOut() {
-  frames_.clear();
+  pane_layouts_.clear();
   double total = 0.0, foot = 0.0;
   for (const drawing::Pane& pane : drawing_.panes) total += pane.share;
   const QFontMetricsF metrics(desktop::ui_font(kText));
@@ -190,11 +190,11 @@ void DrawingView::layOut() {
     const double share = usable * pane.share / total;
     QRectF area(kMargin, y + kTitle, width() - 2 * kMargin, share - kTitle);
     y += share;
-    Frame frame;
+    PaneLayout frame;
     frame.area = area;
     const QRectF inner = pane.axes.empty() ? area.adjusted(16, 16, -16, -16)
                                            : area.adjusted(kAxisLeft, 8, -10, -kAxisBottom);
-    frame.place = fitted(pane, inner);
+    frame.place = fitTransform(pane, inner);
     if (pane.axes.empty() && i < zooms_.size()) {
       const Zoom& z = zooms_[i];
       const QPointF c = inner.center();
@@ -202,7 +202,7 @@ void DrawingView::layOut() {
                      QTransform::fromScale(z.scale, z.scale) *
                      QTransform::fromTranslate(c.x() + z.shift.x(), c.y() + z.shift.y());
     }
-    frames_.push_back(frame);
+    pane_layouts_.push_back(frame);
   }
 }
 
@@ -219,7 +219,7 @@ void DrawingView::paintEvent(QPaintEvent*) {
   painter.setOpacity(old ? 0.3 : 1.0);
   for (std::size_t i = 0; i < drawing_.panes.size(); ++i) {
     painter.save();
-    paintPane(painter, drawing_.panes[i], frames_[i]);
+    paintPane(painter, drawing_.panes[i], pane_layouts_[i]);
     painter.restore();
   }
   painter.setOpacity(1.0);
@@ -244,7 +244,7 @@ void DrawingView::paintEvent(QPaintEvent*) {
   painter.drawText(room, Qt::AlignCenter | Qt::TextWordWrap, text);
 }
 
-void DrawingView::paintPane(QPainter& painter, const drawing::Pane& pane, const Frame& frame) {
+void DrawingView::paintPane(QPainter& painter, const drawing::Pane& pane, const PaneLayout& frame) {
   const Theme& t = desktop::current_theme();
   painter.setPen(t.muted);
   const QRectF title(frame.area.left(), frame.area.top() - kTitle, frame.area.width(), kTitle);
@@ -265,13 +265,14 @@ void DrawingView::paintPane(QPainter& painter, const drawing::Pane& pane, const 
     if (arrow.value != 0.0 || inFocus(arrow)) paintArrow(painter, arrow, frame.place);
   for (const bool focused : {false, true})
     for (const drawing::Dimension& d : pane.dimensions)
-      if (visible(d) && inFocus(d) == focused && (focused || marks::worth_a_name(d, frame.place)) &&
+      if (isDimensionVisible(d) && inFocus(d) == focused &&
+          (focused || marks::needs_label(d, frame.place)) &&
           (focused || d.kind != drawing::Dimension::Kind::Leader))
         paintDimension(painter, d, frame.place);
   writeLabels(painter, pane, frame);
 }
 
-void DrawingView::paintAxes(QPainter& painter, const drawing::Pane& pane, const Frame& frame) {
+void DrawingView::paintAxes(QPainter& painter, const drawing::Pane& pane, const PaneLayout& frame) {
   const Theme& t = desktop::current_theme();
   painter.setFont(desktop::ui_font(kText));
   const QFontMetricsF metrics(painter.font());
@@ -385,8 +386,8 @@ void DrawingView::paintDimension(QPainter& painter, const drawing::Dimension& d,
 }
 
 int DrawingView::paneAt(QPointF position) const {
-  for (std::size_t i = 0; i < frames_.size(); ++i)
-    if (frames_[i].area.contains(position)) return static_cast<int>(i);
+  for (std::size_t i = 0; i < pane_layouts_.size(); ++i)
+    if (pane_layouts_[i].area.contains(position)) return static_cast<int>(i);
   return -1;
 }
 
@@ -397,8 +398,8 @@ const drawing::Dimension* DrawingView::dimensionAt(QPointF position) const {
   const drawing::Dimension* nearest = nullptr;
   double best = kNear;
   for (const drawing::Dimension& d : drawing_.panes[i].dimensions) {
-    if (!visible(d)) continue;
-    const double distance = marks::distance(d, frames_[i].place, position);
+    if (!isDimensionVisible(d)) continue;
+    const double distance = marks::distance(d, pane_layouts_[i].place, position);
     if (distance >= best) continue;
     best = distance;
     nearest = &d;
@@ -428,7 +429,7 @@ void DrawingView::wheelEvent(QWheelEvent* event) {
   const double scale = std::clamp(zoom.scale * factor, 1.0, 2000.0);
   const double by = scale / zoom.scale;
   const QPointF middle =
-      frames_[static_cast<std::size_t>(pane)].area.adjusted(16, 16, -16, -16).center();
+      pane_layouts_[static_cast<std::size_t>(pane)].area.adjusted(16, 16, -16, -16).center();
   const QPointF from = event->position() - middle;
   zoom.shift = scale == 1.0 ? QPointF() : from - (from - zoom.shift) * by;
   zoom.scale = scale;
@@ -437,19 +438,19 @@ void DrawingView::wheelEvent(QWheelEvent* event) {
 }
 
 void DrawingView::mousePressEvent(QMouseEvent* event) {
-  pressed_ = dragged_ = event->position();
+  press_position_ = last_drag_position_ = event->position();
   dragging_ = false;
 }
 
 void DrawingView::mouseMoveEvent(QMouseEvent* event) {
   if (!(event->buttons() & Qt::LeftButton)) return;
-  if ((event->position() - pressed_).manhattanLength() > 5) dragging_ = true;
-  const int pane = paneAt(pressed_);
+  if ((event->position() - press_position_).manhattanLength() > 5) dragging_ = true;
+  const int pane = paneAt(press_position_);
   if (dragging_ && pane >= 0 && zooms_[static_cast<std::size_t>(pane)].scale > 1.0) {
-    zooms_[static_cast<std::size_t>(pane)].shift += event->position() - dragged_;
+    zooms_[static_cast<std::size_t>(pane)].shift += event->position() - last_drag_position_;
     update();
   }
-  dragged_ = event->position();
+  last_drag_position_ = event->position();
 }
 
 void DrawingView::mouseReleaseEvent(QMouseEvent* event) {

@@ -34,7 +34,7 @@ class DrawingView : public QWidget {
   /// "raceTemp1 = 293.15 K": written on the body that the field speaks of when it has no measure.
   void setFocusLabel(const QString& label);
   [[nodiscard]] const drawing::Drawing& drawing() const { return drawing_; }
-  [[nodiscard]] const DrawingFocus& focusOn() const { return focus_; }
+  [[nodiscard]] const DrawingFocus& currentFocus() const { return focus_; }
 
   /// Texts of the last painting, with their areas; labels do not overlap.
   struct Label {
@@ -61,7 +61,7 @@ class DrawingView : public QWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
 
  private:
-  struct Frame {
+  struct PaneLayout {
     QRectF area;       ///< of the figure on the widget, title excluded
     QTransform place;  ///< from meters to pixels
   };
@@ -70,37 +70,38 @@ class DrawingView : public QWidget {
     QPointF shift;
   };
   void layOut();
-  [[nodiscard]] QTransform fitted(const drawing::Pane& pane, const QRectF& area) const;
-  void paintPane(QPainter& painter, const drawing::Pane& pane, const Frame& frame);
-  void paintAxes(QPainter& painter, const drawing::Pane& pane, const Frame& frame);
+  [[nodiscard]] QTransform fitTransform(const drawing::Pane& pane, const QRectF& area) const;
+  void paintPane(QPainter& painter, const drawing::Pane& pane, const PaneLayout& frame);
+  void paintAxes(QPainter& painter, const drawing::Pane& pane, const PaneLayout& frame);
   void paintShape(QPainter& painter, const drawing::Shape& shape, const QTransform& place);
   void paintArrow(QPainter& painter, const drawing::Arrow& arrow, const QTransform& place);
   void paintDimension(QPainter& painter, const drawing::Dimension& dimension,
                       const QTransform& place);
-  void writeLabels(QPainter& painter, const drawing::Pane& pane, const Frame& frame);
-  [[nodiscard]] bool visible(const drawing::Dimension& dimension) const;
+  void writeLabels(QPainter& painter, const drawing::Pane& pane, const PaneLayout& frame);
+  [[nodiscard]] bool isDimensionVisible(const drawing::Dimension& dimension) const;
   /// Writes near a point where there is no text yet; false if there is no space.
   /// `free`: distance of the label from the point, [px].
-  bool writeAlong(QPainter& painter, const QRectF& area, const drawing::Dimension& dimension,
-                  const QTransform& place, const QString& text);
-  bool write(QPainter& painter, const QRectF& area, QPointF near, const QString& text, bool strong,
-             const QColor& colour, double free = 0.0);
+  bool writeAlongDimension(QPainter& painter, const QRectF& area,
+                           const drawing::Dimension& dimension, const QTransform& place,
+                           const QString& text);
+  bool writeLabel(QPainter& painter, const QRectF& area, QPointF near, const QString& text,
+                  bool strong, const QColor& colour, double free = 0.0);
   [[nodiscard]] bool inFocus(const drawing::Shape& shape) const;
   [[nodiscard]] bool inFocus(const drawing::Dimension& dimension) const;
   [[nodiscard]] bool inFocus(const drawing::Arrow& arrow) const;
-  [[nodiscard]] bool ofRecord(const std::string& variable) const;
+  [[nodiscard]] bool isInFocusedRecord(const std::string& variable) const;
   [[nodiscard]] int paneAt(QPointF position) const;
 
   drawing::Drawing drawing_;
   QString stale_;
   DrawingFocus focus_;
   QString focus_label_;
-  std::vector<drawing::Part> parts_;  ///< that the variable in focus speaks of
-  bool measured_ = false;             ///< the variable in focus has a measure or arrow here
-  std::vector<Frame> frames_;
+  std::vector<drawing::Part> focused_parts_;  ///< that the variable in focus speaks of
+  bool focus_has_dimension_ = false;          ///< the variable in focus has a measure or arrow here
+  std::vector<PaneLayout> pane_layouts_;
   std::vector<Zoom> zooms_;
   std::vector<Label> labels_;
-  QPointF pressed_, dragged_;
+  QPointF press_position_, last_drag_position_;
   bool dragging_ = false;
 };
 

@@ -40,7 +40,7 @@ std::string key_results(const runs::Prepared& ready, deck::UnitSystem units) {
     const std::string name(results::unit_name(pair, units));
     const double shown = results::from_si(value, pair, units);
     // Changes below the size of an atom are rounding.
-    return desktop::pretty_quantity(std::abs(shown) < desktop::least_span_of(name) ? 0.0 : shown,
+    return desktop::pretty_quantity(std::abs(shown) < desktop::min_axis_span(name) ? 0.0 : shown,
                                     name);
   };
   return fmt::format(
@@ -56,27 +56,27 @@ std::vector<Finding> findings_of(const runs::Prepared& ready) {
   std::vector<Finding> out = ready.input.warnings;
   for (Finding& one : runs::solution_notes(ready)) out.push_back(std::move(one));
   for (Finding& one : out) {
-    one.message = in_window_words(std::move(one.message));
-    one.remedy = in_window_words(std::move(one.remedy));
+    one.message = replace_cli_terms(std::move(one.message));
+    one.remedy = replace_cli_terms(std::move(one.remedy));
   }
   return out;
 }
 
 }  // namespace
 
-Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path,
-                   const RunOptionValues& options) {
+Evaluation evaluate_plan(const deck::Deck& deck, const std::filesystem::path& path,
+                         const RunOptionValues& options) {
   const runs::Prepared ready = prepared(deck, path, options);
-  std::string text = in_window_words(runs::plan_text(ready, runs::plan_with_estimates(ready)));
+  std::string text = replace_cli_terms(runs::plan_text(ready, runs::plan_with_estimates(ready)));
   const std::string costs = runs::effect_costs_text(ready);
   if (!costs.empty()) text += "\n" + costs;
-  if (const auto models = runs::models_beside(ready.input))
+  if (const auto models = runs::find_model_study(ready.input))
     text += "\n" + runs::model_table(*models);
   return {{}, std::move(text), std::nullopt, findings_of(ready)};
 }
 
-Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& path,
-                           const RunOptionValues& options) {
+Evaluation evaluate_quasi_static(const deck::Deck& deck, const std::filesystem::path& path,
+                                 const RunOptionValues& options) {
   deck::Deck still = deck;
   still.set("mode", "-1");  // only the equilibrium, for any mode of the deck
   still.complete();
@@ -96,7 +96,7 @@ Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& 
 EvaluationPanel::EvaluationPanel(Function function, const QString& invitation, QWidget* parent)
     : QWidget(parent),
       function_(function),
-      invitation_(invitation),
+      initial_note_(invitation),
       note_(new QLabel(invitation, this)),
       findings_(new desktop::FindingsBar(this)),
       view_(desktop::make_listing_view(tr("Result"), this)) {
@@ -125,17 +125,17 @@ void EvaluationPanel::showNote() {
   note_->setVisible(!note.isEmpty());
 }
 
-void EvaluationPanel::forget() {
-  another_ = busy();
-  if (another_) return;  // when it ends
-  evaluated_ = {};
+void EvaluationPanel::invalidateResult() {
+  deck_replaced_ = busy();
+  if (deck_replaced_) return;  // when it ends
+  evaluated_deck_ = {};
   stale_ = false;
   headline_.clear();
   tables_.reset();
   findings_->setFindings({});
   view_->clear();
   view_->hide();
-  note_->setText(invitation_);
+  note_->setText(initial_note_);
   note_->show();
 }
 
@@ -148,14 +148,14 @@ void EvaluationPanel::show(const Evaluation& result, bool failed) {
   showNote();
 }
 
-void EvaluationPanel::setTextName(const QString& name) { view_->setAccessibleName(name); }
+void EvaluationPanel::setTextAccessibleName(const QString& name) { view_->setAccessibleName(name); }
 
 void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path& path,
                             const RunOptionValues& options) {
   if (busy()) return;
-  evaluated_ = deck;
+  evaluated_deck_ = deck;
   evaluated_options_ = options;
-  stale_ = another_ = false;
+  stale_ = deck_replaced_ = false;
   findings_->setFindings({});
   note_->setText(tr("Computing …"));
   note_->show();
@@ -164,18 +164,18 @@ void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path&
     bool failed = false;
   };
   auto outcome = std::make_shared<Outcome>();
-  background_.start(
+  background_task_.start(
       [function = function_, deck, path, options, outcome](const std::stop_token&) {
         try {
           outcome->result = function(deck, path, options);
         } catch (const std::exception& error) {
-          outcome->result.text = in_window_words(error.what());
+          outcome->result.text = replace_cli_terms(error.what());
           outcome->failed = true;
         }
       },
       [this, outcome] {
-        if (another_)
-          forget();
+        if (deck_replaced_)
+          invalidateResult();
         else
           show(outcome->result, outcome->failed);
         emit finished();
@@ -183,8 +183,8 @@ void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path&
 }
 
 void EvaluationPanel::setDeck(const deck::Deck& deck, const RunOptionValues& options) {
-  if (evaluated_.records.empty()) return;  // nothing was computed yet
-  const bool stale = !(deck == evaluated_) || options != evaluated_options_;
+  if (evaluated_deck_.records.empty()) return;  // nothing was computed yet
+  const bool stale = !(deck == evaluated_deck_) || options != evaluated_options_;
   if (stale == stale_) return;
   stale_ = stale;
   if (!busy()) showNote();

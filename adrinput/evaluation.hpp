@@ -33,10 +33,11 @@ struct Evaluation {
 
 /// Plan of this deck; its quasi-static equilibrium as in PRINT.txt. Both throw InputError or
 /// SolverError with the reason. `path` is for messages only.
-[[nodiscard]] Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path,
-                                 const RunOptionValues& options);
-[[nodiscard]] Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& path,
-                                         const RunOptionValues& options);
+[[nodiscard]] Evaluation evaluate_plan(const deck::Deck& deck, const std::filesystem::path& path,
+                                       const RunOptionValues& options);
+[[nodiscard]] Evaluation evaluate_quasi_static(const deck::Deck& deck,
+                                               const std::filesystem::path& path,
+                                               const RunOptionValues& options);
 
 /// Runs one of them in the background and shows its text, or the reason for its failure. A text of
 /// an older deck is marked as out of date.
@@ -47,16 +48,16 @@ class EvaluationPanel : public QWidget {
                                   const RunOptionValues&);
   EvaluationPanel(Function function, const QString& invitation, QWidget* parent = nullptr);
   /// Accessible name of its text.
-  void setTextName(const QString& name);
+  void setTextAccessibleName(const QString& name);
 
   void start(const deck::Deck& deck, const std::filesystem::path& path,
              const RunOptionValues& options);
   /// Another deck was opened: earlier results do not belong to it.
-  void forget();
+  void invalidateResult();
   /// The deck is this one now.
   void setDeck(const deck::Deck& deck, const RunOptionValues& options);
   [[nodiscard]] QString headline() const;
-  [[nodiscard]] bool busy() const { return background_.busy(); }
+  [[nodiscard]] bool busy() const { return background_task_.busy(); }
   [[nodiscard]] QString text() const;
   /// Tables of the last result; nullptr: none.
   [[nodiscard]] const results::StaticTables* tables() const {
@@ -73,17 +74,17 @@ class EvaluationPanel : public QWidget {
   void show(const Evaluation& result, bool failed);
 
   Function function_;
-  QString invitation_;
+  QString initial_note_;
   QLabel* note_;
   desktop::FindingsBar* findings_;
   QPlainTextEdit* view_;
-  Background background_;
-  deck::Deck evaluated_;
+  BackgroundTask background_task_;
+  deck::Deck evaluated_deck_;
   RunOptionValues evaluated_options_;
   QString headline_;
   std::optional<results::StaticTables> tables_;
   bool stale_ = false;
-  bool another_ = false;  ///< the running computation is for a previous deck
+  bool deck_replaced_ = false;  ///< the running computation is for a previous deck
 };
 
 }  // namespace adore::adrinput

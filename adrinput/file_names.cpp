@@ -7,7 +7,7 @@ namespace adore::adrinput {
 
 namespace fs = std::filesystem;
 
-fs::path whole_path(const fs::path& path) {
+fs::path normalized_path(const fs::path& path) {
   if (path.empty()) return path;
   std::error_code error;
   const fs::path absolute = fs::absolute(path, error);
@@ -16,7 +16,7 @@ fs::path whole_path(const fs::path& path) {
   return error ? absolute : folder / absolute.filename();
 }
 
-std::string short_name(const fs::path& path) {
+std::string shortened_path(const fs::path& path) {
   constexpr std::size_t kMost = 64;  // bytes that a question has room for
   const std::string whole = path.string();
   if (whole.size() <= kMost) return whole;

@@ -7,17 +7,18 @@
 namespace adore::adrinput {
 namespace {
 
-constexpr int kPause = 150;  // ms, for a program to finish writing
+constexpr int kWritePause = 150;  // ms, for a program to finish writing
 
 }  // namespace
 
 FileWatch::FileWatch(QObject* parent)
-    : QObject(parent), watcher_(new QFileSystemWatcher(this)), pause_(new QTimer(this)) {
-  pause_->setSingleShot(true);
-  pause_->setInterval(kPause);
-  connect(pause_, &QTimer::timeout, this, &FileWatch::look);
-  connect(watcher_, &QFileSystemWatcher::fileChanged, pause_, qOverload<>(&QTimer::start));
-  connect(watcher_, &QFileSystemWatcher::directoryChanged, pause_, qOverload<>(&QTimer::start));
+    : QObject(parent), watcher_(new QFileSystemWatcher(this)), delay_timer_(new QTimer(this)) {
+  delay_timer_->setSingleShot(true);
+  delay_timer_->setInterval(kWritePause);
+  connect(delay_timer_, &QTimer::timeout, this, &FileWatch::checkForChange);
+  connect(watcher_, &QFileSystemWatcher::fileChanged, delay_timer_, qOverload<>(&QTimer::start));
+  connect(watcher_, &QFileSystemWatcher::directoryChanged, delay_timer_,
+          qOverload<>(&QTimer::start));
 }
 
 FileWatch::Stamp FileWatch::stamp() const {
@@ -32,21 +33,21 @@ void FileWatch::setPath(const std::filesystem::path& file) {
                            : QFileInfo(QString::fromStdString(file.string())).absoluteFilePath();
   if (name == file_) return;
   file_ = name;
-  pause_->stop();
+  delay_timer_->stop();
   const QStringList old = watcher_->files() + watcher_->directories();
   if (!old.isEmpty()) watcher_->removePaths(old);
   if (file_.isEmpty()) return;
-  seen_ = stamp();
+  last_stamp_ = stamp();
   watcher_->addPath(QFileInfo(file_).absolutePath());
-  if (seen_.there) watcher_->addPath(file_);
+  if (last_stamp_.there) watcher_->addPath(file_);
 }
 
-void FileWatch::look() {
+void FileWatch::checkForChange() {
   const Stamp now = stamp();
   if (now.there && !watcher_->files().contains(file_)) watcher_->addPath(file_);
-  if (now == seen_) return;
-  seen_ = now;
-  emit touched();
+  if (now == last_stamp_) return;
+  last_stamp_ = now;
+  emit fileModified();
 }
 
 }  // namespace adore::adrinput

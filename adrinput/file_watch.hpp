@@ -20,7 +20,7 @@ class FileWatch : public QObject {
   void setPath(const std::filesystem::path& file);
 
  signals:
-  void touched();
+  void fileModified();
 
  private:
   struct Stamp {
@@ -30,12 +30,12 @@ class FileWatch : public QObject {
     bool operator==(const Stamp&) const = default;
   };
   [[nodiscard]] Stamp stamp() const;
-  void look();
+  void checkForChange();
 
   QString file_;
-  Stamp seen_;
+  Stamp last_stamp_;
   QFileSystemWatcher* watcher_;
-  QTimer* pause_;
+  QTimer* delay_timer_;
 };
 
 }  // namespace adore::adrinput

@@ -1,5 +1,6 @@
 #include "adrinput/find_dialog.hpp"
 
+#include "adrinput/qt_text.hpp"
 #include "adrinput/window_words.hpp"
 #include "deck/lookup.hpp"
 #include "desktop/chart_view.hpp"
@@ -28,10 +29,6 @@ namespace {
 
 constexpr int kChartWidth = 420, kChartHeight = 220;
 
-QString text_of(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
 QComboBox* searched_box(const char* name, const QString& spoken, QWidget* parent) {
   auto* box = new QComboBox(parent);
   box->setObjectName(name);
@@ -41,7 +38,7 @@ QComboBox* searched_box(const char* name, const QString& spoken, QWidget* parent
   box->completer()->setFilterMode(Qt::MatchContains);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box->setMinimumContentsLength(24);
-  desktop::name_box(*box, spoken);
+  desktop::set_accessible_name(*box, spoken);
   return box;
 }
 
@@ -112,7 +109,7 @@ FindDialog::FindDialog(Document& document, QWidget* parent)
       solution_(new QComboBox(this)),
       first_(number_edit("find-first", tr("Lower bound"), this)),
       last_(number_edit("find-last", tr("Upper bound"), this)),
-      value_(number_edit("find-value", tr("Target value"), this)),
+      target_value_field_(number_edit("find-value", tr("Target value"), this)),
       unknown_unit_(new QLabel(this)),
       target_unit_(new QLabel(this)),
       answer_(new QLabel(this)),
@@ -124,7 +121,7 @@ FindDialog::FindDialog(Document& document, QWidget* parent)
   desktop::delete_when_done(*this);
   setWindowTitle(tr("Find the value of an input"));
   question_->setObjectName("find-question");
-  desktop::name_box(*question_, tr("Question"));
+  desktop::set_accessible_name(*question_, tr("Question"));
   question_->addItem(tr("Own question"), QString());
   for (const design::FindQuestion& one : design::find_questions()) {
     if (!one.calculator.empty()) continue;
@@ -142,10 +139,10 @@ FindDialog::FindDialog(Document& document, QWidget* parent)
     target_->setItemData(target_->count() - 1, text_of(one.meaning), Qt::ToolTipRole);
   }
   relation_->setObjectName("find-relation");
-  desktop::name_box(*relation_, tr("Relation"));
+  desktop::set_accessible_name(*relation_, tr("Relation"));
   relation_->addItems({tr("equals"), tr("at least"), tr("at most"), tr("least"), tr("largest")});
   solution_->setObjectName("find-solution");
-  desktop::name_box(*solution_, tr("Solution"));
+  desktop::set_accessible_name(*solution_, tr("Solution"));
   answer_->setObjectName("find-answer");
   answer_->setAccessibleName(tr("Answer"));
   answer_->setWordWrap(true);
@@ -179,7 +176,7 @@ FindDialog::FindDialog(Document& document, QWidget* parent)
   label(tr("&Target"), target_, 2);
   grid->addWidget(target_, 2, 1);
   grid->addWidget(relation_, 2, 2, 1, 2);
-  grid->addWidget(value_, 2, 4);
+  grid->addWidget(target_value_field_, 2, 4);
   grid->addWidget(target_unit_, 2, 5);
   grid->setColumnStretch(1, 1);
   auto* buttons = new QHBoxLayout;
@@ -205,7 +202,7 @@ FindDialog::FindDialog(Document& document, QWidget* parent)
   connect(target_, &QComboBox::currentTextChanged, this, &FindDialog::showUnits);
   connect(relation_, &QComboBox::currentIndexChanged, this, &FindDialog::showUnits);
   connect(find_, &QPushButton::clicked, this, &FindDialog::find);
-  connect(cancel_, &QPushButton::clicked, this, [this] { background_.stop(); });
+  connect(cancel_, &QPushButton::clicked, this, [this] { background_task_.stop(); });
   connect(apply_, &QPushButton::clicked, this, &FindDialog::apply);
   connect(close, &QPushButton::clicked, this, &QDialog::close);
   question_->setCurrentIndex(1);
@@ -219,7 +216,7 @@ void FindDialog::chooseQuestion(int row) {
     unknown_->setCurrentText(text_of(one.unknown));
     target_->setCurrentText(text_of(one.target));
     relation_->setCurrentIndex(0);
-    value_->setText(text_of(one.value));
+    target_value_field_->setText(text_of(one.value));
     proposeBounds();
   }
 }
@@ -227,7 +224,7 @@ void FindDialog::chooseQuestion(int row) {
 void FindDialog::showUnits() {
   const std::string name = unknown_->currentText().toStdString();
   const deck::VariableRef ref =
-      deck::find_present(document_.deck(), name.substr(0, name.find('[')));
+      deck::find_present_variable(document_.deck(), name.substr(0, name.find('[')));
   QString unit;
   if (ref.record != nullptr)
     unit = text_of(document_.deck().units() == deck::UnitSystem::SI ? ref.spec().unit.si
@@ -236,14 +233,14 @@ void FindDialog::showUnits() {
   const int row = target_->findText(target_->currentText());
   target_unit_->setText(row < 0 ? QString() : target_->itemData(row).toString());
   const bool extremum = relation_->currentIndex() >= static_cast<int>(Relation::Least);
-  value_->setEnabled(!extremum);
+  target_value_field_->setEnabled(!extremum);
 }
 
 /// A quarter to four times the value of the deck.
 void FindDialog::proposeBounds() {
   showUnits();
   const std::string name = unknown_->currentText().toStdString();
-  if (deck::find_present(document_.deck(), name).record == nullptr) return;
+  if (deck::find_present_variable(document_.deck(), name).record == nullptr) return;
   const double value = document_.deck().real(name);
   if (value == 0.0) return;
   const auto [low, high] = std::minmax({0.25 * value, 4.0 * value});
@@ -254,18 +251,19 @@ void FindDialog::proposeBounds() {
 void FindDialog::find() {
   if (busy()) return;
   design::FindRequest request;
-  sets_.clear();
+  question_settings_.clear();
   try {
-    document_.end_step();  // includes the text being typed
+    document_.end_undo_step();  // includes the text being typed
     if (document_.has_errors()) throw InputError("the deck has errors. Correct them first (F8).");
     request.unknown = parse_unknown(fmt::format("{}={}:{}", unknown_->currentText().toStdString(),
                                                 first_->text().trimmed().toStdString(),
                                                 last_->text().trimmed().toStdString()));
     constexpr std::array<const char*, 5> signs{"=", ">=", "<=", "=least", "=largest"};
     const auto relation = static_cast<std::size_t>(relation_->currentIndex());
-    request.target = parse_target(
-        target_->currentText().toStdString() + signs.at(relation) +
-        (value_->isEnabled() ? value_->text().trimmed().toStdString() : std::string()));
+    request.target = parse_target(target_->currentText().toStdString() + signs.at(relation) +
+                                  (target_value_field_->isEnabled()
+                                       ? target_value_field_->text().trimmed().toStdString()
+                                       : std::string()));
     request.deck = "deck";
     request.text = deck::write_deck(document_.deck());
     request.in_memory = true;
@@ -273,12 +271,12 @@ void FindDialog::find() {
     const std::string asked = question_->currentData().toString().toStdString();
     for (const design::FindQuestion& one : design::find_questions())
       if (one.name == asked && one.unknown == request.unknown.name) design::add_sets(one, request);
-    sets_ = request.sets;
+    question_settings_ = request.sets;
   } catch (const InputError& error) {
     report_.reset();
-    return showEnd(QString::fromStdString(in_window_words(error.what())));
+    return showOutcome(QString::fromStdString(replace_cli_terms(error.what())));
   }
-  asked_ = document_.deck();
+  answer_deck_ = document_.deck();
   report_.reset();
   struct End {
     FindReport report;
@@ -286,34 +284,34 @@ void FindDialog::find() {
   };
   auto end = std::make_shared<End>();
   const auto computed = [this](int count) {
-    background_.report([this, count] {
+    background_task_.report([this, count] {
       if (busy()) answer_->setText(tr("%1 equilibria computed …").arg(count));
     });
   };
   answer_->setText(tr("Computing …"));
-  background_.start(
+  background_task_.start(
       [request = std::move(request), computed, end](std::stop_token stop) {
         try {
           end->report = design::find_in_deck(request, std::move(stop), computed);
         } catch (const std::exception& error) {
-          end->failure = in_window_words(error.what());
+          end->failure = replace_cli_terms(error.what());
         }
       },
       [this, end] {
         if (end->failure.empty()) report_ = std::move(end->report);
-        showEnd(QString::fromStdString(end->failure));
+        showOutcome(QString::fromStdString(end->failure));
       });
   enableButtons();
 }
 
-void FindDialog::showEnd(const QString& failure) {
+void FindDialog::showOutcome(const QString& failure) {
   solution_->clear();
-  text_ = failure.left(1).toUpper() + failure.mid(1);
+  answer_text_ = failure.left(1).toUpper() + failure.mid(1);
   chart_->setVisible(report_.has_value());
   if (report_) {
     QStringList lines;
     for (const std::string& line : answer_lines(*report_)) lines << QString::fromStdString(line);
-    text_ = lines.join("\n");
+    answer_text_ = lines.join("\n");
     for (const FindSolution& one : report_->outcome.solutions)
       solution_->addItem(QString::number(one.x, 'g', 6) + " " +
                          QString::fromStdString(report_->unknown.unit));
@@ -326,8 +324,8 @@ void FindDialog::showEnd(const QString& failure) {
 }
 
 void FindDialog::showAnswer() {
-  const bool stale = report_ && !(asked_ == document_.deck());
-  answer_->setText((stale ? tr("Out of date: the deck has changed.\n") : QString()) + text_);
+  const bool stale = report_ && !(answer_deck_ == document_.deck());
+  answer_->setText((stale ? tr("Out of date: the deck has changed.\n") : QString()) + answer_text_);
 }
 
 void FindDialog::enableButtons() {
@@ -344,13 +342,13 @@ void FindDialog::sync() {
 void FindDialog::apply() {
   const auto row = static_cast<std::size_t>(std::max(solution_->currentIndex(), 0));
   if (!report_ || row >= report_->outcome.solutions.size()) return;
-  auto changes = sets_;
+  auto changes = question_settings_;
   changes.emplace_back(report_->unknown.name, runs::value_text(report_->outcome.solutions[row].x));
   try {
     document_.change(changes);
-    asked_ = document_.deck();  // the answer is that of the deck as it is now
+    answer_deck_ = document_.deck();  // the answer is that of the deck as it is now
     showAnswer();
-    emit applied();
+    emit solutionApplied();
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
   }

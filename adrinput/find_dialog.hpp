@@ -32,7 +32,7 @@ class FindDialog : public QDialog {
   /// The deck has changed: the answer is marked as out of date.
   void sync();
   [[nodiscard]] const std::optional<FindReport>& report() const { return report_; }
-  [[nodiscard]] bool busy() const { return background_.busy(); }
+  [[nodiscard]] bool busy() const { return background_task_.busy(); }
 
  public slots:
   void find();
@@ -40,28 +40,29 @@ class FindDialog : public QDialog {
  signals:
   void finished();
   /// A solution was set in the deck.
-  void applied();
+  void solutionApplied();
 
  private:
   void chooseQuestion(int row);
   void showUnits();
   void proposeBounds();
-  void showEnd(const QString& failure);
+  void showOutcome(const QString& failure);
   void showAnswer();
   void enableButtons();
   void apply();
 
   Document& document_;
   QComboBox *question_, *unknown_, *target_, *relation_, *solution_;
-  QLineEdit *first_, *last_, *value_;
+  QLineEdit *first_, *last_, *target_value_field_;
   QLabel *unknown_unit_, *target_unit_, *answer_;
   QPushButton *find_, *cancel_, *apply_;
   desktop::ChartView* chart_;
-  Background background_;
-  std::vector<std::pair<std::string, std::string>> sets_;  ///< of the question that was asked
+  BackgroundTask background_task_;
+  std::vector<std::pair<std::string, std::string>>
+      question_settings_;  ///< of the question that was asked
   std::optional<FindReport> report_;
-  QString text_;  ///< of the answer
-  deck::Deck asked_;
+  QString answer_text_;  ///< of the answer
+  deck::Deck answer_deck_;
 };
 
 }  // namespace adore::adrinput

@@ -1,6 +1,7 @@
 #include "adrinput/help_text.hpp"
 
 #include "adrinput/options_page.hpp"
+#include "adrinput/qt_text.hpp"
 #include "adrinput/typed.hpp"
 #include "deck/condition.hpp"
 #include "deck/lookup.hpp"
@@ -10,9 +11,6 @@
 namespace adore::adrinput {
 namespace {
 
-QString text_of(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 QString escaped(std::string_view text) { return text_of(text).toHtmlEscaped(); }
 
 QString option_rows(std::span<const deck::OptionSpec> options) {
@@ -63,12 +61,12 @@ QString record_number(const deck::RecordSpec& record) {
   return record.repeat.empty() || record.id == "12" ? id : id.section('.', 0, -2);
 }
 
-QString reason_for(const deck::Deck& deck, std::string_view condition) {
+QString condition_values_text(const deck::Deck& deck, std::string_view condition) {
   QStringList parts;
-  for (const std::string_view name : deck::names_in(condition)) {
+  for (const std::string_view name : deck::variable_names_in(condition)) {
     const std::span<const deck::VariableRef> refs = deck::find_variable(name);
     if (refs.empty()) continue;
-    const deck::VariableRef here = deck::find_present(deck, name);
+    const deck::VariableRef here = deck::find_present_variable(deck, name);
     const deck::VariableSpec& variable = here.record != nullptr ? here.spec() : refs[0].spec();
     if (variable.length != "1" || here.record == nullptr) continue;
     const QString code = QString::number(deck.integer(name));

@@ -16,7 +16,7 @@ namespace adore::adrinput {
 
 /// "kBrg = 1 (ball bearing), nCseg = 1": the current options of a condition; empty for a record
 /// that every deck has.
-[[nodiscard]] QString reason_for(const deck::Deck& deck, std::string_view condition);
+[[nodiscard]] QString condition_values_text(const deck::Deck& deck, std::string_view condition);
 
 /// "Record 5A — Ball bearing geometry", or the name of the page of options.
 [[nodiscard]] QString page_heading(const deck::RecordSpec& record);

@@ -38,10 +38,10 @@ desktop::ChartPage sentence(const std::string& text) {
 
 LubricantPanel::LubricantPanel(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
-  pages_ = new QComboBox(this);
-  pages_->setObjectName("lubricant-page");
-  desktop::name_box(*pages_, tr("Lubricant chart"));
-  pages_->addItems(
+  page_box_ = new QComboBox(this);
+  page_box_->setObjectName("lubricant-page");
+  desktop::set_accessible_name(*page_box_, tr("Lubricant chart"));
+  page_box_->addItems(
       {tr("Traction over slip"), tr("Viscosity over pressure"), tr("Film and lambda")});
   chart_ = new desktop::ChartView(this);
   chart_->setObjectName("lubricant-chart");
@@ -54,17 +54,17 @@ LubricantPanel::LubricantPanel(QWidget* parent) : QWidget(parent) {
   // Docks do not ask a label for its height: three lines at the smallest width.
   conditions_->setMinimumHeight(3 * conditions_->fontMetrics().lineSpacing() + 4);
   conditions_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  pause_ = new QTimer(this);
-  pause_->setSingleShot(true);
-  pause_->setInterval(kPause);
-  column->addWidget(pages_);
+  delay_timer_ = new QTimer(this);
+  delay_timer_->setSingleShot(true);
+  delay_timer_->setInterval(kPause);
+  column->addWidget(page_box_);
   column->addWidget(chart_, 1);
   column->addWidget(conditions_);
-  connect(pause_, &QTimer::timeout, this, &LubricantPanel::showPage);
-  connect(pages_, &QComboBox::currentIndexChanged, this, &LubricantPanel::showPage);
+  connect(delay_timer_, &QTimer::timeout, this, &LubricantPanel::showPage);
+  connect(page_box_, &QComboBox::currentIndexChanged, this, &LubricantPanel::showPage);
 }
 
-LubricantPanel* LubricantPanel::inDockOf(QMainWindow* window) {
+LubricantPanel* LubricantPanel::createInDock(QMainWindow* window) {
   auto* dock = new QDockWidget(tr("Lubricant"), window);
   dock->setObjectName("lubricant-dock");
   auto* panel = new LubricantPanel;
@@ -96,17 +96,17 @@ LubricantPanel* LubricantPanel::inDockOf(QMainWindow* window) {
 
 void LubricantPanel::setDeck(const deck::Deck& deck) {
   deck_ = deck;
-  if (isVisible()) pause_->start();
+  if (isVisible()) delay_timer_->start();
 }
 
 void LubricantPanel::drawNow() {
-  pause_->stop();
+  delay_timer_->stop();
   showPage();
 }
 
 void LubricantPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  pause_->start();
+  delay_timer_->start();
 }
 
 void LubricantPanel::showPage() {
@@ -122,7 +122,7 @@ void LubricantPanel::showPage() {
                                       : "kTrac in record 10.0 does not select a built-in "
                                         "lubricant. The user routine ADRX7 defines the traction."));
     desktop::ChartPage page = desktop::lubricant_pages(*contact, desktop::LubricantTitle::Lubricant)
-                                  .at(static_cast<std::size_t>(pages_->currentIndex()));
+                                  .at(static_cast<std::size_t>(page_box_->currentIndex()));
     // The space is limited: the list above names the charts, the conditions are below.
     conditions_->setText(QString::fromStdString(page.title + ": " + page.subtitle));
     page.title = page.title.substr(0, page.title.find(" ("));

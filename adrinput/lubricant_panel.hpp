@@ -22,7 +22,7 @@ class LubricantPanel : public QWidget {
  public:
   explicit LubricantPanel(QWidget* parent = nullptr);
   /// In a dock of `window`, closed at first.
-  static LubricantPanel* inDockOf(QMainWindow* window);
+  static LubricantPanel* createInDock(QMainWindow* window);
 
   /// Draws after a short pause in typing.
   void setDeck(const deck::Deck& deck);
@@ -37,10 +37,10 @@ class LubricantPanel : public QWidget {
   void showPage();
 
   deck::Deck deck_;
-  QComboBox* pages_ = nullptr;
+  QComboBox* page_box_ = nullptr;
   desktop::ChartView* chart_ = nullptr;
   QLabel* conditions_ = nullptr;
-  QTimer* pause_ = nullptr;
+  QTimer* delay_timer_ = nullptr;
 };
 
 }  // namespace adore::adrinput

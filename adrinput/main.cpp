@@ -21,10 +21,10 @@ namespace {
 int render(int& argc, char** argv, const std::filesystem::path& deck,
            const adrinput::RenderOptions& options) {
   if (deck.empty()) throw InputError("--render needs a deck");
-  end_when_interrupted();
+  exit_on_interrupt();
   const auto app = desktop::make_application(argc, argv, "adrinput", desktop::Display::Headless);
-  const auto pages = adrinput::is_study(deck) ? adrinput::render_study(deck, options)
-                                              : adrinput::render_pages(deck, options);
+  const auto pages = adrinput::has_study_file_name(deck) ? adrinput::render_study(deck, options)
+                                                         : adrinput::render_pages(deck, options);
   for (const auto& path : pages) print("{}\n", path.string());
   return 0;
 }
@@ -32,7 +32,7 @@ int render(int& argc, char** argv, const std::filesystem::path& deck,
 int show(int& argc, char** argv, const std::filesystem::path& deck) {
   const auto app = desktop::make_application(argc, argv, "adrinput", desktop::Display::Window);
   if (!desktop::ask_for_disclaimer("AdrInput")) return 0;
-  if (adrinput::is_study(deck)) {
+  if (adrinput::has_study_file_name(deck)) {
     adrinput::StudyWindow window;
     window.show();
     window.openFile(deck);
@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
       ->needs(folder);
   cli.add_flag("--dark", options.dark, "dark theme")->needs(folder);
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
-  return desktop::guarded("adrinput", [&] {
+  return desktop::run_guarded("adrinput", [&] {
     const auto pixels = desktop::parse_size(size);
     options.width = pixels.width;
     options.height = pixels.height;

@@ -9,7 +9,8 @@
 
 namespace adore::adrinput {
 
-MovingDialog::MovingDialog(const std::vector<std::string>& assumptions, QWidget* parent)
+MotionAssumptionsDialog::MotionAssumptionsDialog(const std::vector<std::string>& assumptions,
+                                                 QWidget* parent)
     : QDialog(parent) {
   setObjectName("moving");
   desktop::delete_when_done(*this);
@@ -32,7 +33,7 @@ MovingDialog::MovingDialog(const std::vector<std::string>& assumptions, QWidget*
   run->setDefault(true);
   const auto take = [this](bool with_run) {
     accept();
-    emit chosen(with_run);
+    emit assumptionsAccepted(with_run);
   };
   connect(run, &QPushButton::clicked, this, [take] { take(true); });
   connect(apply, &QPushButton::clicked, this, [take] { take(false); });

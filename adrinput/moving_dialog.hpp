@@ -8,14 +8,15 @@
 namespace adore::adrinput {
 
 /// Assumptions of a deck of motion, before it replaces the deck.
-class MovingDialog : public QDialog {
+class MotionAssumptionsDialog : public QDialog {
   Q_OBJECT
  public:
-  explicit MovingDialog(const std::vector<std::string>& assumptions, QWidget* parent = nullptr);
+  explicit MotionAssumptionsDialog(const std::vector<std::string>& assumptions,
+                                   QWidget* parent = nullptr);
 
  signals:
   /// `run`: save and run it at once.
-  void chosen(bool run);
+  void assumptionsAccepted(bool run);
 };
 
 }  // namespace adore::adrinput

@@ -42,8 +42,8 @@ Options that_differ(const Options& given) {
   return out;
 }
 
-std::string sentence(std::string clause) {
-  clause = in_window_words(std::move(clause));
+std::string capital_sentence(std::string clause) {
+  clause = replace_cli_terms(std::move(clause));
   if (!clause.empty() && clause[0] >= 'a' && clause[0] <= 'z')
     clause[0] = static_cast<char>(clause[0] - 'a' + 'A');
   return clause + ".";
@@ -69,7 +69,7 @@ const deck::RecordSpec& options_record() {
       texts += 1 + option.choices.size();
     sentences.reserve(texts);
     for (const runs::RunOptionInfo& option : runs::run_options()) {
-      sentences.push_back(sentence(option.meaning));
+      sentences.push_back(capital_sentence(option.meaning));
       deck::VariableSpec variable;
       variable.name = option.name;
       variable.type = deck::VarType::String;
@@ -107,11 +107,11 @@ Options Document::options() const { return that_differ(state_.options); }
 void Document::edit_option(const Cell& cell, std::string_view typed) {
   const std::string name(options_record().variables.at(cell.variable).name);
   const std::string value =
-      in_seconds(options_record().variables.at(cell.variable), plain_text(typed));
+      in_seconds(options_record().variables.at(cell.variable), normalized_text(typed));
   const auto given = state_.options.find(name);
   if (given == state_.options.end() ? value.empty() || value == text(cell) : value == given->second)
     return;
-  begin_step(cell);
+  begin_undo_step(cell);
   if (value.empty() || (saved_options_.count(name) == 0 &&
                         value == options_record().variables[cell.variable].default_value))
     state_.options.erase(name);
@@ -163,7 +163,8 @@ void Document::save_options(const fs::path& deck_file) {
   if (text != there.text()) {
     const fs::path path = runs::OptionFile::path_beside(deck_file);
     const bool known = there.text() == option_file_.text();
-    if (there.exists() && (!known || !there.problem().empty())) keep_copy(path, there.text());
+    if (there.exists() && (!known || !there.problem().empty()))
+      write_backup_copy(path, there.text());
     write_file_atomically(path, text);
   }
   option_file_ = runs::OptionFile::beside(deck_file);

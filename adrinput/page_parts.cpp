@@ -10,13 +10,13 @@
 namespace adore::adrinput {
 namespace {
 
-constexpr int kTextWidth = 330, kNumberWidth = 200, kLeastWidth = 90;  // of fields
+constexpr int kTextWidth = 330, kNumberWidth = 200, kMinFieldWidth = 90;  // of fields
 constexpr int kLeastLetters = 8;    // of a list that must be narrow
 constexpr int kFrameAndArrow = 44;  // of a list
 
 }  // namespace
 
-QLabel* make_text(const QString& text, const QColor& colour, QWidget* parent) {
+QLabel* make_text_label(const QString& text, const QColor& colour, QWidget* parent) {
   auto* label = new QLabel(text, parent);
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
@@ -32,7 +32,7 @@ std::vector<deck::OptionSpec> choices_of(const deck::VariableSpec& variable) {
   return all;
 }
 
-QString open_codes(const deck::VariableSpec& variable) {
+QString typed_code_hint(const deck::VariableSpec& variable) {
   QString text;
   for (const deck::OptionSpec& option : variable.options) {
     if (option.code != "n" && option.code != "-n") continue;
@@ -58,9 +58,9 @@ QString choice_text(std::string_view code, std::string_view meaning) {
 }
 
 ValueLine::ValueLine(bool text, QWidget* parent)
-    : QLineEdit(parent), usual_(text ? kTextWidth : kNumberWidth) {
-  setMinimumWidth(kLeastWidth);
-  setMaximumWidth(usual_);
+    : QLineEdit(parent), preferred_width_(text ? kTextWidth : kNumberWidth) {
+  setMinimumWidth(kMinFieldWidth);
+  setMaximumWidth(preferred_width_);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 }
 
@@ -71,8 +71,9 @@ ChoiceBox::ChoiceBox(QWidget* parent) : QComboBox(parent) {
   setInsertPolicy(QComboBox::NoInsert);
 }
 
-void ChoiceBox::makeRoomFor(const QString& text) {
-  widest_ = std::max(widest_, fontMetrics().horizontalAdvance(text) + kFrameAndArrow);
+void ChoiceBox::widenForText(const QString& text) {
+  widest_text_width_ =
+      std::max(widest_text_width_, fontMetrics().horizontalAdvance(text) + kFrameAndArrow);
 }
 
 void ChoiceBox::showPopup() {
@@ -81,12 +82,12 @@ void ChoiceBox::showPopup() {
   QComboBox::showPopup();
 }
 
-bool is_cut(const QComboBox& combo) {
+bool is_text_cut_off(const QComboBox& combo) {
   return combo.isVisible() && combo.width() < combo.sizeHint().width() &&
          combo.fontMetrics().horizontalAdvance(combo.currentText()) + kFrameAndArrow >
              combo.width();
 }
 
-void combo_home(QComboBox* combo) { combo->lineEdit()->setCursorPosition(0); }
+void show_combo_text_start(QComboBox* combo) { combo->lineEdit()->setCursorPosition(0); }
 
 }  // namespace adore::adrinput

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "adrinput/qt_text.hpp"
 #include "deck/schema.hpp"
 
 #include <QComboBox>
@@ -17,18 +18,14 @@ class QLabel;
 /// Parts of the form of a record.
 namespace adore::adrinput {
 
-[[nodiscard]] inline QString text_of(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
-[[nodiscard]] QLabel* make_text(const QString& text, const QColor& colour, QWidget* parent);
+[[nodiscard]] QLabel* make_text_label(const QString& text, const QColor& colour, QWidget* parent);
 
 inline constexpr int kBetween = 14;  ///< name and value
 [[nodiscard]] QGridLayout* make_grid();
 
 [[nodiscard]] std::vector<deck::OptionSpec> choices_of(const deck::VariableSpec& variable);
 /// Are there codes beyond those that a list can show? Their meanings, or empty.
-[[nodiscard]] QString open_codes(const deck::VariableSpec& variable);
+[[nodiscard]] QString typed_code_hint(const deck::VariableSpec& variable);
 /// Text of a choice in a list: "1 — record 8.1".
 [[nodiscard]] QString choice_text(std::string_view code, std::string_view meaning);
 
@@ -41,10 +38,12 @@ inline constexpr int kBetween = 14;  ///< name and value
 class ValueLine : public QLineEdit {
  public:
   ValueLine(bool text, QWidget* parent);
-  [[nodiscard]] QSize sizeHint() const override { return {usual_, QLineEdit::sizeHint().height()}; }
+  [[nodiscard]] QSize sizeHint() const override {
+    return {preferred_width_, QLineEdit::sizeHint().height()};
+  }
 
  private:
-  int usual_;
+  int preferred_width_;
 };
 
 /// As wide as its longest text, less if there is no space; the open list is never narrower.
@@ -52,19 +51,19 @@ class ChoiceBox : public QComboBox {
  public:
   explicit ChoiceBox(QWidget* parent);
   /// A text that is not in the list, and must fit too.
-  void makeRoomFor(const QString& text);
+  void widenForText(const QString& text);
   [[nodiscard]] QSize sizeHint() const override {
-    return QComboBox::sizeHint().expandedTo({widest_, 0});
+    return QComboBox::sizeHint().expandedTo({widest_text_width_, 0});
   }
   void showPopup() override;
 
  private:
-  int widest_ = 0;
+  int widest_text_width_ = 0;
 };
 
 /// Is a list narrower than its selected text?
-[[nodiscard]] bool is_cut(const QComboBox& combo);
+[[nodiscard]] bool is_text_cut_off(const QComboBox& combo);
 /// Shows a text that is longer than its field from its beginning.
-void combo_home(QComboBox* combo);
+void show_combo_text_start(QComboBox* combo);
 
 }  // namespace adore::adrinput

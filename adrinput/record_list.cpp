@@ -3,6 +3,7 @@
 #include "adrinput/design_page.hpp"
 #include "adrinput/help_text.hpp"
 #include "adrinput/options_page.hpp"
+#include "adrinput/qt_text.hpp"
 #include "adrinput/search.hpp"
 #include "desktop/theme.hpp"
 #include "runs/unused_request.hpp"
@@ -27,10 +28,6 @@ namespace adore::adrinput {
 namespace {
 
 constexpr int kRecordRole = Qt::UserRole, kVariableRole = Qt::UserRole + 1;
-
-QString text_of(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 /// Draws a sign and all lines of a text: the style would shorten the last line of some texts with
 /// dots although there is space.
@@ -168,7 +165,7 @@ RecordList::RecordList(Document& document, QWidget* parent)
       query_(new QLineEdit(this)),
       stack_(new QStackedWidget(this)),
       records_(make_list("records", this)),
-      found_(make_list("found", this)),
+      search_results_(make_list("found", this)),
       state_(new QToolButton(this)),
       design_(new QToolButton(this)) {
   query_->setObjectName("search");
@@ -176,11 +173,11 @@ RecordList::RecordList(Document& document, QWidget* parent)
   query_->setAccessibleName(tr("Find a variable"));
   query_->setClearButtonEnabled(true);
   query_->installEventFilter(this);
-  found_->installEventFilter(this);
+  search_results_->installEventFilter(this);
   records_->setAccessibleName(tr("Records"));
-  found_->setAccessibleName(tr("Variables found"));
+  search_results_->setAccessibleName(tr("Variables found"));
   stack_->addWidget(records_);
-  stack_->addWidget(found_);
+  stack_->addWidget(search_results_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 8, 0, 0);
   layout->addWidget(design_);
@@ -197,15 +194,15 @@ RecordList::RecordList(Document& document, QWidget* parent)
   state_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   state_->setAutoRaise(true);
   state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  connect(state_, &QToolButton::clicked, this, &RecordList::stateChosen);
+  connect(state_, &QToolButton::clicked, this, &RecordList::stateClicked);
   connect(query_, &QLineEdit::textChanged, this, &RecordList::search);
   for (QToolButton* cross : query_->findChildren<QToolButton*>())  // at its end
     connect(cross, &QToolButton::clicked, this, [this] { records_->setFocus(); });
   connect(records_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
     if (item != nullptr) emit recordChosen(item->data(kRecordRole).toString());
   });
-  connect(found_, &QListWidget::itemClicked, this,
-          [this](QListWidgetItem* item) { chooseFound(found_->row(item)); });
+  connect(search_results_, &QListWidget::itemClicked, this,
+          [this](QListWidgetItem* item) { chooseSearchResult(search_results_->row(item)); });
   sync();
 }
 
@@ -274,10 +271,10 @@ void RecordList::sync() {
     item->setData(Qt::AccessibleTextRole, item->text() + ", " + state_text(state));
     item->setData(kRecordRole, QString::fromStdString(id));
   }
-  describeFound();
+  updateSearchResults();
 }
 
-void RecordList::setCurrent(const std::string& record) {
+void RecordList::setCurrentRecord(const std::string& record) {
   const QSignalBlocker quiet(records_);
   design_->setChecked(record == kDesignPage);
   if (record == kDesignPage) {  // a click on any record leaves the page
@@ -299,29 +296,29 @@ void RecordList::startSearch() {
 }
 
 void RecordList::search(const QString& query) {
-  found_->clear();
-  stack_->setCurrentWidget(query.trimmed().isEmpty() ? records_ : found_);
+  search_results_->clear();
+  stack_->setCurrentWidget(query.trimmed().isEmpty() ? records_ : search_results_);
   if (query.trimmed().isEmpty()) return;
-  for (const Found& found : search_variables(query.toStdString(), [this](const Cell& cell) {
+  for (const VariableMatch& found : search_variables(query.toStdString(), [this](const Cell& cell) {
          return document_.instances(cell.record) > 0;
        })) {
-    auto* item = new QListWidgetItem(found_);
+    auto* item = new QListWidgetItem(search_results_);
     item->setData(kRecordRole, QString::fromStdString(found.cell.record));
     item->setData(kVariableRole, static_cast<int>(found.cell.variable));
   }
-  describeFound();
-  if (found_->count() == 0) {
-    auto* item = new QListWidgetItem(tr("No variable found."), found_);
+  updateSearchResults();
+  if (search_results_->count() == 0) {
+    auto* item = new QListWidgetItem(tr("No variable found."), search_results_);
     item->setFlags(Qt::NoItemFlags);
   } else {
-    found_->setCurrentRow(0);
+    search_results_->setCurrentRow(0);
   }
 }
 
 /// Search results, pale if the deck does not have them now.
-void RecordList::describeFound() {
-  for (int row = 0; row < found_->count(); ++row) {
-    QListWidgetItem* item = found_->item(row);
+void RecordList::updateSearchResults() {
+  for (int row = 0; row < search_results_->count(); ++row) {
+    QListWidgetItem* item = search_results_->item(row);
     Cell cell;
     cell.record = item->data(kRecordRole).toString().toStdString();
     if (cell.record.empty()) continue;
@@ -338,8 +335,8 @@ void RecordList::describeFound() {
   }
 }
 
-void RecordList::chooseFound(int row) {
-  const QListWidgetItem* item = found_->item(row);
+void RecordList::chooseSearchResult(int row) {
+  const QListWidgetItem* item = search_results_->item(row);
   if (item == nullptr || !item->data(kRecordRole).isValid()) return;
   emit variableChosen(item->data(kRecordRole).toString(), item->data(kVariableRole).toInt());
 }
@@ -360,13 +357,14 @@ bool RecordList::eventFilter(QObject* object, QEvent* event) {
       return true;
     }
     if (key == Qt::Key_Return || key == Qt::Key_Enter) {
-      if (stack_->currentWidget() == found_) chooseFound(std::max(found_->currentRow(), 0));
+      if (stack_->currentWidget() == search_results_)
+        chooseSearchResult(std::max(search_results_->currentRow(), 0));
       return true;
     }
     if (object == query_ && (key == Qt::Key_Down || key == Qt::Key_Up) &&
-        stack_->currentWidget() == found_) {
-      const int row = found_->currentRow() + (key == Qt::Key_Down ? 1 : -1);
-      found_->setCurrentRow(std::clamp(row, 0, found_->count() - 1));
+        stack_->currentWidget() == search_results_) {
+      const int row = search_results_->currentRow() + (key == Qt::Key_Down ? 1 : -1);
+      search_results_->setCurrentRow(std::clamp(row, 0, search_results_->count() - 1));
       return true;
     }
   }

@@ -18,7 +18,7 @@ class RecordList : public QWidget {
   explicit RecordList(Document& document, QWidget* parent = nullptr);
 
   void sync();
-  void setCurrent(const std::string& record);
+  void setCurrentRecord(const std::string& record);
   void startSearch();
   void focusRecords();
 
@@ -27,7 +27,7 @@ class RecordList : public QWidget {
   /// Of a record that the deck may not have.
   void variableChosen(const QString& record, int variable);
   /// The user wants to see why the deck is in its state.
-  void stateChosen();
+  void stateClicked();
   void designChosen();
 
  protected:
@@ -35,15 +35,15 @@ class RecordList : public QWidget {
 
  private:
   void search(const QString& query);
-  void chooseFound(int row);
-  void describeFound();
+  void chooseSearchResult(int row);
+  void updateSearchResults();
   void syncState();
 
   Document& document_;
   QLineEdit* query_;
   QStackedWidget* stack_;
   QListWidget* records_;
-  QListWidget* found_;
+  QListWidget* search_results_;
   QToolButton *state_, *design_;  ///< of the deck as a whole; the front page
 };
 

@@ -57,9 +57,9 @@ void RecordPage::addHeading(QVBoxLayout* layout) {
   title->setObjectName("title");
   title->setFont(desktop::ui_font(18, true));
   title->setWordWrap(true);
-  reason_ = make_text({}, desktop::current_theme().muted, this);
+  condition_label_ = make_text_label({}, desktop::current_theme().muted, this);
   layout->addWidget(title);
-  layout->addWidget(reason_);
+  layout->addWidget(condition_label_);
 }
 
 Cell RecordPage::cellOf(std::size_t variable) const {
@@ -71,7 +71,7 @@ Cell RecordPage::cellOf(std::size_t variable) const {
 
 /// The name next to the value or, on a narrow page, above it.
 void RecordPage::place(Row& row) {
-  const int column = narrow_ ? 0 : 1, span = narrow_ ? 2 : 1;
+  const int column = narrow_layout_ ? 0 : 1, span = narrow_layout_ ? 2 : 1;
   // If a table contains all variables, a grid below it describes each.
   const std::vector<QLabel*> below =
       row.value != nullptr ? std::vector<QLabel*>{row.other, row.problem, row.help, row.unused}
@@ -79,14 +79,14 @@ void RecordPage::place(Row& row) {
   row.grid->removeWidget(row.name);
   for (QLabel* label : below) row.grid->removeWidget(label);
   if (row.value != nullptr) row.grid->removeItem(row.value);
-  row.grid->addWidget(row.name, narrow_ ? row.at : row.at + 1, 0, 1, span,
+  row.grid->addWidget(row.name, narrow_layout_ ? row.at : row.at + 1, 0, 1, span,
                       row.table != nullptr ? Qt::AlignTop : Qt::AlignVCenter);
   int at = row.at + 1;
   if (row.value != nullptr) row.grid->addLayout(row.value, at++, column, 1, span);
   if (row.side != nullptr) {
     row.side->removeWidget(row.unit);
     row.value->removeWidget(row.unit);
-    if (narrow_)
+    if (narrow_layout_)
       row.value->insertWidget(1, row.unit);
     else
       row.side->insertWidget(row.side->count() - 1, row.unit, 1000);
@@ -96,7 +96,7 @@ void RecordPage::place(Row& row) {
 }
 
 /// Sideways scrolling is worse than a longer page.
-void RecordPage::fitTo(int width) {
+void RecordPage::fitToWidth(int width) {
   constexpr int kLetters = 42;  // width of a value next to its name
   int names = 0, least = 0;
   for (const Row& row : rows_) {
@@ -106,13 +106,13 @@ void RecordPage::fitTo(int width) {
     least = std::max(least, row.help->minimumSizeHint().width());
     if (row.side != nullptr)
       least = std::max(least, row.side->minimumSize().width() +
-                                  (narrow_ ? row.unit->minimumSizeHint().width() : 0));
+                                  (narrow_layout_ ? row.unit->minimumSizeHint().width() : 0));
   }
   const QMargins margins = layout()->contentsMargins();
   const int room = width - margins.left() - margins.right() - names - kBetween;
   const bool narrow = room < least;
-  if (narrow != narrow_) {
-    narrow_ = narrow;
+  if (narrow != narrow_layout_) {
+    narrow_layout_ = narrow;
     for (Row& row : rows_)
       if (row.grid != nullptr) place(row);
   }
@@ -121,29 +121,30 @@ void RecordPage::fitTo(int width) {
 void RecordPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   for (Row& row : rows_)
-    if (row.combo != nullptr) showAside(row);  // a narrower list shows its hidden text in a tooltip
+    if (row.combo != nullptr)
+      showStatusOfRow(row);  // a narrower list shows its hidden text in a tooltip
 }
 
 bool RecordPage::event(QEvent* event) {
   if (event->type() == QEvent::ParentChange && parentWidget() != nullptr) {
     parentWidget()->installEventFilter(this);  // visible area of the page
-    fitTo(parentWidget()->width());
+    fitToWidth(parentWidget()->width());
   }
   return QWidget::event(event);
 }
 
-void RecordPage::setOtherUnits(bool shown) {
+void RecordPage::setOtherUnitsShown(bool shown) {
   shows_other_units_ = shown;
   if (other_units_ != nullptr) other_units_->setChecked(shown);
   for (Row& row : rows_)
-    if (row.table != nullptr) row.table->setOtherUnits(shown);
+    if (row.table != nullptr) row.table->setOtherUnitsShown(shown);
   sync();
 }
 
 bool RecordPage::eventFilter(QObject* object, QEvent* event) {
   auto* field = qobject_cast<QWidget*>(object);
   if (object == parentWidget()) {
-    if (event->type() == QEvent::Resize) fitTo(field->width());
+    if (event->type() == QEvent::Resize) fitToWidth(field->width());
     return false;
   }
   if (event->type() == QEvent::Wheel && !field->hasFocus() &&
@@ -167,9 +168,9 @@ bool RecordPage::eventFilter(QObject* object, QEvent* event) {
   }
   if (event->type() == QEvent::FocusIn) {
     emit focusMoved(field);
-    announce(field);
+    announceFocusedCell(field);
   }
-  if (event->type() == QEvent::FocusOut && lines_ == object) document_.end_step();
+  if (event->type() == QEvent::FocusOut && user_lines_edit_ == object) document_.end_undo_step();
   return QWidget::eventFilter(object, event);
 }
 
@@ -188,7 +189,7 @@ bool RecordPage::openMenuOf(const QWidget* field, const QKeyEvent& key) {
   return false;
 }
 
-void RecordPage::announce(const QWidget* field) {
+void RecordPage::announceFocusedCell(const QWidget* field) {
   for (const Row& row : rows_) {
     if (row.table != nullptr && row.table == field) {
       const int at = row.table->currentRow();
@@ -204,7 +205,7 @@ void RecordPage::announce(const QWidget* field) {
 }
 
 QWidget* RecordPage::fieldOf(std::size_t variable) const {
-  if (lines_ != nullptr) return lines_;
+  if (user_lines_edit_ != nullptr) return user_lines_edit_;
   for (const Row& row : rows_)
     if (row.variable == variable) {
       if (row.line != nullptr) return row.line;
@@ -220,18 +221,18 @@ bool RecordPage::focusCell(const Cell& cell) {
   if (auto* table = qobject_cast<CellTable*>(field)) {
     const bool there = table->focusCell(cell);
     emit focusMoved(table);
-    announce(table);  // an inactive window gets no focus event
+    announceFocusedCell(table);  // an inactive window gets no focus event
     return there;
   }
   field->setFocus(Qt::OtherFocusReason);
   if (auto* line = qobject_cast<QLineEdit*>(field)) line->selectAll();
   emit focusMoved(field);
-  announce(field);
+  announceFocusedCell(field);
   return true;
 }
 
 void RecordPage::focusFirst() {
-  if (lines_ != nullptr) return lines_->setFocus();
+  if (user_lines_edit_ != nullptr) return user_lines_edit_->setFocus();
   if (rows_.size() > 1) focusCell(cellOf(record_ == kOptionsPage ? 0 : 1));  // behind the label
 }
 

@@ -36,12 +36,12 @@ class RecordPage : public QWidget {
   bool focusCell(const Cell& cell);
   void focusFirst();
   /// Shows each value in the other unit system, too.
-  void setOtherUnits(bool shown);
+  void setOtherUnitsShown(bool shown);
   /// The field of a variable: QLineEdit or QComboBox, or its table.
   [[nodiscard]] QWidget* fieldOf(std::size_t variable) const;
 
  signals:
-  void otherUnitsWanted(bool shown);
+  void otherUnitsToggled(bool shown);
   /// A kind of quantity is to be shown in another unit from now on.
   void unitChosen();
   /// A field got the focus and should be in view.
@@ -78,31 +78,31 @@ class RecordPage : public QWidget {
   void addInstances(QVBoxLayout* layout);
   void addListedDiameters(QVBoxLayout* layout);
   void addUserLines(QVBoxLayout* layout);
-  QLineEdit* makeLine(const Cell& cell);
+  QLineEdit* makeLineEdit(const Cell& cell);
   QComboBox* makeCombo(const Cell& cell);
   QPushButton* makeUnitsButton();
   bool openMenuOf(const QWidget* field, const QKeyEvent& key);
-  QToolButton* makeEffectNames(const Cell& cell);
+  QToolButton* makeEffectsButton(const Cell& cell);
   QToolButton* makeUnitChoice(const deck::VariableSpec& variable);
   void finish(QWidget* field);
   void syncRow(Row& row, bool all);
   void syncCombo(Row& row, const QString& value, bool all);
-  void showAside(Row& row);
+  void showStatusOfRow(Row& row);
   void place(Row& row);
-  void fitTo(int width);
+  void fitToWidth(int width);
   void showProblems(Row& row);
-  void announce(const QWidget* field);
+  void announceFocusedCell(const QWidget* field);
   [[nodiscard]] Cell cellOf(std::size_t variable) const;
 
   Document& document_;
   std::string record_;
   const deck::RecordSpec& spec_;
   std::vector<Row> rows_;
-  QLabel* reason_ = nullptr;
+  QLabel* condition_label_ = nullptr;
   QPushButton* other_units_ = nullptr;  ///< next to kUnit
   bool shows_other_units_ = false;
-  bool narrow_ = false;  ///< names are above their values, not next to them
-  QPlainTextEdit* lines_ = nullptr;
+  bool narrow_layout_ = false;  ///< names are above their values, not next to them
+  QPlainTextEdit* user_lines_edit_ = nullptr;
 };
 
 }  // namespace adore::adrinput

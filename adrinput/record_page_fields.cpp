@@ -23,7 +23,7 @@ void RecordPage::finish(QWidget* field) {
   field->setFocusPolicy(Qt::StrongFocus);
 }
 
-QLineEdit* RecordPage::makeLine(const Cell& cell) {
+QLineEdit* RecordPage::makeLineEdit(const Cell& cell) {
   const bool text = variable_of(cell)->type == deck::VarType::String;
   auto* line = new ValueLine(text, this);
   connect(line, &QLineEdit::textEdited, this, [this, cell, line](const QString& typed) {
@@ -32,7 +32,7 @@ QLineEdit* RecordPage::makeLine(const Cell& cell) {
   });
   connect(line, &QLineEdit::editingFinished, this, [this, line] {
     line->setProperty("typing", false);
-    document_.end_step();
+    document_.end_undo_step();
     sync();
   });
   finish(line);
@@ -42,28 +42,28 @@ QLineEdit* RecordPage::makeLine(const Cell& cell) {
 QComboBox* RecordPage::makeCombo(const Cell& cell) {
   const deck::VariableSpec& variable = *variable_of(cell);
   auto* combo = new ChoiceBox(this);
-  const bool open = !open_codes(variable).isEmpty();
+  const bool open = !typed_code_hint(variable).isEmpty();
   combo->setEditable(open);
   for (const deck::OptionSpec& option : choices_of(variable))
     if (option.code != "n" && option.code != "-n")
       combo->addItem(choice_text(option.code, option.meaning), text_of(option.code));
   connect(combo, &QComboBox::activated, this, [this, combo, cell](int index) {
-    document_.end_step();
+    document_.end_undo_step();
     document_.edit(cell, combo->itemData(index).toString().toStdString());
-    document_.end_step();
+    document_.end_undo_step();
     sync(true);
   });
   if (open) {
     combo->setCompleter(nullptr);
     for (const char* any : {"n", "-n"})  // a count is shown with its meaning
-      combo->makeRoomFor(choice_text("-100000", meaning_of(variable, any)));
+      combo->widenForText(choice_text("-100000", meaning_of(variable, any)));
     connect(combo->lineEdit(), &QLineEdit::textEdited, this, [this, combo, cell](const QString& t) {
       combo->lineEdit()->setProperty("typing", true);
       document_.type(cell, t.section(QChar(0x2014), 0, 0).trimmed().toStdString());
     });
     connect(combo->lineEdit(), &QLineEdit::editingFinished, this, [this, combo] {
       combo->lineEdit()->setProperty("typing", false);
-      document_.end_step();
+      document_.end_undo_step();
       sync();
     });
     combo->lineEdit()->installEventFilter(this);
@@ -86,11 +86,11 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
     field = row.table = new CellTable(document_, record_, v, this);
     row.table->installEventFilter(this);
     connect(row.table, &QTableWidget::currentCellChanged, this,
-            [this, table = row.table] { announce(table); });
+            [this, table = row.table] { announceFocusedCell(table); });
   } else if (!variable.options.empty() || !variable.option_table.empty()) {
     field = row.combo = makeCombo(cellOf(v));
   } else {
-    field = row.line = makeLine(cellOf(v));
+    field = row.line = makeLineEdit(cellOf(v));
   }
   field->setObjectName(text_of(variable.name));
   field->setAccessibleName(text_of(variable.name));
@@ -103,7 +103,7 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   if (row.line != nullptr && !deck::usual_units(variable.unit).empty())
     side->addWidget(row.choice = makeUnitChoice(variable));
   if (record_ == kOptionsPage && variable.name == "effectsOff")
-    side->addWidget(row.names = makeEffectNames(cellOf(v)));
+    side->addWidget(row.names = makeEffectsButton(cellOf(v)));
   // Limits are next to a field; below a table, which may be as wide as the page.
   auto* whole = new QVBoxLayout;
   whole->setSpacing(2);
@@ -121,12 +121,13 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   row.other->setStyleSheet(QString("color: %1").arg(theme.accent.name()));
   side->addStretch(1);
   QString help = text_of(variable.help);
-  if (row.combo != nullptr && row.combo->isEditable()) help += " (" + open_codes(variable) + ")";
-  row.problem = make_text({}, theme.red, this);
+  if (row.combo != nullptr && row.combo->isEditable())
+    help += " (" + typed_code_hint(variable) + ")";
+  row.problem = make_text_label({}, theme.red, this);
   row.problem->setObjectName("problem-" + text_of(variable.name));
   row.value = whole;
-  row.help = make_text(help, theme.muted, this);
-  row.unused = make_text({}, theme.muted, this);
+  row.help = make_text_label(help, theme.muted, this);
+  row.unused = make_text_label({}, theme.muted, this);
   row.unused->setObjectName("unused-" + text_of(variable.name));
   row.grid = grid;
   row.at = grid->rowCount();
@@ -135,7 +136,7 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
 }
 
 /// Effects of this deck's motion by name, each can be disabled.
-QToolButton* RecordPage::makeEffectNames(const Cell& cell) {
+QToolButton* RecordPage::makeEffectsButton(const Cell& cell) {
   auto* button = new QToolButton(this);
   button->setObjectName("effect-names");
   button->setText(tr("Choose"));
@@ -146,7 +147,7 @@ QToolButton* RecordPage::makeEffectNames(const Cell& cell) {
   auto* menu = new QMenu(button);
   connect(menu, &QMenu::aboutToShow, this, [this, menu, cell] {
     menu->clear();
-    document_.end_step();
+    document_.end_undo_step();
     QStringList out;
     for (const QString& name : QString::fromStdString(document_.text(cell)).split(','))
       if (!name.trimmed().isEmpty()) out << name.trimmed();
@@ -168,7 +169,7 @@ QToolButton* RecordPage::makeEffectNames(const Cell& cell) {
         else
           chosen.removeAll(name);
         document_.edit(cell, chosen.join(",").toStdString());
-        document_.end_step();
+        document_.end_undo_step();
         sync(true);
       });
     }
@@ -213,7 +214,7 @@ QPushButton* RecordPage::makeUnitsButton() {
   button->setToolTip(tr("Show each value in both unit systems (Ctrl+U)"));
   button->setCheckable(true);
   button->setAutoDefault(true);
-  connect(button, &QPushButton::clicked, this, &RecordPage::otherUnitsWanted);
+  connect(button, &QPushButton::clicked, this, &RecordPage::otherUnitsToggled);
   return button;
 }
 

@@ -49,10 +49,10 @@ void RecordPage::syncCombo(Row& row, const QString& value, bool all) {
     if (index < 0 && row.combo->isEditable()) {
       row.combo->setCurrentIndex(-1);
       const std::string meaning = meaning_of(variable, any);
-      const bool known = !parse_typed(variable, value.toStdString()).problem;
+      const bool known = !parse_typed_text(variable, value.toStdString()).problem;
       row.combo->setEditText(known && !meaning.empty() ? choice_text(value.toStdString(), meaning)
                                                        : value);
-      combo_home(row.combo);
+      show_combo_text_start(row.combo);
     } else {
       // An invalid code of the file is shown unchanged.
       if (index < 0 && !value.isEmpty()) {
@@ -62,7 +62,7 @@ void RecordPage::syncCombo(Row& row, const QString& value, bool all) {
       row.combo->setCurrentIndex(index);
       if (row.combo->isEditable()) {
         row.combo->setEditText(row.combo->itemText(index));
-        combo_home(row.combo);
+        show_combo_text_start(row.combo);
       }
     }
     row.combo->setToolTip(row.combo->currentText());  // complete on a narrow page
@@ -78,7 +78,7 @@ void RecordPage::syncRow(Row& row, bool all) {
     if ((all || !typing) && row.line->text() != value) row.line->setText(value);
   }
   if (row.combo != nullptr) syncCombo(row, value, all);
-  QString unit = shown_unit(document_, variable);
+  QString unit = display_unit(document_, variable);
   const QString limits = QString::fromStdString(limits_of(document_.deck(), variable));
   if (row.choice != nullptr) {
     row.choice->setText(unit);
@@ -89,28 +89,28 @@ void RecordPage::syncRow(Row& row, bool all) {
   row.unit->setText(unit);
   const bool told_once = is_diameter_record(record_) && row.variable != 1;
   row.unit->setVisible(!unit.isEmpty() && !told_once);
-  showAside(row);
+  showStatusOfRow(row);
   showProblems(row);
 }
 
 /// The value of a text being typed, the value in the other unit system, and whether it is used.
-void RecordPage::showAside(Row& row) {
+void RecordPage::showStatusOfRow(Row& row) {
   const Cell cell = cellOf(row.variable);
   if (row.other != nullptr) {
     QStringList texts;
-    if (row.table == nullptr) texts << typed_value(document_, cell);
-    if (shows_other_units_ && row.table == nullptr) texts << in_other_units(document_, cell);
-    texts << run_time(document_, cell);
-    if (row.combo != nullptr && is_cut(*row.combo)) texts << row.combo->currentText();
+    if (row.table == nullptr) texts << typed_value_text(document_, cell);
+    if (shows_other_units_ && row.table == nullptr) texts << value_in_other_units(document_, cell);
+    texts << run_time_text(document_, cell);
+    if (row.combo != nullptr && is_text_cut_off(*row.combo)) texts << row.combo->currentText();
     texts.removeAll(QString());
     QString text = texts.isEmpty() ? QString() : "= " + texts.join(" = ");
-    const QString none = no_run_time(document_, cell);
+    const QString none = no_steps_reason(document_, cell);
     if (!none.isEmpty()) text += (text.isEmpty() ? QString() : QString("; ")) + none;
     row.other->setText(text);
     row.other->setVisible(!text.isEmpty());
   }
   if (row.unused == nullptr || row.name == nullptr) return;
-  const std::string because = document_.unused_because(cell);
+  const std::string because = document_.unused_reason(cell);
   const bool unused = !because.empty();
   const desktop::Theme& theme = desktop::current_theme();
   row.unused->setText(unused ? tr("Not used: %1.").arg(QString::fromStdString(because))
@@ -132,17 +132,17 @@ void RecordPage::showAside(Row& row) {
 
 void RecordPage::sync(bool all) {
   const int count = document_.instances(record_);
-  QString reason = reason_for(document_.deck(), spec_.condition);
+  QString reason = condition_values_text(document_.deck(), spec_.condition);
   if (!reason.isEmpty()) reason = "Required by " + reason + ".";
-  reason_->setText(reason);
-  reason_->setVisible(!reason.isEmpty());
-  if (lines_ != nullptr) {
+  condition_label_->setText(reason);
+  condition_label_->setVisible(!reason.isEmpty());
+  if (user_lines_edit_ != nullptr) {
     QStringList lines;
     for (const std::string& line : document_.deck().user_lines)
       lines << QString::fromStdString(line);
-    if (all && lines_->toPlainText() != lines.join('\n')) {
-      const QSignalBlocker quiet(lines_);
-      lines_->setPlainText(lines.join('\n'));
+    if (all && user_lines_edit_->toPlainText() != lines.join('\n')) {
+      const QSignalBlocker quiet(user_lines_edit_);
+      user_lines_edit_->setPlainText(lines.join('\n'));
     }
     return;
   }

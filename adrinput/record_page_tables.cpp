@@ -17,7 +17,8 @@ void RecordPage::addInstances(QVBoxLayout* layout) {
   table->setObjectName("instances");
   table->setAccessibleName(text_of(spec_.title));
   table->installEventFilter(this);
-  connect(table, &QTableWidget::currentCellChanged, this, [this, table] { announce(table); });
+  connect(table, &QTableWidget::currentCellChanged, this,
+          [this, table] { announceFocusedCell(table); });
   layout->addWidget(table);
   auto* grid = make_grid();
   for (std::size_t v = 0; v < spec_.variables.size(); ++v) {
@@ -30,9 +31,9 @@ void RecordPage::addInstances(QVBoxLayout* layout) {
     row.unit = new QLabel(this);
     row.unit->setTextFormat(Qt::PlainText);
     row.unit->setWordWrap(true);
-    row.problem = make_text({}, theme.red, this);
+    row.problem = make_text_label({}, theme.red, this);
     row.problem->setObjectName("problem-" + text_of(variable.name));
-    row.help = make_text(text_of(variable.help), theme.muted, this);
+    row.help = make_text_label(text_of(variable.help), theme.muted, this);
     row.grid = grid;
     row.at = grid->rowCount();
     place(row);
@@ -44,18 +45,19 @@ void RecordPage::addInstances(QVBoxLayout* layout) {
 /// The four records of listed deviations as one table of 40 elements.
 void RecordPage::addListedDiameters(QVBoxLayout* layout) {
   const desktop::Theme& theme = desktop::current_theme();
-  auto* table = CellTable::ofListedDiameters(document_, this);
+  auto* table = CellTable::createForListedDiameters(document_, this);
   table->setObjectName("deviations");
   table->setAccessibleName(tr("Diameter deviations of rolling elements 1 to 40"));
   table->installEventFilter(this);
-  connect(table, &QTableWidget::currentCellChanged, this, [this, table] { announce(table); });
-  layout->addWidget(
-      make_text(tr("Diameter of each rolling element minus the nominal diameter (40 values in four "
-                   "records). Rows or columns pasted from a spreadsheet fill the table, starting "
-                   "at the current cell. Cells beyond the number of elements are gray."),
-                theme.muted, this));
+  connect(table, &QTableWidget::currentCellChanged, this,
+          [this, table] { announceFocusedCell(table); });
+  layout->addWidget(make_text_label(
+      tr("Diameter of each rolling element minus the nominal diameter (40 values in four "
+         "records). Rows or columns pasted from a spreadsheet fill the table, starting "
+         "at the current cell. Cells beyond the number of elements are gray."),
+      theme.muted, this));
   auto* label = new QLabel(tr("Label of this record"), this);
-  auto* line = makeLine(cellOf(0));
+  auto* line = makeLineEdit(cellOf(0));
   line->setObjectName("recID");
   line->setAccessibleName(tr("Label of this record"));
   label->setBuddy(line);
@@ -73,7 +75,7 @@ void RecordPage::addListedDiameters(QVBoxLayout* layout) {
       row.table = table;
     row.unit = new QLabel(this);
     row.unit->setTextFormat(Qt::PlainText);
-    row.problem = make_text({}, theme.red, this);
+    row.problem = make_text_label({}, theme.red, this);
     row.problem->setObjectName("problem-" + text_of(spec_.variables[v].name));
     if (v == 1)
       grid->addWidget(row.unit, 0, 0);
@@ -86,25 +88,25 @@ void RecordPage::addListedDiameters(QVBoxLayout* layout) {
 }
 
 void RecordPage::addUserLines(QVBoxLayout* layout) {
-  lines_ = new QPlainTextEdit(this);
-  lines_->setObjectName("lines");
-  lines_->setAccessibleName("Lines of user routines");
-  lines_->setLineWrapMode(QPlainTextEdit::NoWrap);
-  lines_->setTabChangesFocus(true);
-  lines_->setUndoRedoEnabled(false);
-  lines_->setMinimumHeight(240);
-  connect(lines_, &QPlainTextEdit::textChanged, this, [this] {
+  user_lines_edit_ = new QPlainTextEdit(this);
+  user_lines_edit_->setObjectName("lines");
+  user_lines_edit_->setAccessibleName("Lines of user routines");
+  user_lines_edit_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  user_lines_edit_->setTabChangesFocus(true);
+  user_lines_edit_->setUndoRedoEnabled(false);
+  user_lines_edit_->setMinimumHeight(240);
+  connect(user_lines_edit_, &QPlainTextEdit::textChanged, this, [this] {
     std::vector<std::string> kept;
-    for (const QString& line : lines_->toPlainText().split('\n'))
+    for (const QString& line : user_lines_edit_->toPlainText().split('\n'))
       if (!line.trimmed().isEmpty()) kept.push_back(line.toStdString());
     document_.set_user_lines(std::move(kept));
   });
-  finish(lines_);
-  layout->addWidget(
-      make_text("User routines read these lines from the end of the deck. Blank lines are removed. "
-                "Leave the field empty if the deck has no user routines.",
-                desktop::current_theme().muted, this));
-  layout->addWidget(lines_);
+  finish(user_lines_edit_);
+  layout->addWidget(make_text_label(
+      "User routines read these lines from the end of the deck. Blank lines are removed. "
+      "Leave the field empty if the deck has no user routines.",
+      desktop::current_theme().muted, this));
+  layout->addWidget(user_lines_edit_);
 }
 
 }  // namespace adore::adrinput

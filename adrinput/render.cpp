@@ -65,7 +65,7 @@ void scroll_through(QScrollBar& bar, int overlap, const Show& show) {
 
 std::vector<fs::path> render_pages(const fs::path& deck, const RenderOptions& options) {
   const fs::path file = runs::deck_path(deck);
-  refuse_pipe(file);
+  reject_special_file(file);
   (void)deck::read_deck(file);  // throws for files that are not text, before a window asks
   desktop::make_folder(options.folder);
   desktop::apply_theme(options.dark ? desktop::ThemeKind::Dark : desktop::ThemeKind::Light);

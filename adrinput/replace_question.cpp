@@ -16,7 +16,7 @@ void ask_to_replace(QWidget* parent, const std::filesystem::path& file,
       QMessageBox::Warning, "AdrInput",
       QObject::tr(
           "Another program changed %1 after it was opened here. Saving overwrites these changes.")
-          .arg(QString::fromStdString(short_name(whole_path(file)))),
+          .arg(QString::fromStdString(shortened_path(normalized_path(file)))),
       QMessageBox::Save | QMessageBox::Cancel, parent);
   box->setObjectName("changed");
   desktop::delete_when_done(*box);

@@ -1,5 +1,7 @@
 #include "adrinput/run_panel.hpp"
 
+#include "adrinput/qt_text.hpp"
+#include "adrinput/settings.hpp"
 #include "adrinput/window_words.hpp"
 #include "base/counted.hpp"
 #include "base/duration.hpp"
@@ -28,7 +30,6 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSettings>
 #include <QTimer>
 #include <QToolButton>
 #include <fmt/format.h>
@@ -43,8 +44,6 @@ constexpr int kBarSteps = 1000;
 constexpr int kLookPause = 150;           // ms without a change in the folder of results
 constexpr qint64 kMostShown = 4'000'000;  // bytes of PRINT.txt in a window
 
-QString from(const std::string& text) { return QString::fromStdString(text); }
-
 QString report(const runs::RunOutcome& outcome) {
   std::string text;
   for (const std::string& line : outcome.results) text += line + "\n";
@@ -56,7 +55,7 @@ QString report(const runs::RunOutcome& outcome) {
                     outcome.energy_scale);
   text += fmt::format("Files in {}:\n ", outcome.folder.string());
   for (const auto& file : outcome.files) text += " " + file.filename().string();
-  return from(in_window_words(text));
+  return text_of(replace_cli_terms(text));
 }
 
 /// A message with one period at its end.
@@ -73,30 +72,28 @@ QString headline_of(const runs::RunOutcome& outcome) {
                         counted(fmt::format("{:.4g}", outcome.revolutions), "revolution"),
                         outcome.time, duration_text(outcome.seconds))
           : fmt::format("Quasi-static solution computed in {}.", duration_text(outcome.seconds));
-  const std::string message = sentence(in_window_words(outcome.message));
+  const std::string message = sentence(replace_cli_terms(outcome.message));
   switch (outcome.status) {
     case runs::RunStatus::Done:
       // A message reports that the run was already complete.
-      return from(
+      return text_of(
           "Done: " + (message.empty() ? done : message) +
           (outcome.missed_end > 0.0
                ? fmt::format(" The run reached maxStps steps before its end at {:.6g} s (fTime).",
                              outcome.missed_end)
                : ""));
     case runs::RunStatus::Interrupted:
-      return from(
+      return text_of(
           "Cancelled. The files are valid up to the last stored step. " +
           (message.empty() ? done : "The results are not reliable: " + message + " " + done));
     case runs::RunStatus::Untrusted:
-      return from("Done, but the results are not reliable: " + message + " " + done);
+      return text_of("Done, but the results are not reliable: " + message + " " + done);
     case runs::RunStatus::Failed:
       break;
   }
-  return from("The run failed: " + message + " The files are valid up to the last stored step. " +
-              done);
+  return text_of("The run failed: " + message +
+                 " The files are valid up to the last stored step. " + done);
 }
-
-QSettings settings() { return QSettings("Adore", "adrinput"); }
 
 }  // namespace
 
@@ -104,11 +101,12 @@ RunPanel::RunPanel(QWidget* parent)
     : QWidget(parent),
       launch(&desktop::start_program),
       watcher_(new QFileSystemWatcher(this)),
-      look_(new QTimer(this)) {
-  look_->setSingleShot(true);
-  look_->setInterval(kLookPause);
-  connect(watcher_, &QFileSystemWatcher::directoryChanged, look_, qOverload<>(&QTimer::start));
-  connect(look_, &QTimer::timeout, this, [this] {
+      delay_timer_(new QTimer(this)) {
+  delay_timer_->setSingleShot(true);
+  delay_timer_->setInterval(kLookPause);
+  connect(watcher_, &QFileSystemWatcher::directoryChanged, delay_timer_,
+          qOverload<>(&QTimer::start));
+  connect(delay_timer_, &QTimer::timeout, this, [this] {
     watchResults();
     enableViewers();
   });
@@ -127,20 +125,20 @@ RunPanel::RunPanel(QWidget* parent)
     return push;
   };
   start_ = button(first, tr("Run"), "run", tr("Save the deck and run it (F7)"), &RunPanel::wanted);
-  more_ = new QToolButton(this);
-  more_->setObjectName("more-runs");
-  more_->setText(tr("More"));
-  more_->setToolTip(tr("Run in a new folder, continue a run, or run a sweep"));
-  more_->setAccessibleName(tr("More run commands"));
-  more_->setPopupMode(QToolButton::InstantPopup);
-  auto* ways = new QMenu(more_);
-  ways->addAction(tr("Run in a &new folder"), this, &RunPanel::newFolderWanted);
-  QAction* go_on = ways->addAction(tr("&Continue the run"), this, &RunPanel::continueWanted);
+  more_runs_button_ = new QToolButton(this);
+  more_runs_button_->setObjectName("more-runs");
+  more_runs_button_->setText(tr("More"));
+  more_runs_button_->setToolTip(tr("Run in a new folder, continue a run, or run a sweep"));
+  more_runs_button_->setAccessibleName(tr("More run commands"));
+  more_runs_button_->setPopupMode(QToolButton::InstantPopup);
+  auto* ways = new QMenu(more_runs_button_);
+  ways->addAction(tr("Run in a &new folder"), this, &RunPanel::newFolderRequested);
+  QAction* go_on = ways->addAction(tr("&Continue the run"), this, &RunPanel::continueRequested);
   ways->setToolTipsVisible(true);
-  connect(ways, &QMenu::aboutToShow, this, [this, go_on] { nameContinuation(*go_on); });
-  ways->addAction(tr("&Sweep a variable …"), this, &RunPanel::sweepWanted);
-  more_->setMenu(ways);
-  first->addWidget(more_);
+  connect(ways, &QMenu::aboutToShow, this, [this, go_on] { updateContinueAction(*go_on); });
+  ways->addAction(tr("&Sweep a variable …"), this, &RunPanel::sweepRequested);
+  more_runs_button_->setMenu(ways);
+  first->addWidget(more_runs_button_);
   cancel_ = button(first, tr("&Cancel"), "cancel", tr("Stop the run after the current step"),
                    &RunPanel::cancel);
   bar_ = new QProgressBar(this);
@@ -192,7 +190,7 @@ QString RunPanel::text() const { return view_->toPlainText(); }
 
 void RunPanel::enableButtons() {
   start_->setEnabled(!busy());
-  more_->setEnabled(!busy());
+  more_runs_button_->setEnabled(!busy());
   cancel_->setEnabled(busy());
   watchResults();
   enableViewers();
@@ -207,23 +205,24 @@ void RunPanel::enableViewers() {
 }
 
 RunResults RunPanel::results() const {
-  if (computed_.records.empty())
-    return shown_file_.empty() ? RunResults() : results_in(shown_file_.parent_path(), shown_);
-  if (busy()) return results_in(resultFolder(), computed_, began_);
-  return results_in(resultFolder(), computed_);
+  if (computed_deck_.records.empty())
+    return form_deck_file_.empty() ? RunResults()
+                                   : results_in(form_deck_file_.parent_path(), form_deck_);
+  if (busy()) return results_in(resultFolder(), computed_deck_, run_start_time_);
+  return results_in(resultFolder(), computed_deck_);
 }
 
 /// The folder of results and its parent folder, in case it is removed or created.
 void RunPanel::watchResults() {
   namespace fs = std::filesystem;
   QStringList wanted;
-  const bool ran = !computed_.records.empty();
-  const fs::path& file = ran ? file_ : shown_file_;
+  const bool ran = !computed_deck_.records.empty();
+  const fs::path& file = ran ? file_ : form_deck_file_;
   if (!file.empty()) {
-    const fs::path folder =
-        ran && !out_.empty() ? fs::absolute(out_) : fs::absolute(file).parent_path();
+    const fs::path folder = ran && !result_folder_.empty() ? fs::absolute(result_folder_)
+                                                           : fs::absolute(file).parent_path();
     for (const fs::path& one : {folder, folder.parent_path()})
-      if (const QFileInfo info(from(one.string())); info.isDir())
+      if (const QFileInfo info(text_of(one.string())); info.isDir())
         wanted << QDir::cleanPath(info.absoluteFilePath());
     wanted.removeDuplicates();
   }
@@ -242,47 +241,49 @@ void RunPanel::cancel() {
 void RunPanel::show(const runs::Progress& progress) {
   bar_->setValue(static_cast<int>(std::lround(kBarSteps * progress.fraction)));
   if (progress.runs > 0) {
-    headline_ =
-        from(fmt::format("{} of {} done.", progress.step, counted(progress.runs, progress.piece)));
+    headline_ = text_of(
+        fmt::format("{} of {} done.", progress.step, counted(progress.runs, progress.piece)));
     if (progress.remaining > 0.0)
-      headline_ += from(fmt::format(" Remaining: {}.", duration_text(progress.remaining)));
+      headline_ += text_of(fmt::format(" Remaining: {}.", duration_text(progress.remaining)));
     return showNote();
   }
-  stored_ = stored_ || progress.step > 0;
+  has_stored_steps_ = has_stored_steps_ || progress.step > 0;
   enableViewers();
   // Next to the bar: the limit that ends the run.
   const std::string left = duration_text(progress.remaining);
   headline_ =
-      from(progress.last_step > 0
-               ? fmt::format("Step {} of {}, {:.3f} revolutions, {:.4g} s. Remaining: {}.",
-                             progress.step, progress.last_step, progress.revolutions, progress.time,
-                             left)
-               : fmt::format("Step {}, {:.3f} revolutions, {:.4g} of {:.4g} s. Remaining: {}.",
-                             progress.step, progress.revolutions, progress.time, progress.end_time,
-                             left));
+      text_of(progress.last_step > 0
+                  ? fmt::format("Step {} of {}, {:.3f} revolutions, {:.4g} s. Remaining: {}.",
+                                progress.step, progress.last_step, progress.revolutions,
+                                progress.time, left)
+                  : fmt::format("Step {}, {:.3f} revolutions, {:.4g} of {:.4g} s. Remaining: {}.",
+                                progress.step, progress.revolutions, progress.time,
+                                progress.end_time, left));
   showNote();
 }
 
 void RunPanel::show(const RunEnd& end) {
   if (end.outcome) {
     headline_ = headline_of(*end.outcome);
-    noteMade(end.outcome->status != runs::RunStatus::Interrupted);
+    recordFolderRun(end.outcome->status != runs::RunStatus::Interrupted);
     view_->setPlainText(report(*end.outcome));
     std::vector<Finding> found = end.outcome->warnings;
-    for (Finding& finding : found) finding.message = in_window_words(std::move(finding.message));
+    for (Finding& finding : found) finding.message = replace_cli_terms(std::move(finding.message));
     findings_->setFindings(std::move(found));
     if (end.outcome->status == runs::RunStatus::Done) bar_->setValue(kBarSteps);
   } else if (end.sweep) {
     showSweep(*end.sweep);
   } else {
-    const QString reason = from(in_window_words(end.reason));
+    const QString reason = text_of(replace_cli_terms(end.reason));
     // Progress is reported at intervals: a short run may have stored steps before.
-    const RunResults since = results_in(resultFolder(), computed_, began_);
-    stored_ = stored_ || (!end.results_exist && since.moved);
+    const RunResults since = results_in(resultFolder(), computed_deck_, run_start_time_);
+    has_stored_steps_ = has_stored_steps_ || (!end.results_exist && since.moved);
     headline_ =
-        stored_ ? tr("The run stopped at %1 %: %2").arg(100 * bar_->value() / kBarSteps).arg(reason)
-                : tr("The deck was not run: %1").arg(reason);
-    if (stored_ && since.moved) headline_ += tr(" The results stored until then can be opened.");
+        has_stored_steps_
+            ? tr("The run stopped at %1 %: %2").arg(100 * bar_->value() / kBarSteps).arg(reason)
+            : tr("The deck was not run: %1").arg(reason);
+    if (has_stored_steps_ && since.moved)
+      headline_ += tr(" The results stored until then can be opened.");
   }
   view_->setVisible(!view_->toPlainText().isEmpty());
   showNote();
@@ -308,42 +309,43 @@ void RunPanel::show(const RunEnd& end) {
 
 void RunPanel::showNote() {
   note_->setText(!stale_ ? headline_
-                 : another_
-                     ? tr("Results of another deck, %1. ").arg(from(file_.string())) + headline_
+                 : results_of_other_deck_
+                     ? tr("Results of another deck, %1. ").arg(text_of(file_.string())) + headline_
                      : tr("Out of date: the deck has changed. ") + headline_);
 }
 
-void RunPanel::setAnother(const std::filesystem::path& now) {
-  if (computed_.records.empty()) return;
-  another_ = now != file_;
+void RunPanel::setOpenedFile(const std::filesystem::path& now) {
+  if (computed_deck_.records.empty()) return;
+  results_of_other_deck_ = now != file_;
   if (!busy()) showNote();
 }
 
 /// Findings of the run of this deck that is stored next to it.
-void RunPanel::showStored() {
-  const std::filesystem::path run = shown_file_.parent_path() / "RUN.json";
+void RunPanel::showStoredFindings() {
+  const std::filesystem::path run = form_deck_file_.parent_path() / "RUN.json";
   const nlohmann::json of = results::read_run_member(run, "deck");
-  const bool ours = of.is_string() && shown_file_.filename() == of.get<std::string>();
+  const bool ours = of.is_string() && form_deck_file_.filename() == of.get<std::string>();
   findings_->setFindings(ours ? results::run_findings(run) : std::vector<Finding>());
 }
 
 void RunPanel::setDeck(const std::filesystem::path& file, const deck::Deck& deck,
                        const RunOptionValues& options) {
-  const bool first = computed_.records.empty();
-  const bool opened = file != shown_file_;
-  const bool looks = first && (opened || !(deck == shown_));
-  shown_file_ = file;
-  shown_ = deck;
+  const bool first = computed_deck_.records.empty();
+  const bool opened = file != form_deck_file_;
+  const bool looks = first && (opened || !(deck == form_deck_));
+  form_deck_file_ = file;
+  form_deck_ = deck;
   if (looks) {
     enableButtons();
     if (opened)
-      showStored();
+      showStoredFindings();
     else
       findings_->setFindings({});
   }
   if (first) return;
   // Results of another file are those of its folder, even if its values are now equal.
-  const bool stale = another_ || !(deck == computed_ && options == computed_options_);
+  const bool stale =
+      results_of_other_deck_ || !(deck == computed_deck_ && options == computed_options_);
   if (stale == stale_) return;
   stale_ = stale;
   showNote();
@@ -352,8 +354,8 @@ void RunPanel::setDeck(const std::filesystem::path& file, const deck::Deck& deck
 void RunPanel::view(const QString& program, QStringList files, bool behind) {
   if (behind) files.prepend(desktop::kBehind);
   // New folders of runs are included.
-  const bool ran = !computed_.records.empty();
-  show_in_viewer(this, launch, program, desktop::folder_of(ran ? file_ : shown_file_), files);
+  const bool ran = !computed_deck_.records.empty();
+  show_in_viewer(this, launch, program, desktop::folder_of(ran ? file_ : form_deck_file_), files);
 }
 
 void RunPanel::openPlots() { showPlots(false); }
@@ -387,7 +389,7 @@ void RunPanel::showListing() {
   window->setObjectName("listing-window");
   desktop::delete_when_done(*window);
   window->setWindowTitle(name);
-  desktop::open_at_size(*window, {1080, 760});
+  desktop::resize_to_fit_screen(*window, {1080, 760});
   auto* listing = desktop::make_listing_view(name, window);
   listing->setPlainText(text);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, window);

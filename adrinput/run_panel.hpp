@@ -53,15 +53,15 @@ class RunPanel : public QWidget {
                    const RunOptionValues& options, const std::filesystem::path& folder = {});
   /// Continues the last run or sweep of this panel; if there are other interrupted ones, asks which
   /// (a dialog named "continue-which").
-  void continueAny(const std::filesystem::path& file, const deck::Deck& deck,
-                   const RunOptionValues& options);
-  /// Sets the text of an action to the run that continueAny() would continue.
-  void nameContinuation(QAction& action) const;
+  void continueInterruptedRun(const std::filesystem::path& file, const deck::Deck& deck,
+                              const RunOptionValues& options);
+  /// Sets the text of an action to the run that continueInterruptedRun() would continue.
+  void updateContinueAction(QAction& action) const;
   /// Runs the deck for each value of `range`, "appLoadZ=500:1500:5", a folder each.
   void sweep(const std::filesystem::path& file, const deck::Deck& deck,
              const RunOptionValues& options, const QString& range);
   /// The file `now` was opened: results of another deck are marked.
-  void setAnother(const std::filesystem::path& now);
+  void setOpenedFile(const std::filesystem::path& now);
   /// The current deck: results of an older one are marked as out of date. Existing files of its
   /// folder can be opened, regardless of their origin.
   void setDeck(const std::filesystem::path& file, const deck::Deck& deck,
@@ -81,9 +81,9 @@ class RunPanel : public QWidget {
  signals:
   /// The Run button or an entry of the menu next to it was used.
   void wanted();
-  void newFolderWanted();
-  void continueWanted();
-  void sweepWanted();
+  void newFolderRequested();
+  void continueRequested();
+  void sweepRequested();
   void finished();
   /// An entry of the findings of the last run was clicked.
   void findingChosen(const adore::Finding& finding);
@@ -92,7 +92,7 @@ class RunPanel : public QWidget {
   void show(const runs::Progress& progress);
   void show(const RunEnd& end);
   void showNote();
-  void showStored();
+  void showStoredFindings();
   void showSweep(const studies::SweepOutcome& sweep);
   void begin(const std::filesystem::path& file, const deck::Deck& deck,
              const RunOptionValues& options);
@@ -100,20 +100,20 @@ class RunPanel : public QWidget {
   void launchRequest(runs::RunRequest request);
   void askToReplace();
   /// A run or a sweep that can be continued.
-  struct Way {
+  struct Continuation {
     std::filesystem::path folder;
     QString state;  ///< its text if there is a choice
     bool sweep = false;
   };
-  [[nodiscard]] std::vector<Way> waysToGoOn(const std::filesystem::path& file,
-                                            const deck::Deck& deck) const;
-  void goOn(const Way& way, const std::filesystem::path& file, const deck::Deck& deck,
-            const RunOptionValues& options);
+  [[nodiscard]] std::vector<Continuation> continuationChoices(const std::filesystem::path& file,
+                                                              const deck::Deck& deck) const;
+  void continueFrom(const Continuation& way, const std::filesystem::path& file,
+                    const deck::Deck& deck, const RunOptionValues& options);
   void continueSweep(const std::filesystem::path& folder, const deck::Deck& deck,
                      const RunOptionValues& options, const std::filesystem::path& file);
-  void noteMade(bool whole);
-  [[nodiscard]] bool madeHere() const;
-  [[nodiscard]] bool mayReplace() const;
+  void recordFolderRun(bool whole);
+  [[nodiscard]] bool computedByThisWindow() const;
+  [[nodiscard]] bool canReplaceResults() const;
   /// The report in the folder of the deck, as far as it can be distinguished from another one.
   [[nodiscard]] std::optional<std::filesystem::file_time_type> reportTime() const;
   void enableButtons();
@@ -127,35 +127,35 @@ class RunPanel : public QWidget {
   [[nodiscard]] RunResults results() const;
 
   QPushButton *start_, *cancel_, *plots_, *animation_, *listing_;
-  QToolButton* more_;
+  QToolButton* more_runs_button_;
   QCheckBox *plots_at_end_, *animation_at_end_;
   QProgressBar* bar_;
   QLabel* note_;
   desktop::FindingsBar* findings_;
   QPlainTextEdit* view_;
   QFileSystemWatcher* watcher_;
-  QTimer* look_;  ///< a pause for a program to finish writing
+  QTimer* delay_timer_;  ///< a pause for a program to finish writing
   QString headline_;
-  std::filesystem::path file_;        ///< the deck that runs
-  std::filesystem::path out_;         ///< folder of the results; empty: folder of the deck
-  std::filesystem::path shown_file_;  ///< the deck in the form; empty: no name yet
-  deck::Deck shown_;
-  std::filesystem::file_time_type began_;
+  std::filesystem::path file_;            ///< the deck that runs
+  std::filesystem::path result_folder_;   ///< folder of the results; empty: folder of the deck
+  std::filesystem::path form_deck_file_;  ///< the deck in the form; empty: no name yet
+  deck::Deck form_deck_;
+  std::filesystem::file_time_type run_start_time_;
   /// The last run that this panel made in a folder.
-  struct Made {
+  struct FolderRun {
     std::filesystem::file_time_type report;  ///< of RUN.json: later ones are from another program
     deck::Deck deck;
     RunOptionValues options;
     bool whole = false;  ///< not cancelled
   };
-  std::map<std::filesystem::path, Made> made_;
-  bool replace_unasked_ = false;
-  deck::Deck computed_;
+  std::map<std::filesystem::path, FolderRun> folder_runs_;
+  bool replace_without_asking_ = false;
+  deck::Deck computed_deck_;
   RunOptionValues computed_options_;
-  bool stale_ = false, another_ = false;
-  bool tells_sweep_ = false;  ///< true if results of a sweep are shown
-  bool stored_ = false;       ///< the run has done a step
-  SolverRun run_;             ///< last: ends before the widgets that it reports to
+  bool stale_ = false, results_of_other_deck_ = false;
+  bool shows_sweep_ = false;       ///< true if results of a sweep are shown
+  bool has_stored_steps_ = false;  ///< the run has done a step
+  SolverRun run_;                  ///< last: ends before the widgets that it reports to
 };
 
 }  // namespace adore::adrinput

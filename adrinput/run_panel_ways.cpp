@@ -57,16 +57,16 @@ QString place_of(const fs::path& folder, const fs::path& file) {
 void RunPanel::start(const fs::path& file, const deck::Deck& deck, const RunOptionValues& options) {
   if (busy()) return;
   begin(file, deck, options);
-  launchRun(mayReplace());
+  launchRun(canReplaceResults());
 }
 
 void RunPanel::begin(const fs::path& file, const deck::Deck& deck, const RunOptionValues& options) {
-  computed_ = deck;
-  another_ = false;
+  computed_deck_ = deck;
+  results_of_other_deck_ = false;
   computed_options_ = options;
   stale_ = false;
   file_ = file;
-  out_.clear();
+  result_folder_.clear();
   findings_->setFindings({});
 }
 
@@ -74,7 +74,7 @@ void RunPanel::startInNewFolder(const fs::path& file, const deck::Deck& deck,
                                 const RunOptionValues& options) {
   if (busy()) return;
   begin(file, deck, options);
-  out_ = free_folder(file.parent_path(), "run");
+  result_folder_ = free_folder(file.parent_path(), "run");
   launchRun(false);
 }
 
@@ -82,10 +82,10 @@ void RunPanel::continueRun(const fs::path& file, const deck::Deck& deck,
                            const RunOptionValues& options, const fs::path& folder) {
   if (busy()) return;
   begin(file, deck, options);
-  if (folder != file.parent_path()) out_ = folder;
+  if (folder != file.parent_path()) result_folder_ = folder;
   runs::RunRequest request;
   request.deck = file_;
-  if (!out_.empty()) request.out = out_;
+  if (!result_folder_.empty()) request.out = result_folder_;
   request.go_on = true;
   launchRequest(std::move(request));
 }
@@ -94,15 +94,15 @@ void RunPanel::sweep(const fs::path& file, const deck::Deck& deck, const RunOpti
                      const QString& range) {
   if (busy()) return;
   begin(file, deck, options);
-  out_ = free_folder(file.parent_path(), "sweep");
-  launchRequest(sweep_request(file_, out_, range.toStdString()));
+  result_folder_ = free_folder(file.parent_path(), "sweep");
+  launchRequest(sweep_request(file_, result_folder_, range.toStdString()));
 }
 
 /// Existing results of its runs are kept: for another deck or program all of them would be computed
 /// again.
 void RunPanel::continueSweep(const fs::path& folder, const deck::Deck& deck,
                              const RunOptionValues& options, const fs::path& file) {
-  const auto mark = studies::read_sweep_mark(folder);
+  const auto mark = studies::read_sweep_manifest(folder);
   if (!mark) return;  // gone a moment ago
   runs::RunRequest request = sweep_request(file, folder, mark->range);
   if (mark->request != studies::sweep_digest(request))
@@ -111,47 +111,48 @@ void RunPanel::continueSweep(const fs::path& folder, const deck::Deck& deck,
                  "program version have changed. Undo the change (Ctrl+Z), or start a new sweep.")
                   .arg(place_of(folder, file)));
   begin(file, deck, options);
-  if (folder != file.parent_path()) out_ = folder;
+  if (folder != file.parent_path()) result_folder_ = folder;
   request.go_on = true;
   launchRequest(std::move(request));
 }
 
-std::vector<RunPanel::Way> RunPanel::waysToGoOn(const fs::path& file,
-                                                const deck::Deck& deck) const {
-  std::vector<Way> out;
+std::vector<RunPanel::Continuation> RunPanel::continuationChoices(const fs::path& file,
+                                                                  const deck::Deck& deck) const {
+  std::vector<Continuation> out;
   if (file.empty()) return out;
-  const bool told = !computed_.records.empty() && file == file_;
+  const bool told = !computed_deck_.records.empty() && file == file_;
   const fs::path last = told ? resultFolder() : fs::path();
   std::error_code ignored;
   const auto add = [&](const fs::path& folder, const std::string& state, bool sweep) {
-    if (std::none_of(out.begin(), out.end(),
-                     [&](const Way& way) { return way.folder == folder && way.sweep == sweep; }))
+    if (std::none_of(out.begin(), out.end(), [&](const Continuation& way) {
+          return way.folder == folder && way.sweep == sweep;
+        }))
       out.push_back({folder, QString::fromStdString(state), sweep});
   };
   const std::vector<UnfinishedSweep> sweeps = unfinished_sweeps(file);
-  if (told && !tells_sweep_ && fs::exists(last / "RUN.json", ignored))
+  if (told && !shows_sweep_ && fs::exists(last / "RUN.json", ignored))
     add(last, "last run of this window", false);
   for (const UnfinishedSweep& one : sweeps)
-    if (told && tells_sweep_ && one.folder == last) add(last, one.state, true);
+    if (told && shows_sweep_ && one.folder == last) add(last, one.state, true);
   for (const UnfinishedSweep& one : sweeps) add(one.folder, one.state, true);
   for (const UnfinishedRun& one : unfinished_runs(file, deck)) add(one.folder, one.state, false);
   return out;
 }
 
-void RunPanel::goOn(const Way& way, const fs::path& file, const deck::Deck& deck,
-                    const RunOptionValues& options) {
+void RunPanel::continueFrom(const Continuation& way, const fs::path& file, const deck::Deck& deck,
+                            const RunOptionValues& options) {
   if (way.sweep) return continueSweep(way.folder, deck, options, file);
   continueRun(file, deck, options, way.folder);
 }
 
-void RunPanel::continueAny(const fs::path& file, const deck::Deck& deck,
-                           const RunOptionValues& options) {
+void RunPanel::continueInterruptedRun(const fs::path& file, const deck::Deck& deck,
+                                      const RunOptionValues& options) {
   if (busy()) return;
-  const std::vector<Way> ways = waysToGoOn(file, deck);
+  const std::vector<Continuation> ways = continuationChoices(file, deck);
   if (ways.empty()) return continueRun(file, deck, options);
-  if (ways.size() == 1) return goOn(ways.front(), file, deck, options);
+  if (ways.size() == 1) return continueFrom(ways.front(), file, deck, options);
   QStringList names;
-  for (const Way& way : ways)
+  for (const Continuation& way : ways)
     names << tr("%1: %2").arg(
         way.folder == file.parent_path() ? tr("next to the deck") : from(way.folder.filename()),
         way.state);
@@ -160,31 +161,31 @@ void RunPanel::continueAny(const fs::path& file, const deck::Deck& deck,
   desktop::delete_when_done(*dialog);
   dialog->setWindowTitle(tr("Continue a run"));
   dialog->setLabelText(tr("Several runs of %1 can be continued. Which one?")
-                           .arg(QString::fromStdString(short_name(file))));
+                           .arg(QString::fromStdString(shortened_path(file))));
   dialog->setComboBoxItems(names);
   connect(dialog, &QInputDialog::textValueSelected, this,
           [this, ways, names, file, deck, options](const QString& name) {
             const auto index = names.indexOf(name);
             if (index >= 0 && !busy())
-              goOn(ways[static_cast<std::size_t>(index)], file, deck, options);
+              continueFrom(ways[static_cast<std::size_t>(index)], file, deck, options);
           });
   dialog->open();
 }
 
-void RunPanel::nameContinuation(QAction& action) const {
-  const std::vector<Way> ways = waysToGoOn(shown_file_, shown_);
-  const fs::path beside = shown_file_.parent_path();
+void RunPanel::updateContinueAction(QAction& action) const {
+  const std::vector<Continuation> ways = continuationChoices(form_deck_file_, form_deck_);
+  const fs::path beside = form_deck_file_.parent_path();
   if (ways.size() > 1) {
     action.setText(tr("&Continue a run …"));
     action.setToolTip(tr("Several runs can be continued"));
   } else if (ways.size() == 1) {
-    const QString place = place_of(ways.front().folder, shown_file_);
+    const QString place = place_of(ways.front().folder, form_deck_file_);
     action.setText(ways.front().sweep ? tr("&Continue the sweep %1").arg(place)
                                       : tr("&Continue the run %1").arg(place));
     action.setToolTip(ways.front().sweep ? from(ways.front().folder) + ": " + ways.front().state
                                          : from(ways.front().folder));
-  } else if (!shown_file_.empty() && can_go_on(beside, shown_)) {
-    action.setText(tr("&Continue the run %1").arg(place_of(beside, shown_file_)));
+  } else if (!form_deck_file_.empty() && can_continue(beside, form_deck_)) {
+    action.setText(tr("&Continue the run %1").arg(place_of(beside, form_deck_file_)));
     action.setToolTip(from(beside));
   } else {
     action.setText(tr("&Continue the run"));
@@ -192,27 +193,30 @@ void RunPanel::nameContinuation(QAction& action) const {
   }
 }
 
-fs::path RunPanel::resultFolder() const { return out_.empty() ? file_.parent_path() : out_; }
+fs::path RunPanel::resultFolder() const {
+  return result_folder_.empty() ? file_.parent_path() : result_folder_;
+}
 
 void RunPanel::launchRun(bool overwrite) {
   runs::RunRequest request;
   request.deck = file_;
-  if (!out_.empty()) request.out = out_;
+  if (!result_folder_.empty()) request.out = result_folder_;
   request.overwrite = overwrite;
   launchRequest(std::move(request));
 }
 
 void RunPanel::launchRequest(runs::RunRequest request) {
-  began_ = fs::file_time_type::clock::now();
-  stored_ = false;
+  run_start_time_ = fs::file_time_type::clock::now();
+  has_stored_steps_ = false;
   view_->hide();
   view_->clear();
   bar_->setValue(0);
-  tells_sweep_ = studies::is_sweep(request);
-  headline_ = tells_sweep_     ? tr("Starting the sweep …")
+  shows_sweep_ = studies::is_sweep(request);
+  headline_ = shows_sweep_     ? tr("Starting the sweep …")
               : !request.go_on ? tr("Computing the initial equilibrium …")
-              : out_.empty()   ? tr("Reading the stored state …")
-                             : tr("Reading the stored state in %1 …").arg(from(out_.filename()));
+              : result_folder_.empty()
+                  ? tr("Reading the stored state …")
+                  : tr("Reading the stored state in %1 …").arg(from(result_folder_.filename()));
   showNote();
   run_.start(std::move(request));
   enableButtons();
@@ -225,33 +229,33 @@ std::optional<fs::file_time_type> RunPanel::reportTime() const {
   return time;
 }
 
-void RunPanel::noteMade(bool whole) {
+void RunPanel::recordFolderRun(bool whole) {
   if (const auto time = reportTime())
-    made_[resultFolder()] = {*time, computed_, computed_options_, whole};
+    folder_runs_[resultFolder()] = {*time, computed_deck_, computed_options_, whole};
 }
 
 /// Do the results in the folder come from this panel?
-bool RunPanel::madeHere() const {
-  const auto made = made_.find(resultFolder());
-  return made != made_.end() && made->second.report == reportTime();
+bool RunPanel::computedByThisWindow() const {
+  const auto made = folder_runs_.find(resultFolder());
+  return made != folder_runs_.end() && made->second.report == reportTime();
 }
 
-bool RunPanel::mayReplace() const {
-  if (!madeHere()) return false;
-  const Made& made = made_.at(resultFolder());
-  return replace_unasked_ ||
-         (made.whole && made.deck == computed_ && made.options == computed_options_);
+bool RunPanel::canReplaceResults() const {
+  if (!computedByThisWindow()) return false;
+  const FolderRun& made = folder_runs_.at(resultFolder());
+  return replace_without_asking_ ||
+         (made.whole && made.deck == computed_deck_ && made.options == computed_options_);
 }
 
 void RunPanel::askToReplace() {
-  const bool mine = madeHere();
-  const bool cancelled = mine && !made_.at(resultFolder()).whole;
+  const bool mine = computedByThisWindow();
+  const bool cancelled = mine && !folder_runs_.at(resultFolder()).whole;
   const QString what = cancelled ? tr("results of a cancelled run")
                        : mine ? tr("results that this window computed before the deck was changed")
                               : tr("results of an earlier run");
   auto* box = new QMessageBox(QMessageBox::Question, "AdrInput",
                               tr("The folder contains %1. Replace them?").arg(what) + "\n\n" +
-                                  QString::fromStdString(short_name(resultFolder())),
+                                  QString::fromStdString(shortened_path(resultFolder())),
                               QMessageBox::Cancel, this);
   box->setObjectName("replace-results");
   desktop::delete_when_done(*box);
@@ -265,7 +269,7 @@ void RunPanel::askToReplace() {
     return button;
   };
   QPushButton* go_on = nullptr;
-  if (can_go_on(resultFolder(), computed_))
+  if (can_continue(resultFolder(), computed_deck_))
     go_on = answer(tr("C&ontinue the run"), "continue-instead", QMessageBox::ActionRole);
   QPushButton* beside =
       answer(tr("Run in a &new folder"), "new-folder-instead", QMessageBox::ActionRole);
@@ -274,12 +278,12 @@ void RunPanel::askToReplace() {
           [this, go_on, beside, replace, always](QAbstractButton* button) {
             if (busy()) return;
             if (button == replace) {
-              replace_unasked_ = replace_unasked_ || always->isChecked();
+              replace_without_asking_ = replace_without_asking_ || always->isChecked();
               launchRun(true);
             }
-            if (button == beside) startInNewFolder(file_, computed_, computed_options_);
+            if (button == beside) startInNewFolder(file_, computed_deck_, computed_options_);
             if (go_on != nullptr && button == go_on)
-              continueRun(file_, computed_, computed_options_);
+              continueRun(file_, computed_deck_, computed_options_);
           });
   box->open();
 }
@@ -302,7 +306,7 @@ void RunPanel::showSweep(const studies::SweepOutcome& sweep) {
                     .arg(place_of(resultFolder(), file_));
   }
   for (const Issue& issue : sweep.warnings)
-    text += QString::fromStdString(in_window_words(issue.text())) + "\n";
+    text += QString::fromStdString(replace_cli_terms(issue.text())) + "\n";
   view_->setPlainText(text);
 }
 

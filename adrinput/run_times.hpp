@@ -10,10 +10,10 @@ namespace adore::adrinput {
 
 /// Is there a time in seconds or revolutions that cannot be converted yet, because its scale is
 /// unknown?
-[[nodiscard]] bool has_waiting_times(const Document& document);
+[[nodiscard]] bool has_pending_times(const Document& document);
 
 /// Applies those whose scale is now known. True if there was one.
-bool take_waiting_times(Document& document);
+bool apply_pending_times(Document& document);
 
 /// The deck whose time scale is missing, without values that do not determine it, so that an error
 /// there does not prevent the conversion of a time; no value if there is another error, if a value

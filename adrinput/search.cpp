@@ -137,14 +137,15 @@ std::vector<std::string> codes_of(const deck::VariableSpec& option) {
   for (const char* more : {"1", "2", "3", "0", "-1"})
     if (std::find(out.begin(), out.end(), more) == out.end() &&
         deck::is_valid_code(option, std::stoll(more)) &&
-        deck::in_range(option.range, static_cast<double>(std::stoll(more))))
+        deck::is_in_range(option.range, static_cast<double>(std::stoll(more))))
       out.emplace_back(more);
   return out;
 }
 
 /// Does a changed deck ask for the record?
 bool asks_for(const deck::Deck& deck, const deck::RecordSpec& spec) {
-  return deck::evaluate(spec.condition, deck::scope_of(deck)) && deck::repeat_count(deck, spec) > 0;
+  return deck::evaluate(spec.condition, deck::condition_scope(deck)) &&
+         deck::repeat_count(deck, spec) > 0;
 }
 
 std::optional<deck::Deck> with(const deck::Deck& deck, std::string_view name,
@@ -160,23 +161,23 @@ std::optional<deck::Deck> with(const deck::Deck& deck, std::string_view name,
 }
 
 /// The first of two options of a condition that must both change.
-std::optional<OptionWay> first_of_two(const deck::Deck& deck, const deck::RecordSpec& spec,
-                                      const std::vector<std::string_view>& names) {
+std::optional<EnablingOption> first_of_two(const deck::Deck& deck, const deck::RecordSpec& spec,
+                                           const std::vector<std::string_view>& names) {
   for (const std::string_view name : names) {
-    const deck::VariableRef ref = deck::find_present(deck, name);
+    const deck::VariableRef ref = deck::find_present_variable(deck, name);
     if (ref.record == nullptr) continue;
     for (const std::string& code : codes_of(ref.spec())) {
       const std::optional<deck::Deck> changed = with(deck, name, code);
       if (!changed) continue;
       for (const std::string_view other : names) {
-        const deck::VariableRef second = deck::find_present(*changed, other);
+        const deck::VariableRef second = deck::find_present_variable(*changed, other);
         if (other == name || second.record == nullptr) continue;
         for (const std::string& last : codes_of(second.spec()))
           if (const auto both = with(*changed, other, last); both && asks_for(*both, spec)) {
             Cell option;
             option.record = ref.record->id;
             option.variable = ref.position;
-            return OptionWay{option, code, false};
+            return EnablingOption{option, code, false};
           }
       }
     }
@@ -186,14 +187,14 @@ std::optional<OptionWay> first_of_two(const deck::Deck& deck, const deck::Record
 
 constexpr int kDeepest = 4;  // options that decide whether other options are there
 
-std::optional<OptionWay> find_way(const deck::Deck& deck, std::string_view record, int depth) {
+std::optional<EnablingOption> find_way(const deck::Deck& deck, std::string_view record, int depth) {
   const deck::RecordSpec* spec = deck::find_record(record);
   if (spec == nullptr || depth > kDeepest) return std::nullopt;
-  std::vector<std::string_view> names = deck::names_in(spec->condition);
+  std::vector<std::string_view> names = deck::variable_names_in(spec->condition);
   if (!spec->repeat.empty()) names.push_back(spec->repeat);
-  std::optional<OptionWay> first_step;
+  std::optional<EnablingOption> first_step;
   for (const std::string_view name : names) {
-    const deck::VariableRef ref = deck::find_present(deck, name);
+    const deck::VariableRef ref = deck::find_present_variable(deck, name);
     if (ref.record == nullptr) {
       for (const deck::VariableRef& elsewhere : deck::find_variable(name)) {
         if (first_step || elsewhere.record->id == record) continue;
@@ -208,13 +209,13 @@ std::optional<OptionWay> find_way(const deck::Deck& deck, std::string_view recor
       Cell option;
       option.record = ref.record->id;
       option.variable = ref.position;
-      if (asks_for(*changed, *spec)) return OptionWay{option, code, true};
+      if (asks_for(*changed, *spec)) return EnablingOption{option, code, true};
       // Not enough alone: does it make another option of the condition available?
       if (first_step) continue;
       for (const std::string_view other : names)
-        if (other != name && deck::find_present(deck, other).record == nullptr &&
-            deck::find_present(*changed, other).record != nullptr)
-          first_step = OptionWay{option, code, false};
+        if (other != name && deck::find_present_variable(deck, other).record == nullptr &&
+            deck::find_present_variable(*changed, other).record != nullptr)
+          first_step = EnablingOption{option, code, false};
     }
   }
   return first_step ? first_step : first_of_two(deck, *spec, names);
@@ -222,14 +223,15 @@ std::optional<OptionWay> find_way(const deck::Deck& deck, std::string_view recor
 
 }  // namespace
 
-std::optional<OptionWay> way_to(const deck::Deck& deck, std::string_view record) {
+std::optional<EnablingOption> find_enabling_option(const deck::Deck& deck,
+                                                   std::string_view record) {
   return find_way(deck, record, 0);
 }
 
-std::vector<Found> search_variables(std::string_view query,
-                                    const std::function<bool(const Cell&)>& is_here,
-                                    std::size_t most) {
-  std::vector<Found> found;
+std::vector<VariableMatch> search_variables(std::string_view query,
+                                            const std::function<bool(const Cell&)>& is_here,
+                                            std::size_t most) {
+  std::vector<VariableMatch> found;
   const std::vector<std::string> words = words_of(query);
   if (words.empty()) return found;
   const auto search_in = [&](const deck::RecordSpec& record) {
@@ -237,7 +239,7 @@ std::vector<Found> search_variables(std::string_view query,
       if (record.variables[v].name == "recID") continue;
       const int score = score_of(record, record.variables[v], words);
       if (score == 0) continue;
-      Found one;
+      VariableMatch one;
       one.cell.record = record.id;
       one.cell.variable = v;
       one.score = score;
@@ -249,10 +251,11 @@ std::vector<Found> search_variables(std::string_view query,
   // A value of this deck is worth more than the same words in a record that the deck does not have.
   constexpr int kHere = 20;
   if (is_here)
-    for (Found& one : found)
+    for (VariableMatch& one : found)
       if (is_here(one.cell)) one.score += kHere;
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Found& a, const Found& b) { return a.score > b.score; });
+  std::stable_sort(found.begin(), found.end(), [](const VariableMatch& a, const VariableMatch& b) {
+    return a.score > b.score;
+  });
   if (found.size() > most) found.resize(most);
   return found;
 }

@@ -3,6 +3,7 @@
 #include "adrinput/deck_window.hpp"
 #include "adrinput/file_names.hpp"
 #include "adrinput/notice_bar.hpp"
+#include "adrinput/settings.hpp"
 #include "base/errors.hpp"
 #include "base/input_file.hpp"
 #include "base/write_folder.hpp"
@@ -25,10 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kPause = 500;  // ms from a change to its storage
+constexpr int kStoragePause = 500;  // ms from a change to its storage
 constexpr std::string_view kSuffix = ".unsaved";
-
-QSettings settings() { return QSettings("Adore", "adrinput"); }
 
 fs::path lock_of(const fs::path& file) {
   fs::path lock = file;
@@ -36,7 +35,7 @@ fs::path lock_of(const fs::path& file) {
   return lock;
 }
 
-std::string bytes_of(const fs::path& path) {
+std::string session_bytes(const fs::path& path) {
   InputFile file(path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -61,7 +60,10 @@ QString Session::defaultFolder() {
 }
 
 Session::Session(DeckWindow& window, const QString& folder)
-    : QObject(&window), window_(window), folder_(folder.toStdString()), timer_(new QTimer(this)) {
+    : QObject(&window),
+      window_(window),
+      folder_(folder.toStdString()),
+      store_timer_(new QTimer(this)) {
   // Another program may clean up at the same time: a lock on a deleted file protects nothing.
   for (int number = 1; number < 1000 && !lock_; ++number) {
     make_own_folder(folder_);
@@ -70,23 +72,23 @@ Session::Session(DeckWindow& window, const QString& folder)
     lock_ = desktop::InstanceLock::take(lock_of(file_));
     if (lock_ && !fs::exists(lock_of(file_))) lock_.reset();
   }
-  timer_->setSingleShot(true);
-  timer_->setInterval(kPause);
-  connect(timer_, &QTimer::timeout, this, [this] {
+  store_timer_->setSingleShot(true);
+  store_timer_->setInterval(kStoragePause);
+  connect(store_timer_, &QTimer::timeout, this, [this] {
     store();
-    rememberPlace();
+    saveWindowState();
   });
   // Not restarted by the next change: who types without a pause is safe too.
   const auto soon = [this] {
-    if (!timer_->isActive()) timer_->start();
+    if (!store_timer_->isActive()) store_timer_->start();
   };
   connect(&window_, &DeckWindow::documentChanged, this, soon);
   connect(&window_, &DeckWindow::pageShown, this, soon);
-  connect(&window_, &DeckWindow::unsavedWanted, this, &Session::offerUnsaved);
+  connect(&window_, &DeckWindow::recoveryRequested, this, &Session::offerUnsaved);
 }
 
 Session::~Session() {
-  rememberPlace();
+  saveWindowState();
   if (window_.document().modified() && window_.isVisible()) {
     store();  // the user was not asked whether to save
   } else if (lock_) {
@@ -103,16 +105,16 @@ void Session::store() {
     if (!lock_) throw InputError(fmt::format("cannot create a file in {}", folder_.string()));
     (void)make_folders(folder_);
     write_file_atomically(file_, window_.document().snapshot(window_.currentPage()));
-    failed_ = false;
+    storing_failed_ = false;
   } catch (const std::exception& reason) {
-    if (!failed_)
+    if (!storing_failed_)
       window_.statusBar()->showMessage(
           tr("Crash recovery is not available: %1").arg(QString::fromUtf8(reason.what())));
-    failed_ = true;
+    storing_failed_ = true;
   }
 }
 
-void Session::rememberPlace() {
+void Session::saveWindowState() {
   QSettings store = settings();
   const fs::path& path = window_.document().path();
   store.setValue("session/geometry", window_.saveGeometry());
@@ -127,12 +129,12 @@ void Session::begin(bool deck_named) {
   window_.restoreState(settings().value("session/docks").toByteArray());
   window_.hideEmptyPanels();
   window_.showDesign();
-  if (!deck_named && settings().value("session/reopen", true).toBool()) reopen();
+  if (!deck_named && settings().value("session/reopen", true).toBool()) reopenLastDeck();
   lookForOrphans();
-  offerNext();
+  offerNextOrphan();
 }
 
-void Session::reopen() {
+void Session::reopenLastDeck() {
   const QString deck = settings().value("session/deck").toString();
   const std::string page = settings().value("session/page").toString().toStdString();
   if (deck.isEmpty()) return;
@@ -169,11 +171,11 @@ void Session::lookForOrphans() {
 
 void Session::offerUnsaved() {
   lookForOrphans();
-  if (!offerNext())
+  if (!offerNextOrphan())
     desktop::show_message(&window_, tr("There are no unsaved decks from earlier sessions."));
 }
 
-bool Session::offerNext() {
+bool Session::offerNextOrphan() {
   NoticeBar& bar = window_.sessionNotice();
   bar.hide();
   if (orphans_.empty()) return false;
@@ -182,18 +184,18 @@ bool Session::offerNext() {
   const QString when = QLocale::c().toString(time, "d MMM yyyy, HH:mm");
   const auto later = [this] {
     orphans_.erase(orphans_.begin());
-    offerNext();
+    offerNextOrphan();
   };
   const auto discard = [this] {
-    drop(orphans_.front());
+    deleteOrphan(orphans_.front());
     orphans_.erase(orphans_.begin());
-    offerNext();
+    offerNextOrphan();
   };
   try {
     Document left;
-    left.restore(bytes_of(file));
+    left.restore(session_bytes(file));
     const QString name = left.path().empty() ? tr("an unnamed deck")
-                                             : QString::fromStdString(short_name(left.path()));
+                                             : QString::fromStdString(shortened_path(left.path()));
     bar.setToolTip(QString::fromStdString(left.path().string()));
     bar.ask(tr("AdrInput ended before %1 was saved. The changes made until %2 can be restored.")
                 .arg(name, when),
@@ -210,16 +212,16 @@ bool Session::offerNext() {
 
 /// The old file is deleted only after its content is stored under the name of this program.
 void Session::restore() {
-  window_.restoreDeck(bytes_of(orphans_.front().file), [this] {
+  window_.restoreDeck(session_bytes(orphans_.front().file), [this] {
     store();
     std::error_code error;
-    if (!failed_ && (fs::exists(file_, error) || !window_.document().modified()))
-      drop(orphans_.front());
+    if (!storing_failed_ && (fs::exists(file_, error) || !window_.document().modified()))
+      deleteOrphan(orphans_.front());
     orphans_.erase(orphans_.begin());
-    offerNext();
+    offerNextOrphan();
   });
 }
 
-void Session::drop(const Orphan& orphan) { remove_both(orphan.file); }
+void Session::deleteOrphan(const Orphan& orphan) { remove_both(orphan.file); }
 
 }  // namespace adore::adrinput

@@ -43,18 +43,18 @@ class Session : public QObject {
     desktop::InstanceLock lock;
   };
   void lookForOrphans();
-  bool offerNext();
+  bool offerNextOrphan();
   void restore();
-  void drop(const Orphan& orphan);
-  void rememberPlace();
-  void reopen();
+  void deleteOrphan(const Orphan& orphan);
+  void saveWindowState();
+  void reopenLastDeck();
 
   DeckWindow& window_;
   std::filesystem::path folder_, file_;
   std::optional<desktop::InstanceLock> lock_;  ///< nothing: nothing can be stored
   std::vector<Orphan> orphans_;                ///< unanswered questions; the first one is shown
-  QTimer* timer_;
-  bool failed_ = false;
+  QTimer* store_timer_;
+  bool storing_failed_ = false;
 };
 
 }  // namespace adore::adrinput

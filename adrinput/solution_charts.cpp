@@ -16,83 +16,83 @@ namespace adore::adrinput {
 namespace {
 
 // In a low dock the charts scroll: titles of axes lower than these are cut.
-constexpr int kHead = 150;        // title, note and the axis below
-constexpr int kPanel = 145;       // of several below each other
-constexpr int kOne = 370;         // alone, with a long title
-constexpr int kLeastWidth = 130;  // of the area in which a chart scrolls
+constexpr int kHead = 150;            // title, note and the axis below
+constexpr int kPanel = 145;           // of several below each other
+constexpr int kOne = 370;             // alone, with a long title
+constexpr int kMinScrollWidth = 130;  // of the area in which a chart scrolls
 
 }  // namespace
 
 SolutionCharts::SolutionCharts(QWidget* parent)
     : QWidget(parent),
-      choice_(new QComboBox(this)),
+      page_box_(new QComboBox(this)),
       note_(new QLabel(this)),
       view_(new desktop::ChartView(this)) {
-  choice_->setObjectName("solution-page");
-  desktop::name_box(*choice_, tr("Chart of the quasi-static solution"));
-  choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  choice_->setMinimumContentsLength(6);
+  page_box_->setObjectName("solution-page");
+  desktop::set_accessible_name(*page_box_, tr("Chart of the quasi-static solution"));
+  page_box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  page_box_->setMinimumContentsLength(6);
   note_->setWordWrap(true);
   note_->setMargin(6);
   view_->setObjectName("solution-chart");
   view_->setAccessibleName(tr("Chart of the quasi-static solution"));
-  area_ = new QScrollArea(this);
-  area_->setWidgetResizable(true);
-  area_->setFrameShape(QFrame::NoFrame);
-  area_->setFocusPolicy(Qt::NoFocus);
-  area_->setMinimumSize(kLeastWidth, 160);
-  area_->setWidget(view_);
-  forget();
+  scroll_area_ = new QScrollArea(this);
+  scroll_area_->setWidgetResizable(true);
+  scroll_area_->setFrameShape(QFrame::NoFrame);
+  scroll_area_->setFocusPolicy(Qt::NoFocus);
+  scroll_area_->setMinimumSize(kMinScrollWidth, 160);
+  scroll_area_->setWidget(view_);
+  invalidateResult();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
-  layout->addWidget(choice_);
+  layout->addWidget(page_box_);
   layout->addWidget(note_);
-  layout->addWidget(area_, 1);
+  layout->addWidget(scroll_area_, 1);
   layout->addStretch(0);
-  connect(choice_, &QComboBox::activated, this, &SolutionCharts::showPage);
+  connect(page_box_, &QComboBox::activated, this, &SolutionCharts::showPage);
 }
 
-int SolutionCharts::wholeWidth() const {
+int SolutionCharts::fullChartWidth() const {
   const QMargins margins = layout()->contentsMargins();
-  return view_->minimumWidth() + area_->verticalScrollBar()->sizeHint().width() + margins.left() +
-         margins.right();
+  return view_->minimumWidth() + scroll_area_->verticalScrollBar()->sizeHint().width() +
+         margins.left() + margins.right();
 }
 
 QStringList SolutionCharts::pages() const {
   QStringList out;
-  for (int i = 0; i < choice_->count(); ++i) out << choice_->itemText(i);
+  for (int i = 0; i < page_box_->count(); ++i) out << page_box_->itemText(i);
   return out;
 }
 
 void SolutionCharts::choosePage(int index) {
-  choice_->setCurrentIndex(index);
+  page_box_->setCurrentIndex(index);
   showPage(index);
 }
 
 void SolutionCharts::setSolution(const results::StaticTables& tables) {
   tables_ = tables;
-  const QString before = choice_->currentText();
-  choice_->clear();
+  const QString before = page_box_->currentText();
+  page_box_->clear();
   for (const desktop::ChartPage& page : desktop::static_pages(tables_))
-    choice_->addItem(QString::fromStdString(page.title));
-  const bool any = choice_->count() > 0;
-  choice_->setVisible(any);
-  area_->setVisible(any);
+    page_box_->addItem(QString::fromStdString(page.title));
+  const bool any = page_box_->count() > 0;
+  page_box_->setVisible(any);
+  scroll_area_->setVisible(any);
   setStale(false);
-  if (any) choosePage(std::max(choice_->findText(before), 0));
+  if (any) choosePage(std::max(page_box_->findText(before), 0));
 }
 
-void SolutionCharts::forget() {
+void SolutionCharts::invalidateResult() {
   tables_ = {};
-  choice_->clear();
-  choice_->hide();
-  area_->hide();
+  page_box_->clear();
+  page_box_->hide();
+  scroll_area_->hide();
   note_->setText(tr("Run the quasi-static solution (F6) to see its charts here."));
   note_->show();
 }
 
 void SolutionCharts::setStale(bool stale) {
-  if (choice_->count() == 0) return;
+  if (page_box_->count() == 0) return;
   note_->setText(tr("Out of date: the deck has changed."));
   note_->setVisible(stale);
 }

@@ -24,22 +24,22 @@ class SolutionCharts : public QWidget {
   /// Keeps the current page if the new solution has it.
   void setSolution(const results::StaticTables& tables);
   /// The deck has no solution.
-  void forget();
+  void invalidateResult();
   /// The deck changed since.
   void setStale(bool stale);
   [[nodiscard]] QStringList pages() const;
   void choosePage(int index);
   /// Size of the area for a complete chart, without horizontal scrolling.
-  [[nodiscard]] int wholeWidth() const;
+  [[nodiscard]] int fullChartWidth() const;
   [[nodiscard]] desktop::ChartView& view() { return *view_; }
 
  private:
   void showPage(int index);
 
-  QComboBox* choice_;
+  QComboBox* page_box_;
   QLabel* note_;
   desktop::ChartView* view_;
-  QScrollArea* area_;
+  QScrollArea* scroll_area_;
   results::StaticTables tables_;
 };
 

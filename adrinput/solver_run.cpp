@@ -11,11 +11,11 @@ namespace adore::adrinput {
 void SolverRun::start(runs::RunRequest request) {
   auto end = std::make_shared<RunEnd>();
   const auto report = [this](const runs::Progress& progress) {
-    background_.report([this, progress] {
+    background_task_.report([this, progress] {
       if (progressed) progressed(progress);
     });
   };
-  background_.start(
+  background_task_.start(
       [request = std::move(request), report, end](const std::stop_token& token) {
         try {
           if (studies::is_sweep(request))

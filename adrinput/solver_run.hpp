@@ -34,11 +34,11 @@ class SolverRun : public QObject {
 
   void start(runs::RunRequest request);
   /// Asks the run to end after the present step; `ended` follows.
-  void stop() { background_.stop(); }
-  [[nodiscard]] bool busy() const { return background_.busy(); }
+  void stop() { background_task_.stop(); }
+  [[nodiscard]] bool busy() const { return background_task_.busy(); }
 
  private:
-  Background background_;
+  BackgroundTask background_task_;
 };
 
 }  // namespace adore::adrinput

@@ -10,21 +10,22 @@ namespace adore::adrinput {
 
 void StartCheck::ask(Document::Candidate candidate) {
   if (!busy()) return start(std::move(candidate));
-  if (!next_ && asked_ && *asked_ == candidate) return;  // not given up
-  next_ = std::move(candidate);
-  background_.stop();
+  if (!next_candidate_ && running_candidate_ && *running_candidate_ == candidate)
+    return;  // not given up
+  next_candidate_ = std::move(candidate);
+  background_task_.stop();
 }
 
-void StartCheck::forget() {
-  asked_.reset();
-  next_.reset();
-  background_.stop();
+void StartCheck::invalidateResult() {
+  running_candidate_.reset();
+  next_candidate_.reset();
+  background_task_.stop();
 }
 
 void StartCheck::start(Document::Candidate candidate) {
-  asked_ = candidate;
-  auto answer = std::make_shared<std::optional<runs::Rehearsal>>();
-  background_.start(
+  running_candidate_ = candidate;
+  auto answer = std::make_shared<std::optional<runs::DryRunResult>>();
+  background_task_.start(
       [candidate, answer](const std::stop_token& stop) {
         try {
           runs::LoadedDeck input;
@@ -32,10 +33,10 @@ void StartCheck::start(Document::Candidate candidate) {
           input.deck = candidate.deck;
           input.option_values = candidate.options;
           input.stop = stop;
-          *answer = runs::rehearse_run(std::move(input));
+          *answer = runs::dry_run_with_files(std::move(input));
           const auto in_words = [](Issue& issue) {
-            issue.message = in_window_words(std::move(issue.message));
-            issue.remedy = in_window_words(std::move(issue.remedy));
+            issue.message = replace_cli_terms(std::move(issue.message));
+            issue.remedy = replace_cli_terms(std::move(issue.remedy));
           };
           for (Issue& issue : (*answer)->refusals) in_words(issue);
           for (Finding& finding : (*answer)->remarks) in_words(finding);
@@ -44,9 +45,9 @@ void StartCheck::start(Document::Candidate candidate) {
         }
       },
       [this, candidate, answer] {
-        const bool awaited = asked_.has_value();
-        asked_.reset();
-        if (next_) return start(*std::exchange(next_, std::nullopt));
+        const bool awaited = running_candidate_.has_value();
+        running_candidate_.reset();
+        if (next_candidate_) return start(*std::exchange(next_candidate_, std::nullopt));
         if (awaited && *answer && found) found(candidate, std::move(**answer));
       });
 }

@@ -19,20 +19,20 @@ class StartCheck : public QObject {
   explicit StartCheck(QObject* parent = nullptr) : QObject(parent) {}
 
   /// Called in the thread of this object with the deck of the last request.
-  std::function<void(const Document::Candidate&, runs::Rehearsal)> found;
+  std::function<void(const Document::Candidate&, runs::DryRunResult)> found;
 
   /// An earlier question that is open is given up.
   void ask(Document::Candidate candidate);
   /// The running check is obsolete: files have changed since the request.
-  void forget();
-  [[nodiscard]] bool busy() const { return background_.busy(); }
+  void invalidateResult();
+  [[nodiscard]] bool busy() const { return background_task_.busy(); }
 
  private:
   void start(Document::Candidate candidate);
 
-  std::optional<Document::Candidate> asked_;  ///< current request; none: idle
-  std::optional<Document::Candidate> next_;
-  Background background_;
+  std::optional<Document::Candidate> running_candidate_;  ///< current request; none: idle
+  std::optional<Document::Candidate> next_candidate_;
+  BackgroundTask background_task_;
 };
 
 }  // namespace adore::adrinput

@@ -89,7 +89,7 @@ std::string stored_accuracy(const std::filesystem::path& deck_file, const deck::
   loaded.deck = deck;
   loaded.option_values = options;
   std::string out = of_last_run(deck_file.parent_path() / "RUN.json");
-  if (const auto models = runs::models_beside(loaded))
+  if (const auto models = runs::find_model_study(loaded))
     out += (out.empty() ? "" : "\n") + runs::model_table(*models);
   return out;
 }

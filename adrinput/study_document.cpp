@@ -31,12 +31,12 @@ StudyJson& object_at(StudyJson& values, const std::string& key) {
 
 void StudyDocument::open(const fs::path& file) {
   std::string text = read_text_file(file);
-  path_ = whole_path(file);
+  path_ = normalized_path(file);
   stored_ = text;
   state_ = std::move(text);
   undo_.clear();
   redo_.clear();
-  last_place_.clear();
+  last_edit_target_.clear();
   read_values();
   if (changed) changed();
 }
@@ -49,14 +49,14 @@ void StudyDocument::start_new(const fs::path& file, const std::string& kind, con
     values["deck"] = (error || beside.empty() ? deck : beside).string();
     // Files that cannot be read are reported by the check.
     if (const fs::path whole = fs::absolute(deck, error); fs::is_regular_file(whole, error))
-      values = fitted_to(std::move(values), deck::read_deck(whole).deck);
+      values = adapt_example_to_deck(std::move(values), deck::read_deck(whole).deck);
   }
-  path_ = whole_path(file);
+  path_ = normalized_path(file);
   stored_.reset();
   state_ = studies::write_study_text(values, studies::is_toml(file));
   undo_.clear();
   redo_.clear();
-  last_place_.clear();
+  last_edit_target_.clear();
   read_values();
   if (changed) changed();
 }
@@ -82,11 +82,11 @@ std::optional<studies::Kind> StudyDocument::kind() const {
   return {};
 }
 
-void StudyDocument::change(std::string text, const std::string& place, bool comments_went) {
+void StudyDocument::change(std::string text, const std::string& place, bool comments_lost) {
   if (text == state_) return;
-  comments_went_ = comments_went;
-  if (place.empty() || place != last_place_) undo_.push_back(state_);
-  last_place_ = place;
+  comments_lost_ = comments_lost;
+  if (place.empty() || place != last_edit_target_) undo_.push_back(state_);
+  last_edit_target_ = place;
   redo_.clear();
   state_ = std::move(text);
   read_values();
@@ -165,9 +165,9 @@ void StudyDocument::set_cell(std::string_view table, std::size_t row, std::size_
   if (!values.contains(key) || !values[key].is_array()) values[key] = StudyJson::array();
   StudyJson& list = values[key];
   if (fresh)
-    list.push_back(typed_row(table, cells, StudyJson()));
+    list.push_back(row_from_cells(table, cells, StudyJson()));
   else
-    list[row] = typed_row(table, cells, list[row]);
+    list[row] = row_from_cells(table, cells, list[row]);
   write_values(std::move(values), key + " " + std::to_string(std::min(row, list.size())) + " " +
                                       std::to_string(column));
 }
@@ -184,21 +184,21 @@ void StudyDocument::remove_row(std::string_view table, std::size_t row) {
 }
 
 void StudyDocument::undo() {
-  comments_went_ = false;
+  comments_lost_ = false;
   if (undo_.empty()) return;
   redo_.push_back(std::exchange(state_, undo_.back()));
   undo_.pop_back();
-  last_place_.clear();
+  last_edit_target_.clear();
   read_values();
   if (changed) changed();
 }
 
 void StudyDocument::redo() {
-  comments_went_ = false;
+  comments_lost_ = false;
   if (redo_.empty()) return;
   undo_.push_back(std::exchange(state_, redo_.back()));
   redo_.pop_back();
-  last_place_.clear();
+  last_edit_target_.clear();
   read_values();
   if (changed) changed();
 }
@@ -218,11 +218,11 @@ void StudyDocument::save(const fs::path& file) {
   if (values_ && studies::is_toml(file) != studies::is_toml(path_))
     text = studies::write_study_text(*values_, studies::is_toml(file));
   write_file_atomically(file, text);
-  forget_unsaved();
-  path_ = whole_path(file);
+  delete_unsaved_copy();
+  path_ = normalized_path(file);
   stored_ = text;
   state_ = std::move(text);
-  last_place_.clear();
+  last_edit_target_.clear();
   read_values();
   if (changed) changed();
 }
@@ -235,11 +235,11 @@ StudyDocument::Finding StudyDocument::check() const {
     // Samples of a large study are drawn when it starts, not at each key.
     const bool small = out.runs <= kSampledAtOnce;
     studies::check_decks(study,
-                         small ? studies::points_to_begin(study) : std::vector<studies::Point>());
+                         small ? studies::initial_points(study) : std::vector<studies::Point>());
   } catch (const std::exception& error) {
     out.runs = 0;
     out.problem = error.what();
-    out.key = studies::key_of_sentence(out.problem, path_.string());
+    out.key = studies::key_in_message(out.problem, path_.string());
     // The title of the window names the file.
     const std::string folder = path_.has_parent_path() ? path_.parent_path().string() + "/" : "";
     if (!folder.empty() && out.problem.starts_with(folder)) out.problem.erase(0, folder.size());
@@ -255,10 +255,10 @@ void StudyDocument::store_unsaved() const {
   if (modified())
     write_file_atomically(unsaved_path(), state_);
   else
-    forget_unsaved();
+    delete_unsaved_copy();
 }
 
-void StudyDocument::forget_unsaved() const { remove_file(unsaved_path()); }
+void StudyDocument::delete_unsaved_copy() const { remove_file(unsaved_path()); }
 
 std::optional<std::string> StudyDocument::unsaved_text() const {
   std::error_code error;

@@ -27,7 +27,7 @@ class StudyDocument {
   [[nodiscard]] const std::optional<StudyJson>& values() const { return values_; }
   /// The last change rewrote a TOML file (studies/study_splice.hpp), which removed comments after
   /// values and in lists.
-  [[nodiscard]] bool comments_went() const { return comments_went_; }
+  [[nodiscard]] bool comments_lost() const { return comments_lost_; }
   [[nodiscard]] std::optional<studies::Kind> kind() const;
 
   void set_text(const std::string& text);
@@ -61,14 +61,14 @@ class StudyDocument {
 
   /// Stores unsaved changes next to the file until they are saved or discarded.
   void store_unsaved() const;
-  void forget_unsaved() const;
+  void delete_unsaved_copy() const;
   /// Changes of an earlier session; empty if they equal the file.
   [[nodiscard]] std::optional<std::string> unsaved_text() const;
   [[nodiscard]] std::filesystem::path unsaved_path() const;
 
  private:
   /// Successive changes at one place are one step for undo.
-  void change(std::string text, const std::string& place, bool comments_went = false);
+  void change(std::string text, const std::string& place, bool comments_lost = false);
   void write_values(StudyJson values, const std::string& place);
   void read_values();
 
@@ -76,9 +76,9 @@ class StudyDocument {
   std::string state_;
   std::optional<std::string> stored_;  ///< content of the file; none: not saved yet
   std::optional<StudyJson> values_;
-  bool loose_comments_ = false, comments_went_ = false;
+  bool loose_comments_ = false, comments_lost_ = false;
   std::vector<std::string> undo_, redo_;
-  std::string last_place_;
+  std::string last_edit_target_;
 };
 
 }  // namespace adore::adrinput

@@ -15,7 +15,7 @@ namespace adore::adrinput {
 namespace {
 
 constexpr int kDigits = 4;  // of numbers that are an example
-constexpr const char* kLaws[] = {"grid", "list", "uniform", "normal"};
+constexpr const char* kExampleLaws[] = {"grid", "list", "uniform", "normal"};
 constexpr const char* kLoads[] = {"appLoadX", "appLoadY", "appLoadZ"};
 
 /// "reDiaVar#" and "cageGsCls[1]" without the part that selects an element.
@@ -42,10 +42,10 @@ deck::Deck with_sets(deck::Deck deck, const StudyJson& study) {
 bool is_there(const deck::Deck& deck, const StudyJson& row) {
   const std::string name = variable_of_row(row);
   if (name.empty()) return true;  // a run option
-  if (deck::find_present(deck, name).record != nullptr) return true;
+  if (deck::find_present_variable(deck, name).record != nullptr) return true;
   // A lot: reDiaVar1 and on.
   return row.at("name").get<std::string>().ends_with('#') &&
-         deck::find_present(deck, name + "1").record != nullptr;
+         deck::find_present_variable(deck, name + "1").record != nullptr;
 }
 
 double load(const deck::Deck& deck, const std::string& name) {
@@ -56,7 +56,7 @@ double load(const deck::Deck& deck, const std::string& name) {
 void about_own(StudyJson& row, const deck::Deck& deck) {
   const std::string name = variable_of_row(row);
   const double own = name.empty() || !deck.has(name) ? 0.0 : deck.real(name);
-  for (const char* law : kLaws) {
+  for (const char* law : kExampleLaws) {
     if (own == 0.0 || !row.contains(law) || row[law].size() < 2) continue;
     StudyJson& numbers = row[law];
     const std::size_t count = law == std::string_view("grid") ? 2 : numbers.size();
@@ -108,8 +108,8 @@ void along_the_load(StudyJson& rows, const deck::Deck& deck) {
 /// Numbers of an example are in SI.
 void in_units_of(StudyJson& row, const deck::Deck& deck) {
   std::string name = variable_of_row(row);
-  if (deck::find_present(deck, name).record == nullptr) name += "1";
-  const deck::VariableRef ref = deck::find_present(deck, name);
+  if (deck::find_present_variable(deck, name).record == nullptr) name += "1";
+  const deck::VariableRef ref = deck::find_present_variable(deck, name);
   if (ref.record == nullptr || !deck::depends_on_units(deck, ref.spec())) return;
   const auto convert = [&](StudyJson& number) {
     if (number.is_number())
@@ -117,7 +117,7 @@ void in_units_of(StudyJson& row, const deck::Deck& deck) {
                                                            deck::UnitSystem::SI, deck.units()),
                                        kDigits);
   };
-  for (const char* law : kLaws)
+  for (const char* law : kExampleLaws)
     if (row.contains(law))
       for (std::size_t k = 0; k < row[law].size(); ++k)
         if (law != std::string_view("grid") || k < 2) convert(row[law][k]);
@@ -139,7 +139,7 @@ void add_pocket_play(StudyJson& rows, const deck::Deck& deck) {
 
 }  // namespace
 
-StudyJson fitted_to(StudyJson example, const deck::Deck& base) {
+StudyJson adapt_example_to_deck(StudyJson example, const deck::Deck& base) {
   const deck::Deck deck = with_sets(base, example);
   if (example.contains("variables") && example["variables"].is_array()) {
     StudyJson rows = StudyJson::array();

@@ -107,15 +107,15 @@ std::vector<std::string> variable_cells(const StudyJson& row) {
 StudyJson variable_row(const std::vector<std::string>& cells, StudyJson row) {
   const bool option = cells[1] == "run option";
   row.erase(option ? "name" : "option");
-  put(row, option ? "option" : "name", typed_value(StudyCell::Text, cells[0]));
+  put(row, option ? "option" : "name", typed_value(StudyCellType::Text, cells[0]));
   const std::string wanted = !cells[2].empty() ? cells[2] : !cells[3].empty() ? "list" : "";
   for (const char* law : kLaws)
     if (law != wanted) row.erase(law);
   if (!wanted.empty()) row[wanted] = numbers(cells[3]);
-  put(row, "within", typed_value(StudyCell::Numbers, cells[4]));
-  put(row, "common", typed_value(StudyCell::Number, cells[5]));
-  put(row, "also", typed_value(StudyCell::Texts, cells[6]));
-  put(row, "step", typed_value(StudyCell::Number, cells[7]));
+  put(row, "within", typed_value(StudyCellType::Numbers, cells[4]));
+  put(row, "common", typed_value(StudyCellType::Number, cells[5]));
+  put(row, "also", typed_value(StudyCellType::Texts, cells[6]));
+  put(row, "step", typed_value(StudyCellType::Number, cells[7]));
   return row;
 }
 
@@ -139,13 +139,13 @@ StudyJson quantity_row(const std::vector<std::string>& cells, const StudyJson& o
   if (alone && !object) return cells[0];
   StudyJson row = old.is_object() ? old : StudyJson::object();
   put(row, alone && row.contains("result") ? "result" : "channel",
-      typed_value(StudyCell::Text, cells[0]));
+      typed_value(StudyCellType::Text, cells[0]));
   if (!alone) row.erase("result");
-  put(row, "statistic", typed_value(StudyCell::Text, cells[1]));
-  put(row, "percent", typed_value(StudyCell::Number, cells[2]));
-  put(row, "window", typed_value(StudyCell::Numbers, cells[3]));
-  put(row, "at", typed_value(StudyCell::Numbers, cells[4]));
-  put(row, "name", typed_value(StudyCell::Text, cells[5]));
+  put(row, "statistic", typed_value(StudyCellType::Text, cells[1]));
+  put(row, "percent", typed_value(StudyCellType::Number, cells[2]));
+  put(row, "window", typed_value(StudyCellType::Numbers, cells[3]));
+  put(row, "at", typed_value(StudyCellType::Numbers, cells[4]));
+  put(row, "name", typed_value(StudyCellType::Text, cells[5]));
   return row;
 }
 
@@ -157,7 +157,7 @@ const std::vector<StudyField>& study_fields() {
        "Study",
        "Kind",
        "Study type",
-       StudyCell::Choice,
+       StudyCellType::Choice,
        kAllKinds,
        {"sweep", "tolerance", "cage-map", "sensitivity", "worst-case", "what-if"}},
       {"deck",
@@ -165,7 +165,7 @@ const std::vector<StudyField>& study_fields() {
        "Base deck",
        "Deck file (path relative to the folder of the study file). To compare decks, list them: "
        "A.txt; B.txt",
-       StudyCell::Texts,
+       StudyCellType::Texts,
        kAllKinds,
        {}},
       {"set",
@@ -173,14 +173,14 @@ const std::vector<StudyField>& study_fields() {
        "Set for all runs",
        "Values of deck variables in all runs, in the units of the deck, e.g. mode = -1, appLoadX = "
        "500 (mode -1: quasi-static solution)",
-       StudyCell::Settings,
+       StudyCellType::Settings,
        kAllKinds,
        {}},
       {"options",
        "Study",
        "Run options",
        "Values of run options in all runs, e.g. hertzConstants = frozen",
-       StudyCell::Settings,
+       StudyCellType::Settings,
        kAllKinds,
        {}},
       {"until",
@@ -188,28 +188,28 @@ const std::vector<StudyField>& study_fields() {
        "Run length",
        "Simulated length of each run: revolutions (5rev), time (0.02s) or dimensionless time "
        "(1000)",
-       StudyCell::Text,
+       StudyCellType::Text,
        kAllKinds,
        {}},
       {"integrator",
        "Study",
        "Integrator",
        "Integrator that replaces the integrator of the deck (for names see adore run --help)",
-       StudyCell::Text,
+       StudyCellType::Text,
        kAllKinds,
        {}},
       {"tolerance",
        "Study",
        "Tolerance",
        "Local error tolerance that replaces the tolerance of the deck",
-       StudyCell::Number,
+       StudyCellType::Number,
        kAllKinds,
        {}},
       {"keep_files",
        "Study",
        "Keep files",
        "Keep the files of all runs for AdrPlot and AGORE (needs disk space)",
-       StudyCell::Truth,
+       StudyCellType::Truth,
        kAllKinds,
        {}},
       {"sampling.method",
@@ -217,21 +217,21 @@ const std::vector<StudyField>& study_fields() {
        "Method",
        "latin: Latin hypercube (one sample in each of n strata of a variable); sobol: Sobol "
        "sequence; random: independent samples",
-       StudyCell::Choice,
+       StudyCellType::Choice,
        kSampled,
        {"", "latin", "sobol", "random"}},
       {"sampling.runs",
        "Samples",
        "Samples",
        "Number of samples of the variables with law uniform or normal",
-       StudyCell::Number,
+       StudyCellType::Number,
        kSampled,
        {}},
       {"sampling.seed",
        "Samples",
        "Seed",
        "Seed of the random numbers (the same seed gives the same samples)",
-       StudyCell::Number,
+       StudyCellType::Number,
        kSampled,
        {}},
       {"bearing_seeds",
@@ -239,56 +239,56 @@ const std::vector<StudyField>& study_fields() {
        "Bearing seeds",
        "Values of the run option seed, e.g. 1, 2, 3. All points of the study are run with each "
        "seed.",
-       StudyCell::Numbers,
+       StudyCellType::Numbers,
        kGrids,
        {}},
       {"percentiles",
        "Samples",
        "Percentiles",
        "Percentiles in the report, from 0 to 100 in increasing order, e.g. 5, 50, 95",
-       StudyCell::Numbers,
+       StudyCellType::Numbers,
        kSampled,
        {}},
       {"objective.quantity",
        "Worst case",
        "Quantity",
        "Name of the quantity of interest to maximize or minimize",
-       StudyCell::Text,
+       StudyCellType::Text,
        only(Kind::WorstCase),
        {}},
       {"objective.seek",
        "Worst case",
        "Seek",
        "Search for the largest or the smallest value",
-       StudyCell::Choice,
+       StudyCellType::Choice,
        only(Kind::WorstCase),
        {"", "largest", "smallest"}},
       {"objective.rounds",
        "Worst case",
        "Rounds",
        "Maximum number of search rounds after the first runs",
-       StudyCell::Number,
+       StudyCellType::Number,
        only(Kind::WorstCase),
        {}},
       {"budget.runs",
        "Budget",
        "Runs",
        "Maximum number of runs. A study with more runs does not start.",
-       StudyCell::Number,
+       StudyCellType::Number,
        kAllKinds,
        {}},
       {"budget.hours",
        "Budget",
        "Hours",
        "Maximum computing time. A study with a longer estimate does not start.",
-       StudyCell::Number,
+       StudyCellType::Number,
        kAllKinds,
        {}},
       {"budget.disk_megabytes",
        "Budget",
        "Disk [MB]",
        "Maximum disk space. A study that needs more disk space does not start.",
-       StudyCell::Number,
+       StudyCellType::Number,
        kAllKinds,
        {}}};
   return fields;
@@ -388,25 +388,25 @@ std::string shown_value(const StudyJson& value) {
   return dump_json(value);
 }
 
-StudyJson typed_value(StudyCell cell, const std::string& text) {
+StudyJson typed_value(StudyCellType cell, const std::string& text) {
   const std::string plain = trimmed(text);
   if (plain.empty()) return {};
   switch (cell) {
-    case StudyCell::Number:
+    case StudyCellType::Number:
       return number_or_text(plain);
-    case StudyCell::Numbers:
+    case StudyCellType::Numbers:
       return numbers(plain);
-    case StudyCell::Texts: {
+    case StudyCellType::Texts: {
       StudyJson out = StudyJson::array();
       for (const std::string& part : split(plain, ";")) out.push_back(part);
       return out;
     }
-    case StudyCell::Settings:
+    case StudyCellType::Settings:
       return settings(plain);
-    case StudyCell::Truth:
+    case StudyCellType::Truth:
       return plain == "true";
-    case StudyCell::Text:
-    case StudyCell::Choice:
+    case StudyCellType::Text:
+    case StudyCellType::Choice:
       break;
   }
   return plain;
@@ -424,15 +424,15 @@ std::vector<std::string> row_cells(std::string_view table, const StudyJson& row)
   return out;
 }
 
-StudyJson typed_row(std::string_view table, const std::vector<std::string>& cells,
-                    const StudyJson& old) {
+StudyJson row_from_cells(std::string_view table, const std::vector<std::string>& cells,
+                         const StudyJson& old) {
   StudyJson row = old.is_object() ? old : StudyJson::object();
   if (table == "variables") return variable_row(cells, std::move(row));
   if (table == "quantities") return quantity_row(cells, old);
   if (table == "cases") {
-    put(row, "name", typed_value(StudyCell::Text, cells[0]));
-    put(row, "set", typed_value(StudyCell::Settings, cells[1]));
-    put(row, "options", typed_value(StudyCell::Settings, cells[2]));
+    put(row, "name", typed_value(StudyCellType::Text, cells[0]));
+    put(row, "set", typed_value(StudyCellType::Settings, cells[1]));
+    put(row, "options", typed_value(StudyCellType::Settings, cells[2]));
     return row;
   }
   StudyJson list = StudyJson::array({cells[0], cells[1]});

@@ -15,7 +15,7 @@ namespace adore::adrinput {
 
 using StudyJson = nlohmann::ordered_json;
 
-enum class StudyCell : unsigned char {
+enum class StudyCellType : unsigned char {
   Text,
   Number,
   Numbers,   ///< "0.5, 1, 2"
@@ -35,7 +35,7 @@ inline constexpr StudyKinds kAllKinds = (1U << studies::kKinds) - 1;
 struct StudyField {
   std::string_view key;  ///< "until", "sampling.runs"
   std::string_view group, label, help;
-  StudyCell cell = StudyCell::Text;
+  StudyCellType cell = StudyCellType::Text;
   StudyKinds kinds = kAllKinds;
   std::vector<std::string_view> choices = {};
 };
@@ -62,12 +62,12 @@ struct StudyTableSpec {
 /// Text of a field; empty for a missing value.
 [[nodiscard]] std::string shown_value(const StudyJson& value);
 /// Typed text as a value of the file; null for empty text.
-[[nodiscard]] StudyJson typed_value(StudyCell cell, const std::string& text);
+[[nodiscard]] StudyJson typed_value(StudyCellType cell, const std::string& text);
 
 /// A row of a table (a JSON value of its list) as cells, one for each column.
 [[nodiscard]] std::vector<std::string> row_cells(std::string_view table, const StudyJson& row);
 /// Back. Keys of `old` that the table does not show stay.
-[[nodiscard]] StudyJson typed_row(std::string_view table, const std::vector<std::string>& cells,
-                                  const StudyJson& old);
+[[nodiscard]] StudyJson row_from_cells(std::string_view table,
+                                       const std::vector<std::string>& cells, const StudyJson& old);
 
 }  // namespace adore::adrinput

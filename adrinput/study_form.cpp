@@ -1,5 +1,6 @@
 #include "adrinput/study_form.hpp"
 
+#include "adrinput/qt_text.hpp"
 #include "adrinput/study_table.hpp"
 #include "adrinput/wheel_guard.hpp"
 #include "desktop/theme.hpp"
@@ -16,13 +17,7 @@
 #include <algorithm>
 
 namespace adore::adrinput {
-namespace {
-
-QString from(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
-}  // namespace
+namespace {}  // namespace
 
 StudyForm::StudyForm(StudyDocument& document, QWidget* parent)
     : QWidget(parent), document_(document) {
@@ -36,7 +31,7 @@ StudyForm::StudyForm(StudyDocument& document, QWidget* parent)
 }
 
 void StudyForm::addGroup(QBoxLayout* column, std::string_view name) {
-  auto* box = new QGroupBox(from(name), this);
+  auto* box = new QGroupBox(text_of(name), this);
   auto* form = new QFormLayout(box);
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   form->setRowWrapPolicy(QFormLayout::DontWrapRows);
@@ -44,14 +39,14 @@ void StudyForm::addGroup(QBoxLayout* column, std::string_view name) {
     if (spec.group != name) continue;
     const StudyField* of = &spec;
     QWidget* input = nullptr;
-    if (spec.cell == StudyCell::Choice) {
+    if (spec.cell == StudyCellType::Choice) {
       auto* list = new QComboBox(box);
       new WheelGuard(list);
-      for (const std::string_view choice : spec.choices) list->addItem(from(choice));
+      for (const std::string_view choice : spec.choices) list->addItem(text_of(choice));
       connect(list, &QComboBox::activated, this,
               [this, list, of] { document_.set_field(*of, list->currentText().toStdString()); });
       input = list;
-    } else if (spec.cell == StudyCell::Truth) {
+    } else if (spec.cell == StudyCellType::Truth) {
       auto* check = new QCheckBox(box);
       connect(check, &QCheckBox::clicked, this,
               [this, of](bool on) { document_.set_field(*of, on ? "true" : "false"); });
@@ -62,12 +57,12 @@ void StudyForm::addGroup(QBoxLayout* column, std::string_view name) {
               [this, of](const QString& text) { document_.set_field(*of, text.toStdString()); });
       input = line;
     }
-    input->setObjectName(from(spec.key));
-    input->setToolTip(from(spec.help));
-    input->setAccessibleName(from(spec.label));
-    auto* label = new QLabel(from(spec.label), box);
+    input->setObjectName(text_of(spec.key));
+    input->setToolTip(text_of(spec.help));
+    input->setAccessibleName(text_of(spec.label));
+    auto* label = new QLabel(text_of(spec.label), box);
     label->setBuddy(input);
-    label->setToolTip(from(spec.help));
+    label->setToolTip(text_of(spec.help));
     if (spec.key == "deck") {
       auto* row = new QWidget(box);
       auto* both = new QHBoxLayout(row);
@@ -75,7 +70,7 @@ void StudyForm::addGroup(QBoxLayout* column, std::string_view name) {
       auto* choose = new QPushButton(tr("Choose …"), row);
       choose->setObjectName("choose-deck");
       choose->setAutoDefault(true);
-      connect(choose, &QPushButton::clicked, this, &StudyForm::chooseDeck);
+      connect(choose, &QPushButton::clicked, this, &StudyForm::deckChoiceRequested);
       both->addWidget(input, 1);
       both->addWidget(choose);
       form->addRow(label, row);
@@ -88,19 +83,19 @@ void StudyForm::addGroup(QBoxLayout* column, std::string_view name) {
 }
 
 void StudyForm::addTable(QBoxLayout* column, const StudyTableSpec& spec) {
-  auto* box = new QGroupBox(from(spec.title), this);
-  box->setToolTip(from(spec.help));
+  auto* box = new QGroupBox(text_of(spec.title), this);
+  box->setToolTip(text_of(spec.help));
   auto* inside = new QVBoxLayout(box);
   auto* table = new StudyTable(document_, spec, box);
   inside->addWidget(table);
   auto* row = new QHBoxLayout;
   auto* remove = new QPushButton(tr("Remove row"), box);
-  remove->setObjectName("remove-" + from(spec.key));
+  remove->setObjectName("remove-" + text_of(spec.key));
   remove->setToolTip(tr("Remove the selected row (Ctrl+Delete)"));
   remove->setAutoDefault(true);
   remove->setFocusPolicy(Qt::TabFocus);  // the cell stays the present one
   connect(remove, &QPushButton::clicked, table, &StudyTable::removeCurrentRow);
-  auto* hint = new QLabel(from(spec.help), box);
+  auto* hint = new QLabel(text_of(spec.help), box);
   hint->setWordWrap(true);
   row->addWidget(hint, 1);
   row->addWidget(remove);
@@ -173,7 +168,7 @@ void StudyForm::showProblem(const std::string& key, const QString& sentence) {
     colours.setColor(QPalette::WindowText, &field == wrong ? desktop::current_theme().red
                                                            : desktop::current_theme().text);
     field.label->setPalette(colours);
-    field.input->setToolTip(&field == wrong ? sentence : from(field.spec->help));
+    field.input->setToolTip(&field == wrong ? sentence : text_of(field.spec->help));
   }
   const std::string of = key.substr(0, key.find('['));
   for (StudyTable* one : tables_) {

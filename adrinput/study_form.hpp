@@ -28,7 +28,7 @@ class StudyForm : public QWidget {
   [[nodiscard]] StudyTable* table(std::string_view key) const;
 
  signals:
-  void chooseDeck();
+  void deckChoiceRequested();
 
  private:
   struct Field {

@@ -6,17 +6,18 @@
 
 #include <QFileDialog>
 #include <QMenu>
+#include <QMenuBar>
 
 namespace adore::adrinput {
 
-bool is_study(const std::filesystem::path& file) {
+bool has_study_file_name(const std::filesystem::path& file) {
   return file.extension() == ".json" || file.extension() == ".toml";
 }
 
-void DeckWindow::makeStudyMenu(QMenu* file) {
-  QMenu* studies = file->addMenu(tr("S&tudies: many runs"));
+void DeckWindow::makeStudyMenu() {
+  QMenu* studies = menuBar()->addMenu(tr("&Studies"));
   studies->setObjectName("studies");
-  StudyWindow::addKinds(*studies, [this](const QString& kind) { newStudy(kind); });
+  StudyWindow::addKindActions(*studies, [this](const QString& kind) { newStudy(kind); });
   studies->addSeparator();
   studies->addAction(tr("&Open a study …"), this, &DeckWindow::openStudy);
 }

@@ -6,6 +6,6 @@
 namespace adore::adrinput {
 
 /// By its name: decks are never called so.
-[[nodiscard]] bool is_study(const std::filesystem::path& file);
+[[nodiscard]] bool has_study_file_name(const std::filesystem::path& file);
 
 }  // namespace adore::adrinput

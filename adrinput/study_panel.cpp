@@ -1,5 +1,6 @@
 #include "adrinput/study_panel.hpp"
 
+#include "adrinput/qt_text.hpp"
 #include "adrinput/wheel_guard.hpp"
 #include "adrinput/window_words.hpp"
 #include "base/counted.hpp"
@@ -27,10 +28,8 @@
 namespace adore::adrinput {
 namespace {
 
-constexpr int kBarSteps = 1000;
-constexpr int kCheckPause = 150;  // [ms] without a change
-
-QString from(const std::string& text) { return QString::fromStdString(text); }
+constexpr int kStudyBarSteps = 1000;
+constexpr int kStudyCheckPause = 150;  // [ms] without a change
 
 }  // namespace
 
@@ -63,26 +62,26 @@ StudyPanel::StudyPanel(StudyDocument& document, QWidget* parent)
       tr("Stop the active runs. Finished runs are kept. \"Resume\" makes the remaining runs."));
   results_ = button(tr("Res&ults"), "study-results", tr("Open the charts of the study in AdrPlot"));
   retry_ = button(tr("Retr&y failed"), "study-retry", tr("Repeat the failed runs"));
-  over_budget_ =
+  over_budget_button_ =
       button(tr("Run &anyway"), "study-over-budget", tr("Run even if the plan exceeds the budget"));
-  connect(plan_, &QPushButton::clicked, this, &StudyPanel::planWanted);
-  connect(start_, &QPushButton::clicked, this, &StudyPanel::runWanted);
+  connect(plan_, &QPushButton::clicked, this, &StudyPanel::planRequested);
+  connect(start_, &QPushButton::clicked, this, &StudyPanel::runRequested);
   connect(cancel_, &QPushButton::clicked, this, &StudyPanel::cancel);
   connect(results_, &QPushButton::clicked, this, &StudyPanel::openResults);
-  connect(retry_, &QPushButton::clicked, this, &StudyPanel::retryWanted);
-  connect(over_budget_, &QPushButton::clicked, this, &StudyPanel::overBudgetWanted);
+  connect(retry_, &QPushButton::clicked, this, &StudyPanel::retryRequested);
+  connect(over_budget_button_, &QPushButton::clicked, this, &StudyPanel::overBudgetRunRequested);
   grid->addWidget(plan_, 0, 0);
   grid->addWidget(start_, 0, 1);
   grid->addWidget(cancel_, 0, 2);
   grid->addWidget(results_, 1, 0);
   grid->addWidget(retry_, 1, 1);
-  grid->addWidget(over_budget_, 1, 2);
+  grid->addWidget(over_budget_button_, 1, 2);
   layout->addLayout(grid);
   auto* row = new QHBoxLayout;
   auto* engine_label = new QLabel(tr("E&ngine"), this);
   engine_ = new QComboBox(this);
   engine_->setObjectName("study-engine");
-  desktop::name_box(*engine_, tr("Engine"));
+  desktop::set_accessible_name(*engine_, tr("Engine"));
   engine_->addItems({"local", "slurm"});
   engine_->setToolTip(tr("Compute with local processes or on a Slurm cluster"));
   engine_label->setBuddy(engine_);
@@ -105,7 +104,7 @@ StudyPanel::StudyPanel(StudyDocument& document, QWidget* parent)
   layout->addLayout(row);
   bar_ = new QProgressBar(this);
   bar_->setObjectName("study-bar");
-  bar_->setRange(0, kBarSteps);
+  bar_->setRange(0, kStudyBarSteps);
   layout->addWidget(bar_);
   note_ = new QLabel(this);
   note_->setObjectName("study-note");
@@ -115,10 +114,10 @@ StudyPanel::StudyPanel(StudyDocument& document, QWidget* parent)
   view_ = desktop::make_listing_view(tr("Plan or report"), this);
   view_->setObjectName("study-text");
   layout->addWidget(view_, 1);
-  pause_ = new QTimer(this);
-  pause_->setSingleShot(true);
-  pause_->setInterval(kCheckPause);
-  connect(pause_, &QTimer::timeout, this, &StudyPanel::checkNow);
+  delay_timer_ = new QTimer(this);
+  delay_timer_->setSingleShot(true);
+  delay_timer_->setInterval(kStudyCheckPause);
+  connect(delay_timer_, &QTimer::timeout, this, &StudyPanel::checkNow);
   run_.progressed = [this](const studies::StudyProgress& progress) { show(progress); };
   run_.ended = [this](const StudyEnd& end) { show(end); };
   enableButtons();
@@ -127,10 +126,10 @@ StudyPanel::StudyPanel(StudyDocument& document, QWidget* parent)
 QString StudyPanel::text() const { return view_->toPlainText(); }
 QString StudyPanel::note() const { return note_->text(); }
 
-void StudyPanel::changed() { pause_->start(); }
+void StudyPanel::changed() { delay_timer_->start(); }
 
 void StudyPanel::checkNow() {
-  pause_->stop();
+  delay_timer_->stop();
   finding_ = document_.check();
   const desktop::Theme& theme = desktop::current_theme();
   QPalette colours = state_->palette();
@@ -140,10 +139,10 @@ void StudyPanel::checkNow() {
       finding_.problem.empty()
           ? tr("%1%2. The study has no errors.")
                 .arg(document_.kind() == studies::Kind::WorstCase ? tr("At most ") : QString())
-                .arg(from(counted(finding_.runs, "run")))
-          : from(in_window_words(finding_.problem)));
+                .arg(text_of(counted(finding_.runs, "run")))
+          : text_of(replace_cli_terms(finding_.problem)));
   enableButtons();
-  emit checked();
+  emit checkFinished();
 }
 
 void StudyPanel::enableButtons() {
@@ -152,10 +151,10 @@ void StudyPanel::enableButtons() {
   start_->setEnabled(fit);
   start_->setText(started_ && !complete_ ? tr("&Resume") : tr("&Run"));
   cancel_->setEnabled(busy());
-  retry_->setEnabled(fit && failed_ > 0);
+  retry_->setEnabled(fit && failed_runs_ > 0);
   // Until the study whose plan exceeded the budget changes; saving or checking changes nothing.
-  over_budget_->setVisible(fit && !over_budget_text_.empty() &&
-                           over_budget_text_ == document_.text());
+  over_budget_button_->setVisible(fit && !over_budget_study_.empty() &&
+                                  over_budget_study_ == document_.text());
   engine_->setEnabled(!busy());
   workers_->setEnabled(!busy() && engine_->currentText() == "local");
   std::error_code error;
@@ -176,8 +175,8 @@ StudyRun::Request StudyPanel::request() const {
 void StudyPanel::startPlan() {
   if (busy()) return;
   planning_ = true;
-  at_work_on_ = document_.text();
-  over_budget_text_.clear();
+  started_study_ = document_.text();
+  over_budget_study_.clear();
   view_->clear();
   bar_->setRange(0, 0);
   note_->setText(tr("Making up to three pilot runs …"));
@@ -188,8 +187,8 @@ void StudyPanel::startPlan() {
 void StudyPanel::startRun(bool retry_failed, bool over_budget) {
   if (busy()) return;
   planning_ = false;
-  at_work_on_ = document_.text();
-  over_budget_text_.clear();
+  started_study_ = document_.text();
+  over_budget_study_.clear();
   view_->clear();
   bar_->setRange(0, 0);  // until the pilot runs are made
   note_->setText(tr("Starting with up to three pilot runs …"));
@@ -206,22 +205,22 @@ void StudyPanel::cancel() {
 }
 
 void StudyPanel::show(const studies::StudyProgress& progress) {
-  bar_->setRange(0, kBarSteps);
-  bar_->setValue(progress.total > 0 ? static_cast<int>(kBarSteps * progress.done / progress.total)
-                                    : 0);
-  QString text = from(studies::progress_text(progress));
+  bar_->setRange(0, kStudyBarSteps);
+  bar_->setValue(
+      progress.total > 0 ? static_cast<int>(kStudyBarSteps * progress.done / progress.total) : 0);
+  QString text = text_of(studies::progress_text(progress));
   if (!progress.last_failure.empty())
-    text += tr("\nLast failure: %1").arg(from(in_window_words(progress.last_failure)));
+    text += tr("\nLast failure: %1").arg(text_of(replace_cli_terms(progress.last_failure)));
   note_->setText(text);
 }
 
 void StudyPanel::show(const StudyEnd& end) {
-  bar_->setRange(0, kBarSteps);
+  bar_->setRange(0, kStudyBarSteps);
   bar_->setValue(0);
-  view_->setPlainText(from(in_window_words(end.text)));
+  view_->setPlainText(text_of(replace_cli_terms(end.text)));
   bool over_budget = end.over_budget;
   if (!end.reason.empty()) {
-    note_->setText(from(in_window_words(end.reason)));
+    note_->setText(text_of(replace_cli_terms(end.reason)));
   } else if (end.interrupted) {
     note_->setText(tr("Cancelled. Finished runs are kept."));
   } else if (end.plan) {
@@ -230,50 +229,51 @@ void StudyPanel::show(const StudyEnd& end) {
                                : tr("The pilot runs are kept. They will not be repeated."));
   } else if (end.outcome) {
     note_->setText(
-        from(studies::outcome_text(*end.outcome)) +
+        text_of(studies::outcome_text(*end.outcome)) +
         (end.outcome->complete
              ? QString()
              : tr("\nCancelled. Finished runs are kept. \"Resume\" makes the remaining runs.")));
     if (end.outcome->runs > 0)
-      bar_->setValue(static_cast<int>(kBarSteps * end.outcome->done / end.outcome->runs));
+      bar_->setValue(static_cast<int>(kStudyBarSteps * end.outcome->done / end.outcome->runs));
   }
   if (end.outcome) {
-    failed_ = end.outcome->failed;
+    failed_runs_ = end.outcome->failed;
     complete_ = end.outcome->complete;
   }
   started_ = started_ || !planning_;
-  if (over_budget) over_budget_text_ = at_work_on_;
+  if (over_budget) over_budget_study_ = started_study_;
   enableButtons();
   emit finished();
 }
 
 void StudyPanel::showStatus() {
   started_ = complete_ = false;
-  over_budget_text_.clear();
-  failed_ = 0;
+  over_budget_study_.clear();
+  failed_runs_ = 0;
   bar_->setValue(0);
   view_->clear();
   note_->setText(tr("\"Plan\" estimates the computing time. \"Run\" starts the study. Folder of "
                     "the results: %1.")
-                     .arg(from(std::filesystem::path(document_.path())
-                                   .replace_extension(".study")
-                                   .filename()
-                                   .string())));
+                     .arg(text_of(std::filesystem::path(document_.path())
+                                      .replace_extension(".study")
+                                      .filename()
+                                      .string())));
   try {
     const studies::Status status =
         studies::study_status(studies::open_study_text(document_.text(), document_.path()));
     started_ = true;
     complete_ = status.done == status.runs;
-    failed_ = status.failed;
-    bar_->setValue(status.runs > 0 ? static_cast<int>(kBarSteps * status.done / status.runs) : 0);
-    note_->setText(from(fmt::format("{} of {} runs are done ({} failed). {}", status.done,
-                                    status.runs, status.failed,
-                                    status.at_work ? "Another program is running the study."
-                                    : complete_    ? "The study is complete."
-                                                   : "\"Resume\" makes the remaining runs.")));
+    failed_runs_ = status.failed;
+    bar_->setValue(status.runs > 0 ? static_cast<int>(kStudyBarSteps * status.done / status.runs)
+                                   : 0);
+    note_->setText(text_of(fmt::format("{} of {} runs are done ({} failed). {}", status.done,
+                                       status.runs, status.failed,
+                                       status.at_work ? "Another program is running the study."
+                                       : complete_    ? "The study is complete."
+                                                      : "\"Resume\" makes the remaining runs.")));
     std::string failures;
-    for (const std::string& text : status.diagnoses) failures += in_window_words(text) + "\n";
-    view_->setPlainText(from(failures));
+    for (const std::string& text : status.diagnoses) failures += replace_cli_terms(text) + "\n";
+    view_->setPlainText(text_of(failures));
   } catch (const std::exception&) {
     // Never started, or with errors reported by the check.
   }
@@ -284,7 +284,7 @@ void StudyPanel::openResults() {
   std::filesystem::path folder = document_.path();
   const QString project = desktop::folder_of(folder);
   show_in_viewer(this, launch, "adrplot", project,
-                 {from(folder.replace_extension(".study").string())});
+                 {text_of(folder.replace_extension(".study").string())});
 }
 
 }  // namespace adore::adrinput

@@ -49,11 +49,11 @@ class StudyPanel : public QWidget {
 
  signals:
   /// The buttons were pressed: the window saves first.
-  void planWanted();
-  void runWanted();
-  void retryWanted();
-  void overBudgetWanted();
-  void checked();
+  void planRequested();
+  void runRequested();
+  void retryRequested();
+  void overBudgetRunRequested();
+  void checkFinished();
   void goToProblem();
   void finished();
 
@@ -66,15 +66,15 @@ class StudyPanel : public QWidget {
   StudyDocument& document_;
   StudyDocument::Finding finding_;
   QLabel *state_, *note_;
-  QPushButton *plan_, *start_, *cancel_, *results_, *retry_, *over_budget_;
+  QPushButton *plan_, *start_, *cancel_, *results_, *retry_, *over_budget_button_;
   QComboBox* engine_;
   QSpinBox* workers_;
   QProgressBar* bar_;
   QPlainTextEdit* view_;
-  QTimer* pause_;
-  long failed_ = 0;
-  std::string at_work_on_,
-      over_budget_text_;  ///< texts of the study: when it was started, when it exceeded the budget
+  QTimer* delay_timer_;
+  long failed_runs_ = 0;
+  std::string started_study_,
+      over_budget_study_;  ///< texts of the study: when it was started, when it exceeded the budget
   bool planning_ = false, started_ = false, complete_ = false;
   StudyRun run_;  ///< last: ends before the widgets that it reports to
 };

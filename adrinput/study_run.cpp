@@ -48,11 +48,11 @@ void compute(const StudyRun::Request& request, bool plan_only, const studies::St
 void StudyRun::start(const Request& request, bool plan_only) {
   auto end = std::make_shared<StudyEnd>();
   const auto report = [this](const studies::StudyProgress& progress) {
-    background_.report([this, progress] {
+    background_task_.report([this, progress] {
       if (progressed) progressed(progress);
     });
   };
-  background_.start(
+  background_task_.start(
       [request, plan_only, report, end](const std::stop_token& token) {
         // A worker that dies during communication is detected by its end; the signal would end this
         // process.

@@ -41,13 +41,13 @@ class StudyRun : public QObject {
   };
   void plan(const Request& request) { start(request, true); }
   void run(const Request& request) { start(request, false); }
-  void stop() { background_.stop(); }
-  [[nodiscard]] bool busy() const { return background_.busy(); }
+  void stop() { background_task_.stop(); }
+  [[nodiscard]] bool busy() const { return background_task_.busy(); }
 
  private:
   void start(const Request& request, bool plan_only);
 
-  Background background_;
+  BackgroundTask background_task_;
 };
 
 }  // namespace adore::adrinput

@@ -1,5 +1,6 @@
 #include "adrinput/study_table.hpp"
 
+#include "adrinput/qt_text.hpp"
 #include "deck/schema.hpp"
 #include "desktop/spoken_name.hpp"
 #include "desktop/theme.hpp"
@@ -22,38 +23,34 @@ namespace {
 
 constexpr int kMostRows = 8;  // shown at once
 
-QString from(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
 QStringList proposals(Proposals which) {
   QStringList out;
   if (which == Proposals::Variables)
     for (const deck::RecordSpec& record : deck::schema())
-      for (const deck::VariableSpec& variable : record.variables) out << from(variable.name);
+      for (const deck::VariableSpec& variable : record.variables) out << text_of(variable.name);
   if (which == Proposals::Results) {
-    for (const results::KeyResultSpec& spec : results::key_result_specs()) out << from(spec.id);
-    for (const results::Channel& channel : results::channels()) out << from(channel.id);
-    for (const std::string_view figure : studies::kWhirlFigures) out << from(figure);
+    for (const results::KeyResultSpec& spec : results::key_result_specs()) out << text_of(spec.id);
+    for (const results::Channel& channel : results::channels()) out << text_of(channel.id);
+    for (const std::string_view figure : studies::kWhirlFigures) out << text_of(figure);
   }
   out.removeDuplicates();
   return out;
 }
 
 /// Fields that propose names, lists of choices; the document hears every key.
-class CellEditor : public QStyledItemDelegate {
+class StudyCellEditor : public QStyledItemDelegate {
  public:
-  CellEditor(const StudyTableSpec& spec, QObject* parent)
+  StudyCellEditor(const StudyTableSpec& spec, QObject* parent)
       : QStyledItemDelegate(parent), spec_(spec) {}
 
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& /*option*/,
                         const QModelIndex& index) const override {
     const StudyColumn& column = spec_.columns.at(static_cast<std::size_t>(index.column()));
-    auto* self = const_cast<CellEditor*>(this);
+    auto* self = const_cast<StudyCellEditor*>(this);
     if (!column.choices.empty()) {
       auto* box = new QComboBox(parent);
-      desktop::name_box(*box, from(column.label));
-      for (const std::string_view choice : column.choices) box->addItem(from(choice));
+      desktop::set_accessible_name(*box, text_of(column.label));
+      for (const std::string_view choice : column.choices) box->addItem(text_of(choice));
       connect(box, &QComboBox::activated, self, [self, box] {
         emit self->commitData(box);
         emit self->closeEditor(box);
@@ -101,14 +98,14 @@ class CellEditor : public QStyledItemDelegate {
 
 StudyTable::StudyTable(StudyDocument& document, const StudyTableSpec& spec, QWidget* parent)
     : QTableWidget(parent), document_(document), spec_(spec) {
-  setObjectName("table-" + from(spec.key));
-  setAccessibleName(from(spec.title));
-  setItemDelegate(new CellEditor(spec_, this));
+  setObjectName("table-" + text_of(spec.key));
+  setAccessibleName(text_of(spec.title));
+  setItemDelegate(new StudyCellEditor(spec_, this));
   setColumnCount(static_cast<int>(spec.columns.size()));
   for (int column = 0; column < columnCount(); ++column) {
     const StudyColumn& of = spec.columns[static_cast<std::size_t>(column)];
-    auto* heading = new QTableWidgetItem(from(of.label));
-    heading->setToolTip(from(of.help));
+    auto* heading = new QTableWidgetItem(text_of(of.label));
+    heading->setToolTip(text_of(of.help));
     setHorizontalHeaderItem(column, heading);
   }
   // Names are whole in a narrow window too: then the table scrolls.
@@ -148,8 +145,8 @@ void StudyTable::sync() {
         old = new QTableWidgetItem;
         setItem(static_cast<int>(row), static_cast<int>(column), old);
       }
-      if (const QString text = from(cells[column]); old->text() != text) old->setText(text);
-      old->setToolTip(from(spec_.columns[column].help));
+      if (const QString text = text_of(cells[column]); old->text() != text) old->setText(text);
+      old->setToolTip(text_of(spec_.columns[column].help));
     }
     setVerticalHeaderItem(static_cast<int>(row),
                           new QTableWidgetItem(row < rows ? QString::number(row + 1) : "+"));

@@ -1,6 +1,7 @@
 #include "adrinput/study_window.hpp"
 
 #include "adrinput/notice_bar.hpp"
+#include "adrinput/qt_text.hpp"
 #include "adrinput/replace_question.hpp"
 #include "adrinput/study_form.hpp"
 #include "adrinput/study_panel.hpp"
@@ -38,26 +39,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const QString kApp = "adrinput-studies";  // separate list of recent files
-constexpr int kStorePause = 500;          // [ms] from a change to its backup next to the file
-
-QString from(const std::string& text) { return QString::fromStdString(text); }
+const QString kStudyApp = "adrinput-studies";  // separate list of recent files
+constexpr int kStorePause = 500;               // [ms] from a change to its backup next to the file
 
 }  // namespace
 
 StudyWindow::StudyWindow(QWidget* parent) : QMainWindow(parent) {
   setObjectName("study-window");
-  desktop::open_at_size(*this, {1280, 800});
-  desktop::take_files_anywhere(*this, [this](const QStringList& files) {
-    leave([this, name = files.front()] { openFile(name.toStdString()); });
+  desktop::resize_to_fit_screen(*this, {1280, 800});
+  desktop::accept_file_drops(*this, [this](const QStringList& files) {
+    confirmLeave([this, name = files.front()] { openFile(name.toStdString()); });
   });
   form_ = new StudyForm(document_, this);
-  scroll_ = new QScrollArea(this);
-  scroll_->setObjectName("study-form");
-  scroll_->setAccessibleName(tr("Fields of the study"));
-  scroll_->setWidgetResizable(true);
-  scroll_->setFrameShape(QFrame::NoFrame);
-  scroll_->setWidget(form_);
+  scroll_area_ = new QScrollArea(this);
+  scroll_area_->setObjectName("study-form");
+  scroll_area_->setAccessibleName(tr("Fields of the study"));
+  scroll_area_->setWidgetResizable(true);
+  scroll_area_->setFrameShape(QFrame::NoFrame);
+  scroll_area_->setWidget(form_);
   text_ = new QPlainTextEdit(this);
   text_->setObjectName("study-file");
   text_->setAccessibleName(tr("Text of the study file"));
@@ -70,38 +69,38 @@ StudyWindow::StudyWindow(QWidget* parent) : QMainWindow(parent) {
   tabs_ = new QTabWidget(this);
   tabs_->setObjectName("study-tabs");
   tabs_->setDocumentMode(true);
-  tabs_->addTab(scroll_, tr("Form"));
+  tabs_->addTab(scroll_area_, tr("Form"));
   tabs_->addTab(text_, tr("File"));
-  panel_ = new StudyPanel(document_, this);
-  connect(panel_, &StudyPanel::planWanted, this, &StudyWindow::plan);
-  connect(panel_, &StudyPanel::runWanted, this, &StudyWindow::run);
-  connect(panel_, &StudyPanel::retryWanted, this,
-          [this] { withSavedStudy([this] { panel_->startRun(true); }); });
-  connect(panel_, &StudyPanel::overBudgetWanted, this,
-          [this] { withSavedStudy([this] { panel_->startRun(false, true); }); });
-  connect(panel_, &StudyPanel::checked, this, &StudyWindow::showFinding);
-  connect(form_, &StudyForm::chooseDeck, this, &StudyWindow::askForDeck);
+  study_panel_ = new StudyPanel(document_, this);
+  connect(study_panel_, &StudyPanel::planRequested, this, &StudyWindow::plan);
+  connect(study_panel_, &StudyPanel::runRequested, this, &StudyWindow::run);
+  connect(study_panel_, &StudyPanel::retryRequested, this,
+          [this] { withSavedStudy([this] { study_panel_->startRun(true); }); });
+  connect(study_panel_, &StudyPanel::overBudgetRunRequested, this,
+          [this] { withSavedStudy([this] { study_panel_->startRun(false, true); }); });
+  connect(study_panel_, &StudyPanel::checkFinished, this, &StudyWindow::showFinding);
+  connect(form_, &StudyForm::deckChoiceRequested, this, &StudyWindow::askForDeck);
   auto* splitter = new QSplitter(this);
   splitter->setChildrenCollapsible(false);
   splitter->addWidget(tabs_);
-  splitter->addWidget(panel_);
+  splitter->addWidget(study_panel_);
   splitter->setStretchFactor(0, 3);
   splitter->setStretchFactor(1, 2);
   splitter->setSizes({780, 500});
-  notice_ = new NoticeBar("study-notice", this);
+  notice_bar_ = new NoticeBar("study-notice", this);
   auto* centre = new QWidget(this);
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(notice_);
+  column->addWidget(notice_bar_);
   column->addWidget(splitter, 1);
   setCentralWidget(centre);
   makeMenus();
   new desktop::MenuKeys(*this);
-  store_ = new QTimer(this);
-  store_->setSingleShot(true);
-  store_->setInterval(kStorePause);
-  connect(store_, &QTimer::timeout, this, [this] {
+  store_timer_ = new QTimer(this);
+  store_timer_->setSingleShot(true);
+  store_timer_->setInterval(kStorePause);
+  connect(store_timer_, &QTimer::timeout, this, [this] {
     try {
       document_.store_unsaved();
     } catch (const std::exception& error) {
@@ -110,12 +109,12 @@ StudyWindow::StudyWindow(QWidget* parent) : QMainWindow(parent) {
   });
   document_.changed = [this] {
     sync();
-    if (document_.comments_went())
+    if (document_.comments_lost())
       statusBar()->showMessage(
           tr("This change removed the comments after values and in lists. Undo restores them. To "
              "keep comments, edit the text in the tab File."));
-    panel_->changed();
-    if (!store_->isActive()) store_->start();
+    study_panel_->changed();
+    if (!store_timer_->isActive()) store_timer_->start();
   };
   sync();
 }
@@ -125,18 +124,17 @@ StudyWindow::~StudyWindow() {
   delete centralWidget();  // its fields speak to the document when they lose the focus
 }
 
-void StudyWindow::addKinds(QMenu& menu, const std::function<void(const QString&)>& chosen) {
+void StudyWindow::addKindActions(QMenu& menu, const std::function<void(const QString&)>& chosen) {
   constexpr std::array<const char*, studies::kKinds> kWhat{
-      "grids, lists and samples",
-      "effect of part tolerances (Monte Carlo)",
-      "regions where the cage rests, whirls or moves irregularly",
-      "derivatives of all quantities with respect to all variables",
-      "worst case within given ranges",
-      "named changes of the deck, compared one at a time"};
+      "Sweep — grids, lists and samples",
+      "Part tolerances — their effect (Monte Carlo)",
+      "Cage map — regions where the cage rests, whirls or moves irregularly",
+      "Sensitivity — derivatives of all quantities with respect to all variables",
+      "Worst case — within given ranges",
+      "Comparison — named changes of the deck, one at a time (what-if)"};
   for (int k = 0; k < studies::kKinds; ++k) {
-    const QString kind = from(studies::kind_name(static_cast<studies::Kind>(k)));
-    QAction* action =
-        menu.addAction(QString("%1 — %2").arg(kind, kWhat[static_cast<std::size_t>(k)]));
+    const QString kind = text_of(studies::kind_name(static_cast<studies::Kind>(k)));
+    QAction* action = menu.addAction(tr(kWhat[static_cast<std::size_t>(k)]));
     action->setData(kind);
     QObject::connect(action, &QAction::triggered, &menu, [chosen, kind] { chosen(kind); });
   }
@@ -145,8 +143,8 @@ void StudyWindow::addKinds(QMenu& menu, const std::function<void(const QString&)
 void StudyWindow::makeMenus() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
   QMenu* fresh = file->addMenu(tr("&New study"));
-  addKinds(*fresh, [this](const QString& kind) {
-    leave([this, kind] {
+  addKindActions(*fresh, [this](const QString& kind) {
+    confirmLeave([this, kind] {
       const fs::path beside = document_.path().parent_path();
       std::string deck;
       if (document_.values() && document_.values()->contains("deck"))
@@ -156,8 +154,8 @@ void StudyWindow::makeMenus() {
     });
   });
   file->addAction(tr("&Open study …"), QKeySequence::Open, this, &StudyWindow::askForFile);
-  desktop::add_recent_menu(*file, kApp, [this](const QString& name) {
-    leave([this, name] { openFile(name.toStdString()); });
+  desktop::add_recent_menu(*file, kStudyApp, [this](const QString& name) {
+    confirmLeave([this, name] { openFile(name.toStdString()); });
   });
   file->addSeparator();
   file->addAction(tr("&Save"), QKeySequence::Save, this, &StudyWindow::save);
@@ -171,13 +169,13 @@ void StudyWindow::makeMenus() {
                           [this] { document_.redo(); });
   edit->addAction(tr("Go to the &problem"), QKeySequence(Qt::Key_F8), this, [this] {
     tabs_->setCurrentIndex(0);
-    if (!form_->goTo(panel_->finding().key)) tabs_->setCurrentIndex(1);
+    if (!form_->goTo(study_panel_->finding().key)) tabs_->setCurrentIndex(1);
   });
   QMenu* study = menuBar()->addMenu(tr("&Study"));
   study->addAction(tr("&Plan"), QKeySequence(Qt::Key_F5), this, &StudyWindow::plan);
   study->addAction(tr("&Run or resume"), QKeySequence(Qt::Key_F7), this, &StudyWindow::run);
-  study->addAction(tr("&Cancel"), panel_, &StudyPanel::cancel);
-  study->addAction(tr("R&esults in AdrPlot"), panel_, &StudyPanel::openResults);
+  study->addAction(tr("&Cancel"), study_panel_, &StudyPanel::cancel);
+  study->addAction(tr("R&esults in AdrPlot"), study_panel_, &StudyPanel::openResults);
   QMenu* view = menuBar()->addMenu(tr("&View"));
   view->addAction(tr("&Dark or light"), QKeySequence(Qt::CTRL | Qt::Key_D), this,
                   &StudyWindow::switchTheme);
@@ -186,19 +184,19 @@ void StudyWindow::makeMenus() {
 void StudyWindow::sync() {
   syncing_ = true;
   form_->sync();
-  const QString text = from(document_.text());
+  const QString text = text_of(document_.text());
   if (text_->toPlainText() != text) text_->setPlainText(text);
   undo_->setEnabled(document_.can_undo());
   redo_->setEnabled(document_.can_redo());
-  const QString name = from(document_.path().filename().string());
+  const QString name = text_of(document_.path().filename().string());
   setWindowTitle((name.isEmpty() ? tr("study") : name) + "[*] — AdrInput");
   setWindowModified(document_.modified());
   syncing_ = false;
 }
 
 void StudyWindow::showFinding() {
-  const StudyDocument::Finding& found = panel_->finding();
-  form_->showProblem(found.key, from(found.problem));
+  const StudyDocument::Finding& found = study_panel_->finding();
+  form_->showProblem(found.key, text_of(found.problem));
 }
 
 void StudyWindow::showText(bool text) { tabs_->setCurrentIndex(text ? 1 : 0); }
@@ -210,21 +208,21 @@ bool StudyWindow::openFile(const fs::path& path) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
     return false;
   }
-  desktop::remember_file(kApp, from(document_.path().string()));
-  panel_->checkNow();
-  panel_->showStatus();
+  desktop::remember_file(kStudyApp, text_of(document_.path().string()));
+  study_panel_->checkNow();
+  study_panel_->showStatus();
   showText(!document_.values());
   offerUnsaved();
   return true;
 }
 
 void StudyWindow::offerUnsaved() {
-  notice_->hide();
+  notice_bar_->hide();
   const std::optional<std::string> left = document_.unsaved_text();
   if (!left) return;
-  notice_->ask(tr("AdrInput ended before this study was saved. The changes can be restored."),
-               {{"restore", tr("Res&tore"), [this, left] { document_.set_text(*left); }},
-                {"discard", tr("&Discard"), [this] { document_.forget_unsaved(); }}});
+  notice_bar_->ask(tr("AdrInput ended before this study was saved. The changes can be restored."),
+                   {{"restore", tr("Res&tore"), [this, left] { document_.set_text(*left); }},
+                    {"discard", tr("&Discard"), [this] { document_.delete_unsaved_copy(); }}});
 }
 
 void StudyWindow::newStudy(const fs::path& file, const QString& kind, const fs::path& deck) {
@@ -233,17 +231,18 @@ void StudyWindow::newStudy(const fs::path& file, const QString& kind, const fs::
   for (int number = 2; fs::exists(name, error); ++number)
     name.replace_filename(file.stem().string() + "-" + std::to_string(number) +
                           file.extension().string());
-  notice_->hide();
+  notice_bar_->hide();
   document_.start_new(name, kind.toStdString(), deck);
-  panel_->checkNow();
-  panel_->showStatus();
+  study_panel_->checkNow();
+  study_panel_->showStatus();
   showText(false);
 }
 
 void StudyWindow::askForFile() {
-  leave([this] {
-    auto* dialog = new QFileDialog(this, tr("Open study"), from(document_.path().parent_path()),
-                                   tr("Studies (*.json *.toml);;All files (*)"));
+  confirmLeave([this] {
+    auto* dialog =
+        new QFileDialog(this, tr("Open study"), text_of(document_.path().parent_path().string()),
+                        tr("Studies (*.json *.toml);;All files (*)"));
     dialog->setObjectName("open");
     desktop::delete_when_done(*dialog);
     dialog->setFileMode(QFileDialog::ExistingFile);
@@ -254,8 +253,9 @@ void StudyWindow::askForFile() {
 }
 
 void StudyWindow::askForDeck() {
-  auto* dialog = new QFileDialog(this, tr("Base deck"), from(document_.path().parent_path()),
-                                 tr("Decks (*.txt *.TXT *.dat *.DAT);;All files (*)"));
+  auto* dialog =
+      new QFileDialog(this, tr("Base deck"), text_of(document_.path().parent_path().string()),
+                      tr("Decks (*.txt *.TXT *.dat *.DAT);;All files (*)"));
   dialog->setObjectName("deck-dialog");
   desktop::delete_when_done(*dialog);
   dialog->setFileMode(QFileDialog::ExistingFile);
@@ -270,9 +270,9 @@ void StudyWindow::askForDeck() {
 bool StudyWindow::writeTo(const fs::path& path) {
   try {
     document_.save(path);
-    store_->stop();
-    desktop::remember_file(kApp, from(path.string()));
-    statusBar()->showMessage(tr("Saved %1").arg(from(path.string())), 5000);
+    store_timer_->stop();
+    desktop::remember_file(kStudyApp, text_of(path.string()));
+    statusBar()->showMessage(tr("Saved %1").arg(text_of(path.string())), 5000);
     return true;
   } catch (const std::exception& error) {
     desktop::show_message(
@@ -294,40 +294,41 @@ void StudyWindow::saveTo(const fs::path& path, std::function<void()> then) {
 void StudyWindow::save() { saveTo(document_.path(), nullptr); }
 
 void StudyWindow::saveAs() {
-  auto* dialog = new QFileDialog(this, tr("Save study"), from(document_.path().parent_path()),
-                                 tr("Studies (*.json *.toml);;All files (*)"));
+  auto* dialog =
+      new QFileDialog(this, tr("Save study"), text_of(document_.path().parent_path().string()),
+                      tr("Studies (*.json *.toml);;All files (*)"));
   dialog->setObjectName("save");
   desktop::delete_when_done(*dialog);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("json");
-  dialog->selectFile(from(document_.path().filename().string()));
+  dialog->selectFile(text_of(document_.path().filename().string()));
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& name) {
     saveTo(name.toStdString(), [this] {
-      panel_->checkNow();
-      panel_->showStatus();
+      study_panel_->checkNow();
+      study_panel_->showStatus();
     });
   });
   dialog->open();
 }
 
 void StudyWindow::withSavedStudy(std::function<void()> then) {
-  if (panel_->busy()) return;
-  panel_->checkNow();
-  if (!panel_->finding().problem.empty())
+  if (study_panel_->busy()) return;
+  study_panel_->checkNow();
+  if (!study_panel_->finding().problem.empty())
     return desktop::show_message(this,
                                  tr("The study has an error. Press F8 to go to the field.\n\n%1")
-                                     .arg(from(panel_->finding().problem)),
+                                     .arg(text_of(study_panel_->finding().problem)),
                                  true);
   if (document_.modified()) return saveTo(document_.path(), std::move(then));
   then();
 }
 
 void StudyWindow::plan() {
-  withSavedStudy([this] { panel_->startPlan(); });
+  withSavedStudy([this] { study_panel_->startPlan(); });
 }
 
 void StudyWindow::run() {
-  withSavedStudy([this] { panel_->startRun(); });
+  withSavedStudy([this] { study_panel_->startRun(); });
 }
 
 void StudyWindow::switchTheme() {
@@ -335,11 +336,11 @@ void StudyWindow::switchTheme() {
   desktop::apply_theme(desktop::current_theme().kind == ThemeKind::Dark ? ThemeKind::Light
                                                                         : ThemeKind::Dark);
   desktop::remember_theme(desktop::current_theme().kind);
-  panel_->checkNow();
+  study_panel_->checkNow();
 }
 
-void StudyWindow::leave(std::function<void()> then) {
-  if (panel_->busy()) {
+void StudyWindow::confirmLeave(std::function<void()> then) {
+  if (study_panel_->busy()) {
     auto* box =
         new QMessageBox(QMessageBox::Warning, "AdrInput",
                         tr("The study is running. Closing the window stops the active runs. "
@@ -353,9 +354,9 @@ void StudyWindow::leave(std::function<void()> then) {
       if (button != quit) return;
       // The next action waits for the workers.
       connect(
-          panel_, &StudyPanel::finished, this, [this, then] { leave(then); },
+          study_panel_, &StudyPanel::finished, this, [this, then] { confirmLeave(then); },
           Qt::SingleShotConnection);
-      panel_->cancel();
+      study_panel_->cancel();
     });
     return box->open();
   }
@@ -369,8 +370,8 @@ void StudyWindow::leave(std::function<void()> then) {
   connect(box, &QMessageBox::buttonClicked, this, [this, box, then](QAbstractButton* button) {
     const QMessageBox::StandardButton answer = box->standardButton(button);
     if (answer == QMessageBox::Discard) {
-      store_->stop();
-      document_.forget_unsaved();
+      store_timer_->stop();
+      document_.delete_unsaved_copy();
       then();
     }
     if (answer == QMessageBox::Save) saveTo(document_.path(), then);
@@ -379,12 +380,12 @@ void StudyWindow::leave(std::function<void()> then) {
 }
 
 void StudyWindow::closeEvent(QCloseEvent* event) {
-  if (std::exchange(leaving_, false) ||
-      (!panel_->busy() && (!document_.modified() || document_.path().empty())))
+  if (std::exchange(close_confirmed_, false) ||
+      (!study_panel_->busy() && (!document_.modified() || document_.path().empty())))
     return event->accept();
   event->ignore();
-  leave([this] {
-    leaving_ = true;
+  confirmLeave([this] {
+    close_confirmed_ = true;
     close();
   });
 }

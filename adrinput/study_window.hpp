@@ -29,9 +29,9 @@ class StudyWindow : public QMainWindow {
 
   [[nodiscard]] StudyDocument& document() { return document_; }
   [[nodiscard]] StudyForm& form() { return *form_; }
-  [[nodiscard]] QScrollArea& formArea() { return *scroll_; }
-  [[nodiscard]] StudyPanel& panel() { return *panel_; }
-  [[nodiscard]] NoticeBar& notice() { return *notice_; }
+  [[nodiscard]] QScrollArea& formArea() { return *scroll_area_; }
+  [[nodiscard]] StudyPanel& panel() { return *study_panel_; }
+  [[nodiscard]] NoticeBar& notice() { return *notice_bar_; }
   /// False, after a message with the reason, when it cannot be read.
   bool openFile(const std::filesystem::path& path);
   /// The example of a kind for a deck; the first save asks for its name.
@@ -39,7 +39,7 @@ class StudyWindow : public QMainWindow {
                 const std::filesystem::path& deck);
   void showText(bool text);
   /// Fills a menu with an entry for each kind.
-  static void addKinds(QMenu& menu, const std::function<void(const QString&)>& chosen);
+  static void addKindActions(QMenu& menu, const std::function<void(const QString&)>& chosen);
 
  public slots:
   void save();
@@ -61,19 +61,19 @@ class StudyWindow : public QMainWindow {
   void saveTo(const std::filesystem::path& path, std::function<void()> then);
   /// Continues with a study that is saved and has no errors.
   void withSavedStudy(std::function<void()> then);
-  void leave(std::function<void()> then);
+  void confirmLeave(std::function<void()> then);
   void offerUnsaved();
 
   StudyDocument document_;
   QTabWidget* tabs_ = nullptr;
-  QScrollArea* scroll_ = nullptr;
+  QScrollArea* scroll_area_ = nullptr;
   StudyForm* form_ = nullptr;
   QPlainTextEdit* text_ = nullptr;
-  StudyPanel* panel_ = nullptr;
-  NoticeBar* notice_ = nullptr;
+  StudyPanel* study_panel_ = nullptr;
+  NoticeBar* notice_bar_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr;
-  QTimer* store_ = nullptr;
-  bool leaving_ = false, syncing_ = false;
+  QTimer* store_timer_ = nullptr;
+  bool close_confirmed_ = false, syncing_ = false;
 };
 
 }  // namespace adore::adrinput

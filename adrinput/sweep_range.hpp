@@ -14,9 +14,9 @@ struct SweepRange {
 };
 
 /// "appLoadZ=0.5 kN:1.5 kN:3", "appLoadZ=0.5:1.5 kN:3", "appLoadZ=0.5:1.5:3 kN". Values mean the
-/// same as in the field of the variable (as_meant()); a single unit applies to both.
+/// same as in the field of the variable (add_display_unit()); a single unit applies to both.
 /// @throws InputError with the error and its remedy
-[[nodiscard]] SweepRange read_sweep(const Document& document, std::string_view text);
+[[nodiscard]] SweepRange parse_sweep_range(const Document& document, std::string_view text);
 
 /// Unit of a number without one: "N", or "mm" if millimeters are shown. Empty for a pure number,
 /// and for names that are not variables of the deck.

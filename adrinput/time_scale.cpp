@@ -8,7 +8,7 @@ namespace adore::adrinput {
 void TimeScale::ask(const deck::Deck& deck, const RunOptionValues& options) {
   if (busy()) return;
   auto scales = std::make_shared<std::optional<runs::RunScales>>();
-  background_.start(
+  background_task_.start(
       [deck, options, scales](const std::stop_token&) {
         try {
           *scales = runs::run_scales(deck, options);

@@ -22,10 +22,10 @@ class TimeScale : public QObject {
 
   /// Does nothing while an earlier question is open.
   void ask(const deck::Deck& deck, const RunOptionValues& options);
-  [[nodiscard]] bool busy() const { return background_.busy(); }
+  [[nodiscard]] bool busy() const { return background_task_.busy(); }
 
  private:
-  Background background_;
+  BackgroundTask background_task_;
 };
 
 }  // namespace adore::adrinput

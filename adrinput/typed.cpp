@@ -47,7 +47,7 @@ bool may_be_left_out(const deck::VariableSpec& variable) {
   return !refs.empty() && deck::is_extension(refs.front().record->id);
 }
 
-Typed parse_string(std::string_view text) {
+TypedValue parse_string(std::string_view text) {
   const bool control = std::any_of(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f;
   });
@@ -78,7 +78,7 @@ std::string ending_of(const deck::VariableSpec& variable) {
 
 }  // namespace
 
-Typed parse_typed(const deck::VariableSpec& variable, std::string_view text) {
+TypedValue parse_typed_text(const deck::VariableSpec& variable, std::string_view text) {
   const std::string number = plain_number(text);
   if (number.empty() && may_be_left_out(variable)) return {};
   if (variable.type == deck::VarType::String) return parse_string(text);
@@ -95,21 +95,22 @@ Typed parse_typed(const deck::VariableSpec& variable, std::string_view text) {
   if (deck::NumberProblem problem = deck::parse_integer(number, value)) return {{}, problem};
   if (!deck::is_valid_code(variable, value))
     return {{}, {"is an invalid code", ending_of(variable)}};
-  if (!deck::in_range(variable.range, static_cast<double>(value)))
+  if (!deck::is_in_range(variable.range, static_cast<double>(value)))
     return {{},
-            {"is out of range", "enter " + deck::describe_in_range("a value", variable.range, {})}};
+            {"is out of range",
+             "enter " + deck::describe_value_in_range("a value", variable.range, {})}};
   return {value, {}};
 }
 
-Typed parse_typed(const deck::Deck& deck, const deck::VariableSpec& variable,
-                  std::string_view text) {
-  if (variable.type != deck::VarType::Real) return parse_typed(variable, text);
+TypedValue parse_typed_text(const deck::Deck& deck, const deck::VariableSpec& variable,
+                            std::string_view text) {
+  if (variable.type != deck::VarType::Real) return parse_typed_text(variable, text);
   const std::string number = plain_number(text);
   if (deck::NumberProblem problem = thousands_or_decimals(text)) return {{}, problem};
   double value = 0.0;
   const bool plain = !deck::parse_real(number, value);
   const bool words = number.find_first_of("0123456789") == std::string::npos;
-  if (words || (plain && !could_be_difference(number))) return parse_typed(variable, text);
+  if (words || (plain && !could_be_difference(number))) return parse_typed_text(variable, text);
   if (plain) {
     const std::size_t sign = number.find_first_of("+-", 1);
     return {{},
@@ -128,7 +129,7 @@ Typed parse_typed(const deck::Deck& deck, const deck::VariableSpec& variable,
   return {value, std::move(problem)};
 }
 
-deck::NumberProblem product_or_values(std::string_view typed, std::size_t values) {
+deck::NumberProblem check_product_ambiguity(std::string_view typed, std::size_t values) {
   static const std::regex kRepeat("([1-9][0-9]{0,3})[*]([-+]?[0-9.]+([eEdD][-+]?[0-9]+)?)");
   const std::string number = plain_number(typed);
   std::smatch found;
@@ -145,7 +146,7 @@ bool is_run_time(const deck::VariableSpec& variable) {
          variable.name == "stpMax";
 }
 
-std::string plain_text(std::string_view typed) {
+std::string normalized_text(std::string_view typed) {
   const std::size_t first = typed.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
   const std::string text(typed.substr(first, typed.find_last_not_of(" \t") - first + 1));

@@ -55,7 +55,7 @@ constexpr const char* kCutOff = "interrupted, or still active in another program
 
 }  // namespace
 
-bool can_go_on(const fs::path& folder, const deck::Deck& deck) {
+bool can_continue(const fs::path& folder, const deck::Deck& deck) {
   std::error_code ignored;
   const std::string state = deck.has_record("2.3") ? deck.text("masName") : "MASTER";
   return fs::exists(folder / (state.empty() ? "MASTER" : state), ignored);
@@ -64,7 +64,7 @@ bool can_go_on(const fs::path& folder, const deck::Deck& deck) {
 std::vector<UnfinishedRun> unfinished_runs(const fs::path& deck_file, const deck::Deck& deck) {
   std::vector<UnfinishedRun> out;
   for (const fs::path& folder : folders_of(deck_file, "run-")) {
-    if (!can_go_on(folder, deck)) continue;
+    if (!can_continue(folder, deck)) continue;
     const auto& [of, status] = report_in(folder);
     if (status == "done" || status == "untrusted") continue;  // came to its end
     if (!of.empty() && of != deck_file.filename().string()) continue;
@@ -79,7 +79,7 @@ std::vector<UnfinishedRun> unfinished_runs(const fs::path& deck_file, const deck
 std::vector<UnfinishedSweep> unfinished_sweeps(const fs::path& deck_file) {
   std::vector<UnfinishedSweep> out;
   for (const fs::path& folder : folders_of(deck_file, "sweep-")) {
-    const auto mark = studies::read_sweep_mark(folder);
+    const auto mark = studies::read_sweep_manifest(folder);
     if (!mark || mark->deck != deck_file.filename().string()) continue;
     const bool whole = mark->status == "done";
     if (whole && mark->failed == 0) continue;

@@ -29,6 +29,6 @@ struct UnfinishedSweep {
     const std::filesystem::path& deck_file);
 
 /// Does the folder contain a state from which a run of the deck can continue?
-[[nodiscard]] bool can_go_on(const std::filesystem::path& folder, const deck::Deck& deck);
+[[nodiscard]] bool can_continue(const std::filesystem::path& folder, const deck::Deck& deck);
 
 }  // namespace adore::adrinput

@@ -1,5 +1,6 @@
 #include "adrinput/unit_choice.hpp"
 
+#include "adrinput/settings.hpp"
 #include "adrinput/typed.hpp"
 #include "base/counted.hpp"
 #include "deck/quantity.hpp"
@@ -7,7 +8,6 @@
 #include "runs/unused_request.hpp"
 
 #include <QRegularExpression>
-#include <QSettings>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::map<std::string, QString, std::less<>>& choices() {
 
 }  // namespace
 
-const std::vector<Quantity>& quantities_with_a_choice() {
+const std::vector<Quantity>& quantities_with_unit_choice() {
   static const std::vector<Quantity> list = {{"m", "&Lengths"},
                                              {"deg", "&Angles"},
                                              {"rpm", "&Rotation speeds"},
@@ -51,7 +51,7 @@ const std::vector<Quantity>& quantities_with_a_choice() {
 QString chosen_unit(std::string_view si) {
   const auto known = choices().find(si);
   if (known != choices().end()) return known->second;
-  const QString unit = QSettings("Adore", "adrinput").value(key_of(si)).toString();
+  const QString unit = settings().value(key_of(si)).toString();
   choices()[std::string(si)] = unit;
   return unit;
 }
@@ -78,7 +78,7 @@ QString unit_in_view(const Document& document, const deck::VariableSpec& variabl
 
 }  // namespace
 
-QString shown_unit(const Document& document, const deck::VariableSpec& variable) {
+QString display_unit(const Document& document, const deck::VariableSpec& variable) {
   const QString chosen = unit_in_view(document, variable);
   return chosen.isEmpty() ? QString::fromStdString(unit_of(document.deck(), variable)) : chosen;
 }
@@ -87,16 +87,16 @@ QString shown_value(const Document& document, const Cell& cell) {
   const QString text = QString::fromStdString(document.text(cell));
   const deck::VariableSpec* variable = variable_of(cell);
   const deck::Value* value = value_at(document.deck(), cell);
-  if (variable == nullptr || value == nullptr || document.is_draft(cell)) return text;
+  if (variable == nullptr || value == nullptr || document.has_unparsed_text(cell)) return text;
   const double* real = std::get_if<double>(value);
   const QString unit = real == nullptr ? QString() : unit_in_view(document, *variable);
   if (unit.isEmpty()) return text;
-  return QString::fromStdString(
-             deck::number_in(*real, variable->unit, document.deck().units(), unit.toStdString())) +
+  return QString::fromStdString(deck::number_in_unit(*real, variable->unit, document.deck().units(),
+                                                     unit.toStdString())) +
          " " + unit;
 }
 
-QString named_value(const Document& document, const Cell& cell) {
+QString name_and_value(const Document& document, const Cell& cell) {
   const deck::VariableSpec* variable = variable_of(cell);
   if (variable == nullptr || unit_in_view(document, *variable).isEmpty()) return {};
   // A drawing has no room for twelve digits; the field has them.
@@ -108,7 +108,7 @@ QString named_value(const Document& document, const Cell& cell) {
   return QString::fromStdString(std::string(variable->name)) + " = " + value;
 }
 
-std::string as_meant(const Document& document, const Cell& cell, const std::string& typed) {
+std::string add_display_unit(const Document& document, const Cell& cell, const std::string& typed) {
   const deck::VariableSpec* variable = variable_of(cell);
   if (variable == nullptr || variable->type != deck::VarType::Real) return typed;
   static const QRegularExpression number(QString::fromUtf8(
@@ -120,14 +120,14 @@ std::string as_meant(const Document& document, const Cell& cell, const std::stri
   return (sum == std::string::npos ? typed : "(" + typed + ")") + " " + unit.toStdString();
 }
 
-QString run_time(const Document& document, const Cell& cell) {
+QString run_time_text(const Document& document, const Cell& cell) {
   const deck::VariableSpec* variable = variable_of(cell);
   if (variable == nullptr || !is_run_time(*variable)) return {};
   const std::optional<runs::RunScales> scales = document.scales();
-  const Typed typed = document.parse(cell, document.text(cell));
+  const TypedValue typed = document.parse(cell, document.text(cell));
   const double* value = std::get_if<double>(&typed.value);
   if (!scales || typed.problem || value == nullptr) return {};
-  if (!no_run_time(document, cell).isEmpty()) return {};
+  if (!no_steps_reason(document, cell).isEmpty()) return {};
   const double seconds = *value * scales->time;
   std::string text = fmt::format("{:.4g} s", seconds);
   if (variable->name == "fTime" && scales->turns_per_second > 0.0)
@@ -136,21 +136,22 @@ QString run_time(const Document& document, const Cell& cell) {
   return QString::fromStdString(text);
 }
 
-QString no_run_time(const Document& document, const Cell& cell) {
+QString no_steps_reason(const Document& document, const Cell& cell) {
   const deck::VariableSpec* variable = variable_of(cell);
   if (variable == nullptr || variable->name != "fTime") return {};
   const std::string why = runs::why_no_step(document.deck());
   return why.empty() ? QString() : QString::fromStdString(why + ": no motion");
 }
 
-QString typed_value(const Document& document, const Cell& cell) {
+QString typed_value_text(const Document& document, const Cell& cell) {
   const deck::VariableSpec* variable = variable_of(cell);
-  if (variable == nullptr || variable->type != deck::VarType::Real || !document.is_draft(cell))
+  if (variable == nullptr || variable->type != deck::VarType::Real ||
+      !document.has_unparsed_text(cell))
     return {};
   const std::string typed_text = document.text(cell);
-  const std::string text = as_meant(document, cell, typed_text);
-  if (text == typed_text && !parse_typed(*variable, text).problem) return {};
-  const Typed typed = document.parse(cell, text);
+  const std::string text = add_display_unit(document, cell, typed_text);
+  if (text == typed_text && !parse_typed_text(*variable, text).problem) return {};
+  const TypedValue typed = document.parse(cell, text);
   if (typed.problem) return {};
   const std::string unit = unit_of(document.deck(), *variable);
   return QString::fromStdString(shown_text(typed.value) + (unit.empty() ? "" : " " + unit));

@@ -7,11 +7,11 @@
 
 namespace adore::adrinput {
 
-QString in_other_units(const Document& document, const Cell& cell) {
+QString value_in_other_units(const Document& document, const Cell& cell) {
   const deck::VariableSpec* variable = variable_of(cell);
   const deck::Deck& deck = document.deck();
   if (variable == nullptr || !deck::depends_on_units(deck, *variable)) return {};
-  const Typed typed = parse_typed(deck, *variable, document.text(cell));
+  const TypedValue typed = parse_typed_text(deck, *variable, document.text(cell));
   const double* value = std::get_if<double>(&typed.value);
   if (typed.problem || value == nullptr) return {};
   const deck::UnitSystem other = deck::other_system(deck.units());
@@ -20,7 +20,7 @@ QString in_other_units(const Document& document, const Cell& cell) {
       fmt::format("{:.6g} {}", converted, deck::unit_name(deck, *variable, other)));
 }
 
-QString other_system_name(const deck::Deck& deck) {
+QString other_unit_system_name(const deck::Deck& deck) {
   return deck.units() == deck::UnitSystem::SI ? "English units" : "SI units";
 }
 

@@ -10,9 +10,9 @@ namespace adore::adrinput {
 
 /// "2.3622 in" for a field that shows 0.06 m, to six digits; empty for values without another unit
 /// and for texts that are not numbers.
-[[nodiscard]] QString in_other_units(const Document& document, const Cell& cell);
+[[nodiscard]] QString value_in_other_units(const Document& document, const Cell& cell);
 
 /// "English units" for a deck in SI units, and vice versa.
-[[nodiscard]] QString other_system_name(const deck::Deck& deck);
+[[nodiscard]] QString other_unit_system_name(const deck::Deck& deck);
 
 }  // namespace adore::adrinput

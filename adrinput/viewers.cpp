@@ -17,7 +17,8 @@ void show_in_viewer(QWidget* parent, const Launch& launch, const QString& progra
     for (const QString& file : files)  // the window may have been started elsewhere
       arguments << (file.startsWith("--") ? file
                                           : QDir::cleanPath(QFileInfo(file).absoluteFilePath()));
-    if (desktop::hand_over(program, project, arguments)) return;  // it has a window already
+    if (desktop::send_to_open_window(program, project, arguments))
+      return;  // it has a window already
     launch(program, QStringList{"--project", project} + arguments);
   } catch (const std::exception& error) {
     desktop::show_message(parent, QString::fromUtf8(error.what()), true);

@@ -50,7 +50,7 @@ constexpr std::pair<std::string_view, std::string_view> kWords[]{
 
 }  // namespace
 
-std::string in_window_words(std::string sentence) {
+std::string replace_cli_terms(std::string sentence) {
   for (const auto& [options, window] : kWords)
     for (std::size_t at = sentence.find(options); at != std::string::npos;
          at = sentence.find(options, at + window.size()))

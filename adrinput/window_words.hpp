@@ -5,6 +5,6 @@
 namespace adore::adrinput {
 
 /// Translates a message: commands of the window instead of options of the command line.
-[[nodiscard]] std::string in_window_words(std::string sentence);
+[[nodiscard]] std::string replace_cli_terms(std::string sentence);
 
 }  // namespace adore::adrinput

@@ -5,7 +5,7 @@
 
 namespace adore::adrplot {
 
-std::vector<double> accumulated_turns(const results::SolFile& file) {
+std::vector<double> accumulated_revolutions(const results::SolFile& file) {
   std::vector<double> turns;
   turns.reserve(file.steps.size());
   double sum = file.steps.empty() ? 0.0 : std::abs(file.steps.front().revolutions);
@@ -20,7 +20,7 @@ std::vector<double> accumulated_turns(const results::SolFile& file) {
   return turns;
 }
 
-bool turns_back(const results::SolFile& file) {
+bool has_reversals(const results::SolFile& file) {
   constexpr double kLeast = 1e-3;  // turns
   double forth = 0.0, back = 0.0, last = std::nan("");
   for (const auto& step : file.steps) {
@@ -35,7 +35,7 @@ bool turns_back(const results::SolFile& file) {
 void set_abscissa(desktop::ChartPage& page, const results::SolFile& file, Abscissa abscissa) {
   constexpr double kLeastTurn = 1e-9;
   if (abscissa == Abscissa::Revolutions) {
-    page.x = accumulated_turns(file);
+    page.x = accumulated_revolutions(file);
     page.x_title = "Bearing rotation";
     page.x_unit = "rev";
     if (page.x.size() < 2 || page.x.back() - page.x.front() > kLeastTurn) return;

@@ -10,11 +10,11 @@ enum class Abscissa : unsigned char { Revolutions, Time, Step };
 
 /// Relative revolutions of the races since time 0, each counted as positive: they increase for
 /// backward rotation, too (the file keeps the sign, N102).
-[[nodiscard]] std::vector<double> accumulated_turns(const results::SolFile& file);
+[[nodiscard]] std::vector<double> accumulated_revolutions(const results::SolFile& file);
 
 /// Do the races oscillate relative to each other by more than a thousandth of a revolution in both
 /// directions?
-[[nodiscard]] bool turns_back(const results::SolFile& file);
+[[nodiscard]] bool has_reversals(const results::SolFile& file);
 
 /// Sets values, title and unit of the horizontal axis. Without relative rotation of the races,
 /// revolutions would put the whole run at one point: then time is used, with a note.

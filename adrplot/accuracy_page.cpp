@@ -111,7 +111,7 @@ void add_floor(desktop::ChartPage& page, const std::vector<Point>& points, const
                                     [](const Point& point) { return point.stands_out; });
   if (others > 0)
     page.note +=
-        fmt::format(" At {} in the shaded area, the error of one quantity exceeds its own scatter.",
+        fmt::format(" {} in the shaded area: the error of one quantity is larger than its scatter.",
                     counted(others, "point"));
 }
 
@@ -184,7 +184,7 @@ desktop::ChartPage page_of(const nlohmann::json& rows, const std::string& title,
 
 }  // namespace
 
-bool is_accuracy(const std::filesystem::path& path) {
+bool is_accuracy_file(const std::filesystem::path& path) {
   return path.filename().string().starts_with("ACCURACY") && path.extension() == ".json";
 }
 
@@ -217,10 +217,10 @@ std::vector<desktop::ChartPage> accuracy_pages(const std::filesystem::path& path
     out.push_back(page_of(finals, title, error, whole, recommended));
   // The title of the study is that of its last round.
   const auto turns = study.find("short_turns");
-  const std::string first =
-      turns != study.end() && turns->is_number()
-          ? fmt::format("First round, {}: error against time", turns_text(turns->get<double>()))
-          : "First round: error against time";
+  const std::string first = turns != study.end() && turns->is_number()
+                                ? fmt::format("First round, {}: error against time",
+                                              revolutions_text(turns->get<double>()))
+                                : "First round: error against time";
   out.push_back(
       page_of(study["screening"], out.empty() ? title : first, error, brief, recommended));
   for (desktop::ChartPage& page : out) page.subtitle = run_folder(path).filename().string();

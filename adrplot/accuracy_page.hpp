@@ -13,6 +13,6 @@ namespace adore::adrplot {
 [[nodiscard]] std::vector<desktop::ChartPage> accuracy_pages(const std::filesystem::path& path);
 
 /// Is it such a file, by its name?
-[[nodiscard]] bool is_accuracy(const std::filesystem::path& path);
+[[nodiscard]] bool is_accuracy_file(const std::filesystem::path& path);
 
 }  // namespace adore::adrplot

@@ -107,7 +107,7 @@ ChannelFilter::ChannelFilter(QObject* parent) : QSortFilterProxyModel(parent) {
   setRecursiveFilteringEnabled(true);
 }
 
-void ChannelFilter::setWords(const QString& text) {
+void ChannelFilter::setFilterText(const QString& text) {
   words_ = text.split(' ', Qt::SkipEmptyParts);
   invalidateFilter();
 }
@@ -148,7 +148,7 @@ ChannelTree::ChannelTree(QWidget* parent)
   tree_->setContextMenuPolicy(Qt::CustomContextMenu);
   column->addWidget(tree_, 1);
   connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
-    proxy_->setWords(text);
+    proxy_->setFilterText(text);
     constexpr int kFew = 200;  // channels that are shown at once
     if (!text.trimmed().isEmpty() && proxy_->rowCount() <= kFew)
       tree_->expandAll();
@@ -156,7 +156,7 @@ ChannelTree::ChannelTree(QWidget* parent)
       tree_->collapseAll();
   });
   connect(tree_, &QTreeView::activated, this, [this](const QModelIndex& index) {
-    if (ChannelModel::refOf(index)) emit addWanted();
+    if (ChannelModel::refOf(index)) emit addToChartRequested();
   });
   connect(tree_, &QTreeView::customContextMenuRequested, this, &ChannelTree::showMenu);
 }
@@ -183,10 +183,10 @@ void ChannelTree::showMenu(const QPoint& at) {
   const auto add = [&](const QString& text, auto signal) {
     menu->addAction(text, this, signal)->setEnabled(any);
   };
-  add(tr("&Add to Chart"), &ChannelTree::addWanted);
-  add(tr("&New Chart"), &ChannelTree::chartWanted);
-  add(tr("&Formula of Selected Channels..."), &ChannelTree::formulaWanted);
-  add(tr("&Show Page"), &ChannelTree::pageWanted);
+  add(tr("&Add to Chart"), &ChannelTree::addToChartRequested);
+  add(tr("&New Chart"), &ChannelTree::newChartRequested);
+  add(tr("&Formula of Selected Channels..."), &ChannelTree::formulaRequested);
+  add(tr("&Show Page"), &ChannelTree::pageRequested);
   menu->addAction(tr("&Copy Names"),
                   [this] {
                     QStringList names;

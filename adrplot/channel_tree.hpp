@@ -43,7 +43,7 @@ class ChannelFilter : public QSortFilterProxyModel {
   Q_OBJECT
  public:
   explicit ChannelFilter(QObject* parent);
-  void setWords(const QString& text);
+  void setFilterText(const QString& text);
 
  protected:
   [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
@@ -62,10 +62,10 @@ class ChannelTree : public QWidget {
   [[nodiscard]] QTreeView& tree() { return *tree_; }
 
  signals:
-  void addWanted();      ///< selected channels to the chart
-  void chartWanted();    ///< selected channels in a new chart
-  void formulaWanted();  ///< formula of the selected channels
-  void pageWanted();     ///< page of the first selected channel
+  void addToChartRequested();  ///< selected channels to the chart
+  void newChartRequested();    ///< selected channels in a new chart
+  void formulaRequested();     ///< formula of the selected channels
+  void pageRequested();        ///< page of the first selected channel
 
  private:
   void showMenu(const QPoint& at);

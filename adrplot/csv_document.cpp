@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <sstream>
 
 namespace adore::adrplot {
@@ -54,17 +55,17 @@ double number(std::string text) {
   return whole ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
-struct Column {
+struct CsvColumn {
   std::string title, unit;
   std::vector<double> values;
 };
 
 struct Table {
-  std::vector<Column> columns;
+  std::vector<CsvColumn> columns;
   std::size_t rejected = 0;  ///< rows of another length
 };
 
-Column heading(const std::string& text) {
+CsvColumn heading(const std::string& text) {
   const std::size_t bracket = text.rfind(" [");
   if (bracket == std::string::npos || text.back() != ']') return {text, "", {}};
   return {text.substr(0, bracket), text.substr(bracket + 2, text.size() - bracket - 3), {}};
@@ -91,7 +92,7 @@ Table read_table(const std::filesystem::path& path) {
     return std::isfinite(number(text));
   });
   for (std::size_t i = 0; i < first.size(); ++i) {
-    out.columns.push_back(numbers ? Column{fmt::format("Column {}", i + 1), "", {}}
+    out.columns.push_back(numbers ? CsvColumn{fmt::format("Column {}", i + 1), "", {}}
                                   : heading(first[i]));
     if (numbers) out.columns.back().values.push_back(number(first[i]));
   }
@@ -104,7 +105,7 @@ Table read_table(const std::filesystem::path& path) {
     }
     for (std::size_t i = 0; i < row.size(); ++i) out.columns[i].values.push_back(number(row[i]));
   }
-  const auto many = std::count_if(out.columns.begin(), out.columns.end(), [](const Column& c) {
+  const auto many = std::count_if(out.columns.begin(), out.columns.end(), [](const CsvColumn& c) {
     return std::count_if(c.values.begin(), c.values.end(),
                          [](double v) { return std::isfinite(v); }) > 1;
   });
@@ -116,11 +117,11 @@ Table read_table(const std::filesystem::path& path) {
 std::size_t abscissa_of(const Table& table) {
   const auto named = [&](std::string_view word) {
     return std::find_if(table.columns.begin(), table.columns.end(),
-                        [&](const Column& column) {
+                        [&](const CsvColumn& column) {
                           std::string text = column.title;
                           for (char& c : text)
                             c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-                          return text.starts_with(word) && any_value(column.values);
+                          return text.starts_with(word) && has_number(column.values);
                         }) -
            table.columns.begin();
   };
@@ -130,18 +131,51 @@ std::size_t abscissa_of(const Table& table) {
   return 0;
 }
 
+/// Speeds of a shaft [rev/s] per unit of a column; 0: the unit is no speed of rotation.
+double turns_per_second(std::string unit) {
+  for (char& c : unit) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return unit == "rpm" || unit == "1/min" || unit == "r/min" || unit == "rev/min" ? 1.0 / 60.0
+         : unit == "rad/s" ? 0.5 / std::numbers::pi
+                           : 0.0;
+}
+
+/// Revolutions of the shaft: the integral of the first column with a speed (trapezoidal rule).
+RunMotion motion_of_table(const Table& table, std::size_t abscissa) {
+  RunMotion out{table.columns[abscissa].values, {}};
+  for (const CsvColumn& column : table.columns) {
+    const double factor = turns_per_second(column.unit);
+    if (factor == 0.0 || out.times.empty()) continue;
+    out.turns = {0.0};
+    for (std::size_t i = 1; i < out.times.size(); ++i)
+      out.turns.push_back(out.turns.back() + 0.5 * factor * (out.times[i] - out.times[i - 1]) *
+                                                 (column.values[i - 1] + column.values[i]));
+    if (!std::isfinite(out.turns.back())) {  // the speed has gaps
+      out.turns.clear();
+      continue;
+    }
+    if (out.turns.back() < 0.0)
+      for (double& turn : out.turns) turn = -turn;
+    out.source = "column \"" + column.title + "\"";
+    const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());
+    out.oscillates = *low < 0.0 && *high > 0.0;
+    if (!out.oscillates) out.marks.push_back({"shaft", out.times, out.turns});
+    break;
+  }
+  return out;
+}
+
 }  // namespace
 
 PlotDocument open_csv(const std::filesystem::path& path) {
   const auto table = std::make_shared<const Table>(read_table(path));
   const std::size_t abscissa = abscissa_of(*table);
-  const Column& x = table->columns[abscissa];
+  const CsvColumn& x = table->columns[abscissa];
   const bool over_time = x.unit == "s";
   PlotDocument out;
   out.path = path;
   out.subject = "table";
   if (table->rejected > 0)
-    out.note = counted(table->rejected, "row") + " with another number of fields left out";
+    out.note = counted(table->rejected, "row") + " left out (wrong number of fields)";
   std::vector<std::size_t> columns;
   for (std::size_t i = 0; i < table->columns.size(); ++i) {
     if (i == abscissa) continue;
@@ -153,8 +187,8 @@ PlotDocument open_csv(const std::filesystem::path& path) {
   }
   out.build = [path, table, columns, abscissa, over_time](int number, const PageOptions& options) {
     check_page_number(path, number, columns.size());
-    const Column& across = table->columns[abscissa];
-    const Column& column = table->columns[columns[static_cast<std::size_t>(number - 1)]];
+    const CsvColumn& across = table->columns[abscissa];
+    const CsvColumn& column = table->columns[columns[static_cast<std::size_t>(number - 1)]];
     desktop::ChartPage chart;
     chart.title = column.title;
     chart.subtitle =
@@ -163,16 +197,15 @@ PlotDocument open_csv(const std::filesystem::path& path) {
     chart.x_title = over_time ? "Time" : across.title;
     chart.x_unit = across.unit;
     chart.panels.push_back({column.title, column.unit, {{"", column.values, {}}}, false});
-    if (!any_value(column.values)) chart.panels.back().message = "This column has no numbers.";
+    if (!has_number(column.values)) chart.panels.back().message = "This column has no numbers.";
     if (over_time) {
-      show_domain(chart, {across.values, {}, {}}, false, options);
+      show_domain(chart, motion_of_table(*table, abscissa), options);
       if (options.domain == Domain::History && options.abscissa != Abscissa::Time)
         add_note(chart, "A table has no revolutions, so the abscissa is time.");
     }
     return chart;
   };
-  if (over_time)
-    out.motion = [table, abscissa] { return RunMotion{table->columns[abscissa].values, {}, {}}; };
+  if (over_time) out.motion = [table, abscissa] { return motion_of_table(*table, abscissa); };
   return out;
 }
 

@@ -25,7 +25,7 @@ Course course_of(const desktop::ChartPage& page, const RunMotion& motion) {
 std::optional<double> value_at(const std::vector<double>& x, const std::vector<double>& y,
                                double place) {
   if (x.empty() || x.size() != y.size() || !std::isfinite(place)) return std::nullopt;
-  const double value = read_off(x, y, {std::clamp(place, x.front(), x.back())}).front();
+  const double value = interpolated_values(x, y, {std::clamp(place, x.front(), x.back())}).front();
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 

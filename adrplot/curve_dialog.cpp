@@ -57,27 +57,27 @@ CurveDialog::CurveDialog(const std::vector<const PlotDocument*>& files, const Pa
   tree_->setHeaderLabels({tr("Curve"), tr("Unit")});
   tree_->setColumnWidth(0, 440);
   column->addWidget(tree_, 1);
-  how_ = new QComboBox(this);
-  how_->setObjectName("how");
-  how_->addItems({tr("Draw together"), tr("Draw differences from:")});
-  desktop::name_box(*how_, tr("Chart content"));
-  column->addWidget(how_);
+  combination_box_ = new QComboBox(this);
+  combination_box_->setObjectName("how");
+  combination_box_->addItems({tr("Draw together"), tr("Draw differences from:")});
+  desktop::set_accessible_name(*combination_box_, tr("Chart content"));
+  column->addWidget(combination_box_);
   reference_ = new QComboBox(this);
   reference_->setObjectName("reference");
-  desktop::name_box(*reference_, tr("Reference curve"));
+  desktop::set_accessible_name(*reference_, tr("Reference curve"));
   reference_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   column->addWidget(reference_);
-  connect(how_, &QComboBox::currentIndexChanged, this, &CurveDialog::offerReferences);
+  connect(combination_box_, &QComboBox::currentIndexChanged, this, &CurveDialog::fillReferenceBox);
   connect(reference_, &QComboBox::activated, this,
-          [this](int index) { chosen_ = order_.at(static_cast<std::size_t>(index)); });
+          [this](int index) { chosen_ = checked_items_.at(static_cast<std::size_t>(index)); });
   connect(tree_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
     const bool on = item->checkState(0) == Qt::Checked;
-    const auto known = std::find(order_.begin(), order_.end(), item);
-    if (on && known == order_.end()) order_.push_back(item);
-    if (!on && known != order_.end()) order_.erase(known);
-    offerReferences();
+    const auto known = std::find(checked_items_.begin(), checked_items_.end(), item);
+    if (on && known == checked_items_.end()) checked_items_.push_back(item);
+    if (!on && known != checked_items_.end()) checked_items_.erase(known);
+    fillReferenceBox();
   });
-  offerReferences();
+  fillReferenceBox();
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -99,11 +99,11 @@ CurveDialog::CurveDialog(const std::vector<const PlotDocument*>& files, const Pa
       fill(item, *files_[static_cast<std::size_t>(index)], index, history);
   });
   if (tree_->topLevelItemCount() == 1) tree_->topLevelItem(0)->setExpanded(true);
-  tick(before);
+  checkCurves(before);
 }
 
-void CurveDialog::tick(const CurveChoice& before) {
-  how_->setCurrentIndex(before.how == Combine::Difference ? 1 : 0);
+void CurveDialog::checkCurves(const CurveChoice& before) {
+  combination_box_->setCurrentIndex(before.how == Combine::Difference ? 1 : 0);
   QTreeWidgetItem* first = nullptr;
   for (const CurveChoice::Curve& one : before.curves)
     for (std::size_t f = 0; f < files_.size(); ++f) {
@@ -127,21 +127,23 @@ void CurveDialog::tick(const CurveChoice& before) {
 }
 
 /// The curves in the order of their ticks.
-void CurveDialog::offerReferences() {
+void CurveDialog::fillReferenceBox() {
   reference_->clear();
-  for (const QTreeWidgetItem* item : order_)
+  for (const QTreeWidgetItem* item : checked_items_)
     reference_->addItem(QString("%1 · %2").arg(item->text(0), item->parent()->parent()->text(0)));
-  const auto kept = std::find(order_.begin(), order_.end(), chosen_);
-  if (kept == order_.end()) chosen_ = nullptr;
-  if (!order_.empty())
-    reference_->setCurrentIndex(chosen_ == nullptr ? 0 : static_cast<int>(kept - order_.begin()));
-  reference_->setEnabled(how() == Combine::Difference && !order_.empty());
+  const auto kept = std::find(checked_items_.begin(), checked_items_.end(), chosen_);
+  if (kept == checked_items_.end()) chosen_ = nullptr;
+  if (!checked_items_.empty())
+    reference_->setCurrentIndex(
+        chosen_ == nullptr ? 0 : static_cast<int>(kept - checked_items_.begin()));
+  reference_->setEnabled(how() == Combine::Difference && !checked_items_.empty());
 }
 
 std::vector<CurvePick> CurveDialog::picks() const {
   std::vector<CurvePick> out;
-  const QTreeWidgetItem* const reference = how() == Combine::Overlay || order_.empty() ? nullptr
-                                           : chosen_ == nullptr ? order_.front()
+  const QTreeWidgetItem* const reference = how() == Combine::Overlay || checked_items_.empty()
+                                               ? nullptr
+                                           : chosen_ == nullptr ? checked_items_.front()
                                                                 : chosen_;
   for (int f = 0; f < tree_->topLevelItemCount(); ++f)
     for (int p = 0; p < tree_->topLevelItem(f)->childCount(); ++p) {
@@ -161,7 +163,7 @@ std::vector<CurvePick> CurveDialog::picks() const {
 
 CurveChoice CurveDialog::choice() const {
   CurveChoice out{.how = how()};
-  for (const QTreeWidgetItem* item : order_)
+  for (const QTreeWidgetItem* item : checked_items_)
     out.curves.push_back(
         {files_[static_cast<std::size_t>(item->data(0, kFile).toInt())]->path,
          item->data(0, kPage).toInt(), static_cast<std::size_t>(item->data(0, kPanel).toInt()),
@@ -170,7 +172,7 @@ CurveChoice CurveDialog::choice() const {
 }
 
 Combine CurveDialog::how() const {
-  return how_->currentIndex() == 1 ? Combine::Difference : Combine::Overlay;
+  return combination_box_->currentIndex() == 1 ? Combine::Difference : Combine::Overlay;
 }
 
 }  // namespace adore::adrplot

@@ -36,15 +36,15 @@ class CurveDialog : public QDialog {
   [[nodiscard]] CurveChoice choice() const;
 
  private:
-  void offerReferences();
-  void tick(const CurveChoice& before);
+  void fillReferenceBox();
+  void checkCurves(const CurveChoice& before);
 
   std::vector<const PlotDocument*> files_;
   QTreeWidget* tree_;
-  QComboBox* how_;
+  QComboBox* combination_box_;
   QComboBox* reference_;
-  std::vector<QTreeWidgetItem*> order_;  ///< of ticking
-  QTreeWidgetItem* chosen_ = nullptr;    ///< as reference; none: the first one
+  std::vector<QTreeWidgetItem*> checked_items_;  ///< of ticking
+  QTreeWidgetItem* chosen_ = nullptr;            ///< as reference; none: the first one
 };
 
 }  // namespace adore::adrplot

@@ -10,7 +10,7 @@ namespace adore::adrplot {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> files_of(const fs::path& path) {
+std::vector<fs::path> plot_files_of(const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_directory(path, ignored) || is_study(path)) return {path};
   std::vector<fs::path> out = results::run_folder(path).plots;

@@ -44,7 +44,8 @@ FormulaDialog::FormulaDialog(const std::vector<const PlotDocument*>& files,
   tree_ = new ChannelTree(this);
   tree_->fill(files);
   column->addWidget(tree_, 3);
-  connect(tree_, &ChannelTree::addWanted, this, [this] { addChannels(tree_->selected()); });
+  connect(tree_, &ChannelTree::addToChartRequested, this,
+          [this] { addChannels(tree_->selected()); });
   table_ = new QTableWidget(0, 2, this);
   table_->setObjectName("inputs");
   table_->setAccessibleName(tr("Names in the formula"));
@@ -69,7 +70,7 @@ FormulaDialog::FormulaDialog(const std::vector<const PlotDocument*>& files,
   check();
 }
 
-QString FormulaDialog::freeName() const {
+QString FormulaDialog::unusedInputName() const {
   for (int i = 0;; ++i) {
     const QString letter = QString(QChar('a' + i % 26));
     const QString name = i < 26 ? letter : letter + QString::number(i / 26);
@@ -81,7 +82,7 @@ QString FormulaDialog::freeName() const {
 }
 
 void FormulaDialog::addInput(FormulaInput input) {
-  if (input.name.empty()) input.name = freeName().toStdString();
+  if (input.name.empty()) input.name = unusedInputName().toStdString();
   const QSignalBlocker quiet(table_);
   const int row = table_->rowCount();
   table_->insertRow(row);
@@ -116,7 +117,7 @@ FormulaChannel FormulaDialog::channel() const {
                      unit_->text().trimmed().toStdString(),
                      {}};
   if (out.title.empty()) out.title = out.formula;
-  const std::vector<std::string> used = signal::names_in(out.formula);
+  const std::vector<std::string> used = signal::variable_names_in(out.formula);
   for (const FormulaInput& input : inputs_)
     if (std::find(used.begin(), used.end(), input.name) != used.end()) out.inputs.push_back(input);
   return out;

@@ -30,7 +30,7 @@ class FormulaDialog : public QDialog {
  private:
   void addInput(FormulaInput input);
   void check();
-  [[nodiscard]] QString freeName() const;
+  [[nodiscard]] QString unusedInputName() const;
 
   std::function<FormulaInput(const ChannelRef&)> find_;
   PageOptions options_;

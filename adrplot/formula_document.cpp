@@ -49,15 +49,15 @@ desktop::ChartPage formula_page(const FormulaChannel& channel, const PageOptions
     out.note += fmt::format("{}{} is {}{}{}{}", series.empty() ? "" : "; ", input.name, panel.title,
                             curve.name.empty() ? "" : ", ", curve.name,
                             panel.unit.empty() ? "" : " [" + panel.unit + "]");
-    series[input.name] = page.x == out.x ? curve.y : read_off(page.x, curve.y, out.x);
+    series[input.name] = page.x == out.x ? curve.y : interpolated_values(page.x, curve.y, out.x);
   }
   out.note += '.';
   desktop::ChartPanel panel{channel.title, channel.unit, {}, false};
   panel.curves.push_back({"", signal::evaluate(channel.formula, series), {}});
-  if (!any_value(panel.curves.front().y)) panel.message = "The formula has no values.";
+  if (!has_number(panel.curves.front().y)) panel.message = "The formula has no values.";
   out.panels.push_back(std::move(panel));
   if (out.x_title == "Time" && out.x_unit == "s")
-    show_domain(out, motion_at(*channel.inputs.front().file, out.x), false, options);
+    show_domain(out, motion_at(*channel.inputs.front().file, out.x), options);
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include "adrplot/spectrum_page.hpp"
 #include "base/counted.hpp"
 #include "base/errors.hpp"
+#include "desktop/figure.hpp"
 #include "results/channels.hpp"
 
 #include <fmt/format.h>
@@ -107,7 +108,7 @@ struct PageView {
 /// Panels by all indices but the first, curves by the first.
 std::vector<PanelView> panels_of(const ChannelView& channel) {
   const std::vector<std::size_t>& sizes = channel.info.dimensions;
-  const std::string label = capital(channel.info.label);
+  const std::string label = capitalize_first(channel.info.label);
   if (sizes.empty()) {
     PanelView panel{label, {}};
     panel.curves.push_back({"", 0});
@@ -149,7 +150,7 @@ class H5Pages {
       channels_.push_back(view_of(info));
       std::vector<PanelView> panels = panels_of(channels_.back());
       for (std::size_t p = 0; p < panels.size(); p += kMaxPanels) {
-        PageView page{channels_.size() - 1, capital(info.label), {}};
+        PageView page{channels_.size() - 1, capitalize_first(info.label), {}};
         for (std::size_t k = p; k < std::min(p + kMaxPanels, panels.size()); ++k)
           page.panels.push_back(std::move(panels[k]));
         if (panels.size() > kMaxPanels)
@@ -158,7 +159,7 @@ class H5Pages {
         pages_.push_back(std::move(page));
       }
     }
-    marks_ = mark_turns(reader_);
+    marks_ = mark_event_counts(reader_);
   }
   [[nodiscard]] std::vector<PlotDocument::Entry> entries() const {
     std::vector<PlotDocument::Entry> out;
@@ -185,8 +186,8 @@ class H5Pages {
     const std::size_t every = every_of(channel);
     desktop::ChartPage chart;
     chart.title = page.title;
-    chart.about = "all channels";
-    chart.note = capital(channel.info.description);
+    chart.about = desktop::kAllChannels;
+    chart.note = capitalize_first(channel.info.description);
     if (!chart.note.empty() && chart.note.back() != '.') chart.note += '.';
     chart.subtitle = fmt::format("{}   ·   {}   ·   {}   ·   page {} of {}",
                                  run().empty() ? "(no run name)" : run(), channel.info.id,
@@ -199,7 +200,7 @@ class H5Pages {
                                   counted(every, "stored step")));
     if (!channel.known)
       add_note(chart, "This version does not know the channel. Label and unit are from the file.");
-    show_domain(chart, motion, oscillates(every), options);
+    show_domain(chart, motion, options);
     return chart;
   }
 
@@ -217,7 +218,8 @@ class H5Pages {
     return reader_.read(id, first_, count(every), every);
   }
   [[nodiscard]] RunMotion motion_over(std::size_t every) {
-    RunMotion out{series("time", every), series("shaft_rotation", every), marks_};
+    RunMotion out{series("time", every), series("shaft_rotation", every), marks_,
+                  "shaft_rotation in RESULTS.h5", oscillates(every)};
     double sum = 0.0, last = out.turns.front();
     for (double& turn : out.turns) {
       sum += std::abs(turn - last);
@@ -275,7 +277,7 @@ class H5Pages {
       }
       panel.wraps = one_turn;
       if (std::none_of(panel.curves.begin(), panel.curves.end(),
-                       [](const auto& curve) { return any_value(curve.y); }))
+                       [](const auto& curve) { return has_number(curve.y); }))
         panel.message = "This channel was not computed in this run.";
       chart.panels.push_back(std::move(panel));
     }
@@ -303,7 +305,7 @@ class H5Pages {
   std::size_t most_, first_ = 0, end_ = 0, asked_every_ = 1;
   std::vector<ChannelView> channels_;
   std::vector<PageView> pages_;
-  std::vector<MarkTurns> marks_;
+  std::vector<MarkEventCounts> marks_;
   std::list<Held> held_;
 };
 

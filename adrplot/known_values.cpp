@@ -61,17 +61,17 @@ std::string behind(const std::string& id, std::string_view channel) {
 
 }  // namespace
 
-KnownColumns::KnownColumns(const results::SolFile& file)
+ValidColumns::ValidColumns(const results::SolFile& file)
     : file_(file), columns_(results::sol_columns(file.header)) {
-  for (std::size_t i = 0; i < columns_.size(); ++i) place_.emplace(columns_[i].id, i);
+  for (std::size_t i = 0; i < columns_.size(); ++i) column_index_.emplace(columns_[i].id, i);
 }
 
-std::size_t KnownColumns::find(const std::string& id) const {
-  const auto found = place_.find(id);
-  return found == place_.end() ? columns_.size() : found->second;
+std::size_t ValidColumns::find(const std::string& id) const {
+  const auto found = column_index_.find(id);
+  return found == column_index_.end() ? columns_.size() : found->second;
 }
 
-std::vector<double> KnownColumns::stored(const std::string& id) const {
+std::vector<double> ValidColumns::stored(const std::string& id) const {
   const std::size_t column = find(id);
   const std::size_t index = column < columns_.size() ? file_.place(column) : std::string::npos;
   std::vector<double> out;
@@ -81,14 +81,16 @@ std::vector<double> KnownColumns::stored(const std::string& id) const {
   return out;
 }
 
-bool KnownColumns::always_zero(const std::string& id) const { return has(id) && zero(stored(id)); }
+bool ValidColumns::is_always_zero(const std::string& id) const {
+  return has(id) && zero(stored(id));
+}
 
-std::string KnownColumns::unit(const std::string& id) const {
+std::string ValidColumns::unit(const std::string& id) const {
   const std::size_t index = find(id);
   return index < columns_.size() ? results::unit_of_column(file_, columns_[index]) : "";
 }
 
-std::vector<std::string> KnownColumns::sources(const std::string& id) {
+std::vector<std::string> ValidColumns::required_columns(const std::string& id) {
   for (const std::string_view channel :
        {"contact.angle.", "contact.spin_to_roll.", "contact.slip."})
     if (id.starts_with(channel)) return {"contact.load." + id.substr(channel.size())};
@@ -112,8 +114,8 @@ std::vector<std::string> KnownColumns::sources(const std::string& id) {
   return {};
 }
 
-KnownValues KnownColumns::values(const std::string& id) const {
-  KnownValues out{stored(id), unit(id), {}};
+ValidValues ValidColumns::values(const std::string& id) const {
+  ValidValues out{stored(id), unit(id), {}};
   const auto nothing = [&out](std::string why) {
     std::fill(out.values.begin(), out.values.end(), kNone);
     out.why_none = std::move(why);
@@ -159,7 +161,8 @@ KnownValues KnownColumns::values(const std::string& id) const {
                           file_.part ? " " + here : ""));
   } else if (is("cage.land1_") || is("cage.land2_")) {
     const std::string land = id.substr(0, std::string("cage.land1").size());
-    if (always_zero(land + "_force") && always_zero(land + "_gap") && always_zero(land + "_angle"))
+    if (is_always_zero(land + "_force") && is_always_zero(land + "_gap") &&
+        is_always_zero(land + "_angle"))
       nothing(fmt::format("This cage has no guide land {}.", land.back()));
     else if (id.ends_with("_angle")) {  // a cage in the middle is nowhere nearest
       const std::vector<double> y = stored("cage.y_over_clearance"),
@@ -181,8 +184,8 @@ KnownValues KnownColumns::values(const std::string& id) const {
                          : "The roller did not touch this pocket wall.");
   } else if (is("flange.")) {
     const std::string where = id.substr(id.find('.', std::string("flange.").size()));
-    if (always_zero("flange.gap" + where))
-      nothing(flange_reason(where, {}, file_.part));
+    if (is_always_zero("flange.gap" + where))
+      nothing(missing_flange_reason(where, {}, file_.part));
     else if (is("flange.gap."))
       drop(stored(id), is_zero);
   } else if (id == "power.life") {
@@ -194,8 +197,8 @@ KnownValues KnownColumns::values(const std::string& id) const {
                                  [](double v) { return std::isfinite(v); }))
       nothing(file_.part ? "The life is infinite at these steps." : "The life is infinite.");
   } else if (is_heat(id) || is(kCoolant)) {
-    const bool none = always_zero(kTotalHeat);
-    if (!none && is(kCoolant) && always_zero(kCoolantHeat))
+    const bool none = is_always_zero(kTotalHeat);
+    if (!none && is(kCoolant) && is_always_zero(kCoolantHeat))
       nothing("No coolant flow " + here + ": all heat flows through the races.");
     else if (is_heat(id)) {  // an average over a thermal step that has ended
       const std::vector<double> total = stored(kTotalHeat);
@@ -210,13 +213,13 @@ KnownValues KnownColumns::values(const std::string& id) const {
       nothing("Not computed " + here + ": the position results from a force balance.");
   } else if (std::find(kOrientation.begin(), kOrientation.end(), id) != kOrientation.end()) {
     if (std::all_of(kOrientation.begin(), kOrientation.end(),
-                    [&](const auto& angle) { return always_zero(angle); }) &&
-        !always_zero(kTurning))
+                    [&](const auto& angle) { return is_always_zero(angle); }) &&
+        !is_always_zero(kTurning))
       nothing("The orientation was not integrated " + here + ".");
   } else if (is_wear(id)) {  // also "race.wear_rate.inner"
     bool none = true;
     for (const results::SolColumn& column : columns_)
-      none = none && (!is_wear(column.id) || always_zero(column.id));
+      none = none && (!is_wear(column.id) || is_always_zero(column.id));
     if (none) nothing("Wear was not computed " + here + ", or the wear coefficients are 0.");
     for (std::size_t i = 0; i < out.values.size() && !(file_.steps[i].time > 0.0); ++i)
       out.values[i] = kNone;

@@ -14,11 +14,11 @@
 namespace adore::adrplot {
 
 /// Is any of them a number?
-[[nodiscard]] inline bool any_value(const std::vector<double>& values) {
+[[nodiscard]] inline bool has_number(const std::vector<double>& values) {
   return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
-struct KnownValues {
+struct ValidValues {
   std::vector<double> values;  ///< one per step, in the unit of the file; NaN: none
   std::string unit;
   std::string why_none;       ///< a message if the column contains no meaningful values
@@ -39,24 +39,24 @@ struct KnownValues {
 /// - an orientation of exactly 0 at all steps, of a rotating body;
 /// - a heat over a thermal step, before the first one has ended;
 /// - coolant temperatures without heat flow to the coolant: no coolant flow.
-class KnownColumns {
+class ValidColumns {
  public:
-  explicit KnownColumns(const results::SolFile& file);
+  explicit ValidColumns(const results::SolFile& file);
   [[nodiscard]] bool has(const std::string& id) const { return find(id) < columns_.size(); }
-  [[nodiscard]] KnownValues values(const std::string& id) const;
+  [[nodiscard]] ValidValues values(const std::string& id) const;
   [[nodiscard]] std::string unit(const std::string& id) const;
   /// Additional columns needed by the rules for a column.
-  [[nodiscard]] static std::vector<std::string> sources(const std::string& id);
+  [[nodiscard]] static std::vector<std::string> required_columns(const std::string& id);
   [[nodiscard]] const std::vector<results::SolColumn>& columns() const { return columns_; }
 
  private:
   [[nodiscard]] std::size_t find(const std::string& id) const;
   [[nodiscard]] std::vector<double> stored(const std::string& id) const;
-  [[nodiscard]] bool always_zero(const std::string& id) const;
+  [[nodiscard]] bool is_always_zero(const std::string& id) const;
 
   const results::SolFile& file_;
   std::vector<results::SolColumn> columns_;
-  std::map<std::string, std::size_t> place_;
+  std::map<std::string, std::size_t> column_index_;
 };
 
 }  // namespace adore::adrplot

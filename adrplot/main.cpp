@@ -33,7 +33,7 @@ int render(int& argc, char** argv, const std::vector<std::filesystem::path>& fil
   for (const auto& file : files)
     if (desktop::opens_as_project(file))
       throw InputError(file.string() + " is a project. --render needs the folders of its runs");
-  end_when_interrupted();
+  exit_on_interrupt();
   const auto app = desktop::make_application(argc, argv, "adrplot", desktop::Display::Headless);
   options.tell = [](const std::string& sentence) {
     print(stderr, "adrplot: note: {}\n", sentence);
@@ -46,7 +46,7 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
          const adrplot::RenderOptions& options, bool follow, bool behind,
          const std::string& project) {
   const auto app = desktop::make_application(argc, argv, "adrplot", desktop::Display::Window);
-  std::optional<desktop::OpensBehind> unasked;
+  std::optional<desktop::OpenWithoutFocusGuard> unasked;
   if (behind) unasked.emplace();
   const QString folder = !project.empty() ? QString::fromStdString(project)
                          : !files.empty() ? desktop::folder_of(files.front())
@@ -58,13 +58,14 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
     if (behind) names << desktop::kBehind;
     for (const auto& file : files)
       names << QString::fromStdString(std::filesystem::absolute(file).string());
-    return !project.empty() && !files.empty() && desktop::hand_over("adrplot", folder, names);
+    return !project.empty() && !files.empty() &&
+           desktop::send_to_open_window("adrplot", folder, names);
   };
   if (left_to_another() || !desktop::ask_for_disclaimer("AdrPlot")) return 0;
   // For this session: the setting of the window is kept.
   if (options.dark) desktop::apply_theme(desktop::ThemeKind::Dark);
   adrplot::PlotWindow window;
-  std::optional<desktop::OneWindow> one;
+  std::optional<desktop::SingleWindowServer> one;
   if (!files.empty())
     one.emplace("adrplot", folder, nullptr, [&window](QStringList names) {
       const bool grows = names.removeAll("--follow") > 0;
@@ -72,12 +73,12 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
       window.showFiles(names, to_front);
       if (grows) window.follow(true);
     });
-  if (one && !one->listens() && left_to_another()) return 0;  // started at the same moment
+  if (one && !one->is_listening() && left_to_another()) return 0;  // started at the same moment
   window.setAbscissa(options.view.abscissa);
-  window.setSpectrogramOf(options.view.spectrogram_of);
+  window.setSpectrogramCurve(options.view.spectrogram_of);
   window.setDomain(options.view.domain);
   window.setSpectrum(options.view.spectrum);
-  const desktop::WindowMemory memory(window, "adrplot");
+  const desktop::WindowGeometryStore memory(window, "adrplot");
   window.show();
   for (const auto& file : files) {
     if (std::filesystem::is_directory(file))
@@ -108,7 +109,8 @@ int main(int argc, char** argv) {
   CLI::App& cli = *program;
   std::vector<std::filesystem::path> files;
   adrplot::RenderOptions options;
-  std::string size = "1280x800", abscissa = "rev", domain = "history", curve, scale, rows, project;
+  std::string size = "1280x800", abscissa = "rev", domain = "history", curve, scale, rows, band,
+              orders_of, project;
   cli.add_option("FILE", files,
                  "result files (SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json), study tables "
                  "(RUNS.csv, STUDY.h5), PROJECT.json, or folders of runs, studies and projects")
@@ -145,7 +147,7 @@ int main(int argc, char** argv) {
                        {"rev", "time"});
   command_line::one_of(
       cli.add_option("--domain", domain, "chart type")->capture_default_str()->type_name("WHAT"),
-      {"history", "spectrum", "spectrogram"});
+      {"history", "spectrum", "spectrogram", "envelope", "orders"});
   cli.add_option(
          "--curve", curve,
          "curve of the spectrogram: name, part of the name, or number on the page (default: "
@@ -162,18 +164,29 @@ int main(int argc, char** argv) {
                      "vertical axis of spectrograms: time or shaft speed (default: time)")
           ->type_name("WHAT"),
       {"time", "speed"});
+  cli.add_option("--band", band,
+                 "frequencies of an envelope in Hz, LOW:HIGH (default: the band with the most "
+                 "impulsive vibration, or else the strongest modulation)")
+      ->type_name("BAND");
+  command_line::one_of(
+      cli.add_option("--orders-of", orders_of,
+                     "part whose revolutions orders refer to (default: shaft; envelopes without "
+                     "this option have a frequency in Hz)")
+          ->type_name("PART"),
+      {"shaft", "cage", "element"});
   // An existing window accepts only files.
-  for (const char* of_first : {"--render", "--page", "--from", "--to", "--every", "--abscissa",
-                               "--domain", "--curve", "--scale", "--rows", "--dark"})
+  for (const char* of_first :
+       {"--render", "--page", "--from", "--to", "--every", "--abscissa", "--domain", "--curve",
+        "--scale", "--rows", "--band", "--orders-of", "--dark"})
     one_window->excludes(cli.get_option(of_first));
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
-  return desktop::guarded("adrplot", [&] {
+  return desktop::run_guarded("adrplot", [&] {
     const auto pixels = desktop::parse_size(size);
     options.width = pixels.width;
     options.height = pixels.height;
     options.view.abscissa =
         abscissa == "time" ? adrplot::Abscissa::Time : adrplot::Abscissa::Revolutions;
-    adrplot::set_domain(options.view, domain, curve, scale, rows);
+    adrplot::parse_domain_options(options.view, domain, curve, scale, rows, band, orders_of);
     if (!options.folder.empty()) return render(argc, argv, files, options);
     return show(argc, argv, files, options, follow, behind, project);
   });

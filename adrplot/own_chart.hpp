@@ -21,7 +21,7 @@ enum class Combine : unsigned char { Overlay, Difference };
 
 /// Curves of a user-defined chart. It holds the files of its curves, so that it outlives them in
 /// the window.
-struct OwnChart {
+struct UserChart {
   std::vector<CurvePick> curves;
   std::vector<std::shared_ptr<const PlotDocument>> files;  ///< one per curve
   Combine how = Combine::Overlay;
@@ -32,8 +32,8 @@ struct OwnChart {
 /// One page: curves of one unit share a panel. The abscissa contains the values of all curves;
 /// between its own values a curve is interpolated linearly, outside it is not drawn.
 /// Difference: each curve minus the first one, which must have the same unit.
-/// For spectra, the spectrum of each curve or difference is drawn; for spectrograms that of the
-/// first curve.
+/// For spectra, envelopes and orders, the spectrum of each curve or difference is drawn; for
+/// spectrograms that of the first curve.
 /// @throws InputError without curves, with different abscissae or, for differences, units
 [[nodiscard]] desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine how,
                                                 const PageOptions& options);
@@ -47,8 +47,8 @@ struct OwnChart {
 
 /// Values of y(x) at other points by linear interpolation; NaN outside of x and next to missing
 /// values.
-[[nodiscard]] std::vector<double> read_off(const std::vector<double>& x,
-                                           const std::vector<double>& y,
-                                           const std::vector<double>& where);
+[[nodiscard]] std::vector<double> interpolated_values(const std::vector<double>& x,
+                                                      const std::vector<double>& y,
+                                                      const std::vector<double>& where);
 
 }  // namespace adore::adrplot

@@ -38,42 +38,42 @@ std::vector<double> times(const SolFile& file) {
 /// @return reasons for gaps, one sentence each
 std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const PageSpec& page,
                                     const RunFacts& facts) {
-  const KnownColumns columns(file);
+  const ValidColumns columns(file);
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> gaps;  // panels
   for (const auto& spec : page.panels) {
     ChartPanel panel{spec.title, columns.unit(spec.curves.front().column), {}, spec.wraps};
     std::string reason;
     for (const auto& curve : spec.curves) {
-      KnownValues known = columns.values(curve.column);
-      if (!known.why_none.empty() && !any_value(known.values)) {
+      ValidValues known = columns.values(curve.column);
+      if (!known.why_none.empty() && !has_number(known.values)) {
         const bool flange = curve.column.starts_with("flange.");
         const std::string before = flange ? reason : std::string();
         std::string why = known.why_none;
         if (flange)
-          why = flange_reason(
+          why = missing_flange_reason(
               curve.column.substr(curve.column.find('.', std::string_view("flange.").size())),
               facts, file.part);
         else if (spec.curves.size() > 1)
-          why = capital(curve.name) + ": " + small(why);
+          why = capitalize_first(curve.name) + ": " + lowercase_first(why);
         reason = before + (before.empty() ? "" : " ") + why;
         // Missing bodies are not listed in the legend.
-        if (no_flange(curve.column, facts) &&
+        if (has_no_flange(curve.column, facts) &&
             std::any_of(spec.curves.begin(), spec.curves.end(), [&](const CurveSpec& other) {
-              return any_value(columns.values(other.column).values);
+              return has_number(columns.values(other.column).values);
             })) {
           add_note(chart, why);
           reason = before;
           continue;
         }
       }
-      if (!known.why_gaps.empty() && any_value(known.values))
+      if (!known.why_gaps.empty() && has_number(known.values))
         gaps[{curve.name, known.why_gaps}].push_back(spec.title);
       panel.curves.push_back({curve.name, std::move(known.values), {}});
     }
     if (std::none_of(panel.curves.begin(), panel.curves.end(),
-                     [](const ChartCurve& c) { return any_value(c.y); })) {
+                     [](const ChartCurve& c) { return has_number(c.y); })) {
       const auto colon = reason.find(": ");
-      panel.message = capital(
+      panel.message = capitalize_first(
           spec.curves.size() > 1 && colon != std::string::npos ? reason.substr(colon + 2) : reason);
     } else {
       add_note(chart, reason);
@@ -84,7 +84,8 @@ std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const
   std::map<std::pair<std::string, std::string>, std::string> curves;
   for (const auto& [what, panels] : gaps) {
     std::string names;
-    for (const std::string& panel : panels) names += (names.empty() ? "" : " and ") + small(panel);
+    for (const std::string& panel : panels)
+      names += (names.empty() ? "" : " and ") + lowercase_first(panel);
     std::string& of = curves[{names, what.second}];
     // "the outer race", but "surface 1"
     const bool numbered =
@@ -95,8 +96,8 @@ std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const
   std::vector<std::string> out;
   for (const auto& [what, of] : curves) {
     const bool several = (what.first + of).find(" and ") != std::string::npos;
-    out.push_back(capital(fmt::format("{}{} {} missing where there is {}.", what.first, of,
-                                      several ? "are" : "is", what.second)));
+    out.push_back(capitalize_first(fmt::format("{}{} {} missing where there is {}.", what.first, of,
+                                               several ? "are" : "is", what.second)));
   }
   return out;
 }
@@ -138,7 +139,7 @@ void limit_components(ChartPage& chart) {
 }
 
 /// A land or flange that is not there has nothing between its steps, either.
-bool any_but_zero(const CurveBand& band) {
+bool any_but_zero(const MinMaxBand& band) {
   const auto some = [](double v) { return std::isfinite(v) && v != 0.0; };
   return std::any_of(band.low.begin(), band.low.end(), some) ||
          std::any_of(band.high.begin(), band.high.end(), some);
@@ -149,8 +150,8 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
   set_abscissa(chart, file, abscissa);
   for (const std::string& gap : add_panels(chart, file, page, context.facts)) add_note(chart, gap);
   limit_detail(chart);
-  tell_of_values(chart, file, page, context.facts);
-  tell_of_ratios(chart, file, page, context);
+  note_special_values(chart, file, page, context.facts);
+  note_speed_ratios(chart, file, page, context);
   for (std::size_t p = 0; p < page.panels.size(); ++p)
     for (const CurveSpec& spec : page.panels[p].curves) {
       // A missing flange has no curve.
@@ -161,21 +162,21 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
       if (curve == drawn.end() || band == context.bands.end() ||
           band->second.low.size() != file.steps.size())
         continue;
-      if (!any_value(curve->y) && !any_but_zero(band->second)) continue;
+      if (!has_number(curve->y) && !any_but_zero(band->second)) continue;
       curve->low = band->second.low;
       curve->high = band->second.high;
       chart.band_note = file.every > 1
                             ? "Min–max bands: range of the values between the drawn steps."
                             : "Min–max bands: range of the values between the stored steps.";
     }
-  const std::string aliased = aliasing(file, context);
+  const std::string aliased = aliasing_note(file, context);
   if (!aliased.empty())
     add_note(chart, aliased + "; the lines do not show this vibration.");
   else
-    tell_of_peaks(chart, file, page, context);
+    note_missed_peaks(chart, file, page, context);
 }
 
-void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, OrbitPair pair,
+void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, OrbitAxes pair,
                Abscissa abscissa, const PageContext& context) {
   const PanelSpec& across = page.panels.at(static_cast<std::size_t>(pair.across));
   const PanelSpec& up = page.panels.at(static_cast<std::size_t>(pair.up));
@@ -188,13 +189,13 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
   chart.along_unit = history.x_unit;
   // The unit circle shows the contact of a land without a second support; it has no meaning for the
   // axial coordinate.
-  const KnownColumns columns(file);
+  const ValidColumns columns(file);
   std::string suffix = " position";
   if (over_clearance) {
     const OrbitScale scale = orbit_scale(file, columns, context.facts);
-    suffix = " / " + orbit_divisor(scale);
+    suffix = " / " + orbit_divisor_text(scale);
     add_note(chart, orbit_note(scale));
-    if (scale.of == results::CageScale::Of::GuideLands && pair.across != 0 && pair.up != 0)
+    if (scale.of == results::CageLengthScale::Of::GuideLands && pair.across != 0 && pair.up != 0)
       chart.guide_radius = 1.0;
   }
   chart.x_title = across.title + suffix;
@@ -203,7 +204,7 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
                           columns.values(across.curves.front().column).values});
   // A motion smaller than an atom or a billionth of a clearance is not a path.
   const ChartCurve& path = panel.curves.front();
-  const double least = panel.unit.empty() ? 1e-9 : desktop::least_span_of(panel.unit);
+  const double least = panel.unit.empty() ? 1e-9 : desktop::min_axis_span(panel.unit);
   const double width = spread(path.x), height = spread(path.y);
   if (width >= 0.0 && height >= 0.0 && std::max(width, height) < least)
     add_note(chart, "The mass center does not move in this plane.");
@@ -211,12 +212,13 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
 }
 
 void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
-                  const SpectrumOptions& options, const PageContext& context) {
+                  const SpectrumOptions& options, const PageContext& context,
+                  Domain domain = Domain::Spectrum) {
   add_panels(chart, file, page, context.facts);
   limit_detail(chart);
   if (page.kind == PageKind::Spectrum) limit_components(chart);
-  if (show_spectra(chart, motion_of(file, context), turns_back(file), options))
-    lead_with_aliasing(chart, file, context);
+  if (show_spectra(chart, motion_of(file, context), options, domain))
+    put_aliasing_note_first(chart, file, context);
 }
 
 }  // namespace
@@ -227,7 +229,7 @@ void check_page_number(const std::filesystem::path& file, int number, std::size_
         fmt::format("{} has no page {}; its pages are 1 to {}", file.string(), number, count));
 }
 
-std::vector<std::string> page_sources(results::SolKind kind, const PageSpec& page) {
+std::vector<std::string> auxiliary_columns(results::SolKind kind, const PageSpec& page) {
   if (kind == results::SolKind::Cage && page.kind == PageKind::Orbit)
     return {"cage.radial_position", "cage.y_over_clearance", "cage.z_over_clearance",
             "cage.land1_force", "cage.land2_force"};
@@ -238,7 +240,9 @@ std::vector<std::string> page_sources(results::SolKind kind, const PageSpec& pag
 }
 
 RunMotion motion_of(const SolFile& file, const PageContext& context) {
-  RunMotion out{times(file), accumulated_turns(file), context.marks};
+  RunMotion out{times(file), accumulated_revolutions(file), context.marks, "bearing rotation",
+                has_reversals(file)};
+  if (file.path.has_filename()) out.source += " in " + file.path.filename().string();
   // From the file alone that of its rotation, which is one race's against the other.
   if (out.marks.empty()) out.marks.push_back({"rotation", out.times, out.turns});
   return out;
@@ -262,15 +266,15 @@ ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, in
   }
   switch (page.kind) {
     case PageKind::History:
-      if (options.domain == Domain::Spectrum) {
-        add_spectrum(chart, file, page, options.spectrum, context);
+      if (options.domain == Domain::History) {
+        add_history(chart, file, page, options.abscissa, context);
       } else if (options.domain == Domain::Spectrogram) {
         add_panels(chart, file, page, context.facts);
         limit_detail(chart);
-        show_domain(chart, motion_of(file, context), turns_back(file), options);
-        lead_with_aliasing(chart, file, context);
+        show_domain(chart, motion_of(file, context), options);
+        put_aliasing_note_first(chart, file, context);
       } else {
-        add_history(chart, file, page, options.abscissa, context);
+        add_spectrum(chart, file, page, options.spectrum, context, options.domain);
       }
       break;
     case PageKind::Orbit:

@@ -14,16 +14,13 @@
 namespace adore::adrplot {
 
 /// Which coordinates an orbit page shows: 0, 1, 2 = x, y, z. Z over Y at first.
-struct OrbitPair {
+struct OrbitAxes {
   int across = 1, up = 2;
 };
 
-/// Content of a history page.
-enum class Domain : unsigned char { History, Spectrum, Spectrogram };
-
 struct PageOptions {
   Abscissa abscissa = Abscissa::Revolutions;
-  OrbitPair orbit;
+  OrbitAxes orbit;
   SpectrumOptions spectrum = {};
   Domain domain = Domain::History;
   /// Curve of a page for its spectrogram: its name in ChartPage::choices, part of it, or its
@@ -32,16 +29,16 @@ struct PageOptions {
 };
 
 /// Extremes of a curve between its stored values, as long as it and in its unit.
-struct CurveBand {
+struct MinMaxBand {
   std::vector<double> low, high;
 };
 
 /// Known data of a run that are not in the plotted file.
 struct PageContext {
-  std::vector<MarkTurns> marks = {};            ///< shaft, FTF, BPFO ...
-  double fastest_frequency = 0.0;               ///< of a contact of the run [Hz]; 0: not known
-  std::string fastest_contact;                  ///< "element 1 / outer race"
-  std::map<std::string, CurveBand> bands = {};  ///< by column
+  std::vector<MarkEventCounts> marks = {};       ///< shaft, FTF, BPFO ...
+  double fastest_frequency = 0.0;                ///< of a contact of the run [Hz]; 0: not known
+  std::string fastest_contact;                   ///< "element 1 / outer race"
+  std::map<std::string, MinMaxBand> bands = {};  ///< by column
   RunFacts facts = {};
 };
 
@@ -49,7 +46,8 @@ struct PageContext {
 void check_page_number(const std::filesystem::path& file, int number, std::size_t count);
 
 /// Columns that the notes and scales of a page are from, besides its curves.
-[[nodiscard]] std::vector<std::string> page_sources(results::SolKind kind, const PageSpec& page);
+[[nodiscard]] std::vector<std::string> auxiliary_columns(results::SolKind kind,
+                                                         const PageSpec& page);
 
 /// Rotation in the run of a file; without marks in the context only marks of its rotation.
 [[nodiscard]] RunMotion motion_of(const results::SolFile& file, const PageContext& context);

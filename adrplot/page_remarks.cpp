@@ -34,7 +34,7 @@ std::vector<double> times_of(const SolFile& file) {
 double alias_interval(const SolFile& file, double frequency) {
   const std::vector<double> times = times_of(file);
   const double values = desktop::values_per_period(times, frequency);
-  return values > 0.0 && values < desktop::kAliased ? desktop::usual_interval(times) : 0.0;
+  return values > 0.0 && values < desktop::kAliased ? desktop::median_interval(times) : 0.0;
 }
 
 /// Does it follow each vibration of a contact? Temperatures, lives and averages do not.
@@ -48,7 +48,7 @@ bool vibrates(const std::string& column) {
 
 /// Is it 0 but for rounding (a thousandth of the least range of its axis)?
 bool is_nothing(double value, const std::string& unit) {
-  return std::abs(value) <= 1e-3 * desktop::least_span_of(unit);
+  return std::abs(value) <= 1e-3 * desktop::min_axis_span(unit);
 }
 
 /// Flat lines at 0 get a note that the values are correct.
@@ -94,7 +94,7 @@ void tell_life(ChartPage& chart, const SolFile& file, const PageSpec& page, cons
     std::vector<double>& y = chart.panels[p].curves.front().y;
     const auto first = std::find_if(y.begin(), y.end(), [](double v) { return std::isfinite(v); });
     if (first == y.end() || facts.life_every.value_or(0) != 0) continue;
-    const bool once = never_changes(y, 2e-7 * std::abs(*first));
+    const bool once = is_constant(y, 2e-7 * std::abs(*first));
     if (!once && !facts.life_every) continue;
     const bool start = file.steps[static_cast<std::size_t>(first - y.begin())].step == 0;
     double held = *first;
@@ -130,9 +130,9 @@ void tell_temperatures(ChartPage& chart, const SolFile& file, const PageSpec& pa
     const bool bulk = column.ends_with("_temperature") || column.starts_with("race.temperature");
     if (!bulk && !column.starts_with("contact.temperature.")) continue;
     for (const ChartCurve& curve : chart.panels[p].curves)
-      if (any_value(curve.y) && !never_changes(curve.y, desktop::least_span_of("K"))) return;
+      if (has_number(curve.y) && !is_constant(curve.y, desktop::min_axis_span("K"))) return;
     if (std::none_of(chart.panels[p].curves.begin(), chart.panels[p].curves.end(),
-                     [](const ChartCurve& curve) { return any_value(curve.y); }))
+                     [](const ChartCurve& curve) { return has_number(curve.y); }))
       continue;
     names = bulk ? "These temperatures" : "Race temperatures (without contact temperature rise)";
   }
@@ -177,7 +177,7 @@ void tell_holding(ChartPage& chart, const SolFile& file, const PageSpec& page,
   const bool moments = column.starts_with("race.applied_moment");
   if (!moments && !column.starts_with("race.applied_force")) return;
   if (file.kind == results::SolKind::Race)
-    add_note(chart, held_note(KnownColumns(file), moments));
+    add_note(chart, prescribed_motion_note(ValidColumns(file), moments));
   else if (facts.races_held.value_or(false))
     add_note(chart,
              "Position and speed of the races are prescribed: the values are reactions, not loads "
@@ -189,11 +189,11 @@ std::optional<std::array<double, 2>> race_speeds(const SolFile& file, const Page
   constexpr double kSteady = 1e-3;
   const auto mark = [&context](std::string_view label) {
     const auto found = std::find_if(context.marks.begin(), context.marks.end(),
-                                    [&](const MarkTurns& one) { return one.label == label; });
+                                    [&](const MarkEventCounts& one) { return one.label == label; });
     return found == context.marks.end() ? nullptr : &*found;
   };
-  const std::array<const MarkTurns*, 2> past{mark("BPFO"), mark("BPFI")};
-  const MarkTurns* const orbit = mark("FTF");
+  const std::array<const MarkEventCounts*, 2> past{mark("BPFO"), mark("BPFI")};
+  const MarkEventCounts* const orbit = mark("FTF");
   if (orbit == nullptr || past[0] == nullptr || past[1] == nullptr || orbit->time.size() < 2)
     return std::nullopt;
   const std::vector<double>& times = orbit->time;
@@ -216,7 +216,7 @@ std::optional<std::array<double, 2>> race_speeds(const SolFile& file, const Page
 
 }  // namespace
 
-std::string aliasing(const SolFile& file, const PageContext& context) {
+std::string aliasing_note(const SolFile& file, const PageContext& context) {
   const double interval = alias_interval(file, context.fastest_frequency);
   if (!(interval > 0.0)) return {};
   const auto every = static_cast<double>(file.every);
@@ -230,12 +230,12 @@ std::string aliasing(const SolFile& file, const PageContext& context) {
       fastest, counted(file.every, "step"), rate);
 }
 
-void tell_of_ratios(ChartPage& chart, const SolFile& file, const PageSpec& page,
-                    const PageContext& context) {
+void note_speed_ratios(ChartPage& chart, const SolFile& file, const PageSpec& page,
+                       const PageContext& context) {
   for (const PanelSpec& panel : page.panels) {
     const std::string& column = panel.curves.front().column;
     if (column != "cage.whirl_ratio" && column != "cage.speed_ratio") continue;
-    if (turns_back(file)) {
+    if (has_reversals(file)) {
       add_note(chart, panel.title + ": divided by the speed of a race, which passes through 0.");
       continue;
     }
@@ -251,20 +251,21 @@ void tell_of_ratios(ChartPage& chart, const SolFile& file, const PageSpec& page,
   }
 }
 
-void tell_of_peaks(ChartPage& chart, const SolFile& file, const PageSpec& page,
-                   const PageContext& context) {
+void note_missed_peaks(ChartPage& chart, const SolFile& file, const PageSpec& page,
+                       const PageContext& context) {
   for (std::size_t p = 0; p < page.panels.size(); ++p) {
     if (!vibrates(page.panels[p].curves.front().column)) continue;
-    const double least = 1e-3 * desktop::least_span_of(chart.panels[p].unit);
+    const double least = 1e-3 * desktop::min_axis_span(chart.panels[p].unit);
     for (const ChartCurve& curve : chart.panels[p].curves)
-      if (curve.low.empty() && any_value(curve.y) && !never_changes(curve.y, least))
-        return add_note(chart, desktop::seldom_stored(times_of(file), context.fastest_frequency,
-                                                      file.every, !chart.band_note.empty()));
+      if (curve.low.empty() && has_number(curve.y) && !is_constant(curve.y, least))
+        return add_note(chart,
+                        desktop::coarse_storage_note(times_of(file), context.fastest_frequency,
+                                                     file.every, !chart.band_note.empty()));
   }
 }
 
-void lead_with_aliasing(ChartPage& chart, const SolFile& file, const PageContext& context) {
-  const std::string aliased = aliasing(file, context);
+void put_aliasing_note_first(ChartPage& chart, const SolFile& file, const PageContext& context) {
+  const std::string aliased = aliasing_note(file, context);
   if (aliased.empty() || chart.panels.empty()) return;
   chart.note =
       aliased + "; higher frequencies appear as false lines below " +
@@ -272,8 +273,8 @@ void lead_with_aliasing(ChartPage& chart, const SolFile& file, const PageContext
       "." + (chart.note.empty() ? "" : " ") + chart.note;
 }
 
-void tell_of_values(ChartPage& chart, const SolFile& file, const PageSpec& page,
-                    const RunFacts& facts) {
+void note_special_values(ChartPage& chart, const SolFile& file, const PageSpec& page,
+                         const RunFacts& facts) {
   tell_zeros(chart);
   tell_life(chart, file, page, facts);
   tell_temperatures(chart, file, page, facts);

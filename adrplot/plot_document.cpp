@@ -99,7 +99,7 @@ std::string left_out(const desktop::ChartPage& page, std::size_t steps, long eve
 struct DigitWords {
   std::string subtitle, note;
 };
-DigitWords digit_words(const results::SolFile& file, const results::FullPrecision& digits) {
+DigitWords digit_words(const results::SolFile& file, const results::FullPrecisionStatus& digits) {
   const std::string name = file.path.filename().string();
   const std::size_t own = file.steps.size() - digits.added;
   DigitWords out{"full precision (RESULTS.h5)", {}};
@@ -188,7 +188,7 @@ class StepPages {
         (!file_.columns.empty() &&
          !std::includes(file_.columns.begin(), file_.columns.end(), wanted.begin(), wanted.end())))
       read(number);
-    read_bands(file_, curves_of(number), context_);
+    read_min_max_bands(file_, curves_of(number), context_);
     desktop::ChartPage page = build_page(file_, pages_, number, options, context_);
     const auto note = [&page](const std::string& text) {
       page.note += (page.note.empty() ? "" : " ") + text;
@@ -251,9 +251,9 @@ class StepPages {
     std::set<std::string> ids;
     for (const PanelSpec& panel : page.panels)
       for (const CurveSpec& curve : panel.curves) ids.insert(curve.column);
-    for (const std::string& id : page_sources(file_.kind, page)) ids.insert(id);
+    for (const std::string& id : auxiliary_columns(file_.kind, page)) ids.insert(id);
     for (const std::string& id : std::set<std::string>(ids))
-      for (const std::string& source : KnownColumns::sources(id)) ids.insert(source);
+      for (const std::string& source : ValidColumns::required_columns(id)) ids.insert(source);
     return places_of(ids);
   }
   void read(int first_page) {
@@ -284,7 +284,7 @@ class StepPages {
                                  ? (most_ - held) / (held / file_.steps.size())
                                  : 0;
     digits_ = results::use_full_precision(file_, room);
-    context_ = context_of(file_);
+    context_ = page_context_of(file_);
   }
 
   std::filesystem::path path_;
@@ -295,7 +295,7 @@ class StepPages {
   std::vector<PageSpec> pages_;
   results::SolFile file_;
   PageContext context_;
-  results::FullPrecision digits_;
+  results::FullPrecisionStatus digits_;
 };
 
 /// The quasi-static solution; of a run with motion alone its channels.
@@ -336,9 +336,9 @@ PlotDocument make_document(results::SolFile file) {
 
 PlotDocument open_document(const std::filesystem::path& path, const results::SolRange& range,
                            std::size_t most_values, const results::ReadWatch& watch) {
-  refuse_pipe(path);
+  reject_special_file(path);
   if (is_study(path)) return open_study(path);
-  if (is_accuracy(path)) return document_of(path, "accuracy study", accuracy_pages(path));
+  if (is_accuracy_file(path)) return document_of(path, "accuracy study", accuracy_pages(path));
   if (path.extension() == ".h5") return open_h5(path, range, most_values);
   if (path.extension() == ".json") return open_run_json(path, range, most_values);
   if (path.extension() == ".csv" && path.filename() != "SWEEP.csv" && !results::is_sweep(path))

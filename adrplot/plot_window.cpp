@@ -40,8 +40,8 @@ constexpr int kLeastChart = 100;  ///< height of a chart that scrolls
 
 PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle("AdrPlot");
-  desktop::take_files_anywhere(*this, [this](const QStringList& files) { openSeveral(files); });
-  desktop::open_at_size(*this, {1280, 860});
+  desktop::accept_file_drops(*this, [this](const QStringList& files) { openFiles(files); });
+  desktop::resize_to_fit_screen(*this, {1280, 860});
 
   tree_ = new QTreeWidget(this);
   tree_->setObjectName("pages");
@@ -73,13 +73,13 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   connect(findings_, &desktop::FindingsBar::chosen, this, &PlotWindow::goToFinding);
   column->addWidget(findings_);
   column->addWidget(chart, 1);
-  cursors_ = new QLabel(this);
-  cursors_->setObjectName("cursors");
-  cursors_->setMargin(8);
-  cursors_->setWordWrap(true);
-  cursors_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  cursor_label_ = new QLabel(this);
+  cursor_label_->setObjectName("cursors");
+  cursor_label_->setMargin(8);
+  cursor_label_->setWordWrap(true);
+  cursor_label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   cursors_area_ = new QScrollArea(this);  // a spectrogram has many lines
-  cursors_area_->setWidget(cursors_);
+  cursors_area_->setWidget(cursor_label_);
   cursors_area_->setWidgetResizable(true);
   cursors_area_->setFrameShape(QFrame::NoFrame);
   cursors_area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -92,7 +92,7 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   tabs->setDocumentMode(true);
   tabs->setMinimumWidth(180);
   tabs->addTab(makePages(), tr("Pages"));
-  makeSide(tabs);
+  makeChannelTab(tabs);
   makeStatistics();
   auto* splitter = new QSplitter(this);
   splitter->addWidget(tabs);
@@ -105,23 +105,23 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   makeButtons();
   makeMenus();
   new desktop::MenuKeys(*this);
-  growth_ = new QTimer(this);
-  growth_->setInterval(1000);
-  connect(growth_, &QTimer::timeout, this, &PlotWindow::lookForGrowth);
+  file_check_timer_ = new QTimer(this);
+  file_check_timer_->setInterval(1000);
+  connect(file_check_timer_, &QTimer::timeout, this, &PlotWindow::checkForFileChanges);
   connect(view_, &desktop::ChartView::cursorsChanged, this, [this] {
-    cursors_->setText(view_->cursorReport());
+    cursor_label_->setText(view_->cursorReport());
     fitCursors();
-    offerDeeds();
+    offerChartActions();
   });
-  connect(view_, &desktop::ChartView::viewChanged, this, &PlotWindow::offerDeeds);
+  connect(view_, &desktop::ChartView::viewChanged, this, &PlotWindow::offerChartActions);
 
   connect(tree_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     if (!item || item->data(0, kPageRole).toInt() < 1) return;
     current_ = item->data(0, kFileRole).toInt();
     page_ = item->data(0, kPageRole).toInt();
     values_.clear();  // of the page before
-    showCurrent();
-    tellElement();
+    showCurrentPage();
+    sendElement();
   });
   connect(view_, &desktop::ChartView::runsChosen, this, &PlotWindow::showRuns);
   // The panel under the pointer provides the curve of the spectrogram.
@@ -141,9 +141,9 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   connect(view_, &desktop::ChartView::curvesChanged, this, [this] {
     values_.clear();  // of other curves
     fitReadout();
-    offerNames();
+    updateCurveNameActions();
   });
-  showCurrent();
+  showCurrentPage();
 }
 
 PlotWindow::~PlotWindow() = default;
@@ -171,7 +171,7 @@ void PlotWindow::showPage(int number) {
   if (number < 1 || number > pageCount()) return;
   auto* item = tree_->topLevelItem(current_)->child(number - 1);
   if (tree_->currentItem() == item)
-    showCurrent();
+    showCurrentPage();
   else
     tree_->setCurrentItem(item);
 }
@@ -187,25 +187,27 @@ void PlotWindow::setSpectrum(const SpectrumOptions& spectrum) {
   constexpr std::array kWindows{Window::Hann, Window::FlatTop, Window::None};
   const auto window = std::find(kWindows.begin(), kWindows.end(), spectrum.window);
   const auto scale = std::find(kScales.begin(), kScales.end(), spectrum.scale);
-  const std::array<qsizetype, 3> chosen{scale - kScales.begin(), window - kWindows.begin(),
-                                        spectrum.over_speed ? 1 : 0};
+  const std::array<qsizetype, 4> chosen{scale - kScales.begin(), window - kWindows.begin(),
+                                        spectrum.over_speed ? 1 : 0,
+                                        static_cast<qsizetype>(spectrum.orders_of)};
+  options_.spectrum.band = spectrum.band;  // drawn with the others
   for (std::size_t i = 0; i < chosen.size(); ++i)
     spectrum_actions_.at(static_cast<qsizetype>(i))->menu()->actions().at(chosen.at(i))->trigger();
 }
 
-void PlotWindow::setSpectrogramOf(const std::string& curve) {
+void PlotWindow::setSpectrogramCurve(const std::string& curve) {
   options_.spectrogram_of = curve;
-  if (options_.domain == Domain::Spectrogram) showCurrent();
+  if (options_.domain == Domain::Spectrogram) showCurrentPage();
 }
 
 void PlotWindow::setLogAxes(std::optional<bool> abscissa, std::optional<bool> values) {
   log_x_ = abscissa;
   log_y_ = values;
-  showCurrent();
+  showCurrentPage();
 }
 
-desktop::ChartPage PlotWindow::currentPageChart() {
-  desktop::ChartPage chart = document()->build(page_, options_);
+desktop::ChartPage PlotWindow::chartOf(const PlotDocument& file, int page) const {
+  desktop::ChartPage chart = file.build(page, options_);
   if (!chart.equal_axes) {
     chart.log_x = log_x_.value_or(chart.log_x);
     for (auto& panel : chart.panels)
@@ -214,22 +216,22 @@ desktop::ChartPage PlotWindow::currentPageChart() {
   return chart;
 }
 
-void PlotWindow::showCurrent() {
+void PlotWindow::showCurrentPage() {
   Document* doc = document();
   desktop::ChartPage chart;
   if (doc) {
     try {
-      chart = currentPageChart();
+      chart = chartOf(*doc, page_);
     } catch (const std::exception& error) {
       chart = {};
       chart.title = doc->pages[static_cast<std::size_t>(page_ - 1)].title;
       chart.note = error.what();
-      reading_.reset();
+      reading_progress_dialog_.reset();
     }
     const PageKind kind = doc->pages[static_cast<std::size_t>(page_ - 1)].kind;
     orbit_action_->setVisible(kind == PageKind::Orbit);
-    offerChoices(kind, chart);
-    offerCurves(chart);
+    enableChoices(kind, chart);
+    fillSpectrogramCurves(chart);
     // Races without relative rotation have no revolutions.
     const bool no_turns = kind == PageKind::History && options_.domain == Domain::History &&
                           options_.abscissa == Abscissa::Revolutions && chart.x_title == "Time";
@@ -245,7 +247,7 @@ void PlotWindow::showCurrent() {
         "Open or drop a result file (SOL1 to SOL7, RESULTS.h5, RUN.json), a table (*.csv), a "
         "session (*.adrplot), a project (PROJECT.json) or the folder of a run or study.";
     orbit_action_->setVisible(false);
-    offerCurves(chart);
+    fillSpectrogramCurves(chart);
   }
   note_->setVisible(!note_->text().isEmpty());
   showFindings();
@@ -255,23 +257,24 @@ void PlotWindow::showCurrent() {
     log_y_action_->setChecked(std::any_of(chart.panels.begin(), chart.panels.end(),
                                           [](const auto& panel) { return panel.log; }));
   }
+  emphasizeLinkedElement(chart);
   {
     const QScopedValueRollback quiet(taking_, true);
     view_->showPage(std::move(chart));
   }
   joinLink();
   showLinkedTime();
-  markRun();
+  selectCurrentRun();
   fillStatistics();
-  offerNames();
-  view_->setMinimumHeight(static_cast<int>(view_->chartScene().leastHeight()));
+  updateCurveNameActions();
+  view_->setMinimumHeight(static_cast<int>(view_->chartScene().minReadableHeight()));
   fitReadout();
 }
 
 void PlotWindow::showFindings() {
   const Document* const doc = document();
   if (doc == nullptr || !doc->on_disk) {
-    findings_seen_.clear();
+    findings_file_stamp_.clear();
     return findings_->setFindings({});
   }
   const std::filesystem::path report = run_folder(doc->path) / "RUN.json";
@@ -279,18 +282,18 @@ void PlotWindow::showFindings() {
   const auto written = std::filesystem::last_write_time(report, error);
   const std::string seen =
       report.string() + std::to_string(error ? 0 : written.time_since_epoch().count());
-  if (seen != findings_seen_) {
-    findings_seen_ = seen;
+  if (seen != findings_file_stamp_) {
+    findings_file_stamp_ = seen;
     findings_->setFindings(results::run_findings(doc->path));
-    markPages();
+    markPagesWithWarnings();
   }
-  findings_->setPlace(
+  findings_->setCurrentPage(
       page_concerns(doc->pages[static_cast<std::size_t>(page_ - 1)].title, doc->subject),
       tr("This page"));
 }
 
 /// Marks the pages of warnings.
-void PlotWindow::markPages() {
+void PlotWindow::markPagesWithWarnings() {
   const Document* const here = document();
   std::set<std::string> topics;
   for (const Finding& one : findings_->findings())
@@ -316,7 +319,7 @@ void PlotWindow::goToFinding(const Finding& finding) {
   const Document* const here = document();
   if (here == nullptr) return;
   const std::filesystem::path folder = run_folder(here->path);
-  const int element = desktop::element_of_body(finding.body);
+  const int element = desktop::parse_element_number(finding.body);
   // The best page: of this run and topic, with a panel of the quantity, over time if the finding
   // has one, of its element.
   int best = -1, best_page = 0, best_score = 0;
@@ -355,16 +358,16 @@ void PlotWindow::goToFinding(const Finding& finding) {
   }
   const desktop::ChartPage& page = view_->chartScene().page();
   if (finding.time && page.x_unit == "s" && page.x_title == "Time")
-    view_->setCursor(0, *finding.time);
+    view_->setCursorAbscissa(0, *finding.time);
   statusBar()->showMessage(desktop::finding_text(finding), 20000);
 }
 
 /// Cursor values, in at most a third of the window, next to the smallest chart.
 void PlotWindow::fitCursors() {
-  const int needed = cursors_->heightForWidth(std::max(view_->width(), 100));
+  const int needed = cursor_label_->heightForWidth(std::max(view_->width(), 100));
   cursors_area_->setFixedHeight(std::clamp(needed, 0, std::max(0, height() - kLeastChart) / 3));
   // The table has the same values.
-  cursors_area_->setVisible(!cursors_->text().isEmpty() && statistics_dock_->isHidden());
+  cursors_area_->setVisible(!cursor_label_->text().isEmpty() && statistics_dock_->isHidden());
 }
 
 void PlotWindow::resizeEvent(QResizeEvent* event) {

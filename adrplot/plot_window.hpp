@@ -32,11 +32,12 @@ struct Finding;
 }
 
 namespace adore::desktop {
+class ChartScene;
 class ChartView;
 class FindingsBar;
 class RunLink;
 struct LinkState;
-enum class ChartDeed : unsigned char;
+enum class ChartAction : unsigned char;
 }  // namespace adore::desktop
 
 namespace adore::adrplot {
@@ -65,7 +66,7 @@ class PlotWindow : public QMainWindow {
   /// All plot files of a folder: SOL1 to SOL7, or those listed in RUN.json or SWEEP.csv.
   void openFolder(const QString& folder, const results::SolRange& range = {});
   /// Opens the files of a dialog or a drop; for a single file the user selects the steps.
-  void openSeveral(const QStringList& paths);
+  void openFiles(const QStringList& paths);
   /// Files requested by another program: reloaded if open, and brought to the front.
   void showFiles(const QStringList& paths, bool to_front = true);
   /// Curves of open files as a separate chart in the tree.
@@ -92,9 +93,9 @@ class PlotWindow : public QMainWindow {
   void setDomain(Domain domain);
   void setSpectrum(const SpectrumOptions& spectrum);
   /// Which curve of a page its spectrogram is of (PageOptions::spectrogram_of).
-  void setSpectrogramOf(const std::string& curve);
+  void setSpectrogramCurve(const std::string& curve);
   void setLogAxes(std::optional<bool> abscissa, std::optional<bool> values);
-  /// Exports the page, or all pages of the file, by the suffix of the name
+  /// Exports the page, or all pages of all SOL files of its run, by the suffix of the name
   /// (desktop/page_export.hpp). For all pages PDF gives one file, other formats one per page,
   /// numbered. `seen`: only values of visible curves in the visible range. False after a message.
   bool exportTo(const QString& path, bool all_pages, bool seen = false);
@@ -107,14 +108,17 @@ class PlotWindow : public QMainWindow {
   void askForProject();
   void askForCurves();
   void askForFormula();
+  void askForBand();
   void askForSession(bool save);
   void showStatistics(bool on);
   void exportStatistics();
   void closeFile();
-  void copyPicture();     ///< or the selected text of the statistics
-  void copyStatistics();  ///< values at the cursors and between them, as text
+  void copyPicture();       ///< or the selected text of the statistics
+  void copyCursorReport();  ///< values at the cursors and between them, as text
   void exportPage();
   void exportAll();
+  /// A figure for print: asks for its size, then for its name.
+  void exportFigure();
   void askForReport();
   /// Reads the file again whenever it has grown.
   void follow(bool on);
@@ -131,10 +135,10 @@ class PlotWindow : public QMainWindow {
 
  private:
   struct Document : PlotDocument {
-    results::SolRange range;             ///< of the steps that were read
-    bool on_disk = true;                 ///< else a user-defined chart or formulas
-    std::string seen;                    ///< size and time of the file when it was read
-    std::shared_ptr<OwnChart> own = {};  ///< of a user-defined chart
+    results::SolRange range;              ///< of the steps that were read
+    bool on_disk = true;                  ///< else a user-defined chart or formulas
+    std::string seen;                     ///< size and time of the file when it was read
+    std::shared_ptr<UserChart> own = {};  ///< of a user-defined chart
   };
   [[nodiscard]] static QString nameOf(const Document& document);
   void addDocument(PlotDocument document, const results::SolRange& range, bool on_disk = true);
@@ -143,37 +147,44 @@ class PlotWindow : public QMainWindow {
   void makeChartMenu(QMenu* menu);
   /// Key commands of the chart while it has the focus.
   void makeKeyMenus(QMenu* view);
-  void addDeed(QMenu* menu, desktop::ChartDeed deed, const QString& text,
-               const QList<QKeySequence>& keys);
+  void addChartAction(QMenu* menu, desktop::ChartAction chart_action, const QString& text,
+                      const QList<QKeySequence>& keys);
   /// Actions without effect are disabled and have a tooltip with the reason.
-  void offerDeeds();
+  void offerChartActions();
   /// The names of the legends, to be hidden or shown.
-  void offerNames();
-  QAction* nameAction(qsizetype number);
+  void updateCurveNameActions();
+  QAction* curveNameAction(qsizetype number);
   void makeButtons();
   void askForExport(bool all_pages);
-  void lookForGrowth();
-  void readAgain(bool asked);
+  void checkForFileChanges();
+  void reloadCurrentFile(bool asked);
   /// Of the files that are not looked at, those that another run has replaced: the tree names
   /// bodies and pages.
-  void readReplaced();
-  [[nodiscard]] desktop::ChartPage currentPageChart();
-  void makeChoices(QToolBar* bar);
+  void reloadReplacedFiles();
+  /// A page with the options and logarithmic axes of the window.
+  [[nodiscard]] desktop::ChartPage chartOf(const PlotDocument& file, int page) const;
+  /// The visible page and zoom in light colors, also of a dark window.
+  [[nodiscard]] std::unique_ptr<desktop::ChartScene> sceneForPaper();
+  void saveShownPage(const QString& path, bool seen);
+  void savePagesOfRun(const QString& path);
+  /// SOL1 to SOL7 of the run of the shown one of them, open or not; else the shown file alone.
+  [[nodiscard]] std::vector<PlotDocument> filesOfRun();
+  void makeChoiceBoxes(QToolBar* bar);
   /// Enables the choices that apply to a page; the others have a tooltip with the reason.
-  void offerChoices(PageKind kind, const desktop::ChartPage& chart);
+  void enableChoices(PageKind kind, const desktop::ChartPage& chart);
   /// The possible curves of a spectrogram.
-  void offerCurves(const desktop::ChartPage& chart);
+  void fillSpectrogramCurves(const desktop::ChartPage& chart);
   void fillTree();
-  void showCurrent();
+  void showCurrentPage();
   /// Shows the findings of the run of the current file. Those of the page come first.
   void showFindings();
-  void markPages();
+  void markPagesWithWarnings();
   /// Goes to the page of a finding, with a cursor at its time.
   void goToFinding(const Finding& finding);
   void makeReadout();
   void fitReadout();
   void showReadout();
-  [[nodiscard]] QString fittedReadout() const;
+  [[nodiscard]] QString elidedReadout() const;
   void fitCursors();
   void askForRange(const QString& path);
   // Runs of a project (plot_window_project.cpp).
@@ -181,43 +192,44 @@ class PlotWindow : public QMainWindow {
   void listRuns(const std::vector<desktop::Project::Entry>& runs);
   void reloadProject();
   void openRun(const QString& folder);
-  void markRun();
+  void selectCurrentRun();
   // Linked windows of the run (plot_window_link.cpp).
   void makeLink();
   void joinLink();
   [[nodiscard]] const PlotDocument* linkedFile();
   [[nodiscard]] const RunMotion& linkedMotion();
-  void tellCursor();
-  void tellElement();
-  void takeLinked(const desktop::LinkState& change);
+  void sendCursorTime();
+  void sendElement();
+  void applyLinkState(const desktop::LinkState& change);
   void showLinkedTime();
   void showElement(int number);
+  void emphasizeLinkedElement(desktop::ChartPage& page) const;
   // User-defined charts and channels.
   void makeStatistics();
   void fillStatistics();
-  void copyTable();
+  void copyStatisticsRows();
   [[nodiscard]] std::pair<double, double> statisticsRange() const;
-  void makeSide(QWidget* pages);
+  void makeChannelTab(QWidget* pages);
   void fillChannels();
-  void takeDrop(const QMimeData* data, std::optional<std::size_t> panel);
+  void handleDrop(const QMimeData* data, std::optional<std::size_t> panel);
   void showChartMenu(const QPoint& at);
-  void addOwn(std::shared_ptr<OwnChart> chart);
-  [[nodiscard]] CurvePick pickOf(const ChannelRef& ref) const;
+  void addUserChart(std::shared_ptr<UserChart> chart);
+  [[nodiscard]] CurvePick curvePickOf(const ChannelRef& ref) const;
   [[nodiscard]] std::vector<CurvePick> selectedPicks();
-  [[nodiscard]] FormulaInput inputOf(const ChannelRef& ref) const;
+  [[nodiscard]] FormulaInput formulaInputOf(const ChannelRef& ref) const;
   void openFormulaDialog(const std::vector<ChannelRef>& channels);
   void showPageOf(const ChannelRef& ref);
-  [[nodiscard]] OwnChart chartOfPage();
-  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> placesOf(
-      const OwnChart& chart) const;
-  void updateOwn();
-  [[nodiscard]] int formulasDocument() const;
+  [[nodiscard]] UserChart userChartOfPage();
+  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> curvePositions(
+      const UserChart& chart) const;
+  void updateUserChart();
+  [[nodiscard]] int formulaDocumentIndex() const;
   /// Number of a file among those on disk; -1: formulas, -2: unknown.
   [[nodiscard]] int sessionNumber(const PlotDocument& file) const;
-  [[nodiscard]] std::shared_ptr<const PlotDocument> copyOf(int document) const;
+  [[nodiscard]] std::shared_ptr<const PlotDocument> copyDocument(int document) const;
   [[nodiscard]] Document* document();
   /// Shows how far a long reading is, with a button that stops it. False: it was pressed.
-  bool watchReading(double part);
+  bool showReadingProgress(double part);
 
   static constexpr const char* kApp = "adrplot";  ///< name of the settings and recent files
   enum TreeRole { kPageRole = Qt::UserRole, kFileRole, kRunRole };
@@ -225,12 +237,12 @@ class PlotWindow : public QMainWindow {
   std::vector<std::unique_ptr<Document>> documents_;
   int current_ = -1, page_ = 0;
   PageOptions options_;
-  CurveChoice chosen_curves_;  ///< for the chart made last
+  CurveChoice last_curve_choice_;  ///< for the chart made last
   desktop::ChartView* view_;
   std::vector<FormulaChannel> formulas_;
-  ChannelTree* channels_ = nullptr;
+  ChannelTree* channel_tree_ = nullptr;
   QDockWidget* statistics_dock_ = nullptr;
-  QTableView* statistics_ = nullptr;
+  QTableView* statistics_table_ = nullptr;
   StatisticsModel* statistics_model_ = nullptr;
   QAction* statistics_action_ = nullptr;
   std::pair<double, double> statistics_range_;  ///< that the table shows
@@ -241,34 +253,35 @@ class PlotWindow : public QMainWindow {
       std::numeric_limits<double>::quiet_NaN();  ///< cursor A as told or received last
   bool taking_ = false;                          ///< changes now are not of the user
   QTreeWidget* tree_;
-  QTreeWidget* runs_ = nullptr;
-  std::filesystem::path project_;  ///< its file; empty: none
+  QTreeWidget* run_list_ = nullptr;
+  std::filesystem::path project_file_;  ///< its file; empty: none
   desktop::FindingsBar* findings_;
-  std::string findings_seen_;  ///< folder and time of the RUN.json that they are of
+  std::string findings_file_stamp_;  ///< folder and time of the RUN.json that they are of
   QLabel* note_;
-  QLabel* cursors_;
+  QLabel* cursor_label_;
   QScrollArea* cursors_area_;
-  QLabel* readout_;        ///< values under the mouse
-  QWidget* readout_room_;  ///< that the foot keeps free for them
-  QStringList values_;     ///< all of them, by part
-  QTimer* growth_ = nullptr;
+  QLabel* readout_;               ///< values under the mouse
+  QWidget* readout_placeholder_;  ///< that the foot keeps free for them
+  QStringList values_;            ///< all of them, by part
+  QTimer* file_check_timer_ = nullptr;
   bool unreadable_ = false;  ///< the followed file cannot be read at the moment; see the status bar
-  std::unique_ptr<QProgressDialog> reading_;
+  std::unique_ptr<QProgressDialog> reading_progress_dialog_;
   std::optional<bool> log_x_, log_y_;  ///< none: start of the page
   QAction* log_x_action_ = nullptr;
   QAction* log_y_action_ = nullptr;
   QList<QAction*> spectrum_actions_;
+  QAction* band_action_ = nullptr;  ///< of envelopes
   QComboBox* abscissa_ = nullptr;
-  QComboBox* orbit_ = nullptr;
+  QComboBox* orbit_axes_box_ = nullptr;
   QComboBox* domain_ = nullptr;
-  QComboBox* curve_ = nullptr;  ///< that a spectrogram is of
-  QAction* curve_action_ = nullptr;
-  QMenu* curve_menu_ = nullptr;  ///< the same, if the buttons do not fit
-  QMenu* names_menu_ = nullptr;  ///< curves of the legends
-  QList<QAction*> names_;        ///< as many as a page ever had; the others are hidden
-  std::vector<std::pair<QAction*, desktop::ChartDeed>> deeds_;
+  QComboBox* spectrogram_curve_box_ = nullptr;  ///< that a spectrogram is of
+  QAction* spectrogram_curve_action_ = nullptr;
+  QMenu* spectrogram_curve_menu_ = nullptr;  ///< the same, if the buttons do not fit
+  QMenu* curve_names_menu_ = nullptr;        ///< curves of the legends
+  QList<QAction*> curve_name_actions_;       ///< as many as a page ever had; the others are hidden
+  std::vector<std::pair<QAction*, desktop::ChartAction>> chart_actions_;
   QAction* orbit_action_ = nullptr;
-  QAction* follow_ = nullptr;
+  QAction* follow_action_ = nullptr;
 };
 
 }  // namespace adore::adrplot

@@ -1,3 +1,4 @@
+#include "adrplot/band_dialog.hpp"
 #include "adrplot/curve_dialog.hpp"
 #include "adrplot/plot_window.hpp"
 #include "adrplot/range_dialog.hpp"
@@ -9,13 +10,13 @@
 
 #include <exception>
 
-/// Dialogs before reading: files, steps, curves.
+/// Dialogs for files, steps, curves, and the band of envelopes.
 namespace adore::adrplot {
 
 void PlotWindow::askForFile() {
   desktop::ask_files(this, kApp, tr("Open plot files"),
                      "SOL[1-7] RESULTS.h5 RUN.json ACCURACY.json *.csv *.adrplot PROJECT.json",
-                     [this](const QStringList& names) { openSeveral(names); });
+                     [this](const QStringList& names) { openFiles(names); });
 }
 
 void PlotWindow::askForFolder() {
@@ -53,16 +54,26 @@ void PlotWindow::askForRange(const QString& path) {
   dialog->open();
 }
 
+void PlotWindow::askForBand() {
+  auto* dialog = new BandDialog(options_.spectrum.band, this);
+  dialog->setObjectName("bandDialog");
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    options_.spectrum.band = dialog->band();
+    showCurrentPage();
+  });
+  dialog->open();
+}
+
 void PlotWindow::askForCurves() {
   std::vector<const PlotDocument*> files;
   for (const auto& doc : documents_)
     if (doc->on_disk) files.push_back(doc.get());
   if (files.empty()) return askForFile();
-  auto* dialog = new CurveDialog(files, options_, chosen_curves_, this);
+  auto* dialog = new CurveDialog(files, options_, last_curve_choice_, this);
   dialog->setObjectName("curveDialog");
   dialog->setModal(true);
   connect(dialog, &QDialog::accepted, this, [this, dialog] {
-    chosen_curves_ = dialog->choice();
+    last_curve_choice_ = dialog->choice();
     addChart(dialog->picks(), dialog->how());
   });
   dialog->open();

@@ -5,6 +5,7 @@
 #include "desktop/chart_view.hpp"
 #include "desktop/dialogs.hpp"
 
+#include <QComboBox>
 #include <QMenu>
 #include <QMimeData>
 #include <QTabWidget>
@@ -17,7 +18,7 @@
 namespace adore::adrplot {
 namespace {
 
-PlotDocument document_of_chart(const std::shared_ptr<OwnChart>& chart, int number) {
+PlotDocument document_of_chart(const std::shared_ptr<UserChart>& chart, int number) {
   PlotDocument out;
   out.path = QString("chart-%1").arg(number).toStdString();
   out.subject = "own chart";
@@ -29,7 +30,7 @@ PlotDocument document_of_chart(const std::shared_ptr<OwnChart>& chart, int numbe
   return out;
 }
 
-int next_group(const OwnChart& chart) {
+int next_group(const UserChart& chart) {
   int out = 0;
   for (const CurvePick& pick : chart.curves) out = std::max(out, pick.group + 1);
   return out;
@@ -37,23 +38,23 @@ int next_group(const OwnChart& chart) {
 
 }  // namespace
 
-void PlotWindow::makeSide(QWidget* pages) {
+void PlotWindow::makeChannelTab(QWidget* pages) {
   auto* tabs = qobject_cast<QTabWidget*>(pages);
-  channels_ = new ChannelTree(this);
-  tabs->addTab(channels_, tr("Channels"));
-  connect(channels_, &ChannelTree::addWanted, this, [this] {
+  channel_tree_ = new ChannelTree(this);
+  tabs->addTab(channel_tree_, tr("Channels"));
+  connect(channel_tree_, &ChannelTree::addToChartRequested, this, [this] {
     if (auto picks = selectedPicks(); !picks.empty()) addToChart(std::move(picks), std::nullopt);
   });
-  connect(channels_, &ChannelTree::chartWanted, this, [this] {
+  connect(channel_tree_, &ChannelTree::newChartRequested, this, [this] {
     if (const auto picks = selectedPicks(); !picks.empty()) addChart(picks, Combine::Overlay);
   });
-  connect(channels_, &ChannelTree::formulaWanted, this,
-          [this] { openFormulaDialog(channels_->selected()); });
-  connect(channels_, &ChannelTree::pageWanted, this, [this] {
-    if (const auto chosen = channels_->selected(); !chosen.empty()) showPageOf(chosen.front());
+  connect(channel_tree_, &ChannelTree::formulaRequested, this,
+          [this] { openFormulaDialog(channel_tree_->selected()); });
+  connect(channel_tree_, &ChannelTree::pageRequested, this, [this] {
+    if (const auto chosen = channel_tree_->selected(); !chosen.empty()) showPageOf(chosen.front());
   });
-  view_->takeDrops({kChannelsMime, desktop::ChartView::kCurveMime});
-  connect(view_, &desktop::ChartView::dropped, this, &PlotWindow::takeDrop);
+  view_->enableDrops({kChannelsMime, desktop::ChartView::kCurveMime});
+  connect(view_, &desktop::ChartView::dropped, this, &PlotWindow::handleDrop);
   view_->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(view_, &QWidget::customContextMenuRequested, this, &PlotWindow::showChartMenu);
 }
@@ -61,7 +62,7 @@ void PlotWindow::makeSide(QWidget* pages) {
 void PlotWindow::fillChannels() {
   std::vector<const PlotDocument*> files;
   for (const auto& document : documents_) files.push_back(document->own ? nullptr : document.get());
-  channels_->fill(files);
+  channel_tree_->fill(files);
 }
 
 void PlotWindow::showPageOf(const ChannelRef& ref) {
@@ -70,7 +71,7 @@ void PlotWindow::showPageOf(const ChannelRef& ref) {
     tree_->setCurrentItem(item);
 }
 
-CurvePick PlotWindow::pickOf(const ChannelRef& ref) const {
+CurvePick PlotWindow::curvePickOf(const ChannelRef& ref) const {
   const Document& file = *documents_.at(static_cast<std::size_t>(ref.file));
   PageOptions history = options_;
   history.domain = Domain::History;
@@ -86,7 +87,7 @@ CurvePick PlotWindow::pickOf(const ChannelRef& ref) const {
 std::vector<CurvePick> PlotWindow::selectedPicks() {
   std::vector<CurvePick> out;
   try {
-    for (const ChannelRef& ref : channels_->selected()) out.push_back(pickOf(ref));
+    for (const ChannelRef& ref : channel_tree_->selected()) out.push_back(curvePickOf(ref));
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
     out.clear();
@@ -94,7 +95,7 @@ std::vector<CurvePick> PlotWindow::selectedPicks() {
   return out;
 }
 
-void PlotWindow::addOwn(std::shared_ptr<OwnChart> chart) {
+void PlotWindow::addUserChart(std::shared_ptr<UserChart> chart) {
   try {
     (void)combine_curves(chart->curves, chart->how, options_);
   } catch (const std::exception& error) {
@@ -108,15 +109,15 @@ void PlotWindow::addOwn(std::shared_ptr<OwnChart> chart) {
 }
 
 void PlotWindow::addChart(const std::vector<CurvePick>& picks, Combine how) {
-  auto chart = std::make_shared<OwnChart>();
+  auto chart = std::make_shared<UserChart>();
   chart->how = how;
   for (const CurvePick& pick : picks) chart->add(pick);
-  addOwn(std::move(chart));
+  addUserChart(std::move(chart));
 }
 
 /// Panels as on the page.
-OwnChart PlotWindow::chartOfPage() {
-  OwnChart out;
+UserChart PlotWindow::userChartOfPage() {
+  UserChart out;
   const Document* doc = document();
   if (doc == nullptr || doc->own) return out;
   PageOptions history = options_;
@@ -134,7 +135,8 @@ OwnChart PlotWindow::chartOfPage() {
 }
 
 /// Panel and curve of each pick on the page that combine_curves() makes.
-std::vector<std::pair<std::size_t, std::size_t>> PlotWindow::placesOf(const OwnChart& chart) const {
+std::vector<std::pair<std::size_t, std::size_t>> PlotWindow::curvePositions(
+    const UserChart& chart) const {
   std::vector<std::pair<int, std::string>> panels;
   std::vector<std::size_t> count;
   std::vector<std::pair<std::size_t, std::size_t>> out;
@@ -154,30 +156,30 @@ std::vector<std::pair<std::size_t, std::size_t>> PlotWindow::placesOf(const OwnC
   return out;
 }
 
-void PlotWindow::updateOwn() {
+void PlotWindow::updateUserChart() {
   view_->zoomAll();
-  showCurrent();
+  showCurrentPage();
 }
 
 void PlotWindow::addToChart(std::vector<CurvePick> picks, std::optional<std::size_t> panel) {
   if (picks.empty()) return;
   Document* doc = document();
-  std::shared_ptr<OwnChart> chart = doc != nullptr ? doc->own : nullptr;
+  std::shared_ptr<UserChart> chart = doc != nullptr ? doc->own : nullptr;
   const bool existing = chart != nullptr && chart->how == Combine::Overlay;
   try {
     if (!existing) {
-      chart = std::make_shared<OwnChart>();
-      if (panel) *chart = chartOfPage();
+      chart = std::make_shared<UserChart>();
+      if (panel) *chart = userChartOfPage();
     } else if (next_group(*chart) == 0) {  // made by unit
       const std::vector<int> groups = groups_by_unit(chart->curves, options_);
       for (std::size_t i = 0; i < groups.size(); ++i) chart->curves[i].group = groups[i];
     }
-    const auto places = placesOf(*chart);
+    const auto places = curvePositions(*chart);
     int group = next_group(*chart);
     if (panel)
       for (std::size_t i = 0; i < places.size(); ++i)
         if (places[i].first == *panel) group = chart->curves[i].group;
-    const OwnChart before = *chart;
+    const UserChart before = *chart;
     for (CurvePick& pick : picks) {
       pick.group = group;
       chart->add(pick);
@@ -188,8 +190,8 @@ void PlotWindow::addToChart(std::vector<CurvePick> picks, std::optional<std::siz
       *chart = before;
       throw;
     }
-    if (!existing) return addOwn(std::move(chart));
-    updateOwn();
+    if (!existing) return addUserChart(std::move(chart));
+    updateUserChart();
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
   }
@@ -200,31 +202,33 @@ void PlotWindow::moveCurve(std::size_t panel, std::optional<std::size_t> curve,
   Document* doc = document();
   if (doc == nullptr || (target && *target == panel)) return;
   if (options_.domain != Domain::History)
-    return desktop::tell_in_foot(this, tr("Select \"history\" to move curves between panels."));
+    return desktop::show_in_status_bar(this,
+                                       tr("Select \"history\" to move curves between panels."));
   const desktop::ChartPage page = view_->chartScene().page();
   if (page.equal_axes || panel >= page.panels.size()) return;
   if (target && page.panels.at(*target).unit != page.panels[panel].unit)
-    return desktop::tell_in_foot(this, tr("Curves with different units do not share a panel."));
+    return desktop::show_in_status_bar(this,
+                                       tr("Curves with different units do not share a panel."));
   if (doc->own && doc->own->how == Combine::Difference)
-    return desktop::tell_in_foot(this, tr("Differences stay in one panel."));
+    return desktop::show_in_status_bar(this, tr("Differences stay in one panel."));
   try {
-    std::shared_ptr<OwnChart> chart = doc->own;
+    std::shared_ptr<UserChart> chart = doc->own;
     const bool existing = chart != nullptr;
     if (!existing) {
-      chart = std::make_shared<OwnChart>(chartOfPage());
+      chart = std::make_shared<UserChart>(userChartOfPage());
     } else if (next_group(*chart) == 0) {
       const std::vector<int> groups = groups_by_unit(chart->curves, options_);
       for (std::size_t i = 0; i < groups.size(); ++i) chart->curves[i].group = groups[i];
     }
-    const auto places = placesOf(*chart);
+    const auto places = curvePositions(*chart);
     int group = next_group(*chart);
     for (std::size_t i = 0; target && i < places.size(); ++i)
       if (places[i].first == *target) group = chart->curves[i].group;
     for (std::size_t i = 0; i < places.size(); ++i)
       if (places[i].first == panel && (!curve || places[i].second == *curve))
         chart->curves[i].group = group;
-    if (!existing) return addOwn(std::move(chart));
-    updateOwn();
+    if (!existing) return addUserChart(std::move(chart));
+    updateUserChart();
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
   }
@@ -233,25 +237,25 @@ void PlotWindow::moveCurve(std::size_t panel, std::optional<std::size_t> curve,
 void PlotWindow::removeCurve(std::size_t panel, std::size_t curve) {
   Document* doc = document();
   if (doc == nullptr || !doc->own || doc->own->curves.size() < 2) return;
-  OwnChart& chart = *doc->own;
+  UserChart& chart = *doc->own;
   if (next_group(chart) == 0) {
     const std::vector<int> groups = groups_by_unit(chart.curves, options_);
     for (std::size_t i = 0; i < groups.size(); ++i) chart.curves[i].group = groups[i];
   }
-  const auto places = placesOf(chart);
+  const auto places = curvePositions(chart);
   const auto at = std::find(places.begin(), places.end(), std::pair(panel, curve));
   if (at == places.end()) return;
   chart.curves.erase(chart.curves.begin() + (at - places.begin()));
   chart.files.erase(chart.files.begin() + (at - places.begin()));
-  updateOwn();
+  updateUserChart();
 }
 
-void PlotWindow::takeDrop(const QMimeData* mime, std::optional<std::size_t> panel) {
+void PlotWindow::handleDrop(const QMimeData* mime, std::optional<std::size_t> panel) {
   if (mime->hasFormat(kChannelsMime)) {
     try {
       std::vector<CurvePick> picks;
       for (const ChannelRef& ref : channels_in(*mime))
-        if (ref.file >= 0 && ref.file < fileCount()) picks.push_back(pickOf(ref));
+        if (ref.file >= 0 && ref.file < fileCount()) picks.push_back(curvePickOf(ref));
       return addToChart(std::move(picks), panel);
     } catch (const std::exception& error) {
       return desktop::show_message(this, QString::fromUtf8(error.what()), true);
@@ -270,7 +274,7 @@ void PlotWindow::showChartMenu(const QPoint& at) {
   const QPointF position = view_->mapToScene(at);
   const auto name = view_->legendAt(position);
   auto panel = view_->chartScene().panelAt(position);
-  if (!panel) panel = view_->titleAt(position);
+  if (!panel) panel = view_->panelTitleAt(position);
   if (name) panel = name->panel;
   const bool plain = !view_->chartScene().page().equal_axes && !view_->chartScene().page().study &&
                      options_.domain == Domain::History;
@@ -286,6 +290,15 @@ void PlotWindow::showChartMenu(const QPoint& at) {
         ->setEnabled(plain && doc->own && doc->own->curves.size() > 1);
     menu->addSeparator();
   }
+  auto* types = menu->addMenu(tr("Chart &Type"));
+  types->setEnabled(domain_->isEnabled());
+  for (int i = 0; i < domain_->count(); ++i) {
+    auto* type =
+        types->addAction(domain_->itemText(i), this, [this, i] { domain_->setCurrentIndex(i); });
+    type->setCheckable(true);
+    type->setChecked(i == domain_->currentIndex());
+  }
+  menu->addSeparator();
   menu->addAction(tr("Show &Everything"), view_, &desktop::ChartView::zoomAll);
   menu->addAction(tr("Zoom &Back"), view_, &desktop::ChartView::zoomBack);
   menu->addSeparator();
@@ -297,7 +310,7 @@ void PlotWindow::showChartMenu(const QPoint& at) {
 
 // Computed channels.
 
-int PlotWindow::formulasDocument() const {
+int PlotWindow::formulaDocumentIndex() const {
   for (int d = 0; d < fileCount(); ++d) {
     const Document& one = *documents_[static_cast<std::size_t>(d)];
     if (!one.on_disk && !one.own) return d;
@@ -305,12 +318,12 @@ int PlotWindow::formulasDocument() const {
   return -1;
 }
 
-std::shared_ptr<const PlotDocument> PlotWindow::copyOf(int document) const {
+std::shared_ptr<const PlotDocument> PlotWindow::copyDocument(int document) const {
   return std::make_shared<PlotDocument>(*documents_.at(static_cast<std::size_t>(document)));
 }
 
-FormulaInput PlotWindow::inputOf(const ChannelRef& ref) const {
-  return {"", copyOf(ref.file), ref.page, static_cast<std::size_t>(ref.panel), ref.curve};
+FormulaInput PlotWindow::formulaInputOf(const ChannelRef& ref) const {
+  return {"", copyDocument(ref.file), ref.page, static_cast<std::size_t>(ref.panel), ref.curve};
 }
 
 void PlotWindow::openFormulaDialog(const std::vector<ChannelRef>& channels) {
@@ -318,7 +331,7 @@ void PlotWindow::openFormulaDialog(const std::vector<ChannelRef>& channels) {
   std::vector<const PlotDocument*> files;
   for (const auto& document : documents_) files.push_back(document->own ? nullptr : document.get());
   auto* dialog = new FormulaDialog(
-      files, [this](const ChannelRef& ref) { return inputOf(ref); }, options_, this);
+      files, [this](const ChannelRef& ref) { return formulaInputOf(ref); }, options_, this);
   dialog->setObjectName("formulaDialog");
   dialog->setModal(true);
   dialog->addChannels(channels);
@@ -326,11 +339,11 @@ void PlotWindow::openFormulaDialog(const std::vector<ChannelRef>& channels) {
   dialog->open();
 }
 
-void PlotWindow::askForFormula() { openFormulaDialog(channels_->selected()); }
+void PlotWindow::askForFormula() { openFormulaDialog(channel_tree_->selected()); }
 
 void PlotWindow::addFormula(const FormulaChannel& channel) {
   formulas_.push_back(channel);
-  int place = formulasDocument();
+  int place = formulaDocumentIndex();
   if (place < 0) {
     addDocument(formula_document(formulas_), {}, false);
     place = fileCount() - 1;

@@ -1,3 +1,4 @@
+#include "adrplot/figure_dialog.hpp"
 #include "adrplot/plot_window.hpp"
 #include "base/counted.hpp"
 #include "desktop/chart_view.hpp"
@@ -6,6 +7,7 @@
 #include "desktop/launch.hpp"
 #include "desktop/page_export.hpp"
 #include "desktop/theme.hpp"
+#include "results/run_folder.hpp"
 
 #include <QClipboard>
 #include <QDir>
@@ -47,74 +49,104 @@ qulonglong valuesOf(const desktop::ChartPage& page) {
 
 }  // namespace
 
+std::unique_ptr<desktop::ChartScene> PlotWindow::sceneForPaper() {
+  auto scene = std::make_unique<desktop::ChartScene>();
+  scene->setTheme(desktop::theme(desktop::ThemeKind::Light));
+  scene->setPageSize(view_->viewport()->size());
+  scene->setPage(view_->chartScene().page());
+  scene->setZoom(view_->chartScene().zoom());
+  return scene;
+}
+
 bool PlotWindow::exportTo(const QString& path, bool all_pages, bool seen) {
-  Document* doc = document();
-  if (!doc) return false;
-  desktop::ChartScene scene;  // a copy: the visible scene does not change
-  scene.setTheme(desktop::current_theme());
-  const QSizeF size = view_->viewport()->size();
-  const int shown = page_;
-  const auto show = [&](int page) {
-    page_ = page;
-    desktop::ChartPage chart = currentPageChart();
-    page_ = shown;
-    const auto& panels = view_->chartScene().page().panels;
-    for (std::size_t p = 0; page == shown && p < std::min(panels.size(), chart.panels.size()); ++p)
-      for (std::size_t c = 0; c < std::min(panels[p].curves.size(), chart.panels[p].curves.size());
-           ++c)
-        chart.panels[p].curves[c].hidden = panels[p].curves[c].hidden;
-    scene.setPage(std::move(chart));
-  };
+  if (!document()) return false;
   try {
-    if (!all_pages) {
-      show(shown);
-      scene.setZoom(view_->chartScene().zoom());
-      const bool numbers = QFileInfo(path).suffix().toLower() == "csv";
-      const bool whole = !scene.zoomed() || scene.whole();
-      scene.setPageSize(size);
-      if (numbers && seen) {
-        scene.setZoom(view_->chartScene().zoom());
-        const desktop::ChartPage part = desktop::seen_part(scene);
-        desktop::save_bytes(QByteArray::fromStdString(desktop::page_csv(part)), path.toStdString());
-        desktop::tell_in_foot(
-            this, tr("Exported the visible curves in the visible range to %1 (%2 each).")
-                      .arg(path, told(valuesOf(part), "value")));
-      } else {
-        desktop::save_page(scene, path.toStdString(), size);
-        desktop::tell_in_foot(this, !numbers ? tr("Saved %1.").arg(path)
-                                    : whole
-                                        ? tr("Exported all curves to %1 (%2 each).")
-                                              .arg(path, told(valuesOf(scene.page()), "value"))
-                                        : tr("Exported all curves to %1 (%2 each), including "
-                                             "values outside the visible range.")
-                                              .arg(path, told(valuesOf(scene.page()), "value")));
-      }
-    } else if (QFileInfo(path).suffix().toLower() == "pdf") {
-      desktop::save_pdf(scene, path.toStdString(), doc->pages.size(), size,
-                        [&](std::size_t i) { show(static_cast<int>(i) + 1); });
-      desktop::tell_in_foot(this, tr("Saved %1 in %2.").arg(told(pageCount(), "page"), path));
-    } else {
-      const QFileInfo info(path);
-      for (int page = 1; page <= pageCount(); ++page) {
-        show(page);
-        desktop::save_page(scene,
-                           info.dir()
-                               .filePath(QString("%1-%2.%3")
-                                             .arg(info.completeBaseName())
-                                             .arg(page, 2, 10, QChar('0'))
-                                             .arg(info.suffix()))
-                               .toStdString(),
-                           size);
-      }
-      desktop::tell_in_foot(this, tr("Saved %1 as numbered files in %2.")
-                                      .arg(told(pageCount(), "page"), info.absolutePath()));
-    }
+    if (all_pages)
+      savePagesOfRun(path);
+    else
+      saveShownPage(path, seen);
     return true;
   } catch (const std::exception& error) {
-    page_ = shown;
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
     return false;
   }
+}
+
+void PlotWindow::saveShownPage(const QString& path, bool seen) {
+  const auto scene = sceneForPaper();
+  const bool numbers = QFileInfo(path).suffix().toLower() == "csv";
+  if (numbers && seen) {
+    const desktop::ChartPage part = desktop::visible_part(*scene);
+    desktop::save_bytes(QByteArray::fromStdString(desktop::page_csv(part)), path.toStdString());
+    desktop::show_in_status_bar(
+        this, tr("Exported the visible curves in the visible range to %1 (%2 each).")
+                  .arg(path, told(valuesOf(part), "value")));
+    return;
+  }
+  desktop::save_page(*scene, path.toStdString(), view_->viewport()->size());
+  const bool whole = !scene->zoomed() || scene->whole();
+  desktop::show_in_status_bar(this,
+                              !numbers ? tr("Saved %1.").arg(path)
+                              : whole  ? tr("Exported all curves to %1 (%2 each).")
+                                            .arg(path, told(valuesOf(scene->page()), "value"))
+                                      : tr("Exported all curves to %1 (%2 each), including values "
+                                           "outside the visible range.")
+                                            .arg(path, told(valuesOf(scene->page()), "value")));
+}
+
+std::vector<PlotDocument> PlotWindow::filesOfRun() {
+  const Document& shown = *document();
+  if (!shown.on_disk) return {shown};
+  std::vector<PlotDocument> out;
+  bool found = false;
+  for (const auto& file : results::run_folder(shown.path.parent_path()).plots) {
+    const auto open = std::find_if(documents_.begin(), documents_.end(), [&](const auto& each) {
+      return each->on_disk && each->path == file;
+    });
+    found = found || file == shown.path;
+    out.push_back(open != documents_.end() ? PlotDocument(**open) : open_document(file));
+  }
+  if (!found) return {shown};  // RUN.json, a table, or all channels of RESULTS.h5
+  return out;
+}
+
+void PlotWindow::savePagesOfRun(const QString& path) {
+  const std::vector<PlotDocument> files = filesOfRun();
+  struct Page {
+    const PlotDocument* file;
+    int number;
+  };
+  std::vector<Page> pages;
+  for (const PlotDocument& file : files)
+    for (std::size_t n = 0; n < file.pages.size(); ++n)
+      pages.push_back({&file, static_cast<int>(n) + 1});
+  desktop::ChartScene scene;
+  scene.setTheme(desktop::theme(desktop::ThemeKind::Light));
+  const QSizeF size = view_->viewport()->size();
+  const auto show = [&](const Page& page) {
+    const bool shown = page.number == page_ && page.file->path == document()->path;
+    scene.setPage(shown ? view_->chartScene().page() : chartOf(*page.file, page.number));
+  };
+  const QString of_files =
+      files.size() > 1 ? tr(" of %1").arg(told(files.size(), "file")) : QString();
+  const QFileInfo info(path);
+  if (info.suffix().toLower() == "pdf") {
+    desktop::save_pdf(scene, path.toStdString(), pages.size(), size,
+                      [&](std::size_t i) { show(pages[i]); });
+    desktop::show_in_status_bar(
+        this, tr("Saved %1 in %2.").arg(told(pages.size(), "page") + of_files, path));
+    return;
+  }
+  for (const Page& page : pages) {
+    show(page);
+    QString name = info.completeBaseName();
+    if (files.size() > 1) name += "-" + QString::fromStdString(page.file->path.filename().string());
+    name += QString("-%1.%2").arg(page.number, 2, 10, QChar('0')).arg(info.suffix());
+    desktop::save_page(scene, info.dir().filePath(name).toStdString(), size);
+  }
+  desktop::show_in_status_bar(this,
+                              tr("Saved %1 as numbered files in %2.")
+                                  .arg(told(pages.size(), "page") + of_files, info.absolutePath()));
 }
 
 bool PlotWindow::reportTo(const QString& folder) {
@@ -124,10 +156,10 @@ bool PlotWindow::reportTo(const QString& folder) {
     if (each->on_disk && !words.contains(run)) words += run;
   }
   try {
-    desktop::tell_in_foot(this, tr("Wrote %1.")
-                                    .arg(desktop::output_of_program("adore-pictures", words)
-                                             .trimmed()
-                                             .replace('\n', tr(" and "))));
+    desktop::show_in_status_bar(this, tr("Wrote %1.")
+                                          .arg(desktop::output_of_program("adore-pictures", words)
+                                                   .trimmed()
+                                                   .replace('\n', tr(" and "))));
     return true;
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
@@ -180,6 +212,40 @@ void PlotWindow::exportPage() { askForExport(false); }
 
 void PlotWindow::exportAll() { askForExport(true); }
 
+void PlotWindow::exportFigure() {
+  Document* doc = document();
+  if (!doc) return askForFile();
+  auto* dialog = new FigureDialog(view_->chartScene().page(), view_->chartScene().zoom(), this);
+  dialog->setObjectName("figure");
+  connect(
+      dialog, &QDialog::accepted, this,
+      [this, dialog, name = QString("%1-figure-%2").arg(besideFile(*doc), QString::number(page_))] {
+        auto* files = new QFileDialog(this, tr("Export figure"), QString(),
+                                      tr("PDF (*.pdf);;SVG (*.svg);;PNG, 600 dpi (*.png)"));
+        files->setObjectName("export");
+        desktop::delete_when_done(*files);
+        files->setAcceptMode(QFileDialog::AcceptSave);
+        files->setDefaultSuffix("pdf");
+        connect(files, &QFileDialog::filterSelected, files, [files](const QString& filter) {
+          files->setDefaultSuffix(filter.section("*.", 1).section(')', 0, 0));
+        });
+        files->selectFile(name);
+        connect(files, &QFileDialog::fileSelected, this,
+                [this, figure = dialog->figure()](const QString& path) {
+                  try {
+                    const desktop::ChartZoom zoom = view_->chartScene().zoom();
+                    desktop::save_figure(view_->chartScene().page(), path.toStdString(), figure,
+                                         desktop::Replace::Anything, &zoom);
+                    desktop::show_in_status_bar(this, tr("Saved %1.").arg(path));
+                  } catch (const std::exception& error) {
+                    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+                  }
+                });
+        files->open();
+      });
+  dialog->open();
+}
+
 namespace {
 
 /// As other programs read it: a line each, and minus signs that are ones to them.
@@ -193,31 +259,31 @@ QString plain(QString text) {
 
 void PlotWindow::copyPicture() {
   if (!document()) return;
-  if (statistics_->hasFocus()) return copyTable();
+  if (statistics_table_->hasFocus()) return copyStatisticsRows();
   // Selected text of the statistics is copied.
-  if (cursors_->hasSelectedText()) {
-    QGuiApplication::clipboard()->setText(plain(cursors_->selectedText()));
-    desktop::tell_in_foot(this, tr("Copied the selected text."));
+  if (cursor_label_->hasSelectedText()) {
+    QGuiApplication::clipboard()->setText(plain(cursor_label_->selectedText()));
+    desktop::show_in_status_bar(this, tr("Copied the selected text."));
     return;
   }
-  QGuiApplication::clipboard()->setImage(view_->chartScene().image(view_->viewport()->size()));
-  desktop::tell_in_foot(this, tr("Copied the picture."));
+  QGuiApplication::clipboard()->setImage(sceneForPaper()->image(view_->viewport()->size()));
+  desktop::show_in_status_bar(this, tr("Copied the picture."));
 }
 
-void PlotWindow::copyStatistics() {
-  if (cursors_->text().isEmpty()) {
-    desktop::tell_in_foot(this, tr("Set a cursor first: Ctrl+click (A), Ctrl+Shift+click (B)."));
+void PlotWindow::copyCursorReport() {
+  if (cursor_label_->text().isEmpty()) {
+    desktop::show_in_status_bar(this,
+                                tr("Set a cursor first: Ctrl+click (A), Ctrl+Shift+click (B)."));
     return;
   }
-  QGuiApplication::clipboard()->setText(plain(cursors_->text()));
-  desktop::tell_in_foot(this, tr("Copied the values at the cursors."));
+  QGuiApplication::clipboard()->setText(plain(cursor_label_->text()));
+  desktop::show_in_status_bar(this, tr("Copied the values at the cursors."));
 }
 
 void PlotWindow::print() {
   if (!document()) return askForFile();
   desktop::print_page(this, [this](QPainter& painter, const QRectF& paper) {
-    const QSizeF page = view_->viewport()->size();
-    desktop::paint_vector(view_->chartScene(), painter, paper, page);
+    desktop::paint_vector(*sceneForPaper(), painter, paper, view_->viewport()->size());
   });
 }
 
@@ -227,10 +293,10 @@ void PlotWindow::savePicture() {
   const QString fallback = QString("%1-page-%2.jpg").arg(besideFile(*doc), QString::number(page_));
   const QSizeF size = view_->viewport()->size();
   desktop::save_picture(
-      this, kApp, fallback, [this] { return view_->chartScene().image(view_->viewport()->size()); },
+      this, kApp, fallback, [this] { return sceneForPaper()->image(view_->viewport()->size()); },
       size,
       [this, size](QPainter& painter) {
-        desktop::paint_vector(view_->chartScene(), painter, QRectF(QPointF(0, 0), size), size);
+        desktop::paint_vector(*sceneForPaper(), painter, QRectF(QPointF(0, 0), size), size);
       });
 }
 

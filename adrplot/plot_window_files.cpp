@@ -47,25 +47,27 @@ bool names_hold(const PlotDocument& doc) {
 
 }  // namespace
 
-bool PlotWindow::watchReading(double part) {
+bool PlotWindow::showReadingProgress(double part) {
   if (part >= 1.0) {
-    reading_.reset();
+    reading_progress_dialog_.reset();
     return true;
   }
-  if (!reading_) {
-    reading_ = std::make_unique<QProgressDialog>(tr("Reading ..."), tr("Stop"), 0, 1000, this);
-    reading_->setObjectName("reading");
-    reading_->setWindowTitle("AdrPlot");
-    reading_->setWindowModality(Qt::WindowModal);
+  if (!reading_progress_dialog_) {
+    reading_progress_dialog_ =
+        std::make_unique<QProgressDialog>(tr("Reading ..."), tr("Stop"), 0, 1000, this);
+    reading_progress_dialog_->setObjectName("reading");
+    reading_progress_dialog_->setWindowTitle("AdrPlot");
+    reading_progress_dialog_->setWindowModality(Qt::WindowModal);
     // A run that is followed is read again and again: its box would flicker.
     constexpr int kPatience = 400, kPatienceWhileFollowing = 3000;  // ms
-    reading_->setMinimumDuration(growth_->isActive() ? kPatienceWhileFollowing : kPatience);
-    reading_->setAutoClose(false);
-    reading_->setAutoReset(false);
+    reading_progress_dialog_->setMinimumDuration(
+        file_check_timer_->isActive() ? kPatienceWhileFollowing : kPatience);
+    reading_progress_dialog_->setAutoClose(false);
+    reading_progress_dialog_->setAutoReset(false);
   }
-  reading_->setValue(static_cast<int>(1000.0 * part));  // lets the window live
-  if (!reading_ || !reading_->wasCanceled()) return true;
-  reading_.reset();
+  reading_progress_dialog_->setValue(static_cast<int>(1000.0 * part));  // lets the window live
+  if (!reading_progress_dialog_ || !reading_progress_dialog_->wasCanceled()) return true;
+  reading_progress_dialog_.reset();
   return false;
 }
 
@@ -73,15 +75,15 @@ bool PlotWindow::openFile(const std::filesystem::path& path, const results::SolR
   if (path.filename() == desktop::kProjectFile) return openProject(path);
   if (is_session(path)) return openSession(QString::fromStdString(path.string()));
   try {
-    addDocument(
-        open_document(path, range, kMostValues, [this](double part) { return watchReading(part); }),
-        range);
-    desktop::remember_part_of_run(kApp, QString::fromStdString(path.string()));
+    addDocument(open_document(path, range, kMostValues,
+                              [this](double part) { return showReadingProgress(part); }),
+                range);
+    desktop::add_recent_run_file(kApp, QString::fromStdString(path.string()));
     return true;
   } catch (const results::ReadStopped&) {
     return false;  // as specified
   } catch (const std::exception& error) {
-    reading_.reset();
+    reading_progress_dialog_.reset();
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
     return false;
   }
@@ -133,12 +135,12 @@ void PlotWindow::fillTree() {
   current_ = file;
   fillChannels();
   showPage(page);
-  markPages();
+  markPagesWithWarnings();
 }
 
 void PlotWindow::closeFile() {
   if (!document()) return;
-  if (current_ == formulasDocument()) formulas_.clear();
+  if (current_ == formulaDocumentIndex()) formulas_.clear();
   documents_.erase(documents_.begin() + current_);
   current_ = std::min(current_, fileCount() - 1);
   page_ = current_ >= 0 ? 1 : 0;
@@ -149,7 +151,7 @@ void PlotWindow::closeFile() {
   } else {
     fillTree();
   }
-  showCurrent();
+  showCurrentPage();
 }
 
 void PlotWindow::openFolder(const QString& folder, const results::SolRange& range) {
@@ -163,7 +165,7 @@ void PlotWindow::openFolder(const QString& folder, const results::SolRange& rang
   }
   std::vector<std::filesystem::path> files;
   try {
-    files = files_of(folder.toStdString());
+    files = plot_files_of(folder.toStdString());
   } catch (const InputError& error) {
     return desktop::show_message(this, QString::fromUtf8(error.what()) + ".");
   }
@@ -172,7 +174,7 @@ void PlotWindow::openFolder(const QString& folder, const results::SolRange& rang
   });
 }
 
-void PlotWindow::openSeveral(const QStringList& paths) {
+void PlotWindow::openFiles(const QStringList& paths) {
   if (paths.size() == 1) {
     if (QFileInfo(paths.front()).isDir()) return openFolder(paths.front());
     return askForRange(paths.front());
@@ -186,8 +188,9 @@ void PlotWindow::openSeveral(const QStringList& paths) {
 }
 
 void PlotWindow::showFiles(const QStringList& paths, bool to_front) {
-  if (reading_) {                // requested while another file is read: that one is finished first
-    constexpr int kLater = 300;  // ms
+  if (reading_progress_dialog_) {  // requested while another file is read: that one is finished
+                                   // first
+    constexpr int kLater = 300;    // ms
     QTimer::singleShot(kLater, this, [this, paths, to_front] { showFiles(paths, to_front); });
     return;
   }
@@ -214,20 +217,21 @@ void PlotWindow::showFiles(const QStringList& paths, bool to_front) {
 }
 
 void PlotWindow::reload() {
-  readAgain(true);
-  readReplaced();
+  reloadCurrentFile(true);
+  reloadReplacedFiles();
   reloadProject();
 }
 
 /// A followed file may be invalid for a moment: the status bar shows this, without a dialog, until
 /// the file is valid again.
-void PlotWindow::readAgain(bool asked) {
+void PlotWindow::reloadCurrentFile(bool asked) {
   Document* doc = document();
   if (!doc || !doc->on_disk) return;
   doc->seen = state_of(doc->path);
   try {
-    static_cast<PlotDocument&>(*doc) = open_document(
-        doc->path, doc->range, kMostValues, [this](double part) { return watchReading(part); });
+    static_cast<PlotDocument&>(*doc) =
+        open_document(doc->path, doc->range, kMostValues,
+                      [this](double part) { return showReadingProgress(part); });
     page_ = std::min(page_, pageCount());
     fillTree();
     if (unreadable_) statusBar()->clearMessage();
@@ -235,14 +239,14 @@ void PlotWindow::readAgain(bool asked) {
   } catch (const results::ReadStopped&) {
     follow(false);  // as specified
   } catch (const std::exception& error) {
-    reading_.reset();
+    reading_progress_dialog_.reset();
     if (asked) return desktop::show_message(this, QString::fromUtf8(error.what()), true);
     unreadable_ = true;
     statusBar()->showMessage(tr("The file cannot be read at the moment: %1").arg(error.what()));
   }
 }
 
-void PlotWindow::readReplaced() {
+void PlotWindow::reloadReplacedFiles() {
   bool any = false;
   for (int d = 0; d < fileCount(); ++d) {
     Document& doc = *documents_[static_cast<std::size_t>(d)];
@@ -250,36 +254,37 @@ void PlotWindow::readReplaced() {
     try {
       if (names_hold(doc)) continue;
       std::string seen = state_of(doc.path);
-      static_cast<PlotDocument&>(doc) = open_document(
-          doc.path, doc.range, kMostValues, [this](double part) { return watchReading(part); });
+      static_cast<PlotDocument&>(doc) =
+          open_document(doc.path, doc.range, kMostValues,
+                        [this](double part) { return showReadingProgress(part); });
       doc.seen = std::move(seen);
       any = true;
     } catch (const std::exception&) {
-      reading_.reset();  // reported when the file is read
+      reading_progress_dialog_.reset();  // reported when the file is read
     }
   }
   if (any) fillTree();
 }
 
 void PlotWindow::follow(bool on) {
-  if (follow_->isChecked() != on) follow_->setChecked(on);
-  on ? growth_->start() : growth_->stop();
+  if (follow_action_->isChecked() != on) follow_action_->setChecked(on);
+  on ? file_check_timer_->start() : file_check_timer_->stop();
 }
 
-void PlotWindow::lookForGrowth() {
+void PlotWindow::checkForFileChanges() {
   Document* doc = document();
-  if (!doc || !doc->on_disk || reading_) return;
+  if (!doc || !doc->on_disk || reading_progress_dialog_) return;
   std::error_code error;
   if (std::filesystem::exists(doc->path, error) && doc->seen != state_of(doc->path))
-    readAgain(false);
-  readReplaced();
+    reloadCurrentFile(false);
+  reloadReplacedFiles();
 }
 
 void PlotWindow::showRuns(const std::vector<long>& runs) {
   Document* doc = document();
   if (!doc || !doc->about_run) return;
   auto* dialog = new RunDialog(runs, doc->about_run, doc->files_of_run, this);
-  connect(dialog, &RunDialog::filesWanted, this,
+  connect(dialog, &RunDialog::filesRequested, this,
           [this](const QString& folder) { openFolder(folder); });
   dialog->show();
 }

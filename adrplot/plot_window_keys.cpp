@@ -9,17 +9,18 @@
 /// Key commands for the mouse actions of a chart: each is in a menu, which shows its key.
 namespace adore::adrplot {
 
-using desktop::ChartDeed;
+using desktop::ChartAction;
 
 /// The key is the chart's alone: in the list of pages arrows and letters find pages.
-void PlotWindow::addDeed(QMenu* menu, ChartDeed deed, const QString& text,
-                         const QList<QKeySequence>& keys) {
-  auto* action = menu->addAction(text, this, [this, deed] { view_->perform(deed); });
-  action->setData(static_cast<int>(deed));
+void PlotWindow::addChartAction(QMenu* menu, ChartAction chart_action, const QString& text,
+                                const QList<QKeySequence>& keys) {
+  auto* action =
+      menu->addAction(text, this, [this, chart_action] { view_->perform(chart_action); });
+  action->setData(static_cast<int>(chart_action));
   action->setShortcuts(keys);
   action->setShortcutContext(Qt::WidgetShortcut);
   view_->addAction(action);
-  deeds_.emplace_back(action, deed);
+  chart_actions_.emplace_back(action, chart_action);
 }
 
 void PlotWindow::makeKeyMenus(QMenu* view) {
@@ -29,64 +30,65 @@ void PlotWindow::makeKeyMenus(QMenu* view) {
     return out;
   };
   QMenu* move = menu(tr("&Move"));
-  addDeed(move, ChartDeed::MoveLeft, tr("&Left"), {Qt::Key_Left});
-  addDeed(move, ChartDeed::MoveRight, tr("&Right"), {Qt::Key_Right});
-  addDeed(move, ChartDeed::FarLeft, tr("&Far Left"), {Qt::SHIFT | Qt::Key_Left});
-  addDeed(move, ChartDeed::FarRight, tr("Far Ri&ght"), {Qt::SHIFT | Qt::Key_Right});
-  addDeed(move, ChartDeed::MoveUp, tr("&Up"), {Qt::Key_Up});
-  addDeed(move, ChartDeed::MoveDown, tr("&Down"), {Qt::Key_Down});
+  addChartAction(move, ChartAction::MoveLeft, tr("&Left"), {Qt::Key_Left});
+  addChartAction(move, ChartAction::MoveRight, tr("&Right"), {Qt::Key_Right});
+  addChartAction(move, ChartAction::FarLeft, tr("&Far Left"), {Qt::SHIFT | Qt::Key_Left});
+  addChartAction(move, ChartAction::FarRight, tr("Far Ri&ght"), {Qt::SHIFT | Qt::Key_Right});
+  addChartAction(move, ChartAction::MoveUp, tr("&Up"), {Qt::Key_Up});
+  addChartAction(move, ChartAction::MoveDown, tr("&Down"), {Qt::Key_Down});
   QMenu* panel = menu(tr("&Panel"));
-  addDeed(panel, ChartDeed::PanelAbove, tr("Panel &Above"), {Qt::CTRL | Qt::Key_Up});
-  addDeed(panel, ChartDeed::PanelBelow, tr("Panel &Below"), {Qt::CTRL | Qt::Key_Down});
-  addDeed(panel, ChartDeed::EnlargeValues, tr("&Enlarge Values"),
-          {Qt::CTRL | Qt::Key_Plus, Qt::CTRL | Qt::Key_Equal});
-  addDeed(panel, ChartDeed::ReduceValues, tr("&Reduce Values"), {Qt::CTRL | Qt::Key_Minus});
+  addChartAction(panel, ChartAction::PanelAbove, tr("Panel &Above"), {Qt::CTRL | Qt::Key_Up});
+  addChartAction(panel, ChartAction::PanelBelow, tr("Panel &Below"), {Qt::CTRL | Qt::Key_Down});
+  addChartAction(panel, ChartAction::EnlargeValues, tr("&Enlarge Values"),
+                 {Qt::CTRL | Qt::Key_Plus, Qt::CTRL | Qt::Key_Equal});
+  addChartAction(panel, ChartAction::ReduceValues, tr("&Reduce Values"),
+                 {Qt::CTRL | Qt::Key_Minus});
   QMenu* read = menu(tr("&Read Values"));
-  addDeed(read, ChartDeed::ReadBack, tr("&Previous Point"), {Qt::CTRL | Qt::Key_Left});
-  addDeed(read, ChartDeed::ReadOn, tr("&Next Point"), {Qt::CTRL | Qt::Key_Right});
-  addDeed(read, ChartDeed::ReadFarBack, tr("Se&veral Points Back"),
-          {Qt::CTRL | Qt::SHIFT | Qt::Key_Left});
-  addDeed(read, ChartDeed::ReadFarOn, tr("Several Points &Forward"),
-          {Qt::CTRL | Qt::SHIFT | Qt::Key_Right});
+  addChartAction(read, ChartAction::ReadBack, tr("&Previous Point"), {Qt::CTRL | Qt::Key_Left});
+  addChartAction(read, ChartAction::ReadOn, tr("&Next Point"), {Qt::CTRL | Qt::Key_Right});
+  addChartAction(read, ChartAction::ReadFarBack, tr("Se&veral Points Back"),
+                 {Qt::CTRL | Qt::SHIFT | Qt::Key_Left});
+  addChartAction(read, ChartAction::ReadFarOn, tr("Several Points &Forward"),
+                 {Qt::CTRL | Qt::SHIFT | Qt::Key_Right});
   read->addSeparator();
-  addDeed(read, ChartDeed::CursorA, tr("Toggle Cursor &A"), {Qt::Key_A});
-  addDeed(read, ChartDeed::CursorB, tr("Toggle &Cursor B"), {Qt::Key_B});
+  addChartAction(read, ChartAction::CursorA, tr("Toggle Cursor &A"), {Qt::Key_A});
+  addChartAction(read, ChartAction::CursorB, tr("Toggle &Cursor B"), {Qt::Key_B});
 }
 
-void PlotWindow::offerDeeds() {
-  for (const auto& [action, deed] : deeds_) {
-    const QString reason = view_->whyNot(deed);
+void PlotWindow::offerChartActions() {
+  for (const auto& [action, chart_action] : chart_actions_) {
+    const QString reason = view_->disabledReason(chart_action);
     action->setEnabled(reason.isEmpty());
     action->setToolTip(reason);
   }
 }
 
-QAction* PlotWindow::nameAction(qsizetype number) {
-  while (names_.size() <= number) {
-    auto* action = names_menu_->addAction(QString());
+QAction* PlotWindow::curveNameAction(qsizetype number) {
+  while (curve_name_actions_.size() <= number) {
+    auto* action = curve_names_menu_->addAction(QString());
     action->setCheckable(true);
-    if (const auto digit = names_.size() + 1; digit <= 9) {
+    if (const auto digit = curve_name_actions_.size() + 1; digit <= 9) {
       action->setShortcut(QKeySequence(static_cast<int>(Qt::Key_0 + digit)));
       action->setShortcutContext(Qt::WidgetShortcut);
       view_->addAction(action);
     }
-    connect(action, &QAction::triggered, this, [this, place = names_.size()] {
-      const auto names = view_->namedCurves();
+    connect(action, &QAction::triggered, this, [this, place = curve_name_actions_.size()] {
+      const auto names = view_->legendCurves();
       if (place >= static_cast<qsizetype>(names.size())) return;
       const auto& name = names[static_cast<std::size_t>(place)];
       view_->toggleCurve(name.panel, name.curve);
     });
-    names_ << action;
+    curve_name_actions_ << action;
   }
-  return names_[number];
+  return curve_name_actions_[number];
 }
 
-void PlotWindow::offerNames() {
-  const auto names = view_->namedCurves();
+void PlotWindow::updateCurveNameActions() {
+  const auto names = view_->legendCurves();
   const auto& panels = view_->chartScene().page().panels;
   const auto count = static_cast<qsizetype>(names.size());
-  for (qsizetype i = 0; i < std::max(count, names_.size()); ++i) {
-    QAction* action = nameAction(i);
+  for (qsizetype i = 0; i < std::max(count, curve_name_actions_.size()); ++i) {
+    QAction* action = curveNameAction(i);
     action->setVisible(i < count);
     action->setEnabled(i < count);
     if (i >= count) continue;
@@ -98,9 +100,9 @@ void PlotWindow::offerNames() {
     action->setText(text.replace('&', "&&"));
     action->setChecked(!panel.curves[name.curve].hidden);
   }
-  names_menu_->menuAction()->setEnabled(count > 0);
-  names_menu_->menuAction()->setToolTip(count > 0 ? QString()
-                                                  : tr("This page has no named curves."));
+  curve_names_menu_->menuAction()->setEnabled(count > 0);
+  curve_names_menu_->menuAction()->setToolTip(count > 0 ? QString()
+                                                        : tr("This page has no named curves."));
 }
 
 }  // namespace adore::adrplot

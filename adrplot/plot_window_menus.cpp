@@ -19,7 +19,7 @@ namespace {
 
 struct PairChoice {
   const char* text;
-  OrbitPair pair;
+  OrbitAxes pair;
 };
 constexpr std::array<PairChoice, 3> kPairs{
     {{"Z over Y", {1, 2}}, {"Z over X", {0, 2}}, {"Y over X", {0, 1}}}};
@@ -54,7 +54,7 @@ void PlotWindow::makeButtons() {
          tr("Dark or light theme"), true);
   button(tr("Quit"), Qt::CTRL | Qt::Key_Q, &PlotWindow::close, tr("Quit AdrPlot"), true);
   bar->addSeparator();
-  makeChoices(bar);
+  makeChoiceBoxes(bar);
 }
 
 void PlotWindow::makeMenus() {
@@ -63,33 +63,34 @@ void PlotWindow::makeMenus() {
   file->addAction(tr("Open &Folder..."), Qt::CTRL | Qt::SHIFT | Qt::Key_O, this,
                   &PlotWindow::askForFolder);
   file->addAction(tr("Open Pro&ject..."), this, &PlotWindow::askForProject);
-  desktop::add_recent_menu(*file, kApp, [this](const QString& name) { openSeveral({name}); });
+  desktop::add_recent_menu(*file, kApp, [this](const QString& name) { openFiles({name}); });
   file->addAction(tr("Ope&n Session..."), this, [this] { askForSession(false); });
   file->addAction(tr("Save Sess&ion As..."), Qt::CTRL | Qt::SHIFT | Qt::Key_S, this,
                   [this] { askForSession(true); });
   file->addAction(tr("&Close File"), QKeySequence::Close, this, &PlotWindow::closeFile);
   file->addSeparator();
   file->addAction(tr("Re&load"), Qt::Key_F5, this, &PlotWindow::reload);
-  follow_ = file->addAction(tr("Follow a Running &Solver"));
-  follow_->setCheckable(true);
-  connect(follow_, &QAction::toggled, this, &PlotWindow::follow);
+  follow_action_ = file->addAction(tr("Follow a Running &Solver"));
+  follow_action_->setCheckable(true);
+  connect(follow_action_, &QAction::toggled, this, &PlotWindow::follow);
   file->addSeparator();
   file->addAction(tr("&Export Page..."), Qt::CTRL | Qt::Key_E, this, &PlotWindow::exportPage);
   file->addAction(tr("Export &All Pages..."), Qt::CTRL | Qt::SHIFT | Qt::Key_E, this,
                   &PlotWindow::exportAll);
+  file->addAction(tr("Export Fi&gure for Print..."), this, &PlotWindow::exportFigure);
   file->addAction(tr("Write Repor&t..."), this, &PlotWindow::askForReport);
   file->addAction(tr("Cop&y Picture"), QKeySequence::Copy, this, &PlotWindow::copyPicture);
   file->addAction(tr("Copy &Values at the Cursors"), Qt::CTRL | Qt::SHIFT | Qt::Key_C, this,
-                  &PlotWindow::copyStatistics);
+                  &PlotWindow::copyCursorReport);
   file->addAction(tr("&Print..."), QKeySequence::Print, this, &PlotWindow::print);
   file->addSeparator();
   file->addAction(tr("&Quit"), Qt::CTRL | Qt::Key_Q, this, &PlotWindow::close);
 
   auto* view = menuBar()->addMenu(tr("&View"));
   view->setToolTipsVisible(true);
-  addDeed(view, desktop::ChartDeed::ZoomIn, tr("Zoom &In"), {Qt::Key_Plus, Qt::Key_Equal});
-  addDeed(view, desktop::ChartDeed::ZoomOut, tr("Zoom &Out"), {Qt::Key_Minus});
-  addDeed(view, desktop::ChartDeed::ZoomToCursors, tr("Zoom to &Cursors"), {Qt::Key_Z});
+  addChartAction(view, desktop::ChartAction::ZoomIn, tr("Zoom &In"), {Qt::Key_Plus, Qt::Key_Equal});
+  addChartAction(view, desktop::ChartAction::ZoomOut, tr("Zoom &Out"), {Qt::Key_Minus});
+  addChartAction(view, desktop::ChartAction::ZoomToCursors, tr("Zoom to &Cursors"), {Qt::Key_Z});
   view->addAction(tr("Zoom &Back"), Qt::ALT | Qt::Key_Left, view_, &desktop::ChartView::zoomBack);
   view->addAction(tr("Zoom &Forward"), Qt::ALT | Qt::Key_Right, view_,
                   &desktop::ChartView::zoomForward);
@@ -146,8 +147,8 @@ void PlotWindow::makeChartMenu(QMenu* menu) {
   menu->addAction(tr("&Combine Curves..."), Qt::CTRL | Qt::Key_K, this, &PlotWindow::askForCurves);
   menu->addAction(tr("&Formula Channel..."), Qt::CTRL | Qt::SHIFT | Qt::Key_F, this,
                   &PlotWindow::askForFormula);
-  names_menu_ = menu->addMenu(tr("Cur&ves Shown"));
-  names_menu_->setObjectName("names");
+  curve_names_menu_ = menu->addMenu(tr("Cur&ves Shown"));
+  curve_names_menu_->setObjectName("names");
   menu->addSeparator();
   const auto choices = [this, menu](const QString& title, const QStringList& names, auto set) {
     auto* sub = menu->addMenu(title);
@@ -156,7 +157,7 @@ void PlotWindow::makeChartMenu(QMenu* menu) {
     for (int i = 0; i < names.size(); ++i) {
       auto* action = sub->addAction(names[i], this, [this, set, i] {
         set(options_, i);
-        showCurrent();
+        showCurrentPage();
       });
       action->setCheckable(true);
       action->setChecked(i == 0);
@@ -174,8 +175,14 @@ void PlotWindow::makeChartMenu(QMenu* menu) {
           });
   choices(tr("Spectrogram: Vertical A&xis"), {tr("time"), tr("shaft speed")},
           [](PageOptions& o, int i) { o.spectrum.over_speed = i == 1; });
-  curve_menu_ = menu->addMenu(tr("Spectrogram: Cu&rve"));
-  curve_menu_->setObjectName("curves");
+  choices(tr("Orders &Of"),
+          {tr("automatic (order spectrum: shaft; envelope: none, in Hz)"), tr("shaft"), tr("cage"),
+           tr("rolling element")},
+          [](PageOptions& o, int i) { o.spectrum.orders_of = static_cast<OrderReference>(i); });
+  band_action_ = menu->addAction(tr("Envelope: &Band..."), this, &PlotWindow::askForBand);
+  band_action_->setObjectName("band");
+  spectrogram_curve_menu_ = menu->addMenu(tr("Spectrogram: Cu&rve"));
+  spectrogram_curve_menu_->setObjectName("curves");
 }
 
 namespace {
@@ -189,7 +196,7 @@ void offer(Choice* choice, bool applies, const QString& why_not) {
 
 }  // namespace
 
-void PlotWindow::offerChoices(PageKind kind, const desktop::ChartPage& chart) {
+void PlotWindow::enableChoices(PageKind kind, const desktop::ChartPage& chart) {
   const bool steps = kind == PageKind::History, over_time = options_.domain == Domain::History;
   const QString not_of_steps = kind == PageKind::Chart
                                    ? tr("This page has its own horizontal axis.")
@@ -208,65 +215,70 @@ void PlotWindow::offerChoices(PageKind kind, const desktop::ChartPage& chart) {
   const bool spectra = kind == PageKind::Spectrum || (steps && !over_time);
   for (QAction* action : spectrum_actions_)
     offer(action, spectra, tr("This page shows no spectra. Select \"spectrum\" in the toolbar."));
+  offer(band_action_, steps && options_.domain == Domain::Envelope,
+        tr("This page shows no envelope. Select \"envelope spectrum\" in the toolbar."));
 }
 
-void PlotWindow::offerCurves(const desktop::ChartPage& chart) {
-  curve_->clear();
-  for (const std::string& name : chart.choices) curve_->addItem(QString::fromStdString(name));
-  curve_->setCurrentIndex(static_cast<int>(chart.chosen));
-  curve_action_->setVisible(!chart.choices.empty());
-  curve_menu_->clear();
+void PlotWindow::fillSpectrogramCurves(const desktop::ChartPage& chart) {
+  spectrogram_curve_box_->clear();
+  for (const std::string& name : chart.choices)
+    spectrogram_curve_box_->addItem(QString::fromStdString(name));
+  spectrogram_curve_box_->setCurrentIndex(static_cast<int>(chart.chosen));
+  spectrogram_curve_action_->setVisible(!chart.choices.empty());
+  spectrogram_curve_menu_->clear();
   for (std::size_t i = 0; i < chart.choices.size(); ++i) {
-    auto* action =
-        curve_menu_->addAction(QString::fromStdString(chart.choices[i]), this,
-                               [this, name = chart.choices[i]] { setSpectrogramOf(name); });
+    auto* action = spectrogram_curve_menu_->addAction(
+        QString::fromStdString(chart.choices[i]), this,
+        [this, name = chart.choices[i]] { setSpectrogramCurve(name); });
     action->setCheckable(true);
     action->setChecked(i == chart.chosen);
   }
-  curve_menu_->menuAction()->setEnabled(!chart.choices.empty());
-  curve_menu_->menuAction()->setToolTip(
+  spectrogram_curve_menu_->menuAction()->setEnabled(!chart.choices.empty());
+  spectrogram_curve_menu_->menuAction()->setToolTip(
       chart.choices.empty()
           ? tr("This page shows no spectrogram. Select \"spectrogram\" in the toolbar.")
           : tr("Curve of the spectrogram"));
 }
 
-void PlotWindow::makeChoices(QToolBar* bar) {
+void PlotWindow::makeChoiceBoxes(QToolBar* bar) {
   abscissa_ = new QComboBox(this);
   abscissa_->setObjectName("abscissa");
-  desktop::name_box(*abscissa_, tr("Abscissa"));
+  desktop::set_accessible_name(*abscissa_, tr("Abscissa"));
   abscissa_->addItems({tr("over revolutions"), tr("over time"), tr("over steps")});
   connect(abscissa_, &QComboBox::currentIndexChanged, this, [this](int index) {
     options_.abscissa = static_cast<Abscissa>(index);
-    showCurrent();
+    showCurrentPage();
   });
   domain_ = new QComboBox(this);
   domain_->setObjectName("domain");
-  desktop::name_box(*domain_, tr("Chart type"));
-  domain_->addItems({tr("history"), tr("spectrum"), tr("spectrogram")});
+  desktop::set_accessible_name(*domain_, tr("Chart type"));
+  domain_->addItems({tr("history"), tr("spectrum"), tr("spectrogram"), tr("envelope spectrum"),
+                     tr("order spectrum")});
   connect(domain_, &QComboBox::currentIndexChanged, this, [this](int index) {
     options_.domain = static_cast<Domain>(index);
     log_x_.reset();  // the setting for times does not apply to frequencies
-    showCurrent();
+    showCurrentPage();
   });
-  orbit_ = new QComboBox(this);
-  orbit_->setObjectName("orbit");
-  desktop::name_box(*orbit_, tr("Orbit coordinates"));
-  for (const auto& choice : kPairs) orbit_->addItem(choice.text);
-  connect(orbit_, &QComboBox::currentIndexChanged, this, [this](int index) {
+  orbit_axes_box_ = new QComboBox(this);
+  orbit_axes_box_->setObjectName("orbit");
+  desktop::set_accessible_name(*orbit_axes_box_, tr("Orbit coordinates"));
+  for (const auto& choice : kPairs) orbit_axes_box_->addItem(choice.text);
+  connect(orbit_axes_box_, &QComboBox::currentIndexChanged, this, [this](int index) {
     options_.orbit = kPairs.at(static_cast<std::size_t>(index)).pair;
-    showCurrent();
+    showCurrentPage();
   });
-  curve_ = new QComboBox(this);
-  curve_->setObjectName("curve");
-  desktop::name_box(*curve_, tr("Curve of the spectrogram"));
-  curve_->setToolTip(tr("Curve of the spectrogram"));
-  curve_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  connect(curve_, &QComboBox::activated, this,
-          [this](int index) { setSpectrogramOf(curve_->itemText(index).toStdString()); });
+  spectrogram_curve_box_ = new QComboBox(this);
+  spectrogram_curve_box_->setObjectName("curve");
+  desktop::set_accessible_name(*spectrogram_curve_box_, tr("Curve of the spectrogram"));
+  spectrogram_curve_box_->setToolTip(tr("Curve of the spectrogram"));
+  spectrogram_curve_box_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  connect(spectrogram_curve_box_, &QComboBox::activated, this, [this](int index) {
+    setSpectrogramCurve(spectrogram_curve_box_->itemText(index).toStdString());
+  });
   bar->addWidget(abscissa_);
   bar->addWidget(domain_);
-  curve_action_ = bar->addWidget(curve_);
-  orbit_action_ = bar->addWidget(orbit_);
+  spectrogram_curve_action_ = bar->addWidget(spectrogram_curve_box_);
+  orbit_action_ = bar->addWidget(orbit_axes_box_);
 }
 
 }  // namespace adore::adrplot

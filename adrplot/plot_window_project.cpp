@@ -1,5 +1,4 @@
 #include "adrplot/plot_window.hpp"
-#include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/project.hpp"
 #include "desktop/project_words.hpp"
@@ -10,7 +9,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <optional>
 
 /// Runs of a project above the tree of pages.
 namespace adore::adrplot {
@@ -21,67 +19,53 @@ QWidget* PlotWindow::makePages() {
   auto* column = new QVBoxLayout(pages);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
-  runs_ = new QTreeWidget(pages);
-  runs_->setObjectName("runs");
-  runs_->setAccessibleName(tr("Runs of the project"));
-  runs_->setHeaderLabel(tr("Runs of the project"));
-  runs_->setRootIsDecorated(false);
-  runs_->setFrameShape(QFrame::NoFrame);
-  runs_->hide();
-  column->addWidget(runs_);
+  run_list_ = new QTreeWidget(pages);
+  run_list_->setObjectName("runs");
+  run_list_->setAccessibleName(tr("Runs of the project"));
+  run_list_->setHeaderLabel(tr("Runs of the project"));
+  run_list_->setRootIsDecorated(false);
+  run_list_->setFrameShape(QFrame::NoFrame);
+  run_list_->hide();
+  column->addWidget(run_list_);
   column->addWidget(tree_, 1);
   const auto open = [this](QTreeWidgetItem* item) { openRun(item->data(0, kRunRole).toString()); };
-  connect(runs_, &QTreeWidget::itemClicked, this, open);
-  connect(runs_, &QTreeWidget::itemActivated, this, open);  // Return
+  connect(run_list_, &QTreeWidget::itemClicked, this, open);
+  connect(run_list_, &QTreeWidget::itemActivated, this, open);  // Return
   return pages;
 }
 
 bool PlotWindow::openProject(const std::filesystem::path& path) {
-  std::optional<desktop::Project> project;
-  try {
-    project = desktop::Project::open(path);
-  } catch (const std::exception& error) {
-    desktop::show_message(this, QString::fromUtf8(error.what()), true);
-    return false;
-  }
-  project_ = project->file();
-  desktop::remember_file(kApp, QString::fromStdString(project_.string()));
-  const auto runs = project->runs();
-  listRuns(runs);
-  const auto first =
-      std::find_if(runs.begin(), runs.end(), [](const auto& run) { return !run.missing; });
-  if (first != runs.end()) openRun(QString::fromStdString(first->path.string()));
-  const QString problem = desktop::problem_of_runs(*project);
-  if (runs.empty())
-    desktop::show_message(this, problem);
-  else
-    desktop::tell_in_foot(this, problem);  // the list has them, too
-  return true;
+  const auto list = [this](const desktop::Project& project) {
+    project_file_ = project.file();
+    listRuns(project.runs());
+  };
+  return desktop::open_project(this, kApp, path, list, [this](const std::filesystem::path& run) {
+    openRun(QString::fromStdString(run.string()));
+  });
 }
 
 void PlotWindow::listRuns(const std::vector<desktop::Project::Entry>& runs) {
   constexpr int kLineLimit = 8;
-  runs_->clear();
+  run_list_->clear();
   for (const desktop::Project::Entry& run : runs) {
-    const QString name = QString::fromStdString(run.name);
-    auto* item = new QTreeWidgetItem(runs_, {run.missing ? tr("%1 (missing)").arg(name) : name});
+    auto* item = new QTreeWidgetItem(run_list_, {desktop::run_label(run)});
     item->setData(0, kRunRole, QString::fromStdString(run.path.string()));
     item->setToolTip(0, QString::fromStdString(run.path.string()));
     item->setDisabled(run.missing);
   }
-  runs_->setVisible(!runs.empty());
-  const int lines = std::min(runs_->topLevelItemCount(), kLineLimit);
+  run_list_->setVisible(!runs.empty());
+  const int lines = std::min(run_list_->topLevelItemCount(), kLineLimit);
   if (lines > 0)
-    runs_->setFixedHeight(runs_->header()->sizeHint().height() + lines * runs_->sizeHintForRow(0) +
-                          2 * runs_->frameWidth());
-  markRun();
+    run_list_->setFixedHeight(run_list_->header()->sizeHint().height() +
+                              lines * run_list_->sizeHintForRow(0) + 2 * run_list_->frameWidth());
+  selectCurrentRun();
 }
 
 /// New runs of the project, and those that are there or missing now.
 void PlotWindow::reloadProject() {
-  if (project_.empty()) return;
+  if (project_file_.empty()) return;
   try {
-    listRuns(desktop::Project::open(project_).runs());
+    listRuns(desktop::Project::open(project_file_).runs());
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
   }
@@ -101,22 +85,22 @@ void PlotWindow::openRun(const QString& folder) {
   });
   const bool same = shown != documents_.end();
   if (!same) shown = std::find_if(documents_.begin(), documents_.end(), of_run);
-  if (shown == documents_.end()) return markRun();
+  if (shown == documents_.end()) return selectCurrentRun();
   current_ = static_cast<int>(shown - documents_.begin());
   page_ = same ? std::clamp(page, 1, std::max(1, pageCount())) : 1;
   fillTree();
 }
 
 /// Selects the run of the current file.
-void PlotWindow::markRun() {
+void PlotWindow::selectCurrentRun() {
   const Document* const doc = document();
   const std::filesystem::path folder =
       doc != nullptr && doc->on_disk ? run_folder(doc->path) : std::filesystem::path();
-  runs_->clearSelection();
-  for (int i = 0; i < runs_->topLevelItemCount(); ++i) {
-    QTreeWidgetItem* item = runs_->topLevelItem(i);
+  run_list_->clearSelection();
+  for (int i = 0; i < run_list_->topLevelItemCount(); ++i) {
+    QTreeWidgetItem* item = run_list_->topLevelItem(i);
     if (run_folder(item->data(0, kRunRole).toString().toStdString() + "/.") == folder)
-      runs_->setCurrentItem(item);
+      run_list_->setCurrentItem(item);
   }
 }
 

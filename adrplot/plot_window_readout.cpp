@@ -18,8 +18,8 @@ constexpr int kMargin = 4;
 }  // namespace
 
 void PlotWindow::makeReadout() {
-  readout_room_ = new QWidget(this);
-  statusBar()->addWidget(readout_room_, 1);
+  readout_placeholder_ = new QWidget(this);
+  statusBar()->addWidget(readout_placeholder_, 1);
   readout_ = new QLabel(this);
   readout_->setObjectName("readout");
   readout_->setWordWrap(true);
@@ -56,7 +56,7 @@ void PlotWindow::fitReadout() {
     height = std::min(height, 2 * metrics.lineSpacing());
   const int line = metrics.lineSpacing() + 2;
   readout_->setFixedHeight(std::min(height + 2, std::max(line, this->height() / 5)));
-  readout_room_->setFixedHeight(this->height() < kLow ? line : readout_->height());
+  readout_placeholder_->setFixedHeight(this->height() < kLow ? line : readout_->height());
   showReadout();
 }
 
@@ -64,19 +64,19 @@ void PlotWindow::fitReadout() {
 /// farther from the pointer.
 void PlotWindow::showReadout() {
   readout_->resize(std::max(100, width() - kGrip), readout_->height());
-  readout_->setText(fittedReadout());
+  readout_->setText(elidedReadout());
   const bool message = !statusBar()->currentMessage().isEmpty();
   readout_->setVisible(!readout_->text().isEmpty() && !message);
   if (readout_->isHidden()) return;
   const int top = height() - readout_->height() - kMargin;
-  const bool over_chart = readout_->height() > readout_room_->height();
+  const bool over_chart = readout_->height() > readout_placeholder_->height();
   const bool under = mapFromGlobal(QCursor::pos()).y() >= top;
   readout_->move(kMargin, under && over_chart ? centralWidget()->y() : top);
   readout_->raise();
 }
 
 /// As many values as fit, and the number of the others.
-QString PlotWindow::fittedReadout() const {
+QString PlotWindow::elidedReadout() const {
   const QFontMetrics metrics(readout_->font());
   constexpr int kMostHeight = 100000;
   const int width = std::max(100, readout_->width());

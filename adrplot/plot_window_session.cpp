@@ -73,8 +73,8 @@ bool PlotWindow::saveSession(const QString& path) {
     session.document = before;
     session.page = std::max(1, page_);
     save_session(session, path.toStdString());
-    desktop::remember_part_of_run(kApp, path);
-    desktop::tell_in_foot(this, tr("Saved %1.").arg(path));
+    desktop::add_recent_run_file(kApp, path);
+    desktop::show_in_status_bar(this, tr("Saved %1.").arg(path));
     return true;
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
@@ -96,17 +96,17 @@ bool PlotWindow::openSession(const QString& path) {
   for (const SessionFile& file : session.files) {
     try {
       addDocument(open_document(file.path, file.range, kMostValues,
-                                [this](double part) { return watchReading(part); }),
+                                [this](double part) { return showReadingProgress(part); }),
                   file.range);
       place.push_back(fileCount() - 1);
     } catch (const std::exception& error) {
-      reading_.reset();
+      reading_progress_dialog_.reset();
       missing << QString::fromUtf8(error.what());
       place.push_back(-1);
     }
   }
   const auto document_at = [&](int file) -> int {
-    if (file == kFormulas) return formulasDocument();
+    if (file == kFormulas) return formulaDocumentIndex();
     return file >= 0 && file < static_cast<int>(place.size())
                ? place[static_cast<std::size_t>(file)]
                : -1;
@@ -120,7 +120,8 @@ bool PlotWindow::openSession(const QString& path) {
           complete && at >= 0 && input.page >= 1 &&
           input.page <= static_cast<int>(documents_[static_cast<std::size_t>(at)]->pages.size());
       if (complete)
-        channel.inputs.push_back({input.name, copyOf(at), input.page, input.panel, input.curve});
+        channel.inputs.push_back(
+            {input.name, copyDocument(at), input.page, input.panel, input.curve});
     }
     if (complete)
       addFormula(channel);
@@ -133,23 +134,23 @@ bool PlotWindow::openSession(const QString& path) {
   log_y_ = session.log_y;
   int lost = 0;
   for (const SessionChart& chart : session.charts) {
-    auto own = std::make_shared<OwnChart>();
+    auto own = std::make_shared<UserChart>();
     own->how = chart.how;
     for (const SessionCurve& curve : chart.curves) {
       try {
         const int at = document_at(curve.file);
         if (at < 0) throw InputError("missing");
-        CurvePick pick = pickOf({at, curve.page, static_cast<int>(curve.panel), curve.curve});
+        CurvePick pick = curvePickOf({at, curve.page, static_cast<int>(curve.panel), curve.curve});
         pick.group = curve.group;
         own->add(pick);
       } catch (const std::exception&) {
         ++lost;
       }
     }
-    if (!own->curves.empty()) addOwn(std::move(own));
+    if (!own->curves.empty()) addUserChart(std::move(own));
   }
   if (lost > 0)
-    missing << tr("%1 of the charts left out: files or pages are missing")
+    missing << tr("%1 of the charts left out, because files or pages are missing")
                    .arg(lost == 1 ? tr("1 curve") : tr("%1 curves").arg(lost));
   {
     const QSignalBlocker quiet_a(abscissa_), quiet_d(domain_);
@@ -162,7 +163,7 @@ bool PlotWindow::openSession(const QString& path) {
     page_ = std::clamp(session.page, 1, std::max(1, pageCount()));
     fillTree();
   }
-  desktop::remember_part_of_run(kApp, path);
+  desktop::add_recent_run_file(kApp, path);
   if (!missing.isEmpty())
     desktop::show_message(this, tr("The session was opened without:\n%1").arg(missing.join('\n')),
                           true);

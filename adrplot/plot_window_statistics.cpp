@@ -24,20 +24,20 @@ void PlotWindow::makeStatistics() {
   statistics_dock_ = new QDockWidget(tr("Statistics"), this);
   statistics_dock_->setObjectName("statisticsDock");
   statistics_model_ = new StatisticsModel(this);
-  statistics_ = new QTableView(statistics_dock_);
-  statistics_->setObjectName("statistics");
-  statistics_->setAccessibleName(tr("Statistics"));
-  statistics_->setModel(statistics_model_);
-  statistics_->verticalHeader()->hide();
-  statistics_->setAlternatingRowColors(true);
-  statistics_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  statistics_->setContextMenuPolicy(Qt::ActionsContextMenu);
-  auto* copy = new QAction(tr("&Copy"), statistics_);
-  connect(copy, &QAction::triggered, this, &PlotWindow::copyTable);
-  auto* save = new QAction(tr("&Export as CSV..."), statistics_);
+  statistics_table_ = new QTableView(statistics_dock_);
+  statistics_table_->setObjectName("statistics");
+  statistics_table_->setAccessibleName(tr("Statistics"));
+  statistics_table_->setModel(statistics_model_);
+  statistics_table_->verticalHeader()->hide();
+  statistics_table_->setAlternatingRowColors(true);
+  statistics_table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  statistics_table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  auto* copy = new QAction(tr("&Copy"), statistics_table_);
+  connect(copy, &QAction::triggered, this, &PlotWindow::copyStatisticsRows);
+  auto* save = new QAction(tr("&Export as CSV..."), statistics_table_);
   connect(save, &QAction::triggered, this, &PlotWindow::exportStatistics);
-  statistics_->addActions({copy, save});
-  statistics_dock_->setWidget(statistics_);
+  statistics_table_->addActions({copy, save});
+  statistics_dock_->setWidget(statistics_table_);
   addDockWidget(Qt::BottomDockWidgetArea, statistics_dock_);
   statistics_dock_->hide();
   statistics_action_ = statistics_dock_->toggleViewAction();
@@ -59,7 +59,7 @@ void PlotWindow::showStatistics(bool on) { statistics_dock_->setVisible(on); }
 
 /// Between the cursors, else the visible range.
 std::pair<double, double> PlotWindow::statisticsRange() const {
-  const double a = view_->cursorAt(0), b = view_->cursorAt(1);
+  const double a = view_->cursorAbscissa(0), b = view_->cursorAbscissa(1);
   if (std::isfinite(a) && std::isfinite(b)) return std::minmax({a, b});
   return {view_->chartScene().viewLow(), view_->chartScene().viewHigh()};
 }
@@ -68,9 +68,10 @@ void PlotWindow::fillStatistics() {
   if (statistics_dock_->isHidden()) return;
   statistics_range_ = statisticsRange();
   const auto [from, to] = statistics_range_;
-  const bool cursors = std::isfinite(view_->cursorAt(0)) && std::isfinite(view_->cursorAt(1));
+  const bool cursors =
+      std::isfinite(view_->cursorAbscissa(0)) && std::isfinite(view_->cursorAbscissa(1));
   statistics_model_->setRows(statistics_rows(view_->chartScene().page(), from, to));
-  statistics_->resizeColumnsToContents();
+  statistics_table_->resizeColumnsToContents();
   const std::string& unit = view_->chartScene().page().x_unit;
   statistics_dock_->setWindowTitle(
       (cursors ? tr("Statistics between the cursors: %1 to %2")
@@ -80,13 +81,13 @@ void PlotWindow::fillStatistics() {
 }
 
 /// The selected rows, else all.
-void PlotWindow::copyTable() {
+void PlotWindow::copyStatisticsRows() {
   std::vector<StatisticsRow> rows;
-  for (const QModelIndex& index : statistics_->selectionModel()->selectedRows())
+  for (const QModelIndex& index : statistics_table_->selectionModel()->selectedRows())
     rows.push_back(statistics_model_->rows().at(static_cast<std::size_t>(index.row())));
   if (rows.empty()) rows = statistics_model_->rows();
   QGuiApplication::clipboard()->setText(QString::fromStdString(statistics_text(rows, '\t')));
-  desktop::tell_in_foot(this, tr("Copied the statistics."));
+  desktop::show_in_status_bar(this, tr("Copied the statistics."));
 }
 
 void PlotWindow::exportStatistics() {
@@ -100,7 +101,7 @@ void PlotWindow::exportStatistics() {
       desktop::save_bytes(
           QByteArray::fromStdString(statistics_text(statistics_model_->rows(), ',')),
           path.toStdString());
-      desktop::tell_in_foot(this, tr("Saved %1.").arg(path));
+      desktop::show_in_status_bar(this, tr("Saved %1.").arg(path));
     } catch (const std::exception& error) {
       desktop::show_message(this, QString::fromUtf8(error.what()), true);
     }

@@ -28,13 +28,13 @@ RangeDialog::RangeDialog(const QString& file, long stored, QWidget* parent) : QD
   };
   count_ = new QLabel(this);
   count_->setObjectName("count");
-  from_ = box("from", 1);
-  to_ = box("to", last);
-  every_ = box("every", 1);
-  for (const QSpinBox* spin : {from_, to_, every_})
+  first_step_box_ = box("from", 1);
+  last_step_box_ = box("to", last);
+  step_interval_box_ = box("every", 1);
+  for (const QSpinBox* spin : {first_step_box_, last_step_box_, step_interval_box_})
     connect(spin, &QSpinBox::valueChanged, this, &RangeDialog::count);
   // The end is never before the start.
-  connect(from_, &QSpinBox::valueChanged, to_, &QSpinBox::setMinimum);
+  connect(first_step_box_, &QSpinBox::valueChanged, last_step_box_, &QSpinBox::setMinimum);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -42,25 +42,28 @@ RangeDialog::RangeDialog(const QString& file, long stored, QWidget* parent) : QD
   form->setContentsMargins(20, 18, 20, 16);
   form->addRow(
       new QLabel(tr("Stored steps of <b>%1</b> to plot:").arg(file.toHtmlEscaped()), this));
-  form->addRow(tr("&Start point"), from_);
-  form->addRow(tr("&End point"), to_);
-  form->addRow(tr("&Interval"), every_);
+  form->addRow(tr("&Start point"), first_step_box_);
+  form->addRow(tr("&End point"), last_step_box_);
+  form->addRow(tr("&Interval"), step_interval_box_);
   form->addRow(count_);
   form->addRow(buttons);
   count();
 }
 
 void RangeDialog::count() {
-  const int steps = (to_->value() - from_->value()) / every_->value() + 1;
-  count_->setText(tr("%1 of %2")
-                      .arg(steps)
-                      .arg(QString::fromStdString(counted(to_->maximum(), "stored step"))));
+  const int steps =
+      (last_step_box_->value() - first_step_box_->value()) / step_interval_box_->value() + 1;
+  count_->setText(
+      tr("%1 of %2")
+          .arg(steps)
+          .arg(QString::fromStdString(counted(last_step_box_->maximum(), "stored step"))));
 }
 
 results::SolRange RangeDialog::range() const {
   // The end of the file stays the end while it grows.
-  const long to = to_->value() == to_->maximum() ? results::SolRange{}.to : to_->value();
-  return {from_->value(), to, every_->value()};
+  const long to = last_step_box_->value() == last_step_box_->maximum() ? results::SolRange{}.to
+                                                                       : last_step_box_->value();
+  return {first_step_box_->value(), to, step_interval_box_->value()};
 }
 
 }  // namespace adore::adrplot

@@ -20,9 +20,9 @@ class RangeDialog : public QDialog {
  private:
   void count();
 
-  QSpinBox* from_;
-  QSpinBox* to_;
-  QSpinBox* every_;
+  QSpinBox* first_step_box_;
+  QSpinBox* last_step_box_;
+  QSpinBox* step_interval_box_;
   QLabel* count_;
 };
 

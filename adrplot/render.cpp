@@ -9,28 +9,58 @@
 #include "desktop/chart_scene.hpp"
 #include "desktop/findings_bar.hpp"
 #include "desktop/image_export.hpp"
+#include "desktop/page_export.hpp"
 #include "results/run_findings.hpp"
 
 #include <QImage>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 namespace adore::adrplot {
 
 namespace fs = std::filesystem;
 
-void set_domain(PageOptions& view, const std::string& domain, const std::string& curve,
-                const std::string& scale, const std::string& rows) {
-  view.domain = domain == "spectrogram" ? Domain::Spectrogram
-                : domain == "spectrum"  ? Domain::Spectrum
-                                        : Domain::History;
+/// "2000:8000"
+static PassBand band_of(const std::string& text) {
+  PassBand out;
+  const char* const end = text.data() + text.size();
+  const auto low = std::from_chars(text.data(), end, out.low);
+  const bool separated = low.ec == std::errc() && low.ptr != end && *low.ptr == ':';
+  const auto high = separated ? std::from_chars(low.ptr + 1, end, out.high) : low;
+  if (!separated || high.ec != std::errc() || high.ptr != end || !(out.low >= 0.0) ||
+      !(out.high > out.low) || !std::isfinite(out.high))
+    throw InputError(fmt::format(
+        "--band = {}: not a band of frequencies. Give the lower and the higher frequency in Hz, "
+        "such as 2000:8000",
+        text));
+  return out;
+}
+
+void parse_domain_options(PageOptions& view, const std::string& domain, const std::string& curve,
+                          const std::string& scale, const std::string& rows,
+                          const std::string& band, const std::string& orders_of) {
+  const auto index_of = [](const auto& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? 0 : found - names.begin();
+  };
+  view.domain = static_cast<Domain>(index_of(kDomainNames, domain));
   if (!curve.empty() && view.domain != Domain::Spectrogram)
     throw InputError("--curve selects the curve of a spectrogram and needs --domain spectrogram");
   if (!rows.empty() && view.domain != Domain::Spectrogram)
     throw InputError("--rows selects the rows of a spectrogram and needs --domain spectrogram");
   if (!scale.empty() && view.domain == Domain::History)
-    throw InputError("--scale is for spectra and needs --domain spectrum or spectrogram");
+    throw InputError(
+        "--scale is for spectra and needs --domain spectrum, envelope, orders or spectrogram");
+  if (!band.empty() && view.domain != Domain::Envelope)
+    throw InputError("--band selects the band of an envelope and needs --domain envelope");
+  if (!orders_of.empty() && view.domain != Domain::Envelope && view.domain != Domain::Orders)
+    throw InputError(
+        "--orders-of selects the part that orders refer to and needs --domain orders or envelope");
+  view.spectrum.band = band.empty() ? PassBand{} : band_of(band);
+  view.spectrum.orders_of = static_cast<OrderReference>(index_of(kOrderReferenceNames, orders_of));
   view.spectrogram_of = curve;
   view.spectrum.over_speed = rows == "speed";
   view.spectrum.scale = scale == "units"      ? SpectrumScale::Units
@@ -63,10 +93,21 @@ std::vector<fs::path> draw_document(const PlotDocument& document, const std::str
     }
     if (!document.note.empty() && !page.panels.empty())
       page.note = "Incomplete file: " + document.note + ". " + page.note;
+    const fs::path path =
+        options.folder / fmt::format("{}-page-{:02}.{}", stem, number, options.format);
+    written.push_back(path);
+    if (options.figure.is_for_print()) {
+      desktop::save_figure(page, path, options.figure, desktop::Replace::OwnPictures);
+      continue;
+    }
     scene.setPage(std::move(page));
-    const fs::path path = options.folder / fmt::format("{}-page-{:02}.png", stem, number);
+    if (options.format != "png") {
+      desktop::save_page(scene, path, QSizeF(options.width, options.height),
+                         desktop::Replace::OwnPictures);
+      continue;
+    }
     desktop::save_image(
-        desktop::with_findings(
+        desktop::image_with_findings(
             {options.width, options.height}, findings, options.dark,
             [&](QSize size) {
               scene.setPageSize(QSizeF(size));
@@ -75,8 +116,12 @@ std::vector<fs::path> draw_document(const PlotDocument& document, const std::str
             page_concerns(document.pages[static_cast<std::size_t>(number - 1)].title,
                           document.subject)),
         path);
-    written.push_back(path);
   }
+  const bool left_out = options.figure.is_for_print() || options.format != "png";
+  if (left_out && options.tell && !written.empty() && !findings.empty())
+    options.tell(fmt::format("{}: the figures do not show {} of the run; the first: {}",
+                             document.path.string(), counted(findings.size(), "finding"),
+                             findings.front().message));
   return written;
 }
 
@@ -127,7 +172,7 @@ std::vector<fs::path> render_plots(const std::vector<fs::path>& paths,
                                    const RenderOptions& options) {
   std::vector<fs::path> files;
   for (const fs::path& path : paths)
-    for (fs::path& file : files_of(path)) files.push_back(std::move(file));
+    for (fs::path& file : plot_files_of(path)) files.push_back(std::move(file));
   desktop::make_folder(options.folder);
   std::vector<fs::path> written;
   std::string others;

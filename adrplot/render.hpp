@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adrplot/plot_document.hpp"
+#include "desktop/figure.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -17,20 +18,24 @@ struct RenderOptions {
   /// Called for each file without such a page, if others were drawn; may be empty.
   std::function<void(const std::string& sentence)> tell;
   bool dark = false;
+  std::string format = "png";  ///< or "svg", "pdf": lines and text, without the list of findings
+  desktop::Figure figure;      ///< instead of pictures of width and height; never dark
   PageOptions view;
 };
 
-/// Parses the options for the domain ("history", "spectrum", "spectrogram"), the curve of
-/// spectrograms, the scale of amplitudes ("units", "db", "relative") and the rows of spectrograms
-/// ("time", "speed"). Empty: default. @throws InputError for an option of another domain
-void set_domain(PageOptions& view, const std::string& domain, const std::string& curve,
-                const std::string& scale = {}, const std::string& rows = {});
+/// Parses the options for the domain (kDomainNames), the curve of spectrograms, the scale of
+/// amplitudes ("units", "db", "relative"), the rows of spectrograms ("time", "speed"), the band of
+/// envelopes in Hz ("2000:8000") and the part of orders (kOrderReferenceNames). Empty: default.
+/// @throws InputError for an option of another domain, or an invalid band
+void parse_domain_options(PageOptions& view, const std::string& domain, const std::string& curve,
+                          const std::string& scale = {}, const std::string& rows = {},
+                          const std::string& band = {}, const std::string& orders_of = {});
 
-/// Draws the pages of result files, and of those of folders (`files_of`), as PNG, named
-/// <file>-page-NN.png, and returns the names in order. Two files of the same name get their
-/// folder's name in front. Needs an application object (desktop/bootstrap.hpp).
-/// With a curve of spectrograms only pages that have it are drawn; a page that some files have is
-/// drawn of those.
+/// Draws the pages of result files, and of those of folders (`plot_files_of`), named
+/// <file>-page-NN.png (or the format), and returns the names in order. Two files of the same name
+/// get their folder's name in front. Needs an application object (desktop/bootstrap.hpp). With a
+/// curve of spectrograms only pages that have it are drawn; a page that some files have is drawn of
+/// those.
 /// @throws InputError for files that are not ours, that curve on no page, a page that no file has,
 /// and folders that cannot be written.
 std::vector<std::filesystem::path> render_plots(const std::vector<std::filesystem::path>& paths,

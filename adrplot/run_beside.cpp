@@ -87,11 +87,11 @@ RunFacts read_facts(const nlohmann::json& stored) {
     out.life_every = static_cast<int>(std::clamp(*every, -1e9, 1e9));
   if (const std::string how = text("temperatures"); how == "given" || how == "computed")
     out.temperatures_computed = how == "computed";
-  using Of = results::CageScale::Of;
+  using Of = results::CageLengthScale::Of;
   const auto length = number("cage orbit over [m]");
   for (const Of of : {Of::GuideLands, Of::Pockets, Of::UnitOfLength})
     if (length && *length > 0.0 && text("cage orbit over") == results::name_of(of))
-      out.cage_scale = results::CageScale{*length, of};
+      out.cage_length_scale = results::CageLengthScale{*length, of};
   return out;
 }
 
@@ -134,8 +134,8 @@ void read_run(const std::filesystem::path& run_json, const std::string& run_id, 
 
 }  // namespace
 
-std::vector<MarkTurns> mark_turns(const H5Reader& reader) {
-  std::vector<MarkTurns> out;
+std::vector<MarkEventCounts> mark_event_counts(const H5Reader& reader) {
+  std::vector<MarkEventCounts> out;
   if (reader.steps() < 2) return out;
   const Looks looks(reader);
   std::vector<double> times;
@@ -191,10 +191,10 @@ std::vector<MarkTurns> mark_turns(const H5Reader& reader) {
 }
 
 std::vector<desktop::ChartMark> bearing_frequencies(const std::filesystem::path& results_h5) {
-  return mean_marks(mark_turns(H5Reader(results_h5)));
+  return mean_marks(mark_event_counts(H5Reader(results_h5)));
 }
 
-PageContext context_of(const results::SolFile& file) {
+PageContext page_context_of(const results::SolFile& file) {
   PageContext out;
   const std::filesystem::path folder = file.path.parent_path();
   try {
@@ -203,7 +203,7 @@ PageContext context_of(const results::SolFile& file) {
     if (!std::filesystem::exists(folder / "RESULTS.h5", ignored)) return out;
     const H5Reader reader(folder / "RESULTS.h5");
     if (reader.run_id() != file.header.run_id) return out;
-    out.marks = mark_turns(reader);
+    out.marks = mark_event_counts(reader);
     if (reader.geometry().contains("roller_length")) {
       auto& flanges = out.facts.flanges.emplace();
       for (const char* race : {"outer", "inner"})
@@ -217,14 +217,14 @@ PageContext context_of(const results::SolFile& file) {
   return out;
 }
 
-void read_bands(const results::SolFile& file, const std::set<std::size_t>& columns,
-                PageContext& out) {
+void read_min_max_bands(const results::SolFile& file, const std::set<std::size_t>& columns,
+                        PageContext& out) {
   std::set<std::size_t> missing;
   const std::vector<results::SolColumn> all = results::sol_columns(file.header);
   for (const std::size_t c : columns)
     if (c < all.size() && !out.bands.contains(all[c].id)) missing.insert(c);
   if (missing.empty()) return;
-  for (const std::size_t c : missing) out.bands.emplace(all[c].id, CurveBand{});
+  for (const std::size_t c : missing) out.bands.emplace(all[c].id, MinMaxBand{});
   try {
     for (auto& [column, band] : results::bands_of(file, missing))
       out.bands[all[column].id] = {std::move(band.low), std::move(band.high)};

@@ -19,15 +19,15 @@ namespace adore::adrplot {
     const std::filesystem::path& results_h5);
 
 /// Rotation of shaft, elements and cage at some hundred of the steps of a run.
-[[nodiscard]] std::vector<MarkTurns> mark_turns(const results::H5Reader& reader);
+[[nodiscard]] std::vector<MarkEventCounts> mark_event_counts(const results::H5Reader& reader);
 
 /// All data for the pages of `file`; empty if the files in its folder are from another run or
 /// missing. Never throws for an invalid file.
-[[nodiscard]] PageContext context_of(const results::SolFile& file);
+[[nodiscard]] PageContext page_context_of(const results::SolFile& file);
 
 /// Adds the extremes of these columns (indices in sol_columns) if missing in the context; empty
 /// ones if RESULTS.h5 has none. Never throws for an invalid file.
-void read_bands(const results::SolFile& file, const std::set<std::size_t>& columns,
-                PageContext& out);
+void read_min_max_bands(const results::SolFile& file, const std::set<std::size_t>& columns,
+                        PageContext& out);
 
 }  // namespace adore::adrplot

@@ -60,7 +60,7 @@ RunDialog::RunDialog(const std::vector<long>& runs, std::function<std::string(lo
           });
   connect(open, &QPushButton::clicked, this, [this, list, runs, folder_of] {
     const auto row = static_cast<std::size_t>(std::max(list->currentRow(), 0));
-    emit filesWanted(QString::fromStdString(folder_of(runs[row]).string()));
+    emit filesRequested(QString::fromStdString(folder_of(runs[row]).string()));
   });
   list->setCurrentRow(0);
 }

@@ -18,7 +18,7 @@ class RunDialog : public QDialog {
 
  signals:
   /// The files of a run are to be opened.
-  void filesWanted(const QString& folder);
+  void filesRequested(const QString& folder);
 };
 
 }  // namespace adore::adrplot

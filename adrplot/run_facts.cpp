@@ -10,12 +10,12 @@
 namespace adore::adrplot {
 namespace {
 
-using Of = results::CageScale::Of;
+using Of = results::CageLengthScale::Of;
 constexpr double kInch = 0.0254;
 
 /// Radial positions divided by ratios, at the largest distance of the cage from its center: most
 /// accurate.
-double length_of(const KnownColumns& columns) {
+double length_of(const ValidColumns& columns) {
   for (const char* id : {"cage.radial_position", "cage.y_over_clearance", "cage.z_over_clearance"})
     if (!columns.has(id)) return 0.0;
   const std::vector<double> radius = columns.values("cage.radial_position").values,
@@ -33,14 +33,14 @@ double length_of(const KnownColumns& columns) {
 
 }  // namespace
 
-OrbitScale orbit_scale(const results::SolFile& file, const KnownColumns& columns,
+OrbitScale orbit_scale(const results::SolFile& file, const ValidColumns& columns,
                        const RunFacts& facts) {
   OrbitScale out;
   out.unit = columns.unit("cage.radial_position");
   out.segment = file.header.segments > 1;
-  if (facts.cage_scale) {
-    out.of = facts.cage_scale->of;
-    out.length = facts.cage_scale->length / (out.unit == "in" ? kInch : 1.0);
+  if (facts.cage_length_scale) {
+    out.of = facts.cage_length_scale->of;
+    out.length = facts.cage_length_scale->length / (out.unit == "in" ? kInch : 1.0);
     return out;
   }
   out.length = length_of(columns);
@@ -81,7 +81,7 @@ std::string orbit_note(const OrbitScale& scale) {
                      scale.unit);
 }
 
-std::string orbit_divisor(const OrbitScale& scale) {
+std::string orbit_divisor_text(const OrbitScale& scale) {
   switch (scale.of) {
     case Of::GuideLands:
       return "clearance";
@@ -93,7 +93,7 @@ std::string orbit_divisor(const OrbitScale& scale) {
   return "1 " + scale.unit;
 }
 
-bool never_changes(const std::vector<double>& values, double rounding) {
+bool is_constant(const std::vector<double>& values, double rounding) {
   std::size_t count = 0;
   double low = 0.0, high = 0.0;
   for (const double v : values) {
@@ -105,7 +105,7 @@ bool never_changes(const std::vector<double>& values, double rounding) {
   return count > 1 && high - low <= rounding;
 }
 
-std::string held_note(const KnownColumns& columns, bool moments) {
+std::string prescribed_motion_note(const ValidColumns& columns, bool moments) {
   constexpr double kDigits = 2e-7;  // of a plot file
   const auto held = [&columns](const char* id) {
     if (!columns.has(id)) return false;
@@ -113,8 +113,8 @@ std::string held_note(const KnownColumns& columns, bool moments) {
     double size = 0.0;
     for (const double v : values)
       if (std::isfinite(v)) size = std::max(size, std::abs(v));
-    return never_changes(values,
-                         std::max(kDigits * size, 1e-3 * desktop::least_span_of(columns.unit(id))));
+    return is_constant(values,
+                       std::max(kDigits * size, 1e-3 * desktop::min_axis_span(columns.unit(id))));
   };
   if (moments) {
     if (!held("race.theta") || !held("race.phi") || !held("race.angular_velocity")) return {};
@@ -146,19 +146,18 @@ std::pair<std::string, const char*> flange_of(const std::string& where) {
 
 }  // namespace
 
-std::string flange_reason(const std::string& where, const RunFacts& facts, bool part) {
+std::string missing_flange_reason(const std::string& where, const RunFacts& facts, bool part) {
   const auto [race, side] = flange_of(where);
   if (!facts.flanges)
     return fmt::format("The {} race has no flange at {}, or the roller end {}.", race, side,
-                       part ? "did not come near it at these steps" : "never came near it");
+                       part ? "was not close to it at these steps" : "was never close to it");
   return facts.flanges->contains(where.substr(1))
-             ? fmt::format("The roller end {} the flange at {} of the {} race{}.",
-                           part ? "did not come near" : "never came near", side, race,
-                           part ? " at these steps" : "")
+             ? fmt::format("The roller end was {} close to the flange at {} of the {} race{}.",
+                           part ? "not" : "never", side, race, part ? " at these steps" : "")
              : fmt::format("The {} race has no flange at {}.", race, side);
 }
 
-bool no_flange(const std::string& column, const RunFacts& facts) {
+bool has_no_flange(const std::string& column, const RunFacts& facts) {
   const auto dot = column.find('.', std::string("flange.").size());
   return column.starts_with("flange.") && dot != std::string::npos && facts.flanges &&
          !facts.flanges->contains(column.substr(dot + 1));

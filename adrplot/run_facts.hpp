@@ -19,33 +19,34 @@ struct RunFacts {
   std::optional<bool> races_held;             ///< no race moves under loads
   /// Flanges of the races: "inner.1" at −x, "outer.2" at +x. Empty optional: unknown.
   std::optional<std::set<std::string>> flanges;
-  std::optional<results::CageScale> cage_scale;  ///< divisor of the cage orbit
+  std::optional<results::CageLengthScale> cage_length_scale;  ///< divisor of the cage orbit
 };
 
 /// Divisor of a cage orbit (N71): from the run, else from the file. Length: positions [m or in]
 /// over ratios; 0: unknown.
 struct OrbitScale {
-  results::CageScale::Of of = results::CageScale::Of::GuideLands;
+  results::CageLengthScale::Of of = results::CageLengthScale::Of::GuideLands;
   double length = 0.0;  ///< in `unit`
   std::string unit;
   bool segment = false;
 };
-[[nodiscard]] OrbitScale orbit_scale(const results::SolFile& file, const KnownColumns& columns,
+[[nodiscard]] OrbitScale orbit_scale(const results::SolFile& file, const ValidColumns& columns,
                                      const RunFacts& facts);
 /// A sentence; and "clearance", "pocket clearance" or "1 m" for the titles of axes.
 [[nodiscard]] std::string orbit_note(const OrbitScale& scale);
-[[nodiscard]] std::string orbit_divisor(const OrbitScale& scale);
+[[nodiscard]] std::string orbit_divisor_text(const OrbitScale& scale);
 
 /// Directions in which a race file contains reactions instead of loads: its position (or angle, or
 /// speed) is constant. Empty: none.
-[[nodiscard]] std::string held_note(const KnownColumns& columns, bool moments);
+[[nodiscard]] std::string prescribed_motion_note(const ValidColumns& columns, bool moments);
 
 /// A column with a constant value. False for fewer than two steps.
-[[nodiscard]] bool never_changes(const std::vector<double>& values, double rounding);
+[[nodiscard]] bool is_constant(const std::vector<double>& values, double rounding);
 
 /// Reason for a flange column without values, from the known data of the race. `where`: e.g.
 /// ".inner.2".
-[[nodiscard]] std::string flange_reason(const std::string& where, const RunFacts& facts, bool part);
-[[nodiscard]] bool no_flange(const std::string& column, const RunFacts& facts);
+[[nodiscard]] std::string missing_flange_reason(const std::string& where, const RunFacts& facts,
+                                                bool part);
+[[nodiscard]] bool has_no_flange(const std::string& column, const RunFacts& facts);
 
 }  // namespace adore::adrplot

@@ -21,7 +21,6 @@ constexpr auto kKey = "adrplot_session";
 
 /// Names of the values of an enumeration, in its order.
 constexpr std::array kAbscissae{"revolutions", "time", "step"};
-constexpr std::array kDomains{"history", "spectrum", "spectrogram"};
 constexpr std::array kWindows{"none", "hann", "flat top"};
 constexpr std::array kScaleNames{"units", "db", "relative", "automatic"};
 
@@ -85,15 +84,18 @@ Json json_of(const Session& session, const fs::path& folder) {
   }
   const PageOptions& view = session.view;
   Json& shown = out["view"];
-  shown = {{"document", session.document},
-           {"page", session.page},
-           {"abscissa", kAbscissae.at(static_cast<std::size_t>(view.abscissa))},
-           {"domain", kDomains.at(static_cast<std::size_t>(view.domain))},
-           {"orbit", {view.orbit.across, view.orbit.up}},
-           {"window", kWindows.at(static_cast<std::size_t>(view.spectrum.window))},
-           {"scale", kScaleNames.at(static_cast<std::size_t>(view.spectrum.scale))},
-           {"over_speed", view.spectrum.over_speed},
-           {"spectrogram_of", view.spectrogram_of}};
+  shown = {
+      {"document", session.document},
+      {"page", session.page},
+      {"abscissa", kAbscissae.at(static_cast<std::size_t>(view.abscissa))},
+      {"domain", kDomainNames.at(static_cast<std::size_t>(view.domain))},
+      {"orbit", {view.orbit.across, view.orbit.up}},
+      {"window", kWindows.at(static_cast<std::size_t>(view.spectrum.window))},
+      {"scale", kScaleNames.at(static_cast<std::size_t>(view.spectrum.scale))},
+      {"over_speed", view.spectrum.over_speed},
+      {"orders_of", kOrderReferenceNames.at(static_cast<std::size_t>(view.spectrum.orders_of))},
+      {"band", {view.spectrum.band.low, view.spectrum.band.high}},
+      {"spectrogram_of", view.spectrogram_of}};
   if (session.log_x) shown["log_x"] = *session.log_x;
   if (session.log_y) shown["log_y"] = *session.log_y;
   return out;
@@ -103,10 +105,15 @@ void read_view(const Json& view, Session& out) {
   out.document = view.value("document", 0);
   out.page = view.value("page", 1);
   read_choice(view, "abscissa", kAbscissae, out.view.abscissa);
-  read_choice(view, "domain", kDomains, out.view.domain);
+  read_choice(view, "domain", kDomainNames, out.view.domain);
   read_choice(view, "window", kWindows, out.view.spectrum.window);
   read_choice(view, "scale", kScaleNames, out.view.spectrum.scale);
   out.view.spectrum.over_speed = view.value("over_speed", false);
+  read_choice(view, "orders_of", kOrderReferenceNames, out.view.spectrum.orders_of);
+  if (const Json band = view.value("band", Json::array()); band.size() == 2) {
+    const PassBand read{band[0].get<double>(), band[1].get<double>()};
+    if (read.low >= 0.0 && read.high > read.low) out.view.spectrum.band = read;
+  }
   out.view.spectrogram_of = view.value("spectrogram_of", std::string());
   if (view.contains("log_x")) out.log_x = view.at("log_x").get<bool>();
   if (view.contains("log_y")) out.log_y = view.at("log_y").get<bool>();

@@ -2,6 +2,7 @@
 
 #include "adrplot/sentence_words.hpp"
 #include "adrplot/spectrum_page.hpp"
+#include "adrplot/vibration_values.hpp"
 #include "base/counted.hpp"
 #include "desktop/axis_scale.hpp"
 #include "signal/spectrogram.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 /// End of the first view: shortly after the last amplitude above a twentieth of the largest, at
 /// least ten lines of the spectra.
-constexpr double kVisible = 0.05;
+constexpr double kVisibleShare = 0.05;
 double end_of_view(const std::vector<double>& frequency, const std::vector<double>& ends) {
   double last = frequency[std::min<std::size_t>(10, frequency.size() - 1)];
   for (const double end : ends) last = std::max(last, end);
@@ -31,7 +32,7 @@ constexpr double kSteady = 0.01;
 
 /// Revolutions per second while a piece lasts.
 double speed_of_piece(const RunMotion& motion, const signal::Spectrogram& of, std::size_t i) {
-  const MarkTurns shaft{"", motion.times, motion.turns};
+  const MarkEventCounts shaft{"", motion.times, motion.turns};
   return frequency_between(shaft, of.time[i] - 0.5 * of.length, of.time[i] + 0.5 * of.length);
 }
 
@@ -69,8 +70,9 @@ std::vector<desktop::ChartMark> marks_of(const RunMotion& motion, bool steady,
   std::vector<desktop::ChartMark> out = mean_marks(motion.marks);
   if (steady) return out;
   for (desktop::ChartMark& mark : out) {
-    const auto turns = std::find_if(motion.marks.begin(), motion.marks.end(),
-                                    [&](const MarkTurns& one) { return one.label == mark.label; });
+    const auto turns =
+        std::find_if(motion.marks.begin(), motion.marks.end(),
+                     [&](const MarkEventCounts& one) { return one.label == mark.label; });
     for (std::size_t row = 0; row < places.at.size(); ++row) {
       const double middle = of.time[places.piece[row]], half = 0.5 * of.length;
       mark.way.emplace_back(frequency_between(*turns, middle - half, middle + half),
@@ -117,7 +119,7 @@ std::pair<double, double> speed_range(const std::vector<double>& times,
   return high >= low ? std::pair(low, high) : std::pair(0.0, 0.0);
 }
 
-bool keeps_speed(const std::vector<double>& times, const std::vector<double>& turns) {
+bool has_constant_speed(const std::vector<double>& times, const std::vector<double>& turns) {
   if (turns.size() != times.size() || turns.size() < 2) return false;
   const double span = times.back() - times.front();
   const double mean = span > 0.0 ? (turns.back() - turns.front()) / span : 0.0;
@@ -175,16 +177,16 @@ void to_spectrogram(desktop::ChartPage& page, const RunMotion& motion,
   desktop::ChartPanel source = std::move(page.panels[in_panel]);
   source.curves = {source.curves[at]};
   const std::string name = page.choices[page.chosen];
-  const Bridged bridged = bridge_gaps(times, source.curves.front().y, options.window);
+  const BridgedValues bridged = bridge_gaps(times, source.curves.front().y, options.window);
   if (!bridged.why_none.empty()) {
     page.panels.clear();
-    add_note(page, capital(bridged.why_none));
+    add_note(page, capitalize_first(bridged.why_none));
     return;
   }
   add_note(page, bridged.told);
-  const signal::Samples samples = signal::equal_samples(times, bridged.values);
+  const signal::Samples samples = signal::equally_spaced_samples(times, bridged.values);
   page.panels.clear();
-  if (!samples.values.empty() && only_rounding(bridged.values, source.unit, source.least_span)) {
+  if (!samples.values.empty() && is_only_rounding(bridged.values, source.unit, source.least_span)) {
     add_note(page, name + ": no vibration (only rounding errors).");
     return;
   }
@@ -197,11 +199,12 @@ void to_spectrogram(desktop::ChartPage& page, const RunMotion& motion,
   for (const auto& piece : gram.amplitude)
     largest = std::max(largest, *std::max_element(piece.begin(), piece.end()));
   for (const auto& piece : gram.amplitude)
-    ends.push_back(last_above(gram.frequency, piece, kVisible * largest));
+    ends.push_back(highest_frequency_above(gram.frequency, piece, kVisibleShare * largest));
   // Races without relative rotation have no speed.
-  const bool steady = turns.empty() || !(turns.back() > turns.front()) || keeps_speed(times, turns);
+  const bool steady =
+      turns.empty() || !(turns.back() > turns.front()) || has_constant_speed(times, turns);
   const Places rows = places_of(motion, gram, options.over_speed && !steady);
-  const SpectrumScale scale = drawn_scale(options.scale, SpectrumScale::Decibel);
+  const SpectrumScale scale = resolved_scale(options.scale, SpectrumScale::Decibel);
   const bool decibel = scale == SpectrumScale::Decibel;
   desktop::ChartPanel panel{name, spectrum_unit(scale, source.unit), {}, false};
   double highest = 0.0;
@@ -214,12 +217,12 @@ void to_spectrogram(desktop::ChartPage& page, const RunMotion& motion,
     panel.curves.push_back(std::move(curve));
   }
   highest = scaled_amplitude(largest, largest, scale);
-  panel.rows = desktop::ChartRows{rows.speed ? "Shaft speed" : "Time",
-                                  rows.speed ? "rpm" : "s",
-                                  rows.at,
-                                  "Amplitude",
-                                  decibel ? lowest_color(panel, highest) : 0.0,
-                                  highest};
+  panel.rows = desktop::ChartMapRows{rows.speed ? "Shaft speed" : "Time",
+                                     rows.speed ? "rpm" : "s",
+                                     rows.at,
+                                     "Amplitude",
+                                     decibel ? lowest_color(panel, highest) : 0.0,
+                                     highest};
   page.x = gram.frequency;
   page.title = name + ": spectrogram";
   page.view_low = 0.0;
@@ -229,7 +232,7 @@ void to_spectrogram(desktop::ChartPage& page, const RunMotion& motion,
   page.marks = marks_of(motion, steady, gram, rows);
   std::string told = fmt::format(
       "{} ({}) of {} each, line spacing {}; mean and trend of each are removed.",
-      capital(counted(gram.time.size(), "spectrum", "spectra")),
+      capitalize_first(counted(gram.time.size(), "spectrum", "spectra")),
       signal::window_name(options.window), desktop::pretty_quantity(gram.length, "s", 3),
       desktop::pretty_quantity(gram.frequency.front(), "Hz", 3));
   if (options.over_speed && !rows.speed)
@@ -243,11 +246,11 @@ void to_spectrogram(desktop::ChartPage& page, const RunMotion& motion,
   page.note = told + (page.note.empty() ? "" : " ") + page.note;
   add_note(page, sampled);
   const std::string note = page.note;
-  if (!decibel) choose_frequency_axis(page, ends, kVisible);
+  if (!decibel) choose_frequency_axis(page, ends, kVisibleShare);
   page.note = note + (page.log_x ? " Logarithmic frequency axis." : "");
   if (page.view_high < page.x.back())
     page.note += fmt::format(" Amplitudes outside the initial view are below {} % of the maximum.",
-                             desktop::pretty_number(100.0 * kVisible, 2));
+                             desktop::pretty_number(100.0 * kVisibleShare, 2));
   page.panels.push_back(std::move(panel));
 }
 

@@ -21,7 +21,7 @@ namespace adore::adrplot {
 
 /// Turns a curve of the page into its spectrogram: frequency across, time or shaft speed upward,
 /// amplitude as color, in the scale of the options. Marks of a run with variable speed move with
-/// the frequency. The rows of the map are the curves of the panel (ChartRows).
+/// the frequency. The rows of the map are the curves of the panel (ChartMapRows).
 /// @param motion stored times and known revolutions
 /// @param of the curve (choice_of); default: the first one with values. ChartPage::choices lists
 /// those with values
@@ -30,7 +30,8 @@ void to_spectrogram(desktop::ChartPage& page, const RunMotion& motion,
 
 /// Is the shaft speed constant within 1 % over the whole run? Then the frequencies of its elements
 /// are constant.
-[[nodiscard]] bool keeps_speed(const std::vector<double>& times, const std::vector<double>& turns);
+[[nodiscard]] bool has_constant_speed(const std::vector<double>& times,
+                                      const std::vector<double>& turns);
 
 /// Lowest and highest shaft speed over twentieths of a run [rev/s]; 0, 0: unknown.
 [[nodiscard]] std::pair<double, double> speed_range(const std::vector<double>& times,

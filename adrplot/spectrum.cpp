@@ -31,6 +31,12 @@ std::string sampling_note(const signal::Samples& samples, std::size_t stored) {
       desktop::pretty_quantity(0.5 / samples.longest, "Hz", 3));
 }
 
+std::string spectrum_title(Domain domain) {
+  return domain == Domain::Envelope ? "envelope spectrum"
+         : domain == Domain::Orders ? "order spectrum"
+                                    : "amplitude spectrum";
+}
+
 std::string spectrum_unit(SpectrumScale scale, const std::string& unit) {
   if (scale == SpectrumScale::Relative) return "of largest";
   if (scale == SpectrumScale::Units) return unit;

@@ -2,6 +2,8 @@
 
 #include "adrplot/known_values.hpp"
 #include "adrplot/sentence_words.hpp"
+#include "adrplot/spectrum_source.hpp"
+#include "adrplot/vibration_values.hpp"
 #include "base/counted.hpp"
 #include "desktop/axis_scale.hpp"
 
@@ -9,9 +11,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -23,26 +25,13 @@ using desktop::ChartPage;
 using desktop::ChartPanel;
 
 constexpr std::string_view kHere = "No vibration: ";
-constexpr std::string_view kSo = ", so there is no frequency spectrum.";
 constexpr auto kStill = "No vibration: the value is constant.";
 constexpr auto kAllStill = "No vibration: all values of this page are constant.";
 constexpr auto kRounding = "No vibration: the value changes only by rounding errors.";
+constexpr auto kNoneInBand = "No vibration: the envelope of the band is constant.";
 
-/// Position of missing values, which prevent a spectrum; empty: no values are missing.
-std::string missing_values(const std::vector<double>& t, const std::vector<double>& values) {
-  const auto missing = static_cast<std::size_t>(
-      std::count_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); }));
-  if (missing == 0 || values.size() != t.size()) return {};
-  const auto known = [](double v) { return std::isfinite(v); };
-  const auto first =
-      static_cast<std::size_t>(std::find_if(values.begin(), values.end(), known) - values.begin());
-  const auto behind =
-      static_cast<std::size_t>(values.rend() - std::find_if(values.rbegin(), values.rend(), known));
-  const auto seconds = [&](std::size_t i) { return desktop::pretty_quantity(t[i], "s", 3); };
-  std::string where = fmt::format("at {} of {} steps", missing, values.size());
-  if (missing == values.size() - behind) where = "after " + seconds(behind - 1);
-  if (missing == first) where = "before " + seconds(first);
-  return "there are no values " + where + std::string(kSo);
+std::string name_of(const ChartPanel& panel, const ChartCurve& curve) {
+  return panel.title + (curve.name.empty() ? "" : ", " + curve.name);
 }
 
 /// Why a curve has no spectrum.
@@ -53,7 +42,7 @@ struct Reason {
 /// Without "here": the curve, or the panel for all curves.
 std::string named(const std::string& name, std::string why) {
   if (!name.empty() && why.starts_with(kHere)) why.erase(0, kHere.size());
-  return capital(name.empty() ? why : name + ": " + why);
+  return capitalize_first(name.empty() ? why : name + ": " + why);
 }
 
 /// Curves without a spectrum in panels with other spectra.
@@ -70,7 +59,7 @@ void add_aside(std::vector<Aside>& asides, const Reason& reason, const std::stri
   if (same == asides.end())
     asides.push_back({reason, panel});
   else
-    same->panels += " and " + small(panel);
+    same->panels += " and " + lowercase_first(panel);
 }
 
 /// In the panel if none of its curves is drawn, else for the note.
@@ -87,13 +76,13 @@ void tell_reasons(ChartPanel& panel, const std::vector<Reason>& reasons,
   const bool same = std::all_of(reasons.begin(), reasons.end(), [&](const Reason& reason) {
     return reason.why == reasons.front().why;
   });
-  if (!reasons.empty() && same) panel.message = capital(reasons.front().why);
+  if (!reasons.empty() && same) panel.message = capitalize_first(reasons.front().why);
   if (same) return;
   panel.message.clear();
   for (const Reason& reason : reasons) {
     std::string why = reason.why;
-    if (&reason != &reasons.back() && why.ends_with(kSo))  // the last one has it
-      why.replace(why.size() - kSo.size(), kSo.size(), ".");
+    if (&reason != &reasons.back() && why.ends_with(kNoSpectrum))  // the last one has it
+      why.replace(why.size() - kNoSpectrum.size(), kNoSpectrum.size(), ".");
     panel.message += (panel.message.empty() ? "" : " ") + named(reason.curve, why);
   }
 }
@@ -126,89 +115,9 @@ std::vector<double> relative_amplitude(const std::vector<double>& y, SpectrumSca
 
 }  // namespace
 
-double last_above(const std::vector<double>& frequency, const std::vector<double>& amplitude,
-                  double level) {
-  for (std::size_t k = std::min(frequency.size(), amplitude.size()); k-- > 0;)
-    if (amplitude[k] > level) return frequency[k];
-  return 0.0;
-}
-
-Bridged bridge_gaps(const std::vector<double>& t, const std::vector<double>& values,
-                    Window window) {
-  constexpr double kMost = 0.01;   // of the steps
-  constexpr double kStrong = 0.1;  // of the largest amplitude
-  Bridged out;
-  const auto known = [&](std::size_t i) { return std::isfinite(values[i]); };
-  const std::size_t n = std::min(t.size(), values.size());
-  std::size_t missing = 0;
-  for (std::size_t i = 0; i < n; ++i) missing += known(i) ? 0 : 1;
-  out.values = values;
-  if (missing == 0 || values.size() != t.size()) return out;
-  out.why_none = missing_values(t, values);
-  if (static_cast<double>(missing) > kMost * static_cast<double>(n)) return {{}, {}, out.why_none};
-  double longest = 0.0;
-  for (std::size_t i = 0; i < n;) {
-    if (known(i)) {
-      ++i;
-      continue;
-    }
-    std::size_t end = i;
-    while (end < n && !known(end)) ++end;
-    if (i == 0 || end == n)
-      return {{}, {}, out.why_none};  // a gap at an end cannot be interpolated
-    const std::size_t from = i - 1;
-    longest = std::max(longest, t[end] - t[from]);
-    for (; i < end; ++i)
-      out.values[i] =
-          values[from] + (t[i] - t[from]) / (t[end] - t[from]) * (values[end] - values[from]);
-  }
-  const signal::Samples samples = signal::equal_samples(t, out.values);
-  const signal::Spectrum spectrum =
-      signal::amplitude_spectrum(samples.values, samples.step, window);
-  const double largest = spectrum.amplitude.empty() ? 0.0
-                                                    : *std::max_element(spectrum.amplitude.begin(),
-                                                                        spectrum.amplitude.end());
-  const double highest = last_above(spectrum.frequency, spectrum.amplitude, kStrong * largest);
-  if (2.0 * longest * highest > 1.0) {
-    std::string why = out.why_none;
-    why.replace(why.size() - kSo.size(), kSo.size(),
-                fmt::format(" (gaps up to {} are too long for lines up to {})",
-                            desktop::pretty_quantity(longest, "s", 3),
-                            desktop::pretty_quantity(highest, "Hz", 3)));
-    return {{}, {}, why + std::string(kSo)};
-  }
-  out.why_none.clear();
-  out.told =
-      fmt::format("{} of {} steps {} no value: interpolated linearly (longest gap {}).", missing, n,
-                  missing == 1 ? "has" : "have", desktop::pretty_quantity(longest, "s", 3));
-  return out;
-}
-
 void add_note(ChartPage& chart, const std::string& text) {
   if (text.empty() || chart.note.find(text) != std::string::npos) return;
   chart.note += (chart.note.empty() ? "" : " ") + text;
-}
-
-bool only_rounding(const std::vector<double>& values, const std::string& unit, double known) {
-  constexpr double kSmall = 1e-12, kPart = 1e-3, kDigits = 2e-13, kLastDigit = 1.1e-7;
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const double v : values) {
-    if (!std::isfinite(v)) continue;
-    low = std::min(low, v);
-    high = std::max(high, v);
-  }
-  const double size = std::max(std::abs(low), std::abs(high));
-  const bool pure_or_power = unit.empty() || unit == "W" || unit == "in.lbf/s";
-  const double least = std::max(
-      {known, kDigits * size, pure_or_power ? kSmall : kPart * desktop::least_span_of(unit)});
-  if (!(high - low > least)) return true;
-  if (high - low > kLastDigit * size) return false;
-  return std::all_of(values.begin(), values.end(), [](double v) {
-    const std::string text = fmt::format("{:.7e}", v);
-    double read = 0.0;
-    std::from_chars(text.data(), text.data() + text.size(), read);
-    return !std::isfinite(v) || read == v;
-  });
 }
 
 /// No two of them differ.
@@ -229,52 +138,95 @@ static void tell_drift(ChartPage& chart, const std::vector<std::string>& driftin
            fmt::format("{}{} first line is drift, not vibration.", of, of.empty() ? "The" : "the"));
 }
 
-void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOptions& options) {
-  const SpectrumScale scale = drawn_scale(options.scale, SpectrumScale::Units);
+/// Of a curve: its values with bridged gaps.
+struct StoredCurve {
+  ChartPanel* panel = nullptr;
+  ChartCurve* curve = nullptr;
+  BridgedValues bridged;
+  bool still = false;
+};
+
+/// Takes the values of all curves, for which there will be spectra.
+static std::vector<StoredCurve> take_values(ChartPage& chart, const std::vector<double>& t,
+                                            const SpectrumOptions& options) {
+  std::vector<StoredCurve> out;
+  for (ChartPanel& panel : chart.panels)
+    for (ChartCurve& curve : panel.curves) {
+      const std::vector<double> stored = std::move(curve.y);
+      curve.low.clear(), curve.high.clear();
+      curve.y.clear();
+      if (!has_number(stored)) continue;  // the panel has its reason
+      out.push_back({&panel, &curve, bridge_gaps(t, stored, options.window)});
+      const std::vector<double>& values = out.back().bridged.values;
+      out.back().still = !values.empty() && is_only_rounding(values, panel.unit, panel.least_span);
+    }
+  return out;
+}
+
+/// Lines above are not valid.
+static void cut_spectrum(signal::Spectrum& spectrum, double highest) {
+  constexpr double kRounding = 1.0 + 1e-9;
+  const auto end =
+      std::upper_bound(spectrum.frequency.begin(), spectrum.frequency.end(), highest * kRounding);
+  const auto count = static_cast<std::size_t>(end - spectrum.frequency.begin());
+  spectrum.frequency.resize(count);
+  spectrum.amplitude.resize(count);
+}
+
+void to_spectra(ChartPage& chart, const RunMotion& motion, const SpectrumOptions& options,
+                Domain domain) {
+  const std::vector<double>& t = motion.times;
+  const SpectrumScale scale = resolved_scale(options.scale, SpectrumScale::Units);
+  SpectrumSource source(motion, options, domain);
+  std::vector<StoredCurve> stored = take_values(chart, t, options);
+  for (const StoredCurve& one : stored)
+    if (one.bridged.why_none.empty() && !one.still)
+      source.consider_band(stored.size() > 1 ? name_of(*one.panel, *one.curve) : std::string(),
+                           one.bridged.values);
   std::vector<double> frequency;
   std::vector<Aside> asides;
   std::vector<std::string> drifting;
+  std::map<const ChartPanel*, std::vector<Reason>> reasons;  // of the curves without a spectrum
   std::size_t drawn = 0;
-  for (ChartPanel& panel : chart.panels) {
-    std::vector<Reason> reasons;  // of the curves without a spectrum
-    for (ChartCurve& curve : panel.curves) {
-      std::vector<double> stored = std::move(curve.y);
-      curve.low.clear(), curve.high.clear();
-      curve.y.clear();
-      const auto none = [&](const std::string& why) { reasons.push_back({curve.name, why}); };
-      if (!any_value(stored)) continue;  // the panel has its reason
-      Bridged bridged = bridge_gaps(t, stored, options.window);
-      if (!bridged.why_none.empty()) {
-        none(bridged.why_none);
-        continue;
-      }
-      stored = std::move(bridged.values);
-      const signal::Samples samples = signal::equal_samples(t, stored);
-      if (samples.values.empty()) {
-        none(sampling_note(samples, t.size()));
-        continue;
-      }
-      signal::Spectrum spectrum =
-          signal::amplitude_spectrum(samples.values, samples.step, options.window);
-      frequency = spectrum.frequency;
-      if (std::all_of(spectrum.amplitude.begin(), spectrum.amplitude.end(),
-                      [](double a) { return a == 0.0; })) {
-        none(kStill);
-        continue;
-      }
-      if (only_rounding(stored, panel.unit, panel.least_span)) {
-        none(one_value(stored) ? kStill : kRounding);
-        continue;
-      }
-      if (first_line_is_drift(spectrum, samples, options.window))
-        drifting.push_back(panel.title + (curve.name.empty() ? "" : ", " + curve.name));
-      ++drawn;
-      scale_spectrum(spectrum, scale);
-      curve.y = std::move(spectrum.amplitude);
-      add_note(chart, sampling_note(samples, t.size()));  // of the drawn curves
-      if (!bridged.told.empty()) add_aside(asides, {curve.name, bridged.told}, panel.title);
+  for (StoredCurve& one : stored) {
+    ChartPanel& panel = *one.panel;
+    ChartCurve& curve = *one.curve;
+    const auto none = [&](const std::string& why) { reasons[&panel].push_back({curve.name, why}); };
+    if (!one.bridged.why_none.empty()) {
+      none(one.bridged.why_none);
+      continue;
     }
-    tell_reasons(panel, reasons, asides);
+    const SpectrumSamples of = source.samples_of(one.bridged.values, one.still);
+    if (!of.why_none.empty()) {
+      none(of.why_none);
+      continue;
+    }
+    const signal::Samples& samples = of.samples;
+    signal::Spectrum spectrum =
+        signal::amplitude_spectrum(samples.values, samples.step, options.window);
+    cut_spectrum(spectrum, of.highest);
+    if (domain != Domain::Envelope || !one.still) frequency = spectrum.frequency;
+    const bool flat = std::all_of(spectrum.amplitude.begin(), spectrum.amplitude.end(),
+                                  [](double a) { return a == 0.0; });
+    if (flat || one.still) {
+      none(flat || one_value(one.bridged.values) ? kStill : kRounding);
+      continue;
+    }
+    if (domain == Domain::Envelope &&
+        is_only_rounding(samples.values, panel.unit, panel.least_span)) {
+      none(kNoneInBand);
+      continue;
+    }
+    if (domain != Domain::Envelope && first_line_is_drift(spectrum, samples, options.window))
+      drifting.push_back(name_of(panel, curve));
+    ++drawn;
+    scale_spectrum(spectrum, scale);
+    curve.y = std::move(spectrum.amplitude);
+    add_note(chart, sampling_note(samples, t.size()));  // of the drawn curves
+    if (!one.bridged.told.empty()) add_aside(asides, {curve.name, one.bridged.told}, panel.title);
+  }
+  for (ChartPanel& panel : chart.panels) {
+    tell_reasons(panel, reasons[&panel], asides);
     panel.wraps = false;
     panel.least_span = 0.0;
     panel.unit = spectrum_unit(scale, panel.unit);
@@ -285,6 +237,7 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
                   [](const ChartPanel& panel) { return panel.message == kStill; });
   for (ChartPanel& panel : chart.panels)
     if (all_still) panel.message = kAllStill;
+  if (drawn > 0) add_note(chart, source.note());
   tell_drift(chart, drifting, drawn);
   // One sentence for panels with the same remark.
   for (const Aside& aside : asides)
@@ -292,10 +245,11 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
              named(aside.panels + (aside.reason.curve.empty() ? "" : ", ") + aside.reason.curve,
                    aside.reason.why));
   if (chart.title.find("pectrum") == std::string::npos)
-    chart.title = without_colon(chart.title) + ": amplitude spectrum";
+    chart.title = without_colon(chart.title) + ": " + spectrum_title(domain);
   chart.x = std::move(frequency);
   chart.x_title = "Frequency";
-  chart.x_unit = "Hz";
+  chart.x_unit = source.unit();
+  chart.marks = source.marks();
   if (chart.x.empty()) {  // of no curve
     for (const ChartPanel& panel : chart.panels) add_note(chart, panel.message);
     chart.panels.clear();
@@ -309,7 +263,7 @@ std::string without_colon(std::string title) {
 }
 
 void drop_low_marks(ChartPage& chart) {
-  if (chart.x.empty() || chart.x_unit != "Hz") return;
+  if (chart.x.empty() || chart.x_title != "Frequency") return;
   const double first = chart.x.front();
   std::string names;
   for (desktop::ChartMark& mark : chart.marks) {
@@ -322,17 +276,17 @@ void drop_low_marks(ChartPage& chart) {
     add_note(chart, fmt::format("Frequencies below the first line are not marked: {}.", names));
 }
 
-void tell_lines(ChartPage& chart, const std::vector<double>& distances,
-                const SpectrumOptions& options) {
+void note_spectrum_lines(ChartPage& chart, const std::vector<double>& distances,
+                         const SpectrumOptions& options) {
   if (distances.empty()) return;
   const auto [low, high] = std::minmax_element(distances.begin(), distances.end());
-  std::string apart = desktop::pretty_quantity(*low, "Hz", 3);
-  if (*high > 1.001 * *low) apart += " to " + desktop::pretty_quantity(*high, "Hz", 3);
+  std::string apart = desktop::pretty_quantity(*low, chart.x_unit, 3);
+  if (*high > 1.001 * *low) apart += " to " + desktop::pretty_quantity(*high, chart.x_unit, 3);
   const char* over = options.scale == SpectrumScale::Relative  ? "1 is the maximum of the curve. "
                      : options.scale == SpectrumScale::Decibel ? "Level of the amplitude. "
                                                                : "";
   add_note(chart, fmt::format("{}{}, mean removed, line spacing {}.", over,
-                              capital(signal::window_name(options.window)), apart));
+                              capitalize_first(signal::window_name(options.window)), apart));
 }
 
 void choose_frequency_axis(ChartPage& chart, const std::vector<double>& ends, double visible) {
@@ -345,14 +299,14 @@ void choose_frequency_axis(ChartPage& chart, const std::vector<double>& ends, do
   }
   if (!(most > kSqueezed * least)) return;
   chart.log_x = true;
-  add_note(chart, fmt::format("Logarithmic frequency axis: one curve has lines above {} % of the "
-                              "maximum up to {}, another up to {}.",
+  add_note(chart, fmt::format("Logarithmic frequency axis: lines above {} % of the maximum extend "
+                              "to {} in one curve and to {} in another.",
                               desktop::pretty_number(100.0 * visible, 2),
-                              desktop::pretty_quantity(least, "Hz", 3),
-                              desktop::pretty_quantity(most, "Hz", 3)));
+                              desktop::pretty_quantity(least, chart.x_unit, 3),
+                              desktop::pretty_quantity(most, chart.x_unit, 3)));
 }
 
-void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
+void set_initial_spectrum_view(ChartPage& chart, SpectrumScale scale, Domain domain) {
   if (chart.panels.empty() || chart.x.empty()) return;
   std::vector<std::vector<double>> relative;
   std::vector<double> ends;
@@ -360,7 +314,7 @@ void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
     for (const ChartCurve& curve : panel.curves) {
       if (curve.y.empty()) continue;
       relative.push_back(relative_amplitude(curve.y, scale));
-      ends.push_back(last_above(chart.x, relative.back(), kVisible));
+      ends.push_back(highest_frequency_above(chart.x, relative.back(), kVisible));
     }
   choose_frequency_axis(chart, ends, kVisible);
   if (scale == SpectrumScale::Decibel) return;  // everything is visible
@@ -368,8 +322,13 @@ void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
   const double beside = chart.log_x ? 1.4 : 1.15;
   double shown = beside * chart.x[std::min<std::size_t>(10, chart.x.size() - 1)];
   for (const double end : ends) shown = std::max(shown, beside * end);
+  const auto fundamental = [](const std::string& label) {
+    return std::isdigit(static_cast<unsigned char>(label.front())) == 0;
+  };
   for (const auto& mark : chart.marks)
-    if (mark.label == "shaft" || mark.label == "rotation" || mark.label == "inner race")
+    if (domain != Domain::Spectrum && fundamental(mark.label))
+      shown = std::max(shown, 1.05 * mark.x);
+    else if (mark.label == "shaft" || mark.label == "rotation" || mark.label == "inner race")
       shown = std::max(shown, 1.5 * mark.x);
   chart.view_low = 0.0;
   chart.view_high = std::min(shown, chart.x.back());
@@ -382,7 +341,7 @@ void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
     add_note(chart,
              fmt::format("Lines outside the initial view are at most {} % of the maximum (at {}).",
                          desktop::pretty_number(100.0 * beyond, 2),
-                         desktop::pretty_quantity(at, "Hz", 3)));
+                         desktop::pretty_quantity(at, chart.x_unit, 3)));
 }
 
 }  // namespace adore::adrplot

@@ -50,7 +50,7 @@ PlotDocument open_study(const fs::path& path) {
         fmt::format("{}: this study has no report yet; write it with `adore study report {}.json`",
                     folder.string(), (folder.parent_path() / stem_of(folder)).string()));
   }
-  std::erase_if(charts, [](const desktop::StudyChart& chart) { return !chart.drawable(); });
+  std::erase_if(charts, [](const desktop::StudyChart& chart) { return !chart.has_content(); });
   if (charts.empty())
     throw InputError(
         fmt::format("{}: the study has no charts, because no run has values yet", path.string()));
@@ -79,7 +79,7 @@ PlotDocument open_study(const fs::path& path) {
     return studies::run_text(**table, run);
   };
   out.files_of_run = [folder, whole](long run) {
-    return whole ? studies::run_files(folder, run) : fs::path();
+    return whole ? studies::run_files_folder(folder, run) : fs::path();
   };
   return out;
 }

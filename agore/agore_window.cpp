@@ -38,19 +38,19 @@ constexpr std::size_t kMostBeside = 5;
 
 AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle("AGORE");
-  desktop::open_at_size(*this, {1320, 820});
+  desktop::resize_to_fit_screen(*this, {1320, 820});
   options_.dark = desktop::current_theme().kind == desktop::ThemeKind::Dark;
-  desktop::take_files_anywhere(*this, [this](const QStringList& files) {
+  desktop::accept_file_drops(*this, [this](const QStringList& files) {
     if (files.size() > 1)
       desktop::show_message(this, tr("Drop one file or one run folder at a time."));
     else
       openFile(files.front().toStdString());
   });
-  canvas_ = new PictureWidget(this);
-  panel_ = new ElementPanel(canvas_);
+  picture_widget_ = new PictureWidget(this);
+  panel_ = new ElementPanel(picture_widget_);
   panel_->hide();
   connect(panel_, &ElementPanel::closed, this, [this] { setValuesShown(false); });
-  connect(canvas_, &PictureWidget::elementPicked, this, [this](std::size_t element) {
+  connect(picture_widget_, &PictureWidget::elementPicked, this, [this](std::size_t element) {
     setView(options_.view, static_cast<int>(element) + 1);
     setValuesShown(true);
   });
@@ -65,7 +65,7 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
   picture->setSpacing(0);
   findings_ = new desktop::FindingsBar(this);
   connect(findings_, &desktop::FindingsBar::chosen, this, &AgoreWindow::goToFinding);
-  picture->addWidget(canvas_, 1);
+  picture->addWidget(picture_widget_, 1);
   picture->addWidget(findings_);
   row->addLayout(picture, 1);
   makeLink();
@@ -77,15 +77,15 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
   timer_.setInterval(kTick);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &AgoreWindow::advance);
-  connect(canvas_, &PictureWidget::soughtTo, this, [this](double progress) {
+  connect(picture_widget_, &PictureWidget::progressRequested, this, [this](double progress) {
     const auto& time = picture_->animation().time;
     const double wanted = time.front() + progress * (time.back() - time.front());
     const auto after = std::lower_bound(time.begin(), time.end(), wanted);
     setFrame(static_cast<std::size_t>(
         std::min<std::ptrdiff_t>(after - time.begin(), std::ssize(time) - 1)));
   });
-  connect(canvas_, &PictureWidget::soughtFrame, this, &AgoreWindow::setFrame);
-  connect(canvas_, &PictureWidget::viewMoved, this,
+  connect(picture_widget_, &PictureWidget::frameRequested, this, &AgoreWindow::setFrame);
+  connect(picture_widget_, &PictureWidget::viewMoved, this,
           [this](std::size_t tile, double zoom, QPointF pan) {
             if (tile == 0) {
               options_.zoom = zoom;
@@ -96,20 +96,20 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
             }
             showFrame();
           });
-  connect(canvas_, &PictureWidget::spanMarked, this, &AgoreWindow::setSpan);
-  connect(canvas_, &PictureWidget::eyeMoved, this, [this](double yaw, double elevation) {
+  connect(picture_widget_, &PictureWidget::repeatRangeMarked, this, &AgoreWindow::setRepeatRange);
+  connect(picture_widget_, &PictureWidget::eyeMoved, this, [this](double yaw, double elevation) {
     options_.yaw = yaw;
     options_.elevation = elevation;
     showFrame();
   });
   try {
     options_.scale =
-        scale_named(QSettings("Adore", kApp).value(kScale, "usual").toString().toStdString());
+        parse_color_scale(QSettings("Adore", kApp).value(kScale, "usual").toString().toStdString());
   } catch (const std::exception&) {
     options_.scale = {};  // settings of another program version
   }
-  connect(&growth_, &QTimer::timeout, this, &AgoreWindow::lookForGrowth);
-  follow_->setChecked(QSettings("Adore", kApp).value(kFollow, false).toBool());
+  connect(&file_check_timer_, &QTimer::timeout, this, &AgoreWindow::checkForFileChanges);
+  follow_action_->setChecked(QSettings("Adore", kApp).value(kFollow, false).toBool());
   // The status bar is visible only with a message: otherwise the picture uses its space.
   statusBar()->setSizeGripEnabled(false);
   statusBar()->hide();
@@ -121,10 +121,10 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
 AgoreWindow::~AgoreWindow() = default;
 
 /// In the unit that the file has the values in, which the question names.
-void AgoreWindow::askForLimits() {
+void AgoreWindow::askForColorLimits() {
   refresh();  // the check mark shows the displayed state
   if (!picture_) return askForFile();
-  const Colouring now = colouring(picture_->animation(), frame_, options_.colour);
+  const ElementColors now = element_colors(picture_->animation(), frame_, options_.colour);
   if (!now.any()) return desktop::show_message(this, tr("Select element colors first (key C)."));
   auto* dialog = new QInputDialog(this);
   dialog->setObjectName("limits");
@@ -133,13 +133,13 @@ void AgoreWindow::askForLimits() {
   const QString unit = now.unit.empty() ? QString() : " [" + QString::fromStdString(now.unit) + "]";
   dialog->setLabelText(
       tr("Limits of %1%2 as low:high").arg(QString::fromStdString(now.title), unit));
-  const auto shown = options_.scale.kind == ColourScale::Typed
+  const auto shown = options_.scale.kind == ColorScaleKind::Typed
                          ? options_.scale
-                         : ScaleChoice{ColourScale::Typed, now.low, now.high};
+                         : ColorScaleChoice{ColorScaleKind::Typed, now.low, now.high};
   dialog->setTextValue(QString::fromStdString(scale_name(shown)));
   connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& text) {
     try {
-      setScale(scale_named(text.simplified().toStdString()));
+      setColorScale(parse_color_scale(text.simplified().toStdString()));
     } catch (const std::exception& error) {
       desktop::show_message(this, QString::fromUtf8(error.what()), true);
     }
@@ -147,20 +147,20 @@ void AgoreWindow::askForLimits() {
   dialog->open();
 }
 
-void AgoreWindow::setScale(const ScaleChoice& scale) {
+void AgoreWindow::setColorScale(const ColorScaleChoice& scale) {
   options_.scale = scale;
   refresh();
 }
 
 /// In the menu, for later sessions, too. Typed limits are of one quantity, so they never are.
-void AgoreWindow::chooseScale(const ScaleChoice& scale) {
+void AgoreWindow::setDefaultColorScale(const ColorScaleChoice& scale) {
   QSettings("Adore", kApp).setValue(kScale, QString::fromStdString(scale_name(scale)));
-  setScale(scale);
+  setColorScale(scale);
 }
 
-void AgoreWindow::setBeside(View view, bool shown) {
+void AgoreWindow::setAdditionalView(View view, bool shown) {
   if (!picture_) return askForFile();
-  std::erase_if(options_.beside, [view](const SideView& side) { return side.view == view; });
+  std::erase_if(options_.beside, [view](const AdditionalView& side) { return side.view == view; });
   if (shown) {
     const std::string reason = why_not(view, picture_->animation());
     if (!reason.empty())
@@ -176,7 +176,7 @@ void AgoreWindow::setBeside(View view, bool shown) {
 bool AgoreWindow::shows(View view) const {
   return options_.view == view ||
          std::any_of(options_.beside.begin(), options_.beside.end(),
-                     [view](const SideView& side) { return side.view == view; });
+                     [view](const AdditionalView& side) { return side.view == view; });
 }
 
 void AgoreWindow::setFrame(std::size_t frame) {
@@ -186,10 +186,10 @@ void AgoreWindow::setFrame(std::size_t frame) {
 }
 
 /// Findings of the body of the view come first.
-void AgoreWindow::placeFindings() {
+void AgoreWindow::sortFindingsForView() {
   const View view = options_.view;
   const int element = options_.element;
-  findings_->setPlace(
+  findings_->setCurrentPage(
       [view, element](const Finding& one) {
         const auto names = [&](const char* word) {
           return one.body.find(word) != std::string::npos;
@@ -198,9 +198,9 @@ void AgoreWindow::placeFindings() {
           case View::Cage:
             return names("cage");
           case View::Pocket:
-            return names("cage") || desktop::element_of_body(one.body) == element;
+            return names("cage") || desktop::parse_element_number(one.body) == element;
           case View::Element:
-            return desktop::element_of_body(one.body) == element;
+            return desktop::parse_element_number(one.body) == element;
           case View::OuterRace:
             return names("outer race");
           case View::InnerRace:
@@ -219,7 +219,7 @@ void AgoreWindow::goToFinding(const Finding& finding) {
   const auto go = [&](View view, int element) {
     if (why_not(view, picture_->animation()).empty()) setView(view, element);
   };
-  const int element = desktop::element_of_body(finding.body);
+  const int element = desktop::parse_element_number(finding.body);
   if (finding.body.starts_with("cage"))
     go(element > 0 ? View::Pocket : View::Cage, element);
   else if (element > 0)
@@ -235,10 +235,11 @@ void AgoreWindow::setView(View view, int element) {
   if (!picture_) return askForFile();
   const std::string reason = why_not(view, picture_->animation());
   if (!reason.empty()) return desktop::show_message(this, QString::fromStdString(reason));
-  const auto beside = std::find_if(options_.beside.begin(), options_.beside.end(),
-                                   [view](const SideView& side) { return side.view == view; });
+  const auto beside =
+      std::find_if(options_.beside.begin(), options_.beside.end(),
+                   [view](const AdditionalView& side) { return side.view == view; });
   if (view != options_.view && beside != options_.beside.end()) {  // the two change places
-    const SideView first{options_.view, options_.zoom, options_.pan};
+    const AdditionalView first{options_.view, options_.zoom, options_.pan};
     options_.zoom = beside->zoom;
     options_.pan = beside->pan;
     *beside = first;
@@ -251,7 +252,7 @@ void AgoreWindow::setView(View view, int element) {
   refresh();
 }
 
-bool AgoreWindow::showAsAsked(const ViewOptions& asked) {
+bool AgoreWindow::applyViewOptions(const ViewOptions& asked) {
   if (!picture_) return false;
   ViewOptions next = asked;
   next.dark = options_.dark;
@@ -267,10 +268,10 @@ bool AgoreWindow::showAsAsked(const ViewOptions& asked) {
     return false;
   }
   options_ = next;
-  if (asked.scale == ScaleChoice{})
+  if (asked.scale == ColorScaleChoice{})
     refresh();
   else
-    setScale(asked.scale);
+    setColorScale(asked.scale);
   return true;
 }
 
@@ -279,14 +280,14 @@ void AgoreWindow::setExaggeration(double factor) {
   refresh();
 }
 
-void AgoreWindow::setColour(ColourBy colour) {
-  if (colour != options_.colour && options_.scale.kind == ColourScale::Typed)
+void AgoreWindow::setColorQuantity(ColourBy colour) {
+  if (colour != options_.colour && options_.scale.kind == ColorScaleKind::Typed)
     options_.scale = {};  // limits of another quantity
   options_.colour = colour;
   refresh();
 }
 
-void AgoreWindow::setContacts(bool shown) {
+void AgoreWindow::setLoadArrowsShown(bool shown) {
   options_.contacts = shown;
   refresh();
 }
@@ -312,8 +313,10 @@ void AgoreWindow::showPanel() {
   options_.picked = shown;
   if (!shown) return panel_->hide();
   panel_->show(picture_->animation(), frame_, options_.element);
-  panel_->move(
-      MotionPicture::pictureAreas(canvas_->rect(), 1, options_.shown).front().topLeft().toPoint());
+  panel_->move(MotionPicture::pictureAreas(picture_widget_->rect(), 1, options_.shown)
+                   .front()
+                   .topLeft()
+                   .toPoint());
 }
 
 void AgoreWindow::askForElement(View view, std::optional<std::size_t> flange_race) {
@@ -330,10 +333,10 @@ void AgoreWindow::askForElement(View view, std::optional<std::size_t> flange_rac
                       });
 }
 
-ViewOptions AgoreWindow::stillOptions() const {
+ViewOptions AgoreWindow::exportViewOptions() const {
   ViewOptions still = options_;
-  still.moving = still.picked = false;
-  still.span_from = still.span_to = std::nullopt;  // of the window alone
+  still.moving = still.picked = still.dark = false;  // files and paper are light
+  still.span_from = still.span_to = std::nullopt;    // of the window alone
   return still;
 }
 
@@ -348,21 +351,22 @@ void AgoreWindow::switchTheme() {
 void AgoreWindow::showFrame() {
   options_.moving = playing();
   showPanel();
-  canvas_->show(picture_.get(), frame_, options_);
-  tellLinked(!playing());
+  picture_widget_->show(picture_.get(), frame_, options_);
+  sendLinkState(!playing());
 }
 
 void AgoreWindow::refresh() {
   if (picture_ && shows(View::Flange)) choose_flange_race(picture_->animation(), options_);
-  placeFindings();
+  sortFindingsForView();
   showFrame();
   bar_->sync(options_.view, picture_ ? &picture_->animation() : nullptr);
   if (auto* beside = findChild<QMenu*>("besideMenu"))
     for (QAction* action : beside->actions())
       if (action->isCheckable()) {
         const auto view = static_cast<View>(action->data().toInt());
-        action->setChecked(std::any_of(options_.beside.begin(), options_.beside.end(),
-                                       [view](const SideView& side) { return side.view == view; }));
+        action->setChecked(
+            std::any_of(options_.beside.begin(), options_.beside.end(),
+                        [view](const AdditionalView& side) { return side.view == view; }));
       }
   for (const char* name : {"play", "playBack", "frame", "frameBack", "pause", "print", "save"})
     findChild<QPushButton*>(name)->setEnabled(picture_ != nullptr);
@@ -388,7 +392,7 @@ void AgoreWindow::refresh() {
     const std::filesystem::path& file = picture_->animation().file.path;
     const auto named = std::filesystem::absolute(file).parent_path().filename() / file.filename();
     setWindowTitle(QString::fromStdString(named.string() + " — " + view_title(options_.view)) +
-                   (growth_.isActive() ? tr(" (followed)") : QString()) + " — AGORE");
+                   (file_check_timer_.isActive() ? tr(" (followed)") : QString()) + " — AGORE");
   }
 }
 

@@ -50,14 +50,14 @@ class PictureWidget : public QWidget {
   void show(MotionPicture* picture, std::size_t frame, const ViewOptions& options);
 
  signals:
-  void soughtTo(double progress);
-  void soughtFrame(std::size_t frame);
+  void progressRequested(double progress);
+  void frameRequested(std::size_t frame);
   void viewMoved(std::size_t tile, double zoom, QPointF pan);
   void eyeMoved(double yaw, double elevation);
   /// Click on an element, from 0.
   void elementPicked(std::size_t element);
   /// Shift+drag in the time bar or a curve: range that is repeated [s].
-  void spanMarked(double from, double to);
+  void repeatRangeMarked(double from, double to);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -71,15 +71,15 @@ class PictureWidget : public QWidget {
   void tell();
   bool seek(QPointF position);
   /// Time at a position on the time bar or a curve; none elsewhere.
-  [[nodiscard]] std::optional<double> momentAt(QPointF position) const;
-  std::optional<double> span_from_;
+  [[nodiscard]] std::optional<double> timeAtPosition(QPointF position) const;
+  std::optional<double> repeat_range_start_;
   /// The picture of a view at a position; none: outside all of them.
   [[nodiscard]] std::optional<std::size_t> tileAt(QPointF position) const;
   QPointF drag_from_, pan_from_;
   std::optional<std::size_t> drag_tile_;
   double yaw_from_ = 0.0, elevation_from_ = 0.0;
-  bool moved_ = false;    ///< the pointer, since the button was pressed
-  bool turning_ = false;  ///< the eye of a 3D view follows the pointer
+  bool moved_ = false;          ///< the pointer, since the button was pressed
+  bool rotating_view_ = false;  ///< the eye of a 3D view follows the pointer
   MotionPicture* picture_ = nullptr;
   std::size_t frame_ = 0;
   ViewOptions options_;
@@ -114,35 +114,35 @@ class AgoreWindow : public QMainWindow {
   void setView(View view, int element = 0);  ///< element 0: the last one
   /// Applies all view options of a command, as --render draws them; false, after a message with the
   /// reason, if this file cannot show them.
-  bool showAsAsked(const ViewOptions& asked);
+  bool applyViewOptions(const ViewOptions& asked);
   void setExaggeration(double factor);
-  void setColour(ColourBy colour);
-  void setScale(const ScaleChoice& scale);
-  void setContacts(bool shown);
+  void setColorQuantity(ColourBy colour);
+  void setColorScale(const ColorScaleChoice& scale);
+  void setLoadArrowsShown(bool shown);
   void setTrails(bool shown);
   void setShown(const ShownParts& shown);
   /// Values of the element in a panel over the picture.
   void setValuesShown(bool shown);
   [[nodiscard]] ElementPanel& panel() { return *panel_; }
   /// Adds an additional view, or removes all of that kind.
-  void setBeside(View view, bool shown);
+  void setAdditionalView(View view, bool shown);
   void setLoop(bool loop) { loop_ = loop; }
   /// Range that is played, repeated and saved as a movie, by its ends [s]; none: first frame, last
   /// frame. Ends in the wrong order are exchanged.
-  void setSpan(std::optional<double> from, std::optional<double> to);
+  void setRepeatRange(std::optional<double> from, std::optional<double> to);
   /// Simulated seconds per second of the clock; 0: frames per second, as chosen.
   void setSlowMotion(double rate);
   /// Writes a movie of the frames from first to last, counted from 1 (0: the last of all), and
   /// reports it in the status bar; false, after a message with the reason, on failure.
-  bool writeFilm(const QString& path, int first = 1, int last = 0);
-  bool writeFilm(const QString& path, const FilmChoice& choice);
+  bool writeMovie(const QString& path, int first = 1, int last = 0);
+  bool writeMovie(const QString& path, const MovieSettings& choice);
   /// The same for a page with the 3D scene, which a browser plays.
   bool writeScene(const QString& path);
   /// "ball-3d.gif" of a run in the folder "ball".
   [[nodiscard]] QString proposedName(const QString& suffix) const;
 
  public slots:
-  void saveFilm();
+  void saveMovie();
   void saveScene();
   void askForFile();
   void askForProject();
@@ -160,73 +160,73 @@ class AgoreWindow : public QMainWindow {
   // Linked windows of the run (window_link.cpp).
   void makeLink();
   void joinLink();
-  [[nodiscard]] desktop::LinkState linkedNow() const;
+  [[nodiscard]] desktop::LinkState currentLinkState() const;
   /// @param by_user else a playing animation or a growing file
-  void tellLinked(bool by_user);
-  void takeLinked(const desktop::LinkState& change);
-  void lookForGrowth();
+  void sendLinkState(bool by_user);
+  void applyLinkState(const desktop::LinkState& change);
+  void checkForFileChanges();
   /// Replaces the animation by that of a file; the previous picture stays until then.
-  void adopt(Animation animation);
-  [[nodiscard]] bool showable(const Animation& animation) const;
+  void replaceAnimation(Animation animation);
+  [[nodiscard]] bool canShow(const Animation& animation) const;
   /// First and last frame of the played range.
   [[nodiscard]] std::pair<std::size_t, std::size_t> playedFrames() const;
-  void markEnd(bool first);
+  void setRepeatLimit(bool first);
   QAction* add(QMenu* menu, const QString& text, const QString& name, const QKeySequence& key,
                std::function<void()> act);
   void makeMenus();
   void makeMotionMenu(QMenu* menu);
   void addZoomKeys(QMenu* menu);
   void makeViewMenu(QMenu* menu);
-  void makeBesideMenu(QMenu* menu);
+  void makeAdditionalViewsMenu(QMenu* menu);
   void makeColourMenus(QMenu* menu);
   void makePartsMenu(QMenu* menu);
-  void askForLimits();
-  void chooseScale(const ScaleChoice& scale);
-  void askForFilmName(const FilmChoice& choice);
+  void askForColorLimits();
+  void setDefaultColorScale(const ColorScaleChoice& scale);
+  void askForMovieFile(const MovieSettings& choice);
   QWidget* makeButtons();
-  [[nodiscard]] RenderOptions filmOptions(const FilmChoice& choice) const;
+  [[nodiscard]] RenderOptions movieRenderOptions(const MovieSettings& choice) const;
   [[nodiscard]] ScenePageOptions sceneOptions() const;
   /// Range, interval, rate and size as the window plays.
-  [[nodiscard]] FilmChoice filmChoice() const;
-  [[nodiscard]] int filmRate() const;
-  [[nodiscard]] int filmEvery() const;  ///< every how many frames it has a picture
+  [[nodiscard]] MovieSettings movieSettings() const;
+  [[nodiscard]] int movieFrameRate() const;
+  [[nodiscard]] int movieFrameInterval() const;  ///< every how many frames it has a picture
   void askForElement(View view, std::optional<std::size_t> flange_race = {});
   void play(int direction);
   void advance();
   void refresh();
-  void placeFindings();
+  void sortFindingsForView();
   /// Goes to frame and view of a finding.
   void goToFinding(const Finding& finding);
   void showFrame();
   void showPanel();
-  [[nodiscard]] QString besideFile(const QString& name) const;
-  [[nodiscard]] ViewOptions stillOptions() const;  ///< of a picture that is not passing by
+  [[nodiscard]] QString pathInFileFolder(const QString& name) const;
+  [[nodiscard]] ViewOptions exportViewOptions() const;  ///< of a picture that is not passing by
   [[nodiscard]] bool shows(View view) const;
 
   std::unique_ptr<MotionPicture> picture_;
-  PictureWidget* canvas_;
+  PictureWidget* picture_widget_;
   ViewBar* bar_;
   ElementPanel* panel_;
   desktop::FindingsBar* findings_;
   QWidget* buttons_ = nullptr;
-  QComboBox *speed_ = nullptr, *slow_motion_ = nullptr;
+  QComboBox *playback_rate_box_ = nullptr, *slow_motion_box_ = nullptr;
   QTimer timer_;
   QElapsedTimer clock_;
-  double pending_ = 0.0;  ///< frames due but not shown yet
+  double pending_frames_ = 0.0;  ///< frames due but not shown yet
   bool loop_ = false;
-  double slow_ = 0.0;       ///< simulated seconds per second
-  double film_time_ = 0.0;  ///< simulated time that slow motion has reached [s]
+  double slow_motion_rate_ = 0.0;  ///< simulated seconds per second
+  double slow_motion_time_ = 0.0;  ///< simulated time that slow motion has reached [s]
   int direction_ = 1;
   std::size_t frame_ = 0;
-  long most_frames_ = 1'000'000'000;  ///< as specified when the file was opened
-  QTimer growth_;
-  QAction *follow_ = nullptr, *repeat_ = nullptr;
-  std::string seen_;      ///< modification times of the displayed files
-  int refused_ = 0;       ///< checks files that could not replace the displayed ones
-  bool writing_ = false;  ///< a movie of the displayed views
+  long max_frames_ = 1'000'000'000;  ///< as specified when the file was opened
+  QTimer file_check_timer_;
+  QAction *follow_action_ = nullptr, *repeat_action_ = nullptr;
+  std::string seen_;               ///< modification times of the displayed files
+  int rejected_reload_count_ = 0;  ///< checks files that could not replace the displayed ones
+  bool writing_movie_ = false;     ///< a movie of the displayed views
   desktop::RunLink* link_ = nullptr;
-  desktop::LinkState linked_;  ///< as told or received last
-  bool taking_ = false;        ///< changes now are not of the user
+  desktop::LinkState last_link_state_;  ///< as told or received last
+  bool taking_ = false;                 ///< changes now are not of the user
   ViewOptions options_;
 };
 

@@ -1,5 +1,6 @@
 #include "agore/animation.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "results/run_folder.hpp"
 
@@ -16,7 +17,6 @@ namespace adore::agore {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// First number with a point in a text: "ADORE 0.1" -> 0, 1. False without one.
 bool find_version(const std::string& text, int& major, int& minor) {
@@ -56,7 +56,7 @@ std::vector<double> find_pockets(const Animation& animation) {
                    z = element.r * std::cos(element.theta) - centre[2];
       // The pocket's y axis points against the azimuth.
       const double angle = std::atan2(-y, z) + element.pocket_vector[1] / pitch_radius -
-                           animation.part_angle(i, animation.pocket_part[k]);
+                           animation.cage_part_angle(i, animation.pocket_part[k]);
       sine += std::sin(angle);
       cosine += std::cos(angle);
     }
@@ -264,10 +264,10 @@ Animation finish(Animation animation) {
   for (const auto& frame : data.frames) animation.time.push_back(frame.time);
   animation.turned = turns_of(data);
   const std::size_t count = data.frames.size();
-  animation.known_centres = known_of(count, [&](auto i) { return animation.way_known(i); });
+  animation.known_centres = known_of(count, [&](auto i) { return animation.is_path_known(i); });
   for (const bool past : {false, true})
     (past ? animation.known_trails : animation.known_elements) =
-        known_of(count, [&](auto i) { return animation.way_known(i, 0, past); });
+        known_of(count, [&](auto i) { return animation.is_path_known(i, 0, past); });
   animation.has_cage = data.geometry.cage_outer_radius > data.geometry.cage_inner_radius;
   animation.cage_angle = angle_history(data, [](const auto& f) { return f.cage.angles[0]; });
   for (std::size_t r = 0; r < 2; ++r)
@@ -291,7 +291,7 @@ Animation finish(Animation animation) {
             : "all stored steps, full precision (RESULTS.h5)";
     if (peaks_unknown(*animation.motion))
       animation.source += "; peaks between stored steps are missing";
-    if (const std::string behind = animation.behind_words(); !behind.empty())
+    if (const std::string behind = animation.sol8_only_note(); !behind.empty())
       animation.source += "; " + behind;
   } else {
     animation.source = curves_beside(animation)
@@ -418,15 +418,15 @@ const results::Sol8Body& Animation::part(std::size_t i, int segment) const {
                       : file.frames.at(i).cage;
 }
 
-const results::Sol8Body& Animation::cage_of(std::size_t i, std::size_t element) const {
+const results::Sol8Body& Animation::cage_part_of(std::size_t i, std::size_t element) const {
   return part(i, pocket_part.at(element));
 }
 
-double Animation::part_angle(std::size_t i, int segment) const {
+double Animation::cage_part_angle(std::size_t i, int segment) const {
   return segments > 1 ? part(i, segment).angles[0] : cage_angle.at(i);
 }
 
-LandTouch Animation::land_touch(std::size_t i, int segment, std::size_t which) const {
+GuideLandContact Animation::land_contact(std::size_t i, int segment, std::size_t which) const {
   if (segments <= 1) return {frame(i).land_force.at(which), frame(i).land_angle.at(which)};
   const results::MotionChannel* force = motion->channel("land.force");
   if (force == nullptr) return {};
@@ -436,7 +436,7 @@ LandTouch Animation::land_touch(std::size_t i, int segment, std::size_t which) c
   return {force->at(i, place), value("land.angle", i, place)};
 }
 
-std::string Animation::behind_words() const {
+std::string Animation::sol8_only_note() const {
   return behind(frames() - 1) ? fmt::format("frames from {} on are only in SOL8", exact + 1)
                               : std::string();
 }
@@ -445,13 +445,13 @@ const std::vector<ContactFrame>* Animation::contacts_at(std::size_t i) const {
   return contacts && i < contacts->frames.size() ? &contacts->frames[i] : nullptr;
 }
 
-std::string Animation::no_loads(std::size_t i) const {
-  return behind(i) ? behind_words() : no_contacts;
+std::string Animation::missing_loads_reason(std::size_t i) const {
+  return behind(i) ? sol8_only_note() : no_contacts;
 }
 
-bool Animation::way_known(std::size_t i) const { return i > 0 && turned.at(i) <= kKnownTurn; }
+bool Animation::is_path_known(std::size_t i) const { return i > 0 && turned.at(i) <= kKnownTurn; }
 
-bool Animation::way_known(std::size_t i, std::size_t element, bool past_others) const {
+bool Animation::is_path_known(std::size_t i, std::size_t element, bool past_others) const {
   // For larger angles the difference of two angles may lack a revolution.
   constexpr double kSure = 0.25;
   if (i == 0 || turned.at(i) > kSure) return false;
@@ -468,7 +468,7 @@ std::string Animation::segment_remark(int segment) const {
 
 double Animation::value(const std::string& channel, std::size_t i, std::size_t place) const {
   const results::MotionChannel* found = motion ? motion->channel(channel) : nullptr;
-  return found != nullptr && place < found->width && i < exact ? found->at(i, place) : kNone;
+  return found != nullptr && place < found->width && i < exact ? found->at(i, place) : kNaN;
 }
 
 std::vector<double> continuous(std::vector<double> angle) {
@@ -479,7 +479,7 @@ std::vector<double> continuous(std::vector<double> angle) {
 
 std::vector<double> rate(const std::vector<double>& angle, const std::vector<double>& time) {
   const std::size_t n = std::min(angle.size(), time.size());
-  std::vector<double> out(n, kNone);
+  std::vector<double> out(n, kNaN);
   if (n < 3) return out;
   constexpr double kSpan = 1.0;  // [rad]; the file's rounding of 0.005 rad is then 1 % at most
   const double per_frame = std::abs(angle[n - 1] - angle[0]) / static_cast<double>(n - 1);

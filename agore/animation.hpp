@@ -33,7 +33,7 @@ void check_version(const std::string& version, const std::string& file);
 enum class Guide : unsigned char { None, Outer, Inner };
 
 /// Contact of one guide land with its race.
-struct LandTouch {
+struct GuideLandContact {
   double force = 0.0;  ///< in the file's unit
   double angle = 0.0;  ///< azimuth of the least gap, from the segment's z axis [rad]
 };
@@ -99,22 +99,22 @@ struct Animation {
   /// Is it a frame of SOL8 behind the end of RESULTS.h5?
   [[nodiscard]] bool behind(std::size_t frame) const { return motion && frame >= exact; }
   /// "frames from 120 on are only in SOL8"; empty if RESULTS.h5 has all frames.
-  [[nodiscard]] std::string behind_words() const;
-  /// Contacts of the elements at a frame; null without contacts, see `no_loads`.
+  [[nodiscard]] std::string sol8_only_note() const;
+  /// Contacts of the elements at a frame; null without contacts, see `missing_loads_reason`.
   [[nodiscard]] const std::vector<ContactFrame>* contacts_at(std::size_t frame) const;
-  [[nodiscard]] std::string no_loads(std::size_t frame) const;
+  [[nodiscard]] std::string missing_loads_reason(std::size_t frame) const;
   /// May the path of a center be drawn as a line from the previous frame? Not if the bearing turns
   /// far in between, because the path is unknown.
-  [[nodiscard]] bool way_known(std::size_t frame) const;
+  [[nodiscard]] bool is_path_known(std::size_t frame) const;
   /// The same for an element; `past_others`: compared with its neighbors, so that elements are not
   /// confused.
-  [[nodiscard]] bool way_known(std::size_t frame, std::size_t element, bool past_others) const;
+  [[nodiscard]] bool is_path_known(std::size_t frame, std::size_t element, bool past_others) const;
   /// Cage, or segment with the pocket of an element, at a frame.
-  [[nodiscard]] const results::Sol8Body& cage_of(std::size_t frame, std::size_t element) const;
+  [[nodiscard]] const results::Sol8Body& cage_part_of(std::size_t frame, std::size_t element) const;
   [[nodiscard]] const results::Sol8Body& part(std::size_t frame, int segment) const;
   /// Continuous for a cage in one piece [rad].
-  [[nodiscard]] double part_angle(std::size_t frame, int segment) const;
-  [[nodiscard]] LandTouch land_touch(std::size_t i, int segment, std::size_t which) const;
+  [[nodiscard]] double cage_part_angle(std::size_t frame, int segment) const;
+  [[nodiscard]] GuideLandContact land_contact(std::size_t i, int segment, std::size_t which) const;
   /// ", segment 2 of 3", or nothing for a cage in one piece.
   [[nodiscard]] std::string segment_remark(int segment) const;
   /// Value of a channel of RESULTS.h5 at a frame; NaN if missing.
@@ -149,7 +149,7 @@ inline constexpr double kNearAxis = 0.05;
 [[nodiscard]] History cage_whirl(const Animation& animation, int segment = 0);
 [[nodiscard]] History cage_speed(const Animation& animation, int segment = 0);
 /// Orbit speed of an element, and the size of its angular velocity, over that of the shaft.
-[[nodiscard]] History element_orbit(const Animation& animation, std::size_t element);
+[[nodiscard]] History element_orbit_speed(const Animation& animation, std::size_t element);
 [[nodiscard]] History element_spin(const Animation& animation, std::size_t element);
 /// Mass center of a race, coordinate 0, 1, 2 = x, y, z.
 [[nodiscard]] History race_position(const Animation& animation, std::size_t race,

@@ -26,7 +26,7 @@ void draw_rails(const Scene& s) {
       continue;
     }
     const auto [begin, end] = segment_sector(s.animation, part);
-    const double turned = s.animation.part_angle(s.index, part);
+    const double turned = s.animation.cage_part_angle(s.index, part);
     s.sketch.cage_rail(centre, s.animation, begin + turned, end + turned);
   }
 }
@@ -34,8 +34,8 @@ void draw_rails(const Scene& s) {
 void draw_cage(const Scene& s) {
   const double outside = s.geometry().cage_outer_radius;
   for (int part = 0; part < s.animation.segments; ++part)
-    s.sketch.cage(s.place(s.animation.part(s.index, part)), s.animation.part_angle(s.index, part),
-                  outside,
+    s.sketch.cage(s.place(s.animation.part(s.index, part)),
+                  s.animation.cage_part_angle(s.index, part), outside,
                   s.cages.of(s.animation, s.pocket_radius(), part, outside * s.sketch.scale()));
 }
 
@@ -53,34 +53,34 @@ void draw_land_arrows(const Scene& s) {
   const double reach = s.animation.guide == Guide::Outer ? s.geometry().cage_outer_radius
                                                          : s.geometry().cage_inner_radius;
   for (int part = 0; part < s.animation.segments; ++part) {
-    const LandTouch first = s.animation.land_touch(s.index, part, 0),
-                    second = s.animation.land_touch(s.index, part, 1);
-    const LandTouch& busier = second.force > first.force ? second : first;
+    const GuideLandContact first = s.animation.land_contact(s.index, part, 0),
+                           second = s.animation.land_contact(s.index, part, 1);
+    const GuideLandContact& busier = second.force > first.force ? second : first;
     if (!(busier.force > 0.0)) continue;
     const QPointF cage = s.place(s.animation.part(s.index, part));
     s.sketch.arrow(
         s.sketch.at(cage.x(), cage.y()),
-        s.sketch.around(cage, reach, s.animation.part_angle(s.index, part) + busier.angle),
+        s.sketch.around(cage, reach, s.animation.cage_part_angle(s.index, part) + busier.angle),
         s.sketch.theme().red, 3.2);
   }
 }
 
 /// Land arrows have the length of the cage radius for any force. Missing contacts are listed in the
 /// same place, without a mark.
-void add_cage_contacts(const Scene& s, std::vector<KeyEntry>& key) {
-  const auto entry = [&](bool now, const char* there, const char* none, KeyMark mark) {
-    key.push_back(now_and_then(s.sketch.theme().red, now, there, none, mark));
+void add_cage_contacts(const Scene& s, std::vector<PictureLegendEntry>& key) {
+  const auto entry = [&](bool now, const char* there, const char* none, LegendMark mark) {
+    key.push_back(optional_entry(s.sketch.theme().red, now, there, none, mark));
   };
   const auto& elements = s.frame.elements;
   entry(std::any_of(elements.begin(), elements.end(),
                     [](const auto& element) { return element.pocket_force > 0.0; }),
-        "pocket contact", "no pocket contact", KeyMark::Star);
+        "pocket contact", "no pocket contact", LegendMark::Star);
   if (s.animation.guide == Guide::None) return;
   bool touches = false;
   for (int part = 0; part < s.animation.segments; ++part)
     for (const std::size_t land : {0U, 1U})
-      touches = touches || s.animation.land_touch(s.index, part, land).force > 0.0;
-  entry(touches, "direction of land contact", "no land contact", KeyMark::Line);
+      touches = touches || s.animation.land_contact(s.index, part, land).force > 0.0;
+  entry(touches, "direction of land contact", "no land contact", LegendMark::Line);
 }
 
 QString frame_name(const Scene& s) {
@@ -90,16 +90,16 @@ QString frame_name(const Scene& s) {
 
 /// @return are there any?
 bool draw_trails(const Scene& s) {
-  std::vector<std::vector<WayPoint>> ways;
+  std::vector<std::vector<TrajectoryPoint>> ways;
   bool any = false;
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
-    std::vector<WayPoint>& way = ways.emplace_back();
+    std::vector<TrajectoryPoint>& way = ways.emplace_back();
     for (const TrailPoint& point : element_trail(s, k))
       way.push_back({s.sketch.at(point.centre.x(), point.centre.y()), point.joined});
     any = any || !way.empty();
   }
-  draw_ways(s.sketch.painter(), s.sketch.area(), ways,
-            {trail_colour(s), 2.0, s.sketch.theme().surface});
+  draw_trajectories(s.sketch.painter(), s.sketch.area(), ways,
+                    {trail_colour(s), 2.0, s.sketch.theme().surface});
   return any;
 }
 
@@ -124,8 +124,8 @@ std::array<bool, 2> draw_all_loads(const Scene& s) {
       const QPointF tip = centre + radius * outward, tail = tip + part * longest * outward;
       const QPointF from = s.sketch.at(tail.x(), tail.y()), to = s.sketch.at(tip.x(), tip.y());
       const QColor& colour = s.sketch.theme().curves[j];
-      if (!load_arrow(s, from, to, colour, 2.6))
-        load_stub(s.sketch.painter(), from, to, colour, s.sketch.theme().surface);
+      if (!draw_load_arrow(s, from, to, colour, 2.6))
+        draw_load_stub(s.sketch.painter(), from, to, colour, s.sketch.theme().surface);
       any[j] = true;
     }
   }
@@ -161,7 +161,7 @@ double away_from(QPointF place, QPointF from, QPointF to) {
 /// arms is valid for all. @return are they named?
 bool draw_frames(const Scene& s, const std::vector<TurningFrame>& frames) {
   const bool named = std::all_of(frames.begin(), frames.end(), [&](const TurningFrame& frame) {
-    return s.sketch.frame_named(frame.length);
+    return s.sketch.can_label_frame(frame.length);
   });
   for (const TurningFrame& frame : frames)
     s.sketch.frame({0, 0}, frame.angle, frame.length, frame.colour, named);
@@ -179,7 +179,8 @@ void name_frames(const Scene& s, const std::vector<TurningFrame>& frames) {
   for (const TurningFrame& frame : frames) {
     const auto room = [&](double side) {
       double least = std::numeric_limits<double>::infinity();
-      for (const QPointF& name : s.sketch.frame_names({0, 0}, frame.angle, frame.length, side)) {
+      for (const QPointF& name :
+           s.sketch.frame_label_positions({0, 0}, frame.angle, frame.length, side)) {
         for (const QPointF& other : taken) least = std::min(least, QLineF(name, other).length());
         for (const TurningFrame& other : frames)
           if (&other != &frame)
@@ -189,15 +190,16 @@ void name_frames(const Scene& s, const std::vector<TurningFrame>& frames) {
       return least;
     };
     const double side = room(-1.0) > room(1.0) ? -1.0 : 1.0;
-    s.sketch.name_frame({0, 0}, frame.angle, frame.length, frame.colour, side);
-    for (const QPointF& name : s.sketch.frame_names({0, 0}, frame.angle, frame.length, side))
+    s.sketch.draw_frame_labels({0, 0}, frame.angle, frame.length, frame.colour, side);
+    for (const QPointF& name :
+         s.sketch.frame_label_positions({0, 0}, frame.angle, frame.length, side))
       taken.push_back(name);
   }
 }
 
 }  // namespace
 
-void bearing_rings(const Scene& s) {
+void draw_bearing_rings(const Scene& s) {
   const auto& g = s.geometry();
   const auto& t = s.sketch.theme();
   const QPointF outer = s.place(s.frame.races[0]), inner = s.place(s.frame.races[1]);
@@ -215,7 +217,7 @@ void bearing_rings(const Scene& s) {
     s.sketch.ring(outer, guide_radius, g.outer_race_inner_radius, pale_light, pale_dark);
 }
 
-void ring_warned_bodies(const Scene& s, std::vector<KeyEntry>& key) {
+void ring_warned_bodies(const Scene& s, std::vector<PictureLegendEntry>& key) {
   const WarnedBodies& warned = s.options.warned;
   if (warned.empty()) return;
   const auto& g = s.geometry();
@@ -232,7 +234,7 @@ void ring_warned_bodies(const Scene& s, std::vector<KeyEntry>& key) {
   key.push_back({red, QString::fromStdString("warning: " + warned.names(balls))});
 }
 
-void bearing_view(const Scene& s) {
+void draw_bearing_view(const Scene& s) {
   const auto& g = s.geometry();
   const auto& t = s.sketch.theme();
   const double guide_radius = drawn_guide_radius(s);
@@ -252,39 +254,40 @@ void bearing_view(const Scene& s) {
   const bool named = draw_frames(s, frames);
   draw_land_arrows(s);
   const bool trails = s.options.trails && draw_trails(s);
-  if (s.options.trails) draw_turning_marks(s);  // paths run through the middle of elements
+  if (s.options.trails) draw_rotation_marks(s);  // paths run through the middle of elements
   std::array<bool, 2> loads{};
   if (s.options.contacts) loads = draw_all_loads(s);
   draw_contact_marks(s);
   if (named) name_frames(s, frames);
-  std::vector<KeyEntry> key{{race_colour(t, 0), "outer race frame"},
-                            {race_colour(t, 1), "inner race frame"}};
+  std::vector<PictureLegendEntry> key{{race_colour(t, 0), "outer race frame"},
+                                      {race_colour(t, 1), "inner race frame"}};
   if (s.animation.has_cage) {
     key.push_back({t.green, frame_name(s)});
     add_cage_contacts(s, key);
-    if (guide_radius > 0.0) key.push_back({t.red, kGuideLands, KeyMark::Dashed});
+    if (guide_radius > 0.0) key.push_back({t.red, kGuideLands, LegendMark::Dashed});
   }
-  name_arms(s, named, key);
-  name_turning_mark(s, std::nullopt, key);
+  add_frame_arms_entry(s, named, key);
+  add_rotation_mark_entry(s, std::nullopt, key);
   if (s.options.trails) key.push_back(trail_entry(s, trails));
   if (s.options.contacts && s.animation.contacts_at(s.index) != nullptr) {
     for (const std::size_t race : {0U, 1U}) key.push_back(loads_entry(s, race, loads[race]));
   } else if (s.options.contacts) {
-    key.push_back({t.muted,
-                   QString::fromStdString("no race loads: " + s.animation.no_loads(s.index)),
-                   KeyMark::None});
+    key.push_back(
+        {t.muted,
+         QString::fromStdString("no race loads: " + s.animation.missing_loads_reason(s.index)),
+         LegendMark::None});
   }
   ring_warned_bodies(s, key);
   if (s.options.picked)
     s.sketch.circle(element_centre(s, static_cast<std::size_t>(s.options.element - 1)),
                     1.1 * g.element_radius, QPen(t.accent, 3.0));
   // First: colors have no meaning without the scale.
-  const std::vector<KeyEntry> scale = scale_entries(s);
+  const std::vector<PictureLegendEntry> scale = scale_entries(s);
   key.insert(key.begin(), scale.begin(), scale.end());
-  draw_key(s, key, s.animation.has_cage ? exaggeration_remark(s) : QString());
+  draw_legend(s, key, s.animation.has_cage ? exaggeration_remark(s) : QString());
 }
 
-void cage_view(const Scene& s) {
+void draw_cage_view(const Scene& s) {
   const auto& g = s.geometry();
   const auto& t = s.sketch.theme();
   const QPointF cage = s.place(s.cage());
@@ -301,32 +304,32 @@ void cage_view(const Scene& s) {
   // At the position of the orbit, so that a picture has a single cage center.
   const double arm = 0.5 * g.cage_inner_radius;
   const QPointF origin = enlargement > 0.0 ? now : cage;
-  const bool named = s.sketch.frame_named(arm);
+  const bool named = s.sketch.can_label_frame(arm);
   s.sketch.frame(origin, s.cage_angle(), arm, t.green, named);
   draw_land_arrows(s);
-  draw_centre(s, drawn);
+  draw_orbit_center(s, drawn);
   draw_contact_marks(s);
-  if (named) s.sketch.name_frame(origin, s.cage_angle(), arm, t.green);
+  if (named) s.sketch.draw_frame_labels(origin, s.cage_angle(), arm, t.green);
   const QString way = s.animation.segments > 1 ? QString("orbit of the segment origin")
                                                : QString("orbit of the mass center");
-  std::vector<KeyEntry> key{{t.green, frame_name(s)}};
+  std::vector<PictureLegendEntry> key{{t.green, frame_name(s)}};
   add_cage_contacts(s, key);
   const bool cleared = s.animation.guide_clearance > 0.0;
-  if (cleared) key.push_back({t.red, "clearance circle", KeyMark::Dashed});
+  if (cleared) key.push_back({t.red, "clearance circle", LegendMark::Dashed});
   if (enlargement > 0.0) {
-    key.push_back(way_entry(
+    key.push_back(trajectory_entry(
         t.curves[0], s.animation.known_centres, cleared ? way : QString("orbit about its center"),
         s.animation.segments > 1 ? "segment at each frame" : "center at each frame"));
     key.push_back({t.curves[0], s.animation.segments > 1 ? "segment origin now" : "mass center now",
-                   KeyMark::Spot});
-    key.push_back(later_entry(s));
+                   LegendMark::Spot});
+    key.push_back(remaining_orbit_entry(s));
   }
-  name_arms(s, named, key);
+  add_frame_arms_entry(s, named, key);
   const QString scale = enlargement > 0.0
                             ? QString::fromStdString(
                                   fmt::format("orbit × {}", desktop::pretty_number(enlargement, 3)))
                             : QString("no orbit");
-  draw_key(s, key, scale + "  ·  " + exaggeration_remark(s));
+  draw_legend(s, key, scale + "  ·  " + exaggeration_remark(s));
 }
 
 }  // namespace adore::agore

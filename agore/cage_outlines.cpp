@@ -111,14 +111,16 @@ QPolygonF thinned(const QPolygonF& closed, double tolerance) {
 const CageOutlines::Outline& CageOutlines::of(const Animation& animation, double pocket_radius,
                                               int segment, double outside) {
   if (animation_ != &animation || pocket_radius_ != pocket_radius) {
-    cut_.clear(), thinned_.clear();
+    full_outlines_.clear(), simplified_outlines_.clear();
     animation_ = &animation;
     pocket_radius_ = pocket_radius;
   }
-  auto found = cut_.find(segment);
-  if (found == cut_.end())
-    found = cut_.emplace(segment, in_pieces(cut_outline(animation, pocket_radius, segment))).first;
-  auto& [size, outline] = thinned_[segment];
+  auto found = full_outlines_.find(segment);
+  if (found == full_outlines_.end())
+    found =
+        full_outlines_.emplace(segment, in_pieces(cut_outline(animation, pocket_radius, segment)))
+            .first;
+  auto& [size, outline] = simplified_outlines_[segment];
   if (size == outside) return outline;
   size = outside;
   outline = found->second;

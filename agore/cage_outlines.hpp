@@ -32,8 +32,8 @@ class CageOutlines {
  private:
   const Animation* animation_ = nullptr;
   double pocket_radius_ = -1.0;
-  std::map<int, Outline> cut_;
-  std::map<int, std::pair<double, Outline>> thinned_;  ///< and for which size
+  std::map<int, Outline> full_outlines_;
+  std::map<int, std::pair<double, Outline>> simplified_outlines_;  ///< and for which size
 };
 
 /// Outline of a segment of the cage at angle 0 [rad]: from the middle between two pockets to the

@@ -37,7 +37,8 @@ Quantity quantity_of(ColourBy by) {
 }
 
 /// `from_lowest`: for temperatures, where zero has no meaning.
-void set_scale(Colouring& out, const RunRange& run, bool from_lowest, const ScaleChoice& choice) {
+void set_scale(ElementColors& out, const RunRange& run, bool from_lowest,
+               const ColorScaleChoice& choice) {
   if (!(run.largest > 0.0)) {
     out.why_none = "no colors: all values of the run are 0";
     return;
@@ -46,7 +47,7 @@ void set_scale(Colouring& out, const RunRange& run, bool from_lowest, const Scal
   out.low = from_lowest ? run.lowest : 0.0;
   out.high = run.largest;
   switch (choice.kind) {
-    case ColourScale::Usual: {
+    case ColorScaleKind::Usual: {
       // A peak that is no more than twice the usual hides nothing.
       constexpr double kHides = 2.0;
       if (run.largest - out.low > kHides * (run.usual - out.low) && run.usual > out.low)
@@ -54,10 +55,10 @@ void set_scale(Colouring& out, const RunRange& run, bool from_lowest, const Scal
       out.scale = out.high < run.largest ? "top 5 % off scale" : "range of run";
       break;
     }
-    case ColourScale::Run:
+    case ColorScaleKind::Run:
       out.scale = "range of run";
       break;
-    case ColourScale::Moment: {
+    case ColorScaleKind::Moment: {
       double low = std::numeric_limits<double>::infinity(), high = -low;
       for (const double value : out.value)
         if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
@@ -71,23 +72,23 @@ void set_scale(Colouring& out, const RunRange& run, bool from_lowest, const Scal
       }
       break;
     }
-    case ColourScale::Typed:
+    case ColorScaleKind::Typed:
       out.low = choice.low, out.high = choice.high;
       out.scale = "fixed limits";
       break;
   }
   out.above = run.largest > out.high;
   out.below = run.lowest < out.low;
-  const bool usual = choice.kind == ColourScale::Usual;
+  const bool usual = choice.kind == ColorScaleKind::Usual;
   if (out.above) out.scale += (usual ? ", max. " : ", max. of run ") + words(run.largest);
   if (out.below) out.scale += ", min. of run " + words(run.lowest);
 }
 
 }  // namespace
 
-Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by,
-                    const ScaleChoice& scale) {
-  Colouring out;
+ElementColors element_colors(const Animation& animation, std::size_t frame, ColourBy by,
+                             const ColorScaleChoice& scale) {
+  ElementColors out;
   if (by == ColourBy::None) return out;
   const Quantity quantity = quantity_of(by);
   out.title = quantity.title;
@@ -101,7 +102,7 @@ Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by,
     return out;
   }
   if (animation.behind(frame)) {
-    out.why_none = "no colors: " + animation.behind_words();
+    out.why_none = "no colors: " + animation.sol8_only_note();
     return out;
   }
   if (by == ColourBy::Temperature) {
@@ -134,7 +135,7 @@ Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by,
   return out;
 }
 
-QColor Colouring::of(std::size_t element) const {
+QColor ElementColors::of(std::size_t element) const {
   if (!any() || element >= value.size()) return {};
   if (!touches[element]) return no_contact_colour();
   if (!std::isfinite(value[element])) return {};
@@ -143,11 +144,11 @@ QColor Colouring::of(std::size_t element) const {
 
 QColor no_contact_colour() { return {"#dfe3e8"}; }
 
-std::string Colouring::low_end() const {
+std::string ElementColors::low_end_label() const {
   return (below ? "≤ " : "") + (low == 0.0 ? "0" : desktop::pretty_quantity(low, unit, 3));
 }
 
-std::string Colouring::high_end() const {
+std::string ElementColors::high_end_label() const {
   return (above ? "≥ " : "") + desktop::pretty_quantity(high, unit, 3);
 }
 
@@ -167,11 +168,11 @@ QColor scale_colour(double part) {
           mix(kStops[i].blue, kStops[i + 1].blue)};
 }
 
-void draw_scale(const Scene& s, const Colouring& colours) {
+void draw_color_scale(const Scene& s, const ElementColors& colours) {
   const Sketch& sketch = s.sketch;
   QPainter& p = sketch.painter();
   const QRectF& area = sketch.area();
-  const QSizeF room = scale_room(s.options, area.size());
+  const QSizeF room = color_scale_size(s.options, area.size());
   if (room.isEmpty()) return;
   const qreal right = area.right() - 6.0, width = room.width() - 6.0, left = right - width,
               top = area.top() + 20.0;
@@ -187,7 +188,8 @@ void draw_scale(const Scene& s, const Colouring& colours) {
   const QFontMetricsF metrics(desktop::ui_font(12));
   if (!colours.any()) {
     qreal y = area.top() + 14.0;
-    for (const QString& line : in_lines(QString::fromStdString(colours.why_none), width, metrics)) {
+    for (const QString& line :
+         wrapped_lines(QString::fromStdString(colours.why_none), width, metrics)) {
       write(line, y);
       y += 14.0;
     }
@@ -200,8 +202,8 @@ void draw_scale(const Scene& s, const Colouring& colours) {
                      scale_colour(static_cast<double>(i) / kStops));
   p.setBrush(shade);
   p.drawRect(QRectF(left, top, width, 9.0));
-  const QString least = QString::fromStdString(colours.low_end()),
-                most = QString::fromStdString(colours.high_end());
+  const QString least = QString::fromStdString(colours.low_end_label()),
+                most = QString::fromStdString(colours.high_end_label());
   for (const int letters : {12, 11, 10}) {
     p.setFont(desktop::ui_font(letters));
     if (QFontMetricsF(p.font()).horizontalAdvance(least + "  " + most) <= width) break;
@@ -220,26 +222,27 @@ void draw_scale(const Scene& s, const Colouring& colours) {
     write(lines[i], top + 37.0 + 14.0 * static_cast<double>(i));
 }
 
-std::vector<KeyEntry> scale_entries(const Scene& s) {
+std::vector<PictureLegendEntry> scale_entries(const Scene& s) {
   if (s.options.colour == ColourBy::None) return {};
-  const Colouring colours = colouring(s.animation, s.index, s.options.colour, s.options.scale);
+  const ElementColors colours =
+      element_colors(s.animation, s.index, s.options.colour, s.options.scale);
   if (!colours.any()) {
-    if (!scale_room(s.options, s.sketch.area().size()).isEmpty()) return {};  // said there
-    return {{s.sketch.theme().muted, QString::fromStdString(colours.why_none), KeyMark::None}};
+    if (!color_scale_size(s.options, s.sketch.area().size()).isEmpty()) return {};  // said there
+    return {{s.sketch.theme().muted, QString::fromStdString(colours.why_none), LegendMark::None}};
   }
-  std::vector<KeyEntry> out;
-  if (too_low(s.options, s.sketch.area().height()) && s.options.one_of_several)
-    out.push_back(
-        {scale_colour(0.5),
-         QString::fromStdString(fmt::format("{} {} to {} ({})", colours.title, colours.low_end(),
-                                            colours.high_end(), colours.scale)),
-         KeyMark::Scale});
+  std::vector<PictureLegendEntry> out;
+  if (is_too_low(s.options, s.sketch.area().height()) && s.options.one_of_several)
+    out.push_back({scale_colour(0.5),
+                   QString::fromStdString(fmt::format("{} {} to {} ({})", colours.title,
+                                                      colours.low_end_label(),
+                                                      colours.high_end_label(), colours.scale)),
+                   LegendMark::Scale});
   // Omitted for runs without such elements.
   if (s.animation.some_free)
-    out.push_back(now_and_then(
+    out.push_back(optional_entry(
         no_contact_colour(),
         std::any_of(colours.touches.begin(), colours.touches.end(), [](bool on) { return !on; }),
-        "no contact", "all in contact", KeyMark::Disc));
+        "no contact", "all in contact", LegendMark::Disc));
   return out;
 }
 

@@ -78,7 +78,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       break;
     }
     case View::Cage: {
-      page.title = "Cage speed / " + divisor_text(animation, over_of_cage(animation)) +
+      page.title = "Cage speed / " + divisor_text(animation, cage_speed_divisor(animation)) +
                    animation.segment_remark(segment);
       const History whirl = cage_whirl(animation, segment);
       std::string name = "Whirl";
@@ -104,8 +104,8 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       break;
     case View::Element:
       page.title = fmt::format("Element {} / {}", options.element,
-                               divisor_text(animation, over_of_element(animation, k)));
-      add(page, "Orbit", "", element_orbit(animation, k), exact, true);
+                               divisor_text(animation, element_speed_divisor(animation, k)));
+      add(page, "Orbit", "", element_orbit_speed(animation, k), exact, true);
       add(page, "Rotation", "", element_spin(animation, k), exact, true);
       break;
     case View::OuterRace:
@@ -130,7 +130,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       break;
     }
   }
-  tell_of_peaks(page, animation);
+  note_missed_peaks(page, animation);
   page.band_note = "Min–max band between stored steps.";
   // Values after the end of RESULTS.h5 have fewer digits or are missing.
   if (animation.alone) page.marks.push_back({animation.motion->times().back(), "SOL8 only"});

@@ -48,29 +48,29 @@ void DepthCanvas::reset(QSize size, QRgb paper) {
   const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   colour_.assign(pixels, paper);
   depth_.assign(pixels, -std::numeric_limits<float>::infinity());
-  drawn_ = since_restored_ = QRect();
+  drawn_ = drawn_since_restore_ = QRect();
 }
 
 void DepthCanvas::restore(const DepthCanvas& other) {
   if (size() != other.size()) {
     *this = other;
-    since_restored_ = QRect();
+    drawn_since_restore_ = QRect();
     return;
   }
-  for (int row = since_restored_.top(); row <= since_restored_.bottom(); ++row) {
-    const auto from = static_cast<std::ptrdiff_t>(row) * width_ + since_restored_.left();
-    const auto to = from + since_restored_.width();
+  for (int row = drawn_since_restore_.top(); row <= drawn_since_restore_.bottom(); ++row) {
+    const auto from = static_cast<std::ptrdiff_t>(row) * width_ + drawn_since_restore_.left();
+    const auto to = from + drawn_since_restore_.width();
     std::copy(other.colour_.begin() + from, other.colour_.begin() + to, colour_.begin() + from);
     std::copy(other.depth_.begin() + from, other.depth_.begin() + to, depth_.begin() + from);
   }
   drawn_ = other.drawn_;
-  since_restored_ = QRect();
+  drawn_since_restore_ = QRect();
 }
 
 void DepthCanvas::touch(int left, int top, int right, int bottom) {
   const QRect box = QRect(QPoint(left, top), QPoint(right, bottom)) & QRect(0, 0, width_, height_);
   drawn_ |= box;
-  since_restored_ |= box;
+  drawn_since_restore_ |= box;
 }
 
 void DepthCanvas::triangle(const Point& a, const Point& b, const Point& c, const Shades& shades) {

@@ -71,7 +71,7 @@ class DepthCanvas {
   /// Records that the pixels from `left` to `right` of these rows are drawn.
   void touch(int left, int top, int right, int bottom);
   int width_ = 0, height_ = 0;
-  QRect drawn_, since_restored_;
+  QRect drawn_, drawn_since_restore_;
   std::vector<QRgb> colour_;
   std::vector<float> depth_;
 };

@@ -30,7 +30,7 @@ QPointF element_centre(const Animation& animation, std::size_t frame, double fac
   const auto polar = [](double r, double a) { return QPointF(-r * std::sin(a), r * std::cos(a)); };
   if (!animation.has_cage) return polar(element.r, element.theta);
   const int part = animation.pocket_part[k];
-  const double a = animation.part_angle(frame, part) + animation.pocket_angle[k];
+  const double a = animation.cage_part_angle(frame, part) + animation.pocket_angle[k];
   const QPointF radial = polar(1.0, a),
                 across(std::cos(a), std::sin(a));  // z and y axes of the pocket
   const auto& cage = animation.part(frame, part).position;
@@ -45,20 +45,21 @@ QPointF element_centre(const Scene& s, std::size_t k) {
 
 QColor trail_colour(const Scene& s) { return s.sketch.theme().curves[3]; }
 
-QString longest_load(const Scene& s, double load) {
+QString largest_load_text(const Scene& s, double load) {
   return QString::fromStdString(" ≤ " +
                                 desktop::pretty_quantity(load, s.animation.contacts->load_unit, 3));
 }
 
-bool load_arrow(const Scene& s, QPointF tail, QPointF tip, const QColor& colour, double width) {
+bool draw_load_arrow(const Scene& s, QPointF tail, QPointF tip, const QColor& colour,
+                     double width) {
   constexpr double kSeen = 6.0;  // pixels; of shorter ones no pixel has the color
   if (QLineF(tail, tip).length() < kSeen) return false;
   s.sketch.arrow(tail, tip, colour, width);
   return true;
 }
 
-void load_stub(QPainter& painter, QPointF tail, QPointF tip, const QColor& colour,
-               const QColor& casing) {
+void draw_load_stub(QPainter& painter, QPointF tail, QPointF tip, const QColor& colour,
+                    const QColor& casing) {
   constexpr double kLeast = 3.0, kWidth = 3.0;  // pixels
   const QPointF along = tail - tip;
   const double length = std::hypot(along.x(), along.y());
@@ -79,8 +80,8 @@ std::vector<TrailPoint> element_trail(const Scene& s, std::size_t k) {
     const Scene then{s.sketch, s.animation, i,       s.animation.frame(i),
                      s.factor, s.options,   s.cages, s.key};
     const auto& element = then.frame.elements.at(k);
-    out.push_back(
-        {element_centre(then, k), element.x, i < s.index && s.animation.way_known(i + 1, k, true)});
+    out.push_back({element_centre(then, k), element.x,
+                   i < s.index && s.animation.is_path_known(i + 1, k, true)});
     if (i == 0) break;
     swept += std::abs(
         std::remainder(element.theta - s.animation.frame(i - 1).elements.at(k).theta, 2.0 * kPi));
@@ -91,21 +92,22 @@ std::vector<TrailPoint> element_trail(const Scene& s, std::size_t k) {
   return out;
 }
 
-KeyEntry way_entry(const QColor& colour, Known known, const QString& what, const QString& places) {
+PictureLegendEntry trajectory_entry(const QColor& colour, Known known, const QString& what,
+                                    const QString& places) {
   switch (known) {
     case Known::All:
       break;
     case Known::Some:
       return {colour, what + ", dots: unknown"};
     case Known::None:
-      return {colour, places + ", path unknown", KeyMark::Dots};
+      return {colour, places + ", path unknown", LegendMark::Dots};
   }
   return {colour, what};
 }
 
-KeyEntry now_and_then(const QColor& colour, bool now, const QString& there, const QString& none,
-                      KeyMark mark) {
-  return {colour, now ? there : none, now ? mark : KeyMark::None, now ? none : there};
+PictureLegendEntry optional_entry(const QColor& colour, bool now, const QString& there,
+                                  const QString& none, LegendMark mark) {
+  return {colour, now ? there : none, now ? mark : LegendMark::None, now ? none : there};
 }
 
 QColor flange_colour(const desktop::Theme& theme) { return theme.curves[4]; }
@@ -114,19 +116,19 @@ QColor race_colour(const desktop::Theme& theme, std::size_t race) {
   return race == 0 ? theme.light_blue : theme.blue;
 }
 
-KeyEntry loads_entry(const Scene& s, std::size_t race, bool any) {
+PictureLegendEntry loads_entry(const Scene& s, std::size_t race, bool any) {
   const QString name = race == 0 ? "outer race loads" : "inner race loads";
-  return now_and_then(s.sketch.theme().curves[race], any,
-                      name + longest_load(s, s.animation.contacts->largest_of_race[race]),
-                      QString("no %1").arg(name));
+  return optional_entry(s.sketch.theme().curves[race], any,
+                        name + largest_load_text(s, s.animation.contacts->largest_of_race[race]),
+                        QString("no %1").arg(name));
 }
 
-void name_arms(const Scene& s, bool named, std::vector<KeyEntry>& key) {
-  if (!named) key.push_back({s.sketch.theme().muted, "long arm: z", KeyMark::Frame});
+void add_frame_arms_entry(const Scene& s, bool named, std::vector<PictureLegendEntry>& key) {
+  if (!named) key.push_back({s.sketch.theme().muted, "long arm: z", LegendMark::Frame});
 }
 
-void name_turning_mark(const Scene& s, std::optional<std::size_t> element,
-                       std::vector<KeyEntry>& key) {
+void add_rotation_mark_entry(const Scene& s, std::optional<std::size_t> element,
+                             std::vector<PictureLegendEntry>& key) {
   const auto& all = s.frame.elements;
   const auto followed = [](const results::Sol8Element& e) {
     return e.angles != std::array<double, 3>{};
@@ -136,20 +138,20 @@ void name_turning_mark(const Scene& s, std::optional<std::size_t> element,
   const bool ball = s.animation.file.bearing_type == 1;
   const bool scaled = s.options.view == View::Bearing || s.options.view == View::Solid;
   const bool coloured =
-      scaled && colouring(s.animation, s.index, s.options.colour, s.options.scale).any();
-  key.push_back({turning_mark_colour(s.sketch.theme()),
+      scaled && element_colors(s.animation, s.index, s.options.colour, s.options.scale).any();
+  key.push_back({rotation_mark_color(s.sketch.theme()),
                  "rotation mark",
-                 ball ? KeyMark::Turning : KeyMark::Sector,
+                 ball ? LegendMark::Turning : LegendMark::Sector,
                  {},
                  coloured});
 }
 
-KeyEntry trail_entry(const Scene& s, bool any) {
-  KeyEntry way =
-      way_entry(trail_colour(s), s.animation.known_trails, "element paths", "earlier frames");
-  return now_and_then(way.colour, any, way.text,
-                      s.animation.known_trails == Known::None ? "unknown paths" : "no paths",
-                      way.mark);
+PictureLegendEntry trail_entry(const Scene& s, bool any) {
+  PictureLegendEntry way = trajectory_entry(trail_colour(s), s.animation.known_trails,
+                                            "element paths", "earlier frames");
+  return optional_entry(way.colour, any, way.text,
+                        s.animation.known_trails == Known::None ? "unknown paths" : "no paths",
+                        way.mark);
 }
 
 namespace {
@@ -176,16 +178,17 @@ void draw_element(const Scene& s, std::size_t k, const QColor& tint, bool marked
 }
 
 void draw_elements(const Scene& s) {
-  const Colouring colours = colouring(s.animation, s.index, s.options.colour, s.options.scale);
+  const ElementColors colours =
+      element_colors(s.animation, s.index, s.options.colour, s.options.scale);
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k)
     draw_element(s, k, colours.of(k), !s.options.trails);
-  if (s.options.colour != ColourBy::None) draw_scale(s, colours);
+  if (s.options.colour != ColourBy::None) draw_color_scale(s, colours);
 }
 
-void draw_turning_marks(const Scene& s) {
+void draw_rotation_marks(const Scene& s) {
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k)
-    s.sketch.turning_mark(element_centre(s, k), s.geometry().element_radius, mark_from_axis(s, k),
-                          s.animation.file.bearing_type != 1);
+    s.sketch.draw_element_rotation_mark(element_centre(s, k), s.geometry().element_radius,
+                                        mark_from_axis(s, k), s.animation.file.bearing_type != 1);
 }
 
 void draw_contact_marks(const Scene& s) {
@@ -208,8 +211,8 @@ void draw_contact_marks(const Scene& s) {
     if (s.animation.has_cage && contact)
       s.sketch.asterisk(s.sketch.at(centre.x(), centre.y()), star, t.red);
     // Radius for labels around a ring: that of the cage if it is alone.
-    const QPointF hub =
-        s.options.view == View::Cage ? s.place(s.animation.cage_of(s.index, k)) : QPointF(0, 0);
+    const QPointF hub = s.options.view == View::Cage ? s.place(s.animation.cage_part_of(s.index, k))
+                                                     : QPointF(0, 0);
     const QPointF from_hub = centre - hub;
     const double angle = std::atan2(-from_hub.x(), from_hub.y());
     s.sketch.label(s.sketch.around(hub, outside, angle), QString::number(k + 1),

@@ -146,8 +146,8 @@ void ElementPanel::show(const Animation& animation, std::size_t frame, int eleme
   const std::vector<ElementRow> rows = element_rows(animation, frame, element);
   QString text;
   if (rows.empty()) {
-    text =
-        tr("No values: %1.").arg(QString::fromStdString(animation.no_loads(frame)).toHtmlEscaped());
+    text = tr("No values: %1.")
+               .arg(QString::fromStdString(animation.missing_loads_reason(frame)).toHtmlEscaped());
   } else {
     const auto cells = [](const QString& name, const QString& outer, const QString& inner) {
       return QString(

@@ -17,7 +17,8 @@ namespace {
 
 /// Forces of the two races on element k as arrows on its surface, for the largest load of the file
 /// as long as its diameter or as the picture has room, with load and slip in the key.
-void draw_contact_loads(const Scene& s, std::size_t k, QPointF centre, std::vector<KeyEntry>& key) {
+void draw_contact_loads(const Scene& s, std::size_t k, QPointF centre,
+                        std::vector<PictureLegendEntry>& key) {
   const ContactFrames& all = *s.animation.contacts;
   const ContactFrame& contact = s.animation.contacts_at(s.index)->at(k);
   const double distance = std::hypot(centre.x(), centre.y());
@@ -35,23 +36,24 @@ void draw_contact_loads(const Scene& s, std::size_t k, QPointF centre, std::vect
         all.largest_load > 0.0 ? longest * contact.load[j] / all.largest_load : 0.0;
     const QPointF tip = centre + side * radius * outward;
     const QPointF tail = tip + side * length * outward;
-    const bool drawn =
-        load_arrow(s, s.sketch.at(tail.x(), tail.y()), s.sketch.at(tip.x(), tip.y()), colour, 3.0);
-    key.push_back({drawn ? colour : QColor(),
-                   QString::fromStdString(
-                       contact.load[j] > 0.0
-                           ? fmt::format("{}: load {}{}, slip {}", names[j],
-                                         desktop::even_quantity(contact.load[j], all.load_unit, 4),
-                                         drawn ? "" : kTooSmall,
-                                         desktop::even_quantity(contact.slip[j], all.slip_unit, 3))
-                           : fmt::format("{}: no contact", names[j]))});
+    const bool drawn = draw_load_arrow(s, s.sketch.at(tail.x(), tail.y()),
+                                       s.sketch.at(tip.x(), tip.y()), colour, 3.0);
+    key.push_back(
+        {drawn ? colour : QColor(),
+         QString::fromStdString(
+             contact.load[j] > 0.0
+                 ? fmt::format("{}: load {}{}, slip {}", names[j],
+                               desktop::zero_padded_quantity(contact.load[j], all.load_unit, 4),
+                               drawn ? "" : kTooSmall,
+                               desktop::zero_padded_quantity(contact.slip[j], all.slip_unit, 3))
+                 : fmt::format("{}: no contact", names[j]))});
     // With the other half of a split race: in the same plane through the axis, without an arrow.
     const double second = s.animation.value("second_contact.load", s.index, 2 * k + j);
     if (second > 0.0)
       key.push_back({QColor(), QString::fromStdString(fmt::format(
                                    "{}, other half: load {}, slip {}", names[j],
-                                   desktop::even_quantity(second, all.load_unit, 4),
-                                   desktop::even_quantity(
+                                   desktop::zero_padded_quantity(second, all.load_unit, 4),
+                                   desktop::zero_padded_quantity(
                                        s.animation.value("second_contact.slip", s.index, 2 * k + j),
                                        all.slip_unit, 3)))});
   }
@@ -59,7 +61,7 @@ void draw_contact_loads(const Scene& s, std::size_t k, QPointF centre, std::vect
 
 }  // namespace
 
-void element_rings(const Scene& s) {
+void draw_element_rings(const Scene& s) {
   const auto& g = s.geometry();
   const auto& t = s.sketch.theme();
   s.sketch.ring(s.place(s.frame.races[0]), g.outer_race_inner_radius, g.outer_race_outer_radius,
@@ -69,27 +71,27 @@ void element_rings(const Scene& s) {
   s.sketch.circle({0, 0}, s.pitch_radius(), QPen(t.muted, 1.2, Qt::DotLine));
 }
 
-void element_view(const Scene& s) {
+void draw_element_view(const Scene& s) {
   const auto& g = s.geometry();
   const auto& t = s.sketch.theme();
   const auto k = static_cast<std::size_t>(s.options.element - 1);
   // Path of the element so far, at most half a revolution.
   const auto& frames = s.animation.file.frames;
-  std::vector<WayPoint> way;
+  std::vector<TrajectoryPoint> way;
   double swept = 0.0;
   for (std::size_t i = s.index;; --i) {
     const auto& e = frames[i].elements.at(k);
     way.push_back({s.sketch.around({0, 0}, e.r, e.theta),
-                   i < s.index && s.animation.way_known(i + 1, k, false)});
+                   i < s.index && s.animation.is_path_known(i + 1, k, false)});
     if (i == 0 || swept > kPi) break;
     swept += std::abs(std::remainder(e.theta - frames[i - 1].elements.at(k).theta, 2.0 * kPi));
   }
   if (way.size() == 1 || !way[1].joined) way.erase(way.begin());  // current position
-  draw_way(s.sketch.painter(), s.sketch.area(), way, {trail_colour(s), 2.4, t.surface});
+  draw_trajectory(s.sketch.painter(), s.sketch.area(), way, {trail_colour(s), 2.4, t.surface});
   const QPointF centre = element_centre(s, k);
   draw_element(s, k);
   const double arm = 0.62 * g.inner_race_inner_radius, turned = s.animation.race_angle[1][s.index];
-  const bool named = s.sketch.frame_named(arm);
+  const bool named = s.sketch.can_label_frame(arm);
   s.sketch.frame({0, 0}, turned, arm, race_colour(t, 1), named);
   // Next to the arrow of the outer race, if there is one.
   const double rim = outer_rim(g) + 0.54 * numbers_margin(s.sketch.half()) / s.sketch.scale();
@@ -99,25 +101,27 @@ void element_view(const Scene& s) {
                  QString::number(k + 1), t.text, 13, true);
   // The element covers the end of its path.
   const QPointF over = s.sketch.at(centre.x(), centre.y());
-  const bool seen = std::any_of(way.begin(), way.end(), [&](const WayPoint& point) {
+  const bool seen = std::any_of(way.begin(), way.end(), [&](const TrajectoryPoint& point) {
     return QLineF(point.at, over).length() > g.element_radius * s.sketch.scale() + 2.0;
   });
-  const KeyEntry path =
-      way_entry(trail_colour(s), s.animation.known_elements, "element path", "earlier frames");
-  std::vector<KeyEntry> key{{race_colour(t, 1), "inner race frame"},
-                            now_and_then(path.colour, seen, path.text, "no path", path.mark),
-                            {t.muted, "pitch circle", KeyMark::Dotted}};
-  name_arms(s, named, key);
-  name_turning_mark(s, k, key);
-  QString remark = QString::fromStdString("no contact loads: " + s.animation.no_loads(s.index));
+  const PictureLegendEntry path = trajectory_entry(trail_colour(s), s.animation.known_elements,
+                                                   "element path", "earlier frames");
+  std::vector<PictureLegendEntry> key{
+      {race_colour(t, 1), "inner race frame"},
+      optional_entry(path.colour, seen, path.text, "no path", path.mark),
+      {t.muted, "pitch circle", LegendMark::Dotted}};
+  add_frame_arms_entry(s, named, key);
+  add_rotation_mark_entry(s, k, key);
+  QString remark =
+      QString::fromStdString("no contact loads: " + s.animation.missing_loads_reason(s.index));
   if (loads) {
     draw_contact_loads(s, k, centre, key);
-    remark = too_low(s.options, s.sketch.area().height())
+    remark = is_too_low(s.options, s.sketch.area().height())
                  ? "slip: maximum"
                  : "contact loads and largest slip from RESULTS.h5";
   }
-  if (named) s.sketch.name_frame({0, 0}, turned, arm, race_colour(t, 1));
-  draw_key(s, key, remark);
+  if (named) s.sketch.draw_frame_labels({0, 0}, turned, arm, race_colour(t, 1));
+  draw_legend(s, key, remark);
 }
 
 }  // namespace adore::agore

@@ -28,13 +28,13 @@ double fastest_frequency(const Animation& animation) {
   }
 }
 
-void tell_of_peaks(desktop::ChartPage& page, const Animation& animation) {
+void note_missed_peaks(desktop::ChartPage& page, const Animation& animation) {
   /// A line that moves, and has no extremes between its values.
   const auto bare = [](const desktop::ChartPanel& panel, const desktop::ChartCurve& curve) {
     desktop::Extent extent;
     for (const double v : curve.y) extent.include(v);
     return curve.low.empty() && !extent.empty() &&
-           extent.high - extent.low > 1e-3 * desktop::least_span_of(panel.unit);
+           extent.high - extent.low > 1e-3 * desktop::min_axis_span(panel.unit);
   };
   for (const desktop::ChartPanel& panel : page.panels)
     if (std::any_of(panel.curves.begin(), panel.curves.end(),
@@ -43,7 +43,7 @@ void tell_of_peaks(desktop::ChartPage& page, const Animation& animation) {
       const double frequency = fastest_frequency(animation);
       const double values = desktop::values_per_period(page.x, frequency);
       if (values > 0.0 && values < desktop::kTrueShape)
-        page.note = fmt::format("{} per period at {}: peaks are missing.",
+        page.note = fmt::format("Only {} per period at {}: peaks are missing.",
                                 counted(fmt::format("{:.2g}", values), "stored step"),
                                 desktop::pretty_quantity(frequency, "Hz", 3));
       return;

@@ -10,6 +10,6 @@ namespace adore::agore {
 
 /// Adds a note if a line without extremes between its values has few values per period of that
 /// contact.
-void tell_of_peaks(desktop::ChartPage& page, const Animation& animation);
+void note_missed_peaks(desktop::ChartPage& page, const Animation& animation);
 
 }  // namespace adore::agore

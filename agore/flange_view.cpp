@@ -19,7 +19,7 @@ double flange_picture_radius(const Animation& animation) {
                          2.0 * animation.file.geometry.element_radius);
 }
 
-void flange_view(const Scene& s) {
+void draw_flange_view(const Scene& s) {
   const auto& t = s.sketch.theme();
   QPainter& p = s.sketch.painter();
   const auto k = static_cast<std::size_t>(s.options.element - 1);
@@ -52,7 +52,7 @@ void flange_view(const Scene& s) {
   p.setPen(QPen(t.steel_dark.darker(150), 1));
   p.setBrush(shade);
   p.drawPath(turned.map(roller.outline()));
-  std::vector<KeyEntry> key;
+  std::vector<PictureLegendEntry> key;
   bool open = false;  // a gap is drawn
   for (std::size_t side = 0; side < 2; ++side) {
     if (!has_flange(s.animation, race, side)) continue;
@@ -73,31 +73,32 @@ void flange_view(const Scene& s) {
     bool drawn = false;
     if (force > 0.0 && largest > 0.0) {
       const double tail = way * (0.5 * length + 0.35 * length * force / largest);
-      drawn = load_arrow(s, s.sketch.at(tail, 0.0), s.sketch.at(way * 0.5 * length, 0.0),
-                         flange_colour(t), 3.2);
+      drawn = draw_load_arrow(s, s.sketch.at(tail, 0.0), s.sketch.at(way * 0.5 * length, 0.0),
+                              flange_colour(t), 3.2);
     }
     const std::string unit = s.animation.file.units[0];
-    key.push_back({drawn ? flange_colour(t) : QColor(),
-                   QString::fromStdString(fmt::format(
-                       "flange at {}x: {}", side == 0 ? "−" : "+",
-                       s.animation.behind(s.index) ? "unknown (" + s.animation.behind_words() + ")"
-                       : !near                     ? std::string("roller end far away")
-                                                   : fmt::format("{}, {} {}",
-                                             force > 0.0 ? desktop::pretty_quantity(
-                                                                                   force, s.animation.file.units[2], 3)
-                                                                             : std::string("no contact"),
-                                             gap < 0.0 ? "penetration (not drawn)" : "gap",
-                                                                 desktop::pretty_quantity(std::abs(gap), unit, 3))))});
+    key.push_back(
+        {drawn ? flange_colour(t) : QColor(),
+         QString::fromStdString(fmt::format(
+             "flange at {}x: {}", side == 0 ? "−" : "+",
+             s.animation.behind(s.index) ? "unknown (" + s.animation.sol8_only_note() + ")"
+             : !near                     ? std::string("roller end far away")
+                                         : fmt::format("{}, {} {}",
+                                   force > 0.0 ? desktop::pretty_quantity(
+                                                                         force, s.animation.file.units[2], 3)
+                                                                   : std::string("no contact"),
+                                   gap < 0.0 ? "penetration (not drawn)" : "gap",
+                                                       desktop::pretty_quantity(std::abs(gap), unit, 3))))});
   }
-  draw_key(
+  draw_legend(
       s, key,
       QString::fromStdString(fmt::format(
           "roller {} at the {} race{}  ·  skew to the bearing axis (Phi) {}°, to scale{}", k + 1,
           race == 0 ? "outer" : "inner",
           open ? "  ·  gap × " + desktop::pretty_number(factor, 3) : "",
           desktop::tick_text(skew * 180.0 / kPi, 3),
-          too_low(s.options, s.sketch.area().height()) ? ""
-                                                       : "  ·  outside view, +x to the right")));
+          is_too_low(s.options, s.sketch.area().height()) ? ""
+                                                          : "  ·  outside view, +x to the right")));
 }
 
 }  // namespace adore::agore

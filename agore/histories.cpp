@@ -1,4 +1,5 @@
 #include "agore/race_speeds.hpp"
+#include "base/constants.hpp"
 #include "base/counted.hpp"
 #include "results/channels.hpp"
 #include "results/run_folder.hpp"
@@ -15,13 +16,12 @@
 namespace adore::agore {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kWholeTurn = 2.0 * std::numbers::pi;
 
 /// d(angle)/dt between the neighbors of each value; one-sided at the ends.
 std::vector<double> slope(const std::vector<double>& angle, const std::vector<double>& time) {
   const std::size_t n = std::min(angle.size(), time.size());
-  std::vector<double> out(n, kNone);
+  std::vector<double> out(n, kNaN);
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t low = i > 0 ? i - 1 : 0, high = std::min(i + 1, n - 1);
     if (time[high] > time[low]) out[i] = (angle[high] - angle[low]) / (time[high] - time[low]);
@@ -31,7 +31,7 @@ std::vector<double> slope(const std::vector<double>& angle, const std::vector<do
 
 void divide(std::vector<double>& values, const std::vector<double>& by) {
   for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = i < by.size() && std::abs(by[i]) > 0.0 ? values[i] / by[i] : kNone;
+    values[i] = i < by.size() && std::abs(by[i]) > 0.0 ? values[i] / by[i] : kNaN;
 }
 
 // --- RESULTS.h5
@@ -64,14 +64,15 @@ std::vector<double> race_speed(const Animation& animation, std::size_t race) {
 
 /// Divisor of the ratios [rad/s].
 std::vector<double> divisor_of_motion(const Animation& animation) {
-  if (races_alike(animation)) return race_speed(animation, 1);
+  if (races_rotate_together(animation)) return race_speed(animation, 1);
   return slope(animation.motion->series("shaft_rotation", 0), animation.motion->times());
 }
 
 /// Ratios in the SOL file of a cage after the end of RESULTS.h5 have another divisor (N54).
 std::function<History(const Animation&)> if_same_divisor(
     const Animation& animation, std::function<History(const Animation&)> alone) {
-  if (animation.alone && over_of_cage(*animation.alone) == Over::FasterRace) return {};
+  if (animation.alone && cage_speed_divisor(*animation.alone) == SpeedDivisor::FasterRace)
+    return {};
   return alone;
 }
 
@@ -81,7 +82,7 @@ void change_divisor(History& out, const Animation& animation) {
                             divisor = divisor_of_motion(animation);
   for (std::size_t i = 0; i < out.value.size(); ++i) {
     const double faster = std::abs(outer.at(i)) > std::abs(inner.at(i)) ? outer[i] : inner[i];
-    out.value[i] = std::abs(divisor.at(i)) > 0.0 ? out.value[i] * faster / divisor[i] : kNone;
+    out.value[i] = std::abs(divisor.at(i)) > 0.0 ? out.value[i] * faster / divisor[i] : kNaN;
   }
 }
 
@@ -97,11 +98,10 @@ History with_rest(const Animation& animation, History exact,
     exact.time.push_back(time);
     exact.value.push_back(value);
     for (std::vector<double>* band : {&exact.low, &exact.high})
-      if (!band->empty()) band->push_back(kNone);
+      if (!band->empty()) band->push_back(kNaN);
   };
   if (!alone) {
-    for (std::size_t i = animation.exact; i < animation.frames(); ++i)
-      add(animation.time[i], kNone);
+    for (std::size_t i = animation.exact; i < animation.frames(); ++i) add(animation.time[i], kNaN);
     return exact;
   }
   const History more = alone(*animation.alone);
@@ -111,7 +111,7 @@ History with_rest(const Animation& animation, History exact,
 
 // --- SOL1-SOL6 next to SOL8 without RESULTS.h5
 
-constexpr double kRpm = kTurn / 60.0;
+constexpr double kRpm = kWholeTurn / 60.0;
 
 /// A file of the same run for a body: its values of some columns.
 struct Stored {
@@ -152,7 +152,7 @@ std::optional<Stored> stored_beside(const Animation& animation, int index,
         out.revolutions.push_back(step.revolutions);
         for (std::size_t i = 0; i < places.size(); ++i) {
           const std::size_t at = file.place(places[i]);
-          out.columns[i].push_back(at < step.values.size() ? step.values[at] : kNone);
+          out.columns[i].push_back(at < step.values.size() ? step.values[at] : kNaN);
         }
       }
       return out;
@@ -178,7 +178,7 @@ void keep_clear_of_axis(History& whirl, const std::vector<double>& radius, doubl
   for (std::size_t i = 0; i < std::min(radius.size(), whirl.value.size()); ++i) {
     if (radius[i] >= least) continue;
     for (std::vector<double>* values : {&whirl.value, &whirl.low, &whirl.high})
-      if (i < values->size()) (*values)[i] = kNone;
+      if (i < values->size()) (*values)[i] = kNaN;
     whirl.least_radius = least;
   }
   if (!whirl.value.empty() && std::none_of(whirl.value.begin(), whirl.value.end(),
@@ -200,7 +200,7 @@ std::optional<History> speed_column(const Animation& animation, int index, const
   History out{stored->time, std::move(stored->columns.front()), "", ""};
   for (double& value : out.value) value *= kRpm;
   std::vector<double> turned;
-  for (const double rev : stored->revolutions) turned.push_back(kTurn * rev);
+  for (const double rev : stored->revolutions) turned.push_back(kWholeTurn * rev);
   divide(out.value, slope(turned, stored->time));
   return out;
 }
@@ -227,8 +227,8 @@ double turns_per_frame(const Animation& animation) {
 /// show. `ratio`: approximate speed relative to the shaft.
 History by_differences(const Animation& animation, const std::vector<double>& angle, double ratio) {
   constexpr double kMostTurn = 0.45;  // of half a revolution, minus rounding
-  History out{animation.time, std::vector<double>(animation.frames(), kNone), "", ""};
-  if (outer_turns(animation)) {
+  History out{animation.time, std::vector<double>(animation.frames(), kNaN), "", ""};
+  if (is_outer_race_rotating(animation)) {
     out.unknown = "Unknown without RESULTS.h5 because the outer race rotates.";
     return out;
   }
@@ -251,16 +251,17 @@ History by_differences(const Animation& animation, const std::vector<double>& an
 
 }  // namespace
 
-Over over_of_cage(const Animation& animation) {
-  if (animation.motion && animation.motion->has("cage.speed_ratio")) return Over::Races;
-  if (!stored_beside(animation, cage_index(animation), {"cage.speed_ratio"})) return Over::Mean;
-  return outer_turns(animation) ? Over::FasterRace : Over::Races;
+SpeedDivisor cage_speed_divisor(const Animation& animation) {
+  if (animation.motion && animation.motion->has("cage.speed_ratio")) return SpeedDivisor::Races;
+  if (!stored_beside(animation, cage_index(animation), {"cage.speed_ratio"}))
+    return SpeedDivisor::Mean;
+  return is_outer_race_rotating(animation) ? SpeedDivisor::FasterRace : SpeedDivisor::Races;
 }
 
-Over over_of_element(const Animation& animation, std::size_t element) {
+SpeedDivisor element_speed_divisor(const Animation& animation, std::size_t element) {
   const bool stored = animation.motion || stored_beside(animation, static_cast<int>(element) + 1,
                                                         {"element.orbital_velocity"});
-  return stored ? Over::Races : Over::Mean;
+  return stored ? SpeedDivisor::Races : SpeedDivisor::Mean;
 }
 
 History land_force(const Animation& animation, std::size_t land, int segment) {
@@ -300,7 +301,7 @@ History pocket_force(const Animation& animation, std::size_t element) {
 History cage_whirl(const Animation& animation, int segment) {
   if (animation.motion && animation.motion->has("cage.whirl_ratio")) {
     History out = of_motion(animation, "cage.whirl_ratio", static_cast<std::size_t>(segment));
-    if (outer_turns(animation)) change_divisor(out, animation);
+    if (is_outer_race_rotating(animation)) change_divisor(out, animation);
     keep_clear_of_axis(
         out, animation.motion->series("cage.radial_position", static_cast<std::size_t>(segment)),
         animation.guide_clearance);
@@ -331,7 +332,7 @@ History cage_speed(const Animation& animation, int segment) {
   const auto part = static_cast<std::size_t>(segment);
   const auto rest = if_same_divisor(
       animation, [segment](const Animation& alone) { return cage_speed(alone, segment); });
-  if (animation.motion && outer_turns(animation) &&
+  if (animation.motion && is_outer_race_rotating(animation) &&
       animation.motion->has("cage.angular_velocity")) {
     // The ratio in the file is a magnitude; its sign matters if both races rotate.
     History out = of_motion(animation, "cage.angular_velocity", 3 * part);
@@ -347,14 +348,14 @@ History cage_speed(const Animation& animation, int segment) {
   return by_differences(animation, animation.cage_angle, 0.6);
 }
 
-History element_orbit(const Animation& animation, std::size_t element) {
+History element_orbit_speed(const Animation& animation, std::size_t element) {
   if (animation.motion) {
     History out = of_motion(animation, "element.orbital_velocity", element);
     for (double& value : out.value) value *= kRpm;
     divide(out.value, divisor_of_motion(animation));
     out.unit.clear();
     return with_rest(animation, std::move(out),
-                     [&](const Animation& alone) { return element_orbit(alone, element); });
+                     [&](const Animation& alone) { return element_orbit_speed(alone, element); });
   }
   if (auto stored =
           speed_column(animation, static_cast<int>(element) + 1, "element.orbital_velocity"))
@@ -423,7 +424,7 @@ History flange_history(const Animation& animation, const std::string& what, std:
   // A gap of exactly 0: the roller's end is nowhere near.
   if (what == "gap")
     for (double& value : out.value)
-      if (value == 0.0) value = kNone;
+      if (value == 0.0) value = kNaN;
   return with_rest(animation, std::move(out), {});
 }
 

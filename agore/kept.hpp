@@ -9,11 +9,12 @@
 namespace adore::agore {
 
 /// Constant parts of a view, kept from frame to frame.
-struct Kept {
+struct ViewCache {
   SolidLayer solid;
   CageOutlines cages;
-  std::shared_ptr<Stamps> stamps = std::make_shared<Stamps>();  ///< of all views of a window
-  KeyPicture key;
+  std::shared_ptr<SpriteCache> stamps =
+      std::make_shared<SpriteCache>();  ///< of all views of a window
+  PictureLegend key;
 };
 
 }  // namespace adore::agore

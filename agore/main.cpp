@@ -44,7 +44,7 @@ struct Request {
 
 int render(int& argc, char** argv, Request& request) {
   if (request.file.empty()) throw InputError("--render needs an animation file (SOL8)");
-  end_when_interrupted();
+  exit_on_interrupt();
   const auto app = desktop::make_application(argc, argv, "agore", desktop::Display::Headless);
   agore::MotionPicture picture = agore::open_animation(request.file);
   if (request.race.empty()) agore::choose_flange_race(picture.animation(), request.options.view);
@@ -97,7 +97,7 @@ void show_file(agore::AgoreWindow& window, const QString& name, bool to_front) {
 
 int show(int& argc, char** argv, const Request& request) {
   const auto app = desktop::make_application(argc, argv, "agore", desktop::Display::Window);
-  std::optional<desktop::OpensBehind> unasked;
+  std::optional<desktop::OpenWithoutFocusGuard> unasked;
   if (request.behind) unasked.emplace();
   const QString folder = request.project.empty() ? desktop::folder_of(request.file)
                                                  : QString::fromStdString(request.project);
@@ -107,26 +107,26 @@ int show(int& argc, char** argv, const Request& request) {
     if (request.behind) names << desktop::kBehind;
     names << QFileInfo(QString::fromStdString(request.file)).absoluteFilePath();
     return !request.project.empty() && !request.file.empty() &&
-           desktop::hand_over("agore", folder, names);
+           desktop::send_to_open_window("agore", folder, names);
   };
   if (left_to_another() || !desktop::ask_for_disclaimer("AGORE")) return 0;
   // For this session: the setting of the window is kept.
   if (request.options.view.dark) desktop::apply_theme(desktop::ThemeKind::Dark);
   agore::AgoreWindow window;
-  std::optional<desktop::OneWindow> one;
+  std::optional<desktop::SingleWindowServer> one;
   if (!request.file.empty())
     one.emplace("agore", folder, nullptr, [&window](const QStringList& names) {
       show_file(window, names.back(), !names.contains(desktop::kBehind));
     });
-  if (one && !one->listens() && left_to_another()) return 0;  // started at the same moment
-  const desktop::WindowMemory memory(window, "agore");
+  if (one && !one->is_listening() && left_to_another()) return 0;  // started at the same moment
+  const desktop::WindowGeometryStore memory(window, "agore");
   window.show();
   if (request.file.empty())
     QTimer::singleShot(0, &window, &agore::AgoreWindow::askForFile);
   else if (window.openFile(request.file) && window.picture() != nullptr) {
     agore::ViewOptions view = request.options.view;
     if (request.race.empty()) agore::choose_flange_race(window.picture()->animation(), view);
-    window.showAsAsked(view);
+    window.applyViewOptions(view);
     if (request.follow) window.follow(true);
   }
   return QApplication::exec();
@@ -235,17 +235,17 @@ int main(int argc, char** argv) {
         "--scale", "--contacts", "--trails", "--follow", "--dark"})
     one_window->excludes(cli.get_option(of_first));
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
-  return desktop::guarded("agore", [&] {
+  return desktop::run_guarded("agore", [&] {
     const bool project = desktop::opens_as_project(request.file);
     if (project && !request.folder.empty())
       throw InputError("--render needs an animation file (SOL8), not a project");
     if (!request.file.empty() && !project) request.file = results::animation_file(request.file);
     const std::string race = request.race.empty() ? "inner" : request.race;
-    request.options.view.view = agore::view_named(request.view, race);
-    request.options.view.beside = agore::views_beside(request.beside, race);
+    request.options.view.view = agore::parse_view(request.view, race);
+    request.options.view.beside = agore::parse_additional_views(request.beside, race);
     request.options.view.flange_race = request.race == "outer" ? 0 : 1;
-    request.options.view.colour = agore::colour_named(request.colour);
-    request.options.view.scale = agore::scale_named(request.scale);
+    request.options.view.colour = agore::parse_color_quantity(request.colour);
+    request.options.view.scale = agore::parse_color_scale(request.scale);
     if ((cli.count("--from") > 0 || cli.count("--to") > 0) && request.film.empty() &&
         html->empty() && request.every == 0)
       throw InputError("--from and --to need --movie, --html or --every");

@@ -15,7 +15,7 @@
 namespace adore::agore {
 namespace {
 
-constexpr int kSmall = 11;  // letters of two lines in the space of one
+constexpr int kSmallLetters = 11;  // letters of two lines in the space of one
 constexpr double kHeading = 58, kMargin = 22;
 constexpr double kTileFoot = 2;  // of one of several views: its frame
 
@@ -40,7 +40,7 @@ QStringList present_values(const desktop::ChartScene& scene, double time, double
                                : first && page.panels.size() > 1 ? panel.title + " " + curve.name
                                                                  : curve.name;
       // Changes below the size of an atom are rounding.
-      const bool nothing = std::abs(curve.y[at]) < desktop::least_span_of(panel.unit);
+      const bool nothing = std::abs(curve.y[at]) < desktop::min_axis_span(panel.unit);
       const std::string value =
           std::isfinite(curve.y[at])
               ? desktop::pretty_quantity(nothing ? 0.0 : curve.y[at], panel.unit, 3)
@@ -48,10 +48,10 @@ QStringList present_values(const desktop::ChartScene& scene, double time, double
       parts << QString::fromStdString(name + ": " + value);
       values << QString::fromStdString(value);
     }
-  const QFontMetricsF metrics(desktop::ui_font(12)), small(desktop::ui_font(kSmall));
+  const QFontMetricsF metrics(desktop::ui_font(12)), small(desktop::ui_font(kSmallLetters));
   const QString whole = parts.join("   ");
   if (parts.isEmpty() || metrics.horizontalAdvance(whole) <= width) {
-    const QString note = QString::fromStdString(scene.tellsOfBands() ? page.band_note : page.note);
+    const QString note = QString::fromStdString(scene.showsBandNote() ? page.band_note : page.note);
     if (note.isEmpty() || small.horizontalAdvance(note) > width) return {whole};
     return {whole, note};
   }
@@ -114,14 +114,14 @@ QRectF pictures_area(const QRectF& area, const ShownParts& shown) {
 
 }  // namespace
 
-QRectF MotionPicture::sharedKeyArea(const QRectF& area, std::size_t views,
-                                    const ShownParts& shown) {
+QRectF MotionPicture::sharedLegendArea(const QRectF& area, std::size_t views,
+                                       const ShownParts& shown) {
   if (views <= 1 || !shown.key) return {};
   const QRectF all = pictures_area(area, shown), tile = tiles_of(all, views).front();
   if (tile.height() - tile_top(tile) - kTileFoot >= kTooLowBeside) return {};
   if (!shown.chart) {  // below the pictures, in wide lines
     constexpr double kPart = 0.2;
-    const double height = std::min(SharedKey::height(), kPart * all.height());
+    const double height = std::min(SharedLegend::height(), kPart * all.height());
     return {all.left(), all.bottom() - height, all.width(), height};
   }
   // Below the curves: the space next to the pictures belongs to them.
@@ -129,7 +129,7 @@ QRectF MotionPicture::sharedKeyArea(const QRectF& area, std::size_t views,
   constexpr double kLeastChart = 164.0, kLeastKey = 0.4;
   const double both = all.height();
   const double height =
-                   std::min(SharedKey::height(), std::max(kLeastKey * both, both - kLeastChart)),
+                   std::min(SharedLegend::height(), std::max(kLeastKey * both, both - kLeastChart)),
                width = data_width(area);
   return {area.right() - kMargin - width, area.bottom() - bar_space(area) - height, width, height};
 }
@@ -138,7 +138,7 @@ QRectF MotionPicture::dataArea(const QRectF& area, std::size_t views, const Show
   if (!shown.chart) return {};
   const double width = data_width(area), top = area.top() + head_of(shown);
   const double bottom =
-      area.bottom() - bar_space(area) - sharedKeyArea(area, views, shown).height();
+      area.bottom() - bar_space(area) - sharedLegendArea(area, views, shown).height();
   return {area.right() - kMargin - width, top, width, std::min(bottom - top, 1.25 * width)};
 }
 
@@ -146,7 +146,7 @@ std::vector<QRectF> MotionPicture::pictureAreas(const QRectF& area, std::size_t 
                                                 const ShownParts& shown) {
   QRectF all = pictures_area(area, shown);
   if (views <= 1) return {all};
-  if (!shown.chart) all.setHeight(all.height() - sharedKeyArea(area, views, shown).height());
+  if (!shown.chart) all.setHeight(all.height() - sharedLegendArea(area, views, shown).height());
   return tiles_of(all, views);
 }
 
@@ -155,8 +155,8 @@ std::optional<double> MotionPicture::timeAt(const QRectF& area, QPointF position
   if (!shown.chart) return std::nullopt;
   const QRectF data = dataArea(area, 1, shown);
   const QPointF inside = position - data.topLeft();
-  if (!data_.panelAt(inside)) return std::nullopt;
-  return data_.abscissaAt(inside.x());
+  if (!chart_scene_.panelAt(inside)) return std::nullopt;
+  return chart_scene_.abscissaAt(inside.x());
 }
 
 std::optional<std::size_t> MotionPicture::elementAt(const QRectF& area, QPointF position,
@@ -182,32 +182,33 @@ void MotionPicture::paint(QPainter& painter, const QRectF& area, std::size_t fra
                           const ViewOptions& options) {
   for (std::size_t i = 0; i <= options.beside.size(); ++i) check_view(animation_, options.tile(i));
   const std::vector<QRectF> tiles = innerAreas(area, 1 + options.beside.size(), options.shown);
-  kept_.resize(std::max(kept_.size(), tiles.size()));
-  for (Kept& kept : kept_) kept.stamps = stamps_;
+  view_caches_.resize(std::max(view_caches_.size(), tiles.size()));
+  for (ViewCache& kept : view_caches_) kept.stamps = sprite_cache_;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  if (on_pixels(painter)) {
+  if (is_raster_target(painter)) {
     const double ratio = painter.device()->devicePixelRatioF();
     painter.drawImage(area.topLeft(), backdrop(area, ratio, frame, options));
   } else {
     painter.fillRect(area, theme_of(options).surface);
-    paintSetting(painter, area, options);
+    paintStaticParts(painter, area, options);
     for (std::size_t i = 0; i < tiles.size(); ++i)
-      paint_picture(painter, tiles[i], animation_, frame, options.tile(i), &kept_[i],
+      paint_picture(painter, tiles[i], animation_, frame, options.tile(i), &view_caches_[i],
                     Layers::Still);
   }
   for (std::size_t i = 0; i < tiles.size(); ++i)
-    paint_picture(painter, tiles[i], animation_, frame, options.tile(i), &kept_[i], Layers::Moving);
-  if (const QRectF place = sharedKeyArea(area, tiles.size(), options.shown); !place.isEmpty()) {
-    std::vector<KeyEntry> entries;
+    paint_picture(painter, tiles[i], animation_, frame, options.tile(i), &view_caches_[i],
+                  Layers::Moving);
+  if (const QRectF place = sharedLegendArea(area, tiles.size(), options.shown); !place.isEmpty()) {
+    std::vector<PictureLegendEntry> entries;
     for (std::size_t i = 0; i < tiles.size(); ++i) {
-      const std::vector<KeyEntry>& own = kept_[i].key.leftOut();
+      const std::vector<PictureLegendEntry>& own = view_caches_[i].key.omittedEntries();
       entries.insert(entries.end(), own.begin(), own.end());
     }
-    shared_key_.draw(painter, place, theme_of(options), std::move(entries));
+    shared_legend_.draw(painter, place, theme_of(options), std::move(entries));
   }
   if (options.shown.chart)
-    paintMoment(painter, dataArea(area, tiles.size(), options.shown), frame, options);
+    paintCurrentTime(painter, dataArea(area, tiles.size(), options.shown), frame, options);
   paintTimeBar(painter, timeBar(area), frame, options);
   painter.restore();
 }
@@ -220,42 +221,42 @@ std::vector<QRectF> MotionPicture::innerAreas(const QRectF& area, std::size_t vi
   return tiles;
 }
 
-MotionPicture::Setting MotionPicture::setting(QSizeF size, double ratio,
-                                              const ViewOptions& options) {
-  Setting out{size,         ratio, options.view, options.element, options.flange_race,
-              options.dark, {},    options.shown};
-  for (const SideView& side : options.beside) out.beside.push_back(side.view);
+MotionPicture::BackdropKey MotionPicture::backdrop_key(QSizeF size, double ratio,
+                                                       const ViewOptions& options) {
+  BackdropKey out{size,         ratio, options.view, options.element, options.flange_race,
+                  options.dark, {},    options.shown};
+  for (const AdditionalView& side : options.beside) out.beside.push_back(side.view);
   return out;
 }
 
 const QImage& MotionPicture::backdrop(const QRectF& area, double ratio, std::size_t frame,
                                       const ViewOptions& options) {
   const desktop::Theme& t = theme_of(options);
-  const Setting now = setting(area.size(), ratio, options);
+  const BackdropKey now = backdrop_key(area.size(), ratio, options);
   const QRectF all(QPointF(0.0, 0.0), area.size());
   const auto draw = [&](const auto& what) {
     QPainter once(&backdrop_);
     once.setRenderHint(QPainter::Antialiasing);
     what(once);
   };
-  if (!(now == setting_) || backdrop_.isNull()) {
+  if (!(now == backdrop_key_) || backdrop_.isNull()) {
     backdrop_ = QImage((area.size() * ratio).toSize(), QImage::Format_RGB32);
     backdrop_.setDevicePixelRatio(ratio);
     backdrop_.fill(t.surface);
-    draw([&](QPainter& once) { paintSetting(once, all, options); });
-    setting_ = now;
-    still_.clear();
+    draw([&](QPainter& once) { paintStaticParts(once, all, options); });
+    backdrop_key_ = now;
+    static_layer_keys_.clear();
   }
   const std::vector<QRectF> tiles = innerAreas(all, 1 + options.beside.size(), options.shown);
-  still_.resize(tiles.size());
+  static_layer_keys_.resize(tiles.size());
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     const ViewOptions own = options.tile(i);
-    const StillKey key = still_key(tiles[i], animation_, frame, own);
-    if (key == still_[i]) continue;
-    still_[i] = key;
+    const StaticLayerKey key = static_layer_key(tiles[i], animation_, frame, own);
+    if (key == static_layer_keys_[i]) continue;
+    static_layer_keys_[i] = key;
     draw([&](QPainter& once) {
       once.fillRect(tiles[i], t.surface);
-      paint_picture(once, tiles[i], animation_, frame, own, &kept_[i], Layers::Still);
+      paint_picture(once, tiles[i], animation_, frame, own, &view_caches_[i], Layers::Still);
     });
   }
   return backdrop_;
@@ -286,8 +287,8 @@ void MotionPicture::paintHeading(QPainter& painter, const QRectF& area, const An
       heading.beside);
 }
 
-void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
-                                 const ViewOptions& options) {
+void MotionPicture::paintStaticParts(QPainter& painter, const QRectF& area,
+                                     const ViewOptions& options) {
   const desktop::Theme& t = theme_of(options);
   if (options.shown.heading) paintHeading(painter, area, animation_, options);
   const std::vector<QRectF> tiles = pictureAreas(area, 1 + options.beside.size(), options.shown);
@@ -296,7 +297,7 @@ void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(tiles[i]);
     const bool small = tile_top(tiles[i]) < 24.0;
-    painter.setFont(desktop::ui_font(small ? kSmall : 12, true));
+    painter.setFont(desktop::ui_font(small ? kSmallLetters : 12, true));
     painter.setPen(t.text);
     painter.drawText(tiles[i].adjusted(8.0, small ? 2.0 : 4.0, -8.0, 0.0),
                      Qt::AlignLeft | Qt::AlignTop,
@@ -306,52 +307,54 @@ void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
   const QRectF data = dataArea(area, tiles.size(), options.shown);
   makeDataPage(data.size(), options);
   painter.save();
-  data_.paintPage(painter, data);
+  chart_scene_.paintPage(painter, data);
   painter.restore();
 }
 
 void MotionPicture::makeDataPage(QSizeF size, const ViewOptions& options) {
-  Setting now = setting(size, 1.0, options);
+  BackdropKey now = backdrop_key(size, 1.0, options);
   now.beside.clear();
   now.shown = {};
-  if (now == data_setting_) return;
-  data_.setTheme(theme_of(options));
-  data_.setPageSize(size);
+  if (now == chart_scene_key_) return;
+  chart_scene_.setTheme(theme_of(options));
+  chart_scene_.setPageSize(size);
   desktop::ChartPage page = data_page(animation_, options);
   // Stored values are marked if they are visibly apart: values in between are unknown.
   constexpr double kApart = 6.0;  // pixels
   page.points = static_cast<double>(page.x.size()) * kApart < size.width();
-  data_.setPage(std::move(page));
-  data_setting_ = now;
+  chart_scene_.setPage(std::move(page));
+  chart_scene_key_ = now;
 }
 
 /// The present moment on the curves, and their values there.
-void MotionPicture::paintMoment(QPainter& painter, const QRectF& area, std::size_t frame,
-                                const ViewOptions& options) {
+void MotionPicture::paintCurrentTime(QPainter& painter, const QRectF& area, std::size_t frame,
+                                     const ViewOptions& options) {
   const desktop::Theme& t = theme_of(options);
   if (options.span_from || options.span_to) {
     QColor pale = t.accent;
     pale.setAlpha(45);
-    const double from = data_.positionOf(options.span_from.value_or(animation_.time.front())),
-                 to = data_.positionOf(options.span_to.value_or(animation_.time.back()));
-    for (const QRectF& plot : data_.plotAreas())
+    const double from = chart_scene_.sceneXAt(options.span_from.value_or(animation_.time.front())),
+                 to = chart_scene_.sceneXAt(options.span_to.value_or(animation_.time.back()));
+    for (const QRectF& plot : chart_scene_.plotAreas())
       painter.fillRect(
           QRectF(area.left() + from, area.top() + plot.top(), to - from, plot.height()), pale);
   }
   painter.setPen(QPen(t.red, 1.4));
-  const double x = area.left() + data_.positionOf(animation_.time.at(frame));
-  const auto& plots = data_.plotAreas();
+  const double x = area.left() + chart_scene_.sceneXAt(animation_.time.at(frame));
+  const auto& plots = chart_scene_.plotAreas();
   for (std::size_t p = 0; p < plots.size(); ++p) {
     const QRectF& plot = plots[p];
-    if (p < data_.page().panels.size() && !data_.page().panels[p].message.empty()) continue;
+    if (p < chart_scene_.page().panels.size() && !chart_scene_.page().panels[p].message.empty())
+      continue;
     painter.drawLine(QPointF(x, area.top() + plot.top()), QPointF(x, area.top() + plot.bottom()));
   }
   painter.setFont(desktop::ui_font(12));
   painter.setPen(t.muted);
-  const QStringList lines = present_values(data_, animation_.time.at(frame), area.width() - 20);
+  const QStringList lines =
+      present_values(chart_scene_, animation_.time.at(frame), area.width() - 20);
   const bool two = lines.size() > 1;
   if (two || QFontMetricsF(painter.font()).horizontalAdvance(lines.front()) > area.width() - 20)
-    painter.setFont(desktop::ui_font(kSmall));
+    painter.setFont(desktop::ui_font(kSmallLetters));
   const double height = two ? 12.0 : 18.0;
   for (qsizetype i = 0; i < lines.size(); ++i)
     painter.drawText(
@@ -415,7 +418,7 @@ QImage MotionPicture::image(QSize size, std::size_t frame, const ViewOptions& op
 }
 
 QByteArray MotionPicture::svg(QSize size, std::size_t frame, const ViewOptions& options) {
-  return desktop::svg_of(size, [&](QPainter& painter) {
+  return desktop::render_svg(size, [&](QPainter& painter) {
     paint(painter, QRectF(QPointF(0, 0), QSizeF(size)), frame, options);
   });
 }

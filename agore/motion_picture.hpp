@@ -43,8 +43,8 @@ class MotionPicture {
   [[nodiscard]] static QRectF dataArea(const QRectF& area, std::size_t views = 1,
                                        const ShownParts& shown = {});
   /// Area of the common key of views that are too low for separate keys; empty: none.
-  [[nodiscard]] static QRectF sharedKeyArea(const QRectF& area, std::size_t views,
-                                            const ShownParts& shown = {});
+  [[nodiscard]] static QRectF sharedLegendArea(const QRectF& area, std::size_t views,
+                                               const ShownParts& shown = {});
   /// Time at a position on a panel of the curves, as painted last; none elsewhere.
   [[nodiscard]] std::optional<double> timeAt(const QRectF& area, QPointF position,
                                              const ShownParts& shown = {}) const;
@@ -54,7 +54,7 @@ class MotionPicture {
                                                      const ViewOptions& options) const;
   [[nodiscard]] std::size_t frameAt(double time) const;  ///< the nearest one
   /// Of the images of moving parts that all views keep [bytes].
-  [[nodiscard]] double keptBytes() const { return stamps_->bytes(); }
+  [[nodiscard]] double cachedImageBytes() const { return sprite_cache_->bytes(); }
 
  private:
   /// Area of the pictures, without the frames and titles of several pictures.
@@ -64,19 +64,19 @@ class MotionPicture {
                            const ViewOptions& options);
   void makeDataPage(QSizeF size, const ViewOptions& options);
   /// Headings, titles of several views, the data area's curves.
-  void paintSetting(QPainter& painter, const QRectF& area, const ViewOptions& options);
+  void paintStaticParts(QPainter& painter, const QRectF& area, const ViewOptions& options);
   /// The backdrop for this frame; only parts whose key has changed are drawn again.
   const QImage& backdrop(const QRectF& area, double ratio, std::size_t frame,
                          const ViewOptions& options);
-  void paintMoment(QPainter& painter, const QRectF& data, std::size_t frame,
-                   const ViewOptions& options);
+  void paintCurrentTime(QPainter& painter, const QRectF& data, std::size_t frame,
+                        const ViewOptions& options);
   void paintTimeBar(QPainter& painter, const QRectF& bar, std::size_t frame,
                     const ViewOptions& options) const;
 
   Animation animation_;
-  desktop::ChartScene data_{desktop::ChartStyle::Compact};
+  desktop::ChartScene chart_scene_{desktop::ChartStyle::Compact};
   /// Dependencies of a constant part of the window.
-  struct Setting {
+  struct BackdropKey {
     QSizeF size;
     double ratio = 0.0;
     View view{};
@@ -85,16 +85,17 @@ class MotionPicture {
     bool dark = false;
     std::vector<View> beside;
     ShownParts shown;
-    bool operator==(const Setting&) const = default;
+    bool operator==(const BackdropKey&) const = default;
   };
-  [[nodiscard]] static Setting setting(QSizeF size, double ratio, const ViewOptions& options);
+  [[nodiscard]] static BackdropKey backdrop_key(QSizeF size, double ratio,
+                                                const ViewOptions& options);
 
   QImage backdrop_;
-  Setting setting_, data_setting_;
-  std::vector<StillKey> still_;  ///< of each view
-  std::vector<Kept> kept_;       ///< of each view
-  std::shared_ptr<Stamps> stamps_ = std::make_shared<Stamps>();
-  SharedKey shared_key_;
+  BackdropKey backdrop_key_, chart_scene_key_;
+  std::vector<StaticLayerKey> static_layer_keys_;  ///< of each view
+  std::vector<ViewCache> view_caches_;             ///< of each view
+  std::shared_ptr<SpriteCache> sprite_cache_ = std::make_shared<SpriteCache>();
+  SharedLegend shared_legend_;
 };
 
 }  // namespace adore::agore

@@ -16,9 +16,9 @@ QColor later_colour(const desktop::Theme& theme) {
 
 }  // namespace
 
-KeyEntry later_entry(const Scene& s) {
+PictureLegendEntry remaining_orbit_entry(const Scene& s) {
   const bool later = s.index + 1 < s.animation.frames();
-  return now_and_then(later_colour(s.sketch.theme()), later, "later frames", "no later frames");
+  return optional_entry(later_colour(s.sketch.theme()), later, "later frames", "no later frames");
 }
 
 DrawnOrbit draw_orbit(const Scene& s, double radius, double reference, std::vector<QPointF> orbit) {
@@ -36,7 +36,7 @@ DrawnOrbit draw_orbit(const Scene& s, double radius, double reference, std::vect
     p -= middle;
     largest = std::max(largest, std::hypot(p.x(), p.y()));
   }
-  if (!(largest > desktop::least_span_of(s.animation.file.units[0]))) return {};
+  if (!(largest > desktop::min_axis_span(s.animation.file.units[0]))) return {};
   const double enlargement = radius / largest;
   const auto& t = s.sketch.theme();
   if (reference > 0.0)
@@ -44,21 +44,21 @@ DrawnOrbit draw_orbit(const Scene& s, double radius, double reference, std::vect
   const auto place = [&](const QPointF& p) {
     return s.sketch.at(p.x() * enlargement, p.y() * enlargement);
   };
-  std::vector<WayPoint> way;
+  std::vector<TrajectoryPoint> way;
   const auto path = [&](std::size_t first, std::size_t last) {
     way.clear();
     for (std::size_t i = first; i <= last; ++i)
-      way.push_back({place(orbit[i]), s.animation.way_known(i)});
+      way.push_back({place(orbit[i]), s.animation.is_path_known(i)});
   };
   QPainter& p = s.sketch.painter();
   path(s.index, orbit.size() - 1);
-  draw_way(p, s.sketch.area(), way, {later_colour(t), 1.2});
+  draw_trajectory(p, s.sketch.area(), way, {later_colour(t), 1.2});
   path(0, s.index);
-  draw_way(p, s.sketch.area(), way, {t.curves[0], 1.6});
+  draw_trajectory(p, s.sketch.area(), way, {t.curves[0], 1.6});
   return {enlargement, orbit[s.index] * enlargement};
 }
 
-void draw_centre(const Scene& s, const DrawnOrbit& orbit) {
+void draw_orbit_center(const Scene& s, const DrawnOrbit& orbit) {
   const QPointF now = s.sketch.at(orbit.now.x(), orbit.now.y());
   if (!(orbit.enlargement > 0.0) || !std::isfinite(now.x() + now.y())) return;
   QPainter& p = s.sketch.painter();

@@ -35,7 +35,7 @@ QStringList unbroken(const QString& text) {
 
 }  // namespace
 
-QStringList in_lines(const QString& text, double width, const QFontMetricsF& metrics) {
+QStringList wrapped_lines(const QString& text, double width, const QFontMetricsF& metrics) {
   QStringList out;
   const auto add = [&](const QString& part) {
     const QString longer = out.isEmpty() ? part : out.back() + " " + part;
@@ -68,44 +68,46 @@ QStringList wrapped(const QString& remark, double width, const QFontMetricsF& me
     if (!out.isEmpty() && metrics.horizontalAdvance(longer) <= width)
       out.back() = longer;
     else
-      out << in_lines(part, width, metrics);  // continues in the next line
+      out << wrapped_lines(part, width, metrics);  // continues in the next line
   }
   return out;
 }
 
 }  // namespace
 
-int key_columns(std::size_t entries, QSizeF size) {
+int legend_column_count(std::size_t entries, QSizeF size) {
   constexpr double kSmall = 420.0, kTwoColumns = 2.0 * kKeyColumn;
   const bool high = entries > kMany || (entries > 2 && size.height() < kSmall);
   return high && size.width() >= kTwoColumns ? 2 : 1;
 }
 
-int key_letters(std::size_t entries, QSizeF size) {
+int legend_font_size(std::size_t entries, QSizeF size) {
   constexpr double kMostOfHeight = 0.25;
   constexpr int kUsual = 12, kLeast = 10;
-  const auto columns = static_cast<std::size_t>(key_columns(entries, size));
+  const auto columns = static_cast<std::size_t>(legend_column_count(entries, size));
   const auto lines = static_cast<double>((entries + columns - 1) / columns + 1);
   int letters = kUsual;
-  while (letters > kLeast && lines * key_line(letters) > kMostOfHeight * size.height()) --letters;
+  while (letters > kLeast && lines * legend_line_height(letters) > kMostOfHeight * size.height())
+    --letters;
   return letters;
 }
 
-double key_line(int letters) {
+double legend_line_height(int letters) {
   return QFontMetricsF(desktop::ui_font(letters)).height() + (letters < 12 ? 1.0 : 2.0);
 }
 
-void draw_key(const Scene& s, const std::vector<KeyEntry>& all, const QString& remark) {
-  if (!s.options.shown.key) return s.key.leaveOut({});
-  const bool low = too_low(s.options, s.sketch.area().height());
-  s.key.leaveOut(low ? all : std::vector<KeyEntry>{});
-  s.key.draw(s.sketch, low ? std::vector<KeyEntry>{} : all, remark);
+void draw_legend(const Scene& s, const std::vector<PictureLegendEntry>& all,
+                 const QString& remark) {
+  if (!s.options.shown.key) return s.key.setOmittedEntries({});
+  const bool low = is_too_low(s.options, s.sketch.area().height());
+  s.key.setOmittedEntries(low ? all : std::vector<PictureLegendEntry>{});
+  s.key.draw(s.sketch, low ? std::vector<PictureLegendEntry>{} : all, remark);
 }
 
-void KeyPicture::draw(const Sketch& sketch, const std::vector<KeyEntry>& entries,
-                      const QString& remark) {
+void PictureLegend::draw(const Sketch& sketch, const std::vector<PictureLegendEntry>& entries,
+                         const QString& remark) {
   QPainter& painter = sketch.painter();
-  if (!on_pixels(painter)) {
+  if (!is_raster_target(painter)) {
     paint(painter, sketch.area(), sketch.theme(), entries, remark);
     return;
   }
@@ -134,7 +136,7 @@ namespace {
 
 /// Position of an entry or a remark: its lines begin in a row of the key.
 struct Placed {
-  const KeyEntry* entry = nullptr;  ///< null: a remark
+  const PictureLegendEntry* entry = nullptr;  ///< null: a remark
   QStringList lines;
   std::size_t row = 0;
   double left = 0.0, right = 0.0;
@@ -148,25 +150,27 @@ struct Layout {
   [[nodiscard]] double height() const { return line * static_cast<double>(rows); }
 };
 
-Layout empty_layout(int letters) { return {letters, key_line(letters), 0, {}}; }
+Layout empty_layout(int letters) { return {letters, legend_line_height(letters), 0, {}}; }
 
 /// An entry, measured once, to select the best of several layouts.
 struct Measured {
-  const KeyEntry* entry;
+  const PictureLegendEntry* entry;
   double width;       ///< of the mark and its text, or of the alternatives in other frames
   QStringList lines;  ///< one, or for entries wider than the available width
 };
 
-std::vector<Measured> measured(const std::vector<KeyEntry>& entries, double room, int letters) {
+std::vector<Measured> measured(const std::vector<PictureLegendEntry>& entries, double room,
+                               int letters) {
   const QFontMetricsF metrics(desktop::ui_font(letters));
   const double indent = indent_of(letters);
   std::vector<Measured> out;
-  for (const KeyEntry& entry : entries) {
+  for (const PictureLegendEntry& entry : entries) {
     const double words =
         std::max(metrics.horizontalAdvance(entry.text),
                  entry.room.isEmpty() ? 0.0 : metrics.horizontalAdvance(entry.room));
     out.push_back({&entry, indent + words, {entry.text}});
-    if (out.back().width > room) out.back().lines = in_lines(entry.text, room - indent, metrics);
+    if (out.back().width > room)
+      out.back().lines = wrapped_lines(entry.text, room - indent, metrics);
   }
   return out;
 }
@@ -217,7 +221,7 @@ Layout at_stops(const std::vector<Measured>& entries, const std::vector<double>&
 }
 
 /// In as few lines as possible with aligned columns, and as few columns.
-Layout aligned(const std::vector<KeyEntry>& entries, double room, int letters) {
+Layout aligned(const std::vector<PictureLegendEntry>& entries, double room, int letters) {
   constexpr double kGap = 10.0;
   const std::vector<Measured> all = measured(entries, room, letters);
   Layout best = at_stops(all, {0.0}, room, letters);
@@ -235,11 +239,11 @@ Layout aligned(const std::vector<KeyEntry>& entries, double room, int letters) {
 /// Two columns in a small picture or for many entries, else one; in smaller letters, and wide
 /// entries over several columns, if otherwise an entry is cut or the key takes too much of the
 /// picture.
-Layout layout_of(const std::vector<KeyEntry>& entries, QSizeF area) {
+Layout layout_of(const std::vector<PictureLegendEntry>& entries, QSizeF area) {
   const double width = area.width() - 12.0;
   constexpr double kMostOfHeight = 1.0 / 3.0;
-  const auto columns = static_cast<std::size_t>(key_columns(entries.size(), area));
-  const int usual = key_letters(entries.size(), area);
+  const auto columns = static_cast<std::size_t>(legend_column_count(entries.size(), area));
+  const int usual = legend_font_size(entries.size(), area);
   constexpr int kLeast = 10;
   // Few long entries read better in usual letters, over several columns, than in small ones.
   for (int letters = usual; letters >= (entries.size() > kMany ? kLeast : usual); --letters)
@@ -259,7 +263,8 @@ void draw_part(QPainter& p, const Placed& part, const Layout& key, QPointF corne
   double y = corner.y() + line * static_cast<double>(part.row + 1) - 4.0;
   const double left = corner.x() + part.left;
   const bool marked = part.entry != nullptr && part.entry->colour.isValid();
-  if (marked) draw_key_mark(p, *part.entry, theme, {left, y - 4.0}, std::min(18.0, indent - 6.0));
+  if (marked)
+    draw_legend_mark(p, *part.entry, theme, {left, y - 4.0}, std::min(18.0, indent - 6.0));
   p.setPen(theme.muted);
   for (const QString& text : part.lines) {
     p.drawText(QPointF(marked ? left + indent : left, y), text);
@@ -269,8 +274,8 @@ void draw_part(QPainter& p, const Placed& part, const Layout& key, QPointF corne
 
 }  // namespace
 
-QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& theme,
-                         const std::vector<KeyEntry>& entries, const QString& remark) {
+QRectF PictureLegend::paint(QPainter& p, const QRectF& area, const desktop::Theme& theme,
+                            const std::vector<PictureLegendEntry>& entries, const QString& remark) {
   Layout key = layout_of(entries, area.size());
   const QFontMetricsF metrics(desktop::ui_font(key.letters));
   for (const QString& text : wrapped(remark, area.width() - 12.0, metrics))
@@ -301,19 +306,19 @@ QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& 
   return {area.left(), corner.y(), widest + 10.0, key.height() + 2.0};
 }
 
-double SharedKey::height() { return kLines * key_line() + 4.0; }
+double SharedLegend::height() { return kLines * legend_line_height() + 4.0; }
 
-void SharedKey::draw(QPainter& painter, const QRectF& place, const desktop::Theme& theme,
-                     std::vector<KeyEntry> entries) {
+void SharedLegend::draw(QPainter& painter, const QRectF& place, const desktop::Theme& theme,
+                        std::vector<PictureLegendEntry> entries) {
   // Common entries of several pictures are listed once, with the mark of the first; alternatives
   // that are not drawn are omitted.
-  std::vector<KeyEntry> each;
-  for (KeyEntry& entry : entries)
-    if (entry.colour.isValid() && std::none_of(each.begin(), each.end(), [&](const KeyEntry& e) {
-          return e.text == entry.text;
-        }))
+  std::vector<PictureLegendEntry> each;
+  for (PictureLegendEntry& entry : entries)
+    if (entry.colour.isValid() &&
+        std::none_of(each.begin(), each.end(),
+                     [&](const PictureLegendEntry& e) { return e.text == entry.text; }))
       each.push_back(std::move(entry));
-  if (!on_pixels(painter)) {
+  if (!is_raster_target(painter)) {
     paint(painter, place, theme, each);
     return;
   }
@@ -331,8 +336,8 @@ void SharedKey::draw(QPainter& painter, const QRectF& place, const desktop::Them
   painter.drawImage(place.topLeft(), image_);
 }
 
-void SharedKey::paint(QPainter& p, const QRectF& place, const desktop::Theme& theme,
-                      const std::vector<KeyEntry>& entries) {
+void SharedLegend::paint(QPainter& p, const QRectF& place, const desktop::Theme& theme,
+                         const std::vector<PictureLegendEntry>& entries) {
   Layout key;
   for (const int letters : {12, 11, 10, 9}) {
     key = aligned(entries, place.width(), letters);

@@ -58,7 +58,7 @@ void PictureWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   if (picture_) {
     ViewOptions now = options_;
-    now.moving = now.moving || turning_;
+    now.moving = now.moving || rotating_view_;
     picture_->paint(painter, rect(), frame_, now);
     return;
   }
@@ -80,20 +80,20 @@ std::optional<std::size_t> PictureWidget::tileAt(QPointF position) const {
 }
 
 void PictureWidget::mousePressEvent(QMouseEvent* event) {
-  span_from_.reset();
+  repeat_range_start_.reset();
   moved_ = false;
   drag_from_ = event->position();
   if (event->modifiers() & Qt::ShiftModifier) {
     drag_tile_ = tileAt(drag_from_);
-    span_from_ = momentAt(drag_from_);
-    if (span_from_) return;
+    repeat_range_start_ = timeAtPosition(drag_from_);
+    if (repeat_range_start_) return;
   }
   drag_tile_ = tileAt(drag_from_);
-  turning_ = false;
+  rotating_view_ = false;
   if (drag_tile_) {
     const ViewOptions tile = options_.tile(*drag_tile_);
     pan_from_ = tile.pan;
-    turning_ = tile.view == View::Solid && !(event->modifiers() & Qt::ShiftModifier);
+    rotating_view_ = tile.view == View::Solid && !(event->modifiers() & Qt::ShiftModifier);
     yaw_from_ = options_.yaw, elevation_from_ = options_.elevation;
   }
   seek(event->position());
@@ -103,10 +103,10 @@ void PictureWidget::mouseMoveEvent(QMouseEvent* event) {
   if (!picture_ || !(event->buttons() & Qt::LeftButton)) return;
   moved_ = moved_ ||
            (event->position() - drag_from_).manhattanLength() > QApplication::startDragDistance();
-  if (span_from_) {
+  if (repeat_range_start_) {
     // Keeps the height at which dragging began.
-    const auto to = momentAt({event->position().x(), drag_from_.y()});
-    if (to && *to != *span_from_) emit spanMarked(*span_from_, *to);
+    const auto to = timeAtPosition({event->position().x(), drag_from_.y()});
+    if (to && *to != *repeat_range_start_) emit repeatRangeMarked(*repeat_range_start_, *to);
     return;
   }
   if (!drag_tile_) {
@@ -118,7 +118,7 @@ void PictureWidget::mouseMoveEvent(QMouseEvent* event) {
   if (*drag_tile_ >= tiles.size()) return;
   const QRectF& area = tiles[*drag_tile_];
   const QPointF way = event->position() - drag_from_;
-  if (turning_) {
+  if (rotating_view_) {
     constexpr double kPerPixel = 0.4;  // [degrees]
     emit eyeMoved(std::remainder(yaw_from_ - kPerPixel * way.x(), 360.0),
                   std::clamp(elevation_from_ + kPerPixel * way.y(), -89.0, 89.0));
@@ -129,10 +129,11 @@ void PictureWidget::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void PictureWidget::mouseReleaseEvent(QMouseEvent* event) {
-  if (picture_ && drag_tile_ && !moved_ && !span_from_ && event->button() == Qt::LeftButton)
+  if (picture_ && drag_tile_ && !moved_ && !repeat_range_start_ &&
+      event->button() == Qt::LeftButton)
     if (const auto element = picture_->elementAt(rect(), event->position(), frame_, options_))
       emit elementPicked(*element);
-  const bool was = std::exchange(turning_, false);
+  const bool was = std::exchange(rotating_view_, false);
   if (was) update();  // the finer picture
 }
 
@@ -174,15 +175,15 @@ std::optional<double> progress_at(const QRectF& area, QPointF position) {
 bool PictureWidget::seek(QPointF position) {
   if (!picture_) return false;
   if (const auto progress = progress_at(rect(), position)) {
-    emit soughtTo(*progress);
+    emit progressRequested(*progress);
     return true;
   }
   const auto time = picture_->timeAt(rect(), position, options_.shown);
-  if (time) emit soughtFrame(picture_->frameAt(*time));
+  if (time) emit frameRequested(picture_->frameAt(*time));
   return time.has_value();
 }
 
-std::optional<double> PictureWidget::momentAt(QPointF position) const {
+std::optional<double> PictureWidget::timeAtPosition(QPointF position) const {
   if (!picture_) return std::nullopt;
   const auto& time = picture_->animation().time;
   if (const auto progress = progress_at(rect(), position))

@@ -47,7 +47,7 @@ QPolygonF upright(const QPainterPath& silhouette, double skew) {
   return out;
 }
 
-PocketPlay play_in(const PocketOutline& pocket, const QPolygonF& roller) {
+PocketGaps pocket_gaps(const PocketOutline& pocket, const QPolygonF& roller) {
   const double half = half_at_middle(pocket);
   const QRectF box = roller.boundingRect();
   return {{half - reach(roller, pocket.taper, -1.0), half - reach(roller, pocket.taper, 1.0)},
@@ -87,7 +87,7 @@ double moved(const std::array<double, 2>& play, std::array<double, 2> gaps) {
   return play[1] - (left > 0.0 ? share * left : 0.5 * (play[0] + play[1]));
 }
 
-QSizeF pocket_half(const PocketOutline& p) {
+QSizeF pocket_half_size(const PocketOutline& p) {
   const double half = p.radius + 0.5 * p.clearance_1;
   if (!p.faces.empty()) return {behind_faces(p), std::max(wall(p, 0), wall(p, 1))};
   if (p.roller_length > 0.0) {
@@ -109,7 +109,7 @@ QSizeF pocket_half(const PocketOutline& p) {
 }
 
 QPainterPath pocket_hole(const PocketOutline& p) {
-  const QSizeF half = pocket_half(p);
+  const QSizeF half = pocket_half_size(p);
   const QRectF box(-half.width(), -half.height(), 2.0 * half.width(), 2.0 * half.height());
   QPainterPath path;
   if (!p.faces.empty()) {
@@ -141,14 +141,14 @@ QPainterPath pocket_hole(const PocketOutline& p) {
   return path;
 }
 
-QPointF touched_wall(bool roller, QPointF centre, double angle, double direction) {
+QPointF wall_contact_direction(bool roller, QPointF centre, double angle, double direction) {
   if (roller) return {-direction * std::cos(angle), 0.0};
   const double way = std::hypot(centre.x(), centre.y());
   return way > 0.0 ? centre / way : QPointF(-direction * std::cos(angle), std::sin(angle));
 }
 
-QPointF touching_place(const QPolygonF& roller, double taper, std::size_t side,
-                       std::optional<double> along) {
+QPointF wall_contact_point(const QPolygonF& roller, double taper, std::size_t side,
+                           std::optional<double> along) {
   const double way = side == 0 ? -1.0 : 1.0, most = reach(roller, taper, way);
   const QRectF box = roller.boundingRect();
   // For a side parallel to the wall the middle.

@@ -35,10 +35,10 @@ struct PocketOutline {
 
 /// Gaps of such a roller in the middle of its pocket to the side walls, left and right, and to the
 /// end walls, below and above; negative: overlap.
-struct PocketPlay {
+struct PocketGaps {
   std::array<double, 2> sides{}, ends{};
 };
-[[nodiscard]] PocketPlay play_in(const PocketOutline& pocket, const QPolygonF& roller);
+[[nodiscard]] PocketGaps pocket_gaps(const PocketOutline& pocket, const QPolygonF& roller);
 
 /// Skew drawn for clearances multiplied by `factor`: it uses the same fraction of the side
 /// clearance. For a straight roller about `factor` times the skew; for a barrel, whose arc moves
@@ -62,13 +62,14 @@ struct PocketPlay {
 /// its displacement, or the stored angle without displacement (0: the cage drives). For a roller
 /// the angle is that of a guide surface, although it may also be at the end of the pocket.
 /// `direction`: 1 if the cage turns to the right, else -1.
-[[nodiscard]] QPointF touched_wall(bool roller, QPointF centre, double angle, double direction);
+[[nodiscard]] QPointF wall_contact_direction(bool roller, QPointF centre, double angle,
+                                             double direction);
 /// Point where a roller, as upright() gives it, meets a wall on its left (0) or right (1): at the
 /// height `along` if known and reachable, else at the smallest gap.
-[[nodiscard]] QPointF touching_place(const QPolygonF& roller, double taper, std::size_t side,
-                                     std::optional<double> along);
+[[nodiscard]] QPointF wall_contact_point(const QPolygonF& roller, double taper, std::size_t side,
+                                         std::optional<double> along);
 
 /// Half sizes of the larger opening, around the cage and along the axis.
-[[nodiscard]] QSizeF pocket_half(const PocketOutline& pocket);
+[[nodiscard]] QSizeF pocket_half_size(const PocketOutline& pocket);
 
 }  // namespace adore::agore

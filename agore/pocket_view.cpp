@@ -25,7 +25,8 @@ std::vector<GuideFace> guide_faces(const Animation& animation) {
   const double unit = length_unit(animation);
   for (int i = 1;; ++i) {
     const auto number = [&](const char* name, double otherwise = 0.0) {
-      return size_number(animation, fmt::format("pocket_face{}_{}", i, name).c_str(), otherwise);
+      return dimension_in_si(animation, fmt::format("pocket_face{}_{}", i, name).c_str(),
+                             otherwise);
     };
     const double length = number("length", -1.0);
     if (!(length > 0.0)) return out;
@@ -66,7 +67,7 @@ PocketOutline pocket_of(const Animation& animation, double factor) {
   if (animation.file.bearing_type == 1) {
     constexpr double kLeast = -1.0, kMost = 4.0;  // of kPocType
     pocket.code =
-        static_cast<int>(std::clamp(size_number(animation, "pocket_code"), kLeast, kMost));
+        static_cast<int>(std::clamp(dimension_in_si(animation, "pocket_code"), kLeast, kMost));
   } else {
     const RollerProfile roller = roller_profile(animation);
     pocket.roller_length = 2.0 * roller.half;
@@ -79,7 +80,7 @@ PocketOutline pocket_of(const Animation& animation, double factor) {
       }
     if (animation.motion)
       pocket.leaning =
-          leaning_walls(roller, nominal_lean(animation) - cage_profile(animation).lean);
+          end_wall_offsets(roller, nominal_lean(animation) - cage_profile(animation).lean);
   }
   return pocket;
 }
@@ -154,9 +155,9 @@ RollerPose roller_pose(const Scene& s, const PocketOutline& drawn, const AxisAng
   RollerPose out;
   out.skew = drawn_skew(silhouette, pocket.taper, lies.skew, factor);
   const QPolygonF roller = upright(silhouette, lies.skew), seen = upright(silhouette, out.skew);
-  const PocketPlay ends = play_in(pocket, roller.translated(0.0, way[0]));
-  const double up = moved(play_in(drawn, seen).ends, ends.ends);
-  const PocketPlay sides = play_in(pocket, roller.translated(-way[1], way[0]));
+  const PocketGaps ends = pocket_gaps(pocket, roller.translated(0.0, way[0]));
+  const double up = moved(pocket_gaps(drawn, seen).ends, ends.ends);
+  const PocketGaps sides = pocket_gaps(pocket, roller.translated(-way[1], way[0]));
   const auto& element = s.frame.elements.at(k);
   if (const auto stored = stored_walls(s.animation, s.index, k, to_the_right)) {
     out.walls = *stored;
@@ -166,11 +167,11 @@ RollerPose roller_pose(const Scene& s, const PocketOutline& drawn, const AxisAng
     out.walls.force[side] = element.pocket_force;
     out.walls.angle[side] = element.pocket_angle;
   }
-  out.centre = {moved(play_in(drawn, seen.translated(0.0, up)).sides, out.walls.gap), up};
+  out.centre = {moved(pocket_gaps(drawn, seen.translated(0.0, up)).sides, out.walls.gap), up};
   for (const std::size_t side : {0U, 1U}) {
     std::optional<double> along = out.walls.along[side];
     if (along) *along += up - way[0];  // the end play of the roller is magnified
-    out.touch[side] = touching_place(seen.translated(out.centre), pocket.taper, side, along);
+    out.touch[side] = wall_contact_point(seen.translated(out.centre), pocket.taper, side, along);
   }
   return out;
 }
@@ -189,7 +190,8 @@ std::vector<WallTouch> touches_of(const RollerPose& pose, double direction) {
   for (const std::size_t side : {0U, 1U}) {
     const double force = pose.walls.force[side], angle = pose.walls.angle[side];
     if (force > 0.0)
-      out.push_back({pose.touch[side], touched_wall(true, {}, angle, direction), force, angle});
+      out.push_back(
+          {pose.touch[side], wall_contact_direction(true, {}, angle, direction), force, angle});
   }
   return out;
 }
@@ -203,7 +205,8 @@ std::vector<WallTouch> touches_of(const Scene& s, std::size_t k, const PocketOut
   const bool round = pocket.code != 2 && pocket.code != 3;
   const auto add = [&](double force, double angle) {
     if (!(force > 0.0)) return;
-    const QPointF wall = touched_wall(false, round ? centre : QPointF(), angle, direction);
+    const QPointF wall =
+        wall_contact_direction(false, round ? centre : QPointF(), angle, direction);
     out.push_back({centre + radius * wall, wall, force, angle});
   };
   const bool stored = s.animation.motion && !s.animation.behind(s.index);
@@ -259,12 +262,12 @@ QString gaps_text(const SideWalls& walls, const std::string& unit) {
 
 double pocket_picture_radius(const Animation& animation) {
   const auto& g = animation.file.geometry;
-  const QSizeF hole = pocket_half(pocket_of(animation, pocket_factor(animation)));
+  const QSizeF hole = pocket_half_size(pocket_of(animation, pocket_factor(animation)));
   return std::max({2.6 * g.element_radius, hole.height() + 1.4 * g.element_radius,
                    hole.width() + 1.4 * g.element_radius});
 }
 
-void pocket_view(const Scene& s) {
+void draw_pocket_view(const Scene& s) {
   const auto& g = s.geometry();
   const auto& t = s.sketch.theme();
   QPainter& p = s.sketch.painter();
@@ -277,7 +280,7 @@ void pocket_view(const Scene& s) {
   const bool rollers = s.animation.file.bearing_type != 1;
   const RollerProfile roller = rollers ? roller_profile(s.animation) : RollerProfile{};
   const bool shape_known = s.animation.motion != nullptr;
-  const QSizeF hole = pocket_half(pocket);
+  const QSizeF hole = pocket_half_size(pocket);
   // From the pocket's center, y up, to the picture.
   QTransform to_picture = QTransform::fromTranslate(s.sketch.at(0, 0).x(), s.sketch.at(0, 0).y());
   to_picture.scale(s.sketch.scale(), -s.sketch.scale());
@@ -298,9 +301,10 @@ void pocket_view(const Scene& s) {
   const double direction =
       s.animation.cage_angle.back() >= s.animation.cage_angle.front() ? 1.0 : -1.0;
   const double azimuth = s.pocket_azimuth(k);
-  const AxisAngles lies = rollers ? in_pocket(s.animation, element, s.animation.cage_of(s.index, k),
-                                              s.animation.pocket_angle.at(k))
-                                  : AxisAngles{};
+  const AxisAngles lies =
+      rollers ? in_pocket(s.animation, element, s.animation.cage_part_of(s.index, k),
+                          s.animation.pocket_angle.at(k))
+              : AxisAngles{};
   RollerPose pose;
   if (rollers) pose = roller_pose(s, pocket, lies, factor, direction > 0.0);
   const QPointF centre =
@@ -319,7 +323,7 @@ void pocket_view(const Scene& s) {
     p.setBrush(shade);
     p.drawPath(turned.map(roller.outline(lies.lean)));
     p.setBrush(Qt::NoBrush);
-    p.drawPath(turned.map(roller.end_seen(lies.lean)));
+    p.drawPath(turned.map(roller.visible_end_rim(lies.lean)));
   } else {
     s.sketch.ball(centre, g.element_radius, mark_from_outside(element, azimuth));
   }
@@ -349,16 +353,16 @@ void pocket_view(const Scene& s) {
                             desktop::pretty_quantity(touch.force, s.animation.file.units[2], 3),
                             desktop::tick_text(degrees(touch.angle), 0));
   }
-  const bool low = too_low(s.options, s.sketch.area().height());
+  const bool low = is_too_low(s.options, s.sketch.area().height());
   if (!contacts.empty() && !low) contacts += ", see arrow";
-  std::vector<KeyEntry> key{
+  std::vector<PictureLegendEntry> key{
       {contacts.empty() ? QColor() : t.red,
        !contacts.empty() ? QString::fromStdString(contacts)
        : rollers         ? QString("no side wall contact (contacts with end walls are not stored)")
                          : QString("no contact")}};
   if (rollers && shape_known) key.push_back({{}, gaps_text(pose.walls, s.animation.file.units[0])});
-  if (!rollers) name_turning_mark(s, k, key);
-  if (!arrow_named) key.push_back({t.green, "cage rotation", KeyMark::Arrow});
+  if (!rollers) add_rotation_mark_entry(s, k, key);
+  if (!arrow_named) key.push_back({t.green, "cage rotation", LegendMark::Arrow});
   std::string remark = fmt::format("{}{} of {}  ·  clearance × {}{}", low ? "" : "pocket ", k + 1,
                                    s.frame.elements.size(), desktop::pretty_number(factor, 3),
                                    s.options.exaggeration > 0.0 ? " (this view only)" : "");
@@ -368,7 +372,7 @@ void pocket_view(const Scene& s) {
     remark += "  ·  roller length unknown (not in SOL8)";
   else if (!shape_known && g.pocket_clearance_2 > 0.0)
     remark += "  ·  pocket shape unknown (not in SOL8)";
-  draw_key(s, key, QString::fromStdString(remark));
+  draw_legend(s, key, QString::fromStdString(remark));
 }
 
 }  // namespace adore::agore

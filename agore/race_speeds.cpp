@@ -9,7 +9,7 @@
 namespace adore::agore {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kRaceTurn = 2.0 * std::numbers::pi;
 constexpr const char* kRaceRotation = "race.rotation";
 
 /// Rotation of a body at the frames where it is known.
@@ -36,7 +36,7 @@ Turns of_race(const Animation& animation, std::size_t race) {
   Turns out;
   for (std::size_t i = 0; i < animation.exact; ++i) {
     out.time.push_back(animation.time[i]);
-    out.turns.push_back(animation.value(kRaceRotation, i, race) / kTurn);
+    out.turns.push_back(animation.value(kRaceRotation, i, race) / kRaceTurn);
   }
   return out;
 }
@@ -105,13 +105,13 @@ SpeedWords words_of(const Turns& of, double least = 0.0) {
 
 }  // namespace
 
-bool outer_turns(const Animation& animation) {
+bool is_outer_race_rotating(const Animation& animation) {
   constexpr double kRounding = 0.02;  // of angles in SOL8 [rad]
   if (!counts_turns(animation)) return spread(animation.race_angle[0]) > kRounding;
   return spread(of_race(animation, 0).turns) > 1e-6 * spread(of_race(animation, 1).turns);
 }
 
-bool races_alike(const Animation& animation) {
+bool races_rotate_together(const Animation& animation) {
   if (!counts_turns(animation)) return false;
   return spread(of_both(animation).turns) <= 1e-6 * spread(of_race(animation, 0).turns);
 }
@@ -120,7 +120,7 @@ std::string speed_text(const Animation& animation) {
   const auto joined = [](const SpeedWords& words) {
     return (words.steady ? "at " : "") + words.text;
   };
-  if (!outer_turns(animation)) {
+  if (!is_outer_race_rotating(animation)) {
     const SpeedWords words = words_of(of_both(animation));
     return words.text.empty() || words.text == "0" ? std::string()
                                                    : "runs " + joined(words) + " rpm";
@@ -139,15 +139,15 @@ std::string speed_text(const Animation& animation) {
          " rpm (inner)";
 }
 
-std::string divisor_text(const Animation& animation, Over over) {
-  if (over == Over::FasterRace) return "the faster race";
-  const bool alike = races_alike(animation);
+std::string divisor_text(const Animation& animation, SpeedDivisor over) {
+  if (over == SpeedDivisor::FasterRace) return "the faster race";
+  const bool alike = races_rotate_together(animation);
   const Turns of = alike ? of_race(animation, 1) : of_both(animation);
   const SpeedWords words = words_of(of);
-  const std::string name = alike                    ? "both races, "
-                           : outer_turns(animation) ? "inner minus outer race, "
-                                                    : "inner race, ";
-  if (over == Over::Mean && !words.steady)
+  const std::string name = alike                               ? "both races, "
+                           : is_outer_race_rotating(animation) ? "inner minus outer race, "
+                                                               : "inner race, ";
+  if (over == SpeedDivisor::Mean && !words.steady)
     return name +
            desktop::pretty_number(
                60.0 * (of.turns.back() - of.turns.front()) / (of.time.back() - of.time.front()),

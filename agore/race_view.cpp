@@ -13,7 +13,7 @@ namespace {
 
 /// Lengths below an atom's size are rounding.
 double atoms(double length, const Scene& s) {
-  return std::abs(length) < desktop::least_span_of(s.animation.file.units[0]) ? 0.0 : length;
+  return std::abs(length) < desktop::min_axis_span(s.animation.file.units[0]) ? 0.0 : length;
 }
 
 struct Radii {
@@ -28,13 +28,13 @@ Radii radii_of(const Scene& s) {
 
 }  // namespace
 
-void race_ring(const Scene& s) {
+void draw_race_ring(const Scene& s) {
   const auto& t = s.sketch.theme();
   const auto [low, high] = radii_of(s);
   s.sketch.ring({0, 0}, low, high, t.steel_light, t.steel_dark);
 }
 
-void race_view(const Scene& s) {
+void draw_race_view(const Scene& s) {
   const std::string& unit = s.animation.file.units[0];
   const auto& t = s.sketch.theme();
   const std::size_t r = s.options.view == View::OuterRace ? 0 : 1;
@@ -48,26 +48,27 @@ void race_view(const Scene& s) {
     orbit.emplace_back(frame.races.at(r).position[1], frame.races.at(r).position[2]);
   const DrawnOrbit drawn = draw_orbit(s, 0.45 * low, 0.0, orbit);
   const auto [enlargement, now] = drawn;
-  const bool named = s.sketch.frame_named(arm);
+  const bool named = s.sketch.can_label_frame(arm);
   s.sketch.frame(now, angle, arm, colour, named);
-  draw_centre(s, drawn);
-  if (named) s.sketch.name_frame(now, angle, arm, colour);
-  std::vector<KeyEntry> key{{colour, r == 0 ? "outer race frame" : "inner race frame"},
-                            {colour, "race mark", KeyMark::Star}};
+  draw_orbit_center(s, drawn);
+  if (named) s.sketch.draw_frame_labels(now, angle, arm, colour);
+  std::vector<PictureLegendEntry> key{{colour, r == 0 ? "outer race frame" : "inner race frame"},
+                                      {colour, "race mark", LegendMark::Star}};
   if (enlargement > 0.0)
-    for (const KeyEntry& entry :
-         {way_entry(t.curves[0], s.animation.known_centres, "path of the race center",
-                    "race center at each frame"),
-          KeyEntry{t.curves[0], "race center now", KeyMark::Spot}, later_entry(s)})
+    for (const PictureLegendEntry& entry :
+         {trajectory_entry(t.curves[0], s.animation.known_centres, "path of the race center",
+                           "race center at each frame"),
+          PictureLegendEntry{t.curves[0], "race center now", LegendMark::Spot},
+          remaining_orbit_entry(s)})
       key.push_back(entry);
-  name_arms(s, named, key);
-  const bool small = too_low(s.options, s.sketch.area().height());
+  add_frame_arms_entry(s, named, key);
+  const bool small = is_too_low(s.options, s.sketch.area().height());
   const std::string path =
       enlargement > 0.0
           ? fmt::format(fmt::runtime(small ? "path × {}" : "path about its center × {}"),
                         desktop::pretty_number(enlargement, 3))
           : std::string(small ? "at rest" : "the race center does not move");
-  draw_key(
+  draw_legend(
       s, key,
       QString::fromStdString(
           path +

@@ -29,7 +29,7 @@ struct Contact {
 double across_of(const Scene& s, std::size_t race, double angle) {
   if (s.animation.file.bearing_type != 1) return 0.0;
   const char* groove = race == 0 ? "outer_groove_radius" : "inner_groove_radius";
-  return angle * size_length(s.animation, groove, s.geometry().element_radius) *
+  return angle * dimension_in_file_unit(s.animation, groove, s.geometry().element_radius) *
          (race == 0 ? 1.0 : -1.0);
 }
 
@@ -115,7 +115,7 @@ QString words_of(const Scene& s, const Contact& one) {
                   desktop::pretty_quantity(one.pressure, pressure->unit, 3)));
 }
 
-void draw_bar(const Scene& s, const Colouring& colours, const QRectF& room) {
+void draw_bar(const Scene& s, const ElementColors& colours, const QRectF& room) {
   QPainter& p = s.sketch.painter();
   QLinearGradient shade(room.left(), 0.0, room.right(), 0.0);
   constexpr int kStops = 12;
@@ -128,8 +128,9 @@ void draw_bar(const Scene& s, const Colouring& colours, const QRectF& room) {
   p.setFont(desktop::ui_font(12));
   p.drawText(QPointF(room.left(), room.top() + 11.0),
              QString::fromStdString(colours.title + " (" + colours.scale + ")"));
-  p.drawText(QPointF(room.left(), room.top() + 38.0), QString::fromStdString(colours.low_end()));
-  const QString most = QString::fromStdString(colours.high_end());
+  p.drawText(QPointF(room.left(), room.top() + 38.0),
+             QString::fromStdString(colours.low_end_label()));
+  const QString most = QString::fromStdString(colours.high_end_label());
   p.drawText(
       QPointF(room.right() - QFontMetricsF(p.font()).horizontalAdvance(most), room.top() + 38.0),
       most);
@@ -137,12 +138,13 @@ void draw_bar(const Scene& s, const Colouring& colours, const QRectF& room) {
 
 }  // namespace
 
-void raceway_view(const Scene& s) {
+void draw_raceway_view(const Scene& s) {
   QPainter& p = s.sketch.painter();
   const auto& t = s.sketch.theme();
   const QRectF& whole = s.sketch.area();
-  const Colouring colours = colouring(s.animation, s.index, ColourBy::Pressure, s.options.scale);
-  const double foot = key_foot(s.animation, s.options, whole.size());
+  const ElementColors colours =
+      element_colors(s.animation, s.index, ColourBy::Pressure, s.options.scale);
+  const double foot = legend_height_below(s.animation, s.options, whole.size());
   constexpr double kHead = 46.0, kTitle = 20.0, kAxis = 20.0, kBar = 300.0,
                    kNumbers = 18.0;  // of the elements, between the strips
   p.save();
@@ -153,14 +155,14 @@ void raceway_view(const Scene& s) {
   p.translate(-whole.center());
   const QRectF room = whole.adjusted(22.0, kHead, -22.0, -foot - kAxis);
   const double height = 0.5 * (room.height() - 2.0 * kTitle - kNumbers);
-  std::vector<KeyEntry> key;
+  std::vector<PictureLegendEntry> key;
   QString remark;
   if (!colours.any() || !(height > 10.0)) {
     p.setPen(t.muted);
     p.setFont(desktop::ui_font(12));
     p.drawText(room, Qt::AlignCenter | Qt::TextWordWrap, QString::fromStdString(colours.why_none));
     p.restore();
-    return draw_key(s, key, remark);
+    return draw_legend(s, key, remark);
   }
   draw_bar(s, colours,
            {whole.right() - 22.0 - std::min(kBar, room.width()), whole.top() + 2.0,
@@ -206,13 +208,13 @@ void raceway_view(const Scene& s) {
   }
   p.restore();
   key.push_back({t.text, QString("element %1, outer: %2").arg(s.options.element).arg(picked[0]),
-                 KeyMark::None});
+                 LegendMark::None});
   key.push_back({t.text, QString("element %1, inner: %2").arg(s.options.element).arg(picked[1]),
-                 KeyMark::None});
+                 LegendMark::None});
   remark = QString::fromStdString(
-      fmt::format("a across, to scale with its position  ·  b in rolling direction × {}",
+      fmt::format("axial direction (a) to scale  ·  rolling direction (b) enlarged × {}",
                   desktop::pretty_number(along / across, 3)));
-  draw_key(s, key, remark);
+  draw_legend(s, key, remark);
 }
 
 }  // namespace adore::agore

@@ -28,8 +28,8 @@ QImage picture_of(MotionPicture& picture, std::size_t frame, const std::vector<F
                   const RenderOptions& options) {
   ViewOptions view = options.view;
   view.warned = warned_bodies(findings);
-  return desktop::with_findings({options.width, options.height}, findings, view.dark,
-                                [&](QSize size) { return picture.image(size, frame, view); });
+  return desktop::image_with_findings({options.width, options.height}, findings, view.dark,
+                                      [&](QSize size) { return picture.image(size, frame, view); });
 }
 
 }  // namespace
@@ -56,8 +56,8 @@ void require_interval(int every) {
 
 }  // namespace
 
-std::vector<std::size_t> film_frames(const MotionPicture& picture, int every, int frames_per_second,
-                                     const RenderOptions& options) {
+std::vector<std::size_t> movie_frames(const MotionPicture& picture, int every,
+                                      int frames_per_second, const RenderOptions& options) {
   const auto all = static_cast<int>(picture.frames());
   const int end = options.last == 0 ? all : options.last;
   for (const int frame : {options.first, end})
@@ -129,7 +129,7 @@ std::vector<fs::path> render_pictures(MotionPicture& picture,
 std::vector<fs::path> render_frames(MotionPicture& picture, int every, const fs::path& folder,
                                     const RenderOptions& options) {
   require_interval(every);
-  return render_pictures(picture, film_frames(picture, every, 1, options), folder, options);
+  return render_pictures(picture, movie_frames(picture, every, 1, options), folder, options);
 }
 
 void render_movie(MotionPicture& picture, int every, int frames_per_second, const fs::path& film,
@@ -141,7 +141,7 @@ void render_movie(MotionPicture& picture, int every, int frames_per_second, cons
   std::string suffix = film.extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const std::vector<std::size_t> frames = film_frames(picture, every, frames_per_second, options);
+  const std::vector<std::size_t> frames = movie_frames(picture, every, frames_per_second, options);
   if (suffix.empty()) {
     render_pictures(picture, frames, film, options);
     return;

@@ -26,9 +26,9 @@ struct RenderOptions {
 /// Frames of a movie, counted from 0: every `every`-th one or, in slow motion, at equal steps of
 /// simulated time the latest frame.
 /// @throws InputError for invalid first and last frames, or too many pictures
-[[nodiscard]] std::vector<std::size_t> film_frames(const MotionPicture& picture, int every,
-                                                   int frames_per_second,
-                                                   const RenderOptions& options);
+[[nodiscard]] std::vector<std::size_t> movie_frames(const MotionPicture& picture, int every,
+                                                    int frames_per_second,
+                                                    const RenderOptions& options);
 
 /// One picture; `frame` counts the file's frames from 1. PNG or JPEG by suffix.
 /// @throws InputError for a file that is not ours, a frame that does not exist, or a path that

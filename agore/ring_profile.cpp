@@ -12,7 +12,7 @@ double length_unit(const Animation& animation) {
   return animation.file.units[0] == "in" ? 0.0254 : 1.0;
 }
 
-double size_number(const Animation& animation, const char* name, double otherwise) {
+double dimension_in_si(const Animation& animation, const char* name, double otherwise) {
   if (!animation.motion) return otherwise;
   const auto found = animation.motion->geometry().find(name);
   return found == animation.motion->geometry().end() || !std::isfinite(found->second)
@@ -20,12 +20,12 @@ double size_number(const Animation& animation, const char* name, double otherwis
              : found->second;
 }
 
-double size_length(const Animation& animation, const char* name, double otherwise) {
-  const double value = size_number(animation, name, -1.0);
+double dimension_in_file_unit(const Animation& animation, const char* name, double otherwise) {
+  const double value = dimension_in_si(animation, name, -1.0);
   return value > 0.0 ? value / length_unit(animation) : otherwise;
 }
 
-QPointF leaned(double x, double r, double lean, double u, double v) {
+QPointF tilted_point(double x, double r, double lean, double u, double v) {
   return {x + u * std::cos(lean) - v * std::sin(lean), r + u * std::sin(lean) + v * std::cos(lean)};
 }
 
@@ -45,21 +45,22 @@ double nominal_lean(const Animation& animation) {
 
 namespace {
 
-std::vector<RingColumn> ball_ring(const Animation& animation, std::size_t race, double half,
-                                  double far) {
+std::vector<RingRadii> ball_ring(const Animation& animation, std::size_t race, double half,
+                                 double far) {
   const auto& g = animation.file.geometry;
   const bool outer = race == 0;
   const double depth = 0.5 * g.element_radius;
-  const double groove = size_length(
+  const double groove = dimension_in_file_unit(
       animation, outer ? "outer_groove_radius" : "inner_groove_radius", 1.04 * g.element_radius);
   const double centre_x =
-      size_number(animation, outer ? "outer_race_centre_x" : "inner_race_centre_x") /
+      dimension_in_si(animation, outer ? "outer_race_centre_x" : "inner_race_centre_x") /
       length_unit(animation);
   const double centre_r =
       outer ? g.outer_race_inner_radius - groove : g.inner_race_outer_radius + groove;
-  const double shoulder =
-      outer ? size_length(animation, "outer_shoulder_radius", g.outer_race_inner_radius - depth)
-            : size_length(animation, "inner_shoulder_radius", g.inner_race_outer_radius + depth);
+  const double shoulder = outer ? dimension_in_file_unit(animation, "outer_shoulder_radius",
+                                                         g.outer_race_inner_radius - depth)
+                                : dimension_in_file_unit(animation, "inner_shoulder_radius",
+                                                         g.inner_race_outer_radius + depth);
   const auto near = [&](double x) {
     const double inside = groove * groove - (x - centre_x) * (x - centre_x);
     const double bow = inside > 0.0 ? std::sqrt(inside) : 0.0;
@@ -78,13 +79,13 @@ std::vector<RingColumn> ball_ring(const Animation& animation, std::size_t race, 
       if (std::abs(edge) < half) places.push_back(edge);
     }
   std::sort(places.begin(), places.end());
-  std::vector<RingColumn> out;
+  std::vector<RingRadii> out;
   for (const double x : places) out.push_back({x, near(x), far});
   return out;
 }
 
-std::vector<RingColumn> roller_ring(const Animation& animation, std::size_t race, double half,
-                                    double far) {
+std::vector<RingRadii> roller_ring(const Animation& animation, std::size_t race, double half,
+                                   double far) {
   const auto& g = animation.file.geometry;
   const RollerProfile roller = roller_profile(animation);
   const double lean = nominal_lean(animation);
@@ -93,7 +94,7 @@ std::vector<RingColumn> roller_ring(const Animation& animation, std::size_t race
   const double up = race == 0 ? 1.0 : -1.0;
   const auto height = [&](std::size_t side) {
     if (!has_flange(animation, race, side)) return 0.0;
-    return size_length(
+    return dimension_in_file_unit(
         animation,
         race == 0 ? (side == 0 ? "outer_flange_minus_x_height" : "outer_flange_plus_x_height")
                   : (side == 0 ? "inner_flange_minus_x_height" : "inner_flange_plus_x_height"),
@@ -102,7 +103,7 @@ std::vector<RingColumn> roller_ring(const Animation& animation, std::size_t race
   // Across the axis, from the roller's middle: the raceway, and beyond its ends the flanges.
   std::vector<QPointF> line;
   const auto add = [&](double u, double lower) {
-    line.push_back(leaned(middle_x, middle_r, lean, u, up * (roller.line(u) - lower)));
+    line.push_back(tilted_point(middle_x, middle_r, lean, u, up * (roller.line(u) - lower)));
   };
   const double reach = roller.crown > 0.0
                            ? 0.9 * roller.crown
@@ -121,7 +122,7 @@ std::vector<RingColumn> roller_ring(const Animation& animation, std::size_t race
     for (const auto& [u, v] : {std::pair{end, roller.line(end)},
                                {1.0001 * end, lower},
                                {side == 0 ? -reach : reach, lower}})
-      flange.push_back(leaned(middle_x, middle_r, lean, u, up * v));
+      flange.push_back(tilted_point(middle_x, middle_r, lean, u, up * v));
     if (side == 0)
       line.insert(line.begin(), flange.rbegin(), flange.rend());
     else
@@ -138,7 +139,7 @@ std::vector<RingColumn> roller_ring(const Animation& animation, std::size_t race
   };
   // No nearer to the far side than a sliver of metal.
   const auto limited = [&](double r) { return race == 0 ? std::min(r, far) : std::max(r, far); };
-  std::vector<RingColumn> out{{-half, limited(at(-half)), far}};
+  std::vector<RingRadii> out{{-half, limited(at(-half)), far}};
   for (const QPointF& p : line)
     if (std::abs(p.x()) < half) out.push_back({p.x(), limited(p.y()), far});
   out.push_back({half, limited(at(half)), far});
@@ -150,13 +151,14 @@ std::array<double, 2> beside_elements(const Animation& animation, std::size_t ra
   const auto& g = animation.file.geometry;
   if (animation.file.bearing_type == 1) {
     const bool outer = race == 0;
-    const double groove = size_length(
+    const double groove = dimension_in_file_unit(
         animation, outer ? "outer_groove_radius" : "inner_groove_radius", 1.04 * g.element_radius);
     const double shoulder =
-        outer ? size_length(animation, "outer_shoulder_radius", g.outer_race_inner_radius)
-              : size_length(animation, "inner_shoulder_radius", g.inner_race_outer_radius);
+        outer
+            ? dimension_in_file_unit(animation, "outer_shoulder_radius", g.outer_race_inner_radius)
+            : dimension_in_file_unit(animation, "inner_shoulder_radius", g.inner_race_outer_radius);
     const double centre_x =
-        size_number(animation, outer ? "outer_race_centre_x" : "inner_race_centre_x") /
+        dimension_in_si(animation, outer ? "outer_race_centre_x" : "inner_race_centre_x") /
         length_unit(animation);
     const double from_centre = outer ? shoulder - g.outer_race_inner_radius + groove
                                      : g.inner_race_outer_radius + groove - shoulder;
@@ -169,14 +171,14 @@ std::array<double, 2> beside_elements(const Animation& animation, std::size_t ra
   std::array<double, 2> out{middle, middle};
   for (const QPointF& p : roller.meridian())
     for (const double side : {-1.0, 1.0}) {
-      const double x = leaned(middle, 0.0, lean, p.x(), side * p.y()).x();
+      const double x = tilted_point(middle, 0.0, lean, p.x(), side * p.y()).x();
       out = {std::min(out[0], x), std::max(out[1], x)};
     }
   return out;
 }
 
 /// From the land to the ring's face as high as the land.
-void add_land(std::vector<RingColumn>& profile, const LandPlace& land,
+void add_land(std::vector<RingRadii>& profile, const LandSection& land,
               const std::array<double, 2>& beside) {
   const bool plus = land.low + land.high > 0.0;
   const double edge = plus ? std::max(land.low, beside[1]) : std::min(land.high, beside[0]);
@@ -185,13 +187,13 @@ void add_land(std::vector<RingColumn>& profile, const LandPlace& land,
   const double far = profile.front().far;
   const double near = land.race == 0 ? std::min(land.on_race, far) : std::max(land.on_race, far);
   double before = plus ? profile.front().near : profile.back().near;
-  std::vector<RingColumn> out;
-  for (const RingColumn& column : profile)
+  std::vector<RingRadii> out;
+  for (const RingRadii& column : profile)
     if (plus ? column.x < edge : column.x > edge) {
       out.push_back(column);
       if (plus || out.size() == 1) before = column.near;
     }
-  const std::vector<RingColumn> step{{edge, before, far}, {edge, near, far}, {face, near, far}};
+  const std::vector<RingRadii> step{{edge, before, far}, {edge, near, far}, {face, near, far}};
   if (plus)
     out.insert(out.end(), step.begin(), step.end());
   else
@@ -201,14 +203,14 @@ void add_land(std::vector<RingColumn>& profile, const LandPlace& land,
 
 }  // namespace
 
-std::vector<LandPlace> land_places(const Animation& animation, double clearance) {
-  std::vector<LandPlace> out;
+std::vector<LandSection> land_sections(const Animation& animation, double clearance) {
+  std::vector<LandSection> out;
   for (int i = 1; animation.motion && i <= 2; ++i) {
     const std::string name = "land" + std::to_string(i) + "_";
     const auto size = [&](const char* what) {
-      return size_number(animation, (name + what).c_str()) / length_unit(animation);
+      return dimension_in_si(animation, (name + what).c_str()) / length_unit(animation);
     };
-    const double guide = size_number(animation, (name + "guide").c_str());
+    const double guide = dimension_in_si(animation, (name + "guide").c_str());
     const double width = size("width"), edge = size("edge"), gap = clearance * size("clearance");
     if (!animation.land[static_cast<std::size_t>(i - 1)] || !(width > 0.0)) continue;
     if (guide != 1.0 && guide != 2.0) continue;
@@ -219,26 +221,27 @@ std::vector<LandPlace> land_places(const Animation& animation, double clearance)
   return out;
 }
 
-std::vector<RingColumn> ring_profile(const Animation& animation, std::size_t race,
-                                     double clearance) {
+std::vector<RingRadii> ring_profile(const Animation& animation, std::size_t race,
+                                    double clearance) {
   const auto& g = animation.file.geometry;
   const bool balls = animation.file.bearing_type == 1;
   const double far = race == 0
                          ? std::max(g.outer_race_outer_radius, 1.06 * g.outer_race_inner_radius)
                          : g.inner_race_inner_radius;
   const double half =
-      0.5 * size_length(animation, race == 0 ? "outer_race_width" : "inner_race_width",
-                        balls ? 2.2 * g.element_radius : 2.6 * roller_profile(animation).half);
-  std::vector<RingColumn> out =
+      0.5 *
+      dimension_in_file_unit(animation, race == 0 ? "outer_race_width" : "inner_race_width",
+                             balls ? 2.2 * g.element_radius : 2.6 * roller_profile(animation).half);
+  std::vector<RingRadii> out =
       balls ? ball_ring(animation, race, half, far) : roller_ring(animation, race, half, far);
-  for (const LandPlace& land : land_places(animation, clearance))
+  for (const LandSection& land : land_sections(animation, clearance))
     if (land.race == race) add_land(out, land, beside_elements(animation, race));
   return out;
 }
 
-std::vector<QPointF> ring_outline(const std::vector<RingColumn>& profile) {
+std::vector<QPointF> ring_outline(const std::vector<RingRadii>& profile) {
   std::vector<QPointF> out;
-  for (const RingColumn& column : profile) out.emplace_back(column.x, column.near);
+  for (const RingRadii& column : profile) out.emplace_back(column.x, column.near);
   for (auto column = profile.rbegin(); column != profile.rend(); ++column) {
     const bool end = column == profile.rbegin() || std::next(column) == profile.rend();
     if (end || column->far != profile.front().far) out.emplace_back(column->x, column->far);
@@ -246,29 +249,29 @@ std::vector<QPointF> ring_outline(const std::vector<RingColumn>& profile) {
   return out;
 }
 
-double CageProfile::hole_at(double across, std::size_t end) const {
+double CageProfile::pocket_half_length_at(double across, std::size_t end) const {
   if (round > 0.0) return std::sqrt(std::max(round * round - across * across, 0.0));
   return hole + leaning.at(end) + flare * (across - 0.5 * (low + high));
 }
 
-std::array<double, 2> leaning_walls(const RollerProfile& roller, double lean) {
+std::array<double, 2> end_wall_offsets(const RollerProfile& roller, double lean) {
   std::array<double, 2> out{};
   for (const QPointF& p : roller.meridian())
     for (const double side : {-1.0, 1.0}) {
-      const double u = leaned(0.0, 0.0, lean, p.x(), side * p.y()).x();
+      const double u = tilted_point(0.0, 0.0, lean, p.x(), side * p.y()).x();
       double& more = out[u < 0.0 ? 0 : 1];
       more = std::max(more, std::abs(u) - roller.half);
     }
   return out;
 }
 
-std::pair<double, double> on_bar(const CageProfile& cage, double pitch_radius,
-                                 const LandPlace& land) {
+std::pair<double, double> land_range_on_bar(const CageProfile& cage, double pitch_radius,
+                                            const LandSection& land) {
   const double middle = 0.5 * (land.low + land.high);
   if (!(std::abs(middle) > 0.25 * (land.high - land.low))) return {land.low, land.high};
   const double way = middle < 0.0 ? -1.0 : 1.0, v = land.race == 0 ? cage.high : cage.low;
-  const double u = std::min(cage.hole_at(v, middle < 0.0 ? 0 : 1), cage.half_width);
-  const double edge = leaned(0.0, pitch_radius, cage.lean, way * u, v).x();
+  const double u = std::min(cage.pocket_half_length_at(v, middle < 0.0 ? 0 : 1), cage.half_width);
+  const double edge = tilted_point(0.0, pitch_radius, cage.lean, way * u, v).x();
   return middle < 0.0 ? std::pair{land.low, std::clamp(edge, land.low, land.high)}
                       : std::pair{std::clamp(edge, land.low, land.high), land.high};
 }
@@ -278,15 +281,15 @@ CageProfile cage_profile(const Animation& animation) {
   if (!animation.has_cage) return out;
   const auto& g = animation.file.geometry;
   const bool balls = animation.file.bearing_type == 1;
-  const double cone = size_number(animation, "pocket_cone_angle");
+  const double cone = dimension_in_si(animation, "pocket_cone_angle");
   if (!balls) out.lean = nominal_lean(animation) < 0.0 ? -std::abs(cone) : std::abs(cone);
-  out.half_width = std::max(0.5 * size_length(animation, "cage_width"), 0.0);
+  out.half_width = std::max(0.5 * dimension_in_file_unit(animation, "cage_width"), 0.0);
   const double half_1 = 0.5 * g.pocket_clearance_1, half_2 = 0.5 * g.pocket_clearance_2;
   // Rollers have half of clearance I at each end (decision 213).
-  out.hole =
-      half_1 + (balls ? g.element_radius
-                      : 0.5 * size_length(animation, "roller_length", 2.0 * g.element_radius));
-  const auto shape = balls ? static_cast<int>(size_number(animation, "pocket_code")) : 0;
+  out.hole = half_1 + (balls ? g.element_radius
+                             : 0.5 * dimension_in_file_unit(animation, "roller_length",
+                                                            2.0 * g.element_radius));
+  const auto shape = balls ? static_cast<int>(dimension_in_si(animation, "pocket_code")) : 0;
   constexpr int kSphere = 1, kRectangle = 3, kCone = 4;  // kPocType of balls
   if (shape == kSphere) out.round = out.hole;
   if (shape == kRectangle) out.hole = g.element_radius + half_2;
@@ -297,7 +300,7 @@ CageProfile cage_profile(const Animation& animation) {
   if (!(out.half_width > 0.0)) out.half_width = 1.2 * out.hole;
   out.hole = std::min(out.hole, 0.96 * out.half_width);
   if (!balls) {
-    out.leaning = leaning_walls(roller_profile(animation), nominal_lean(animation) - out.lean);
+    out.leaning = end_wall_offsets(roller_profile(animation), nominal_lean(animation) - out.lean);
     for (double& more : out.leaning) more = std::min(more, 0.96 * out.half_width - out.hole);
   }
   out.low = g.cage_inner_radius - 0.5 * g.pitch_diameter;

@@ -113,7 +113,7 @@ QPainterPath RollerProfile::outline(double lean) const {
   return path;
 }
 
-QPainterPath RollerProfile::end_seen(double lean) const {
+QPainterPath RollerProfile::visible_end_rim(double lean) const {
   QPainterPath path;
   constexpr double kSeen = 0.02;  // a smaller end is drawn as a line
   if (std::abs(std::sin(lean)) < kSeen) return path;
@@ -139,25 +139,25 @@ RollerProfile roller_profile(const Animation& animation) {
   const auto& g = animation.file.geometry;
   const bool tapered = animation.file.bearing_type >= 4;
   RollerProfile out;
-  out.half = 0.5 * size_length(animation, "roller_length", 2.0 * g.element_radius);
+  out.half = 0.5 * dimension_in_file_unit(animation, "roller_length", 2.0 * g.element_radius);
   out.radius = g.element_radius;
   // The large end is that toward -x (contact/roller_profile.hpp).
-  if (tapered) out.slope = -std::tan(size_number(animation, "roller_half_angle"));
+  if (tapered) out.slope = -std::tan(dimension_in_si(animation, "roller_half_angle"));
   // A crown radius of meters is not visible.
-  const double crown = size_length(animation, "roller_crown_radius");
+  const double crown = dimension_in_file_unit(animation, "roller_crown_radius");
   if (crown > out.half && crown < 40.0 * out.half) {
     out.crown = crown;
-    out.central = size_length(animation, "roller_central_length");
+    out.central = dimension_in_file_unit(animation, "roller_central_length");
   }
   const double most = 0.4 * std::min(out.half, out.radius);
   const char* const names[] = {"roller_minus_x_corner_radius", "roller_plus_x_corner_radius"};
   const char* const domes[] = {"roller_minus_x_end_radius", "roller_plus_x_end_radius"};
   for (std::size_t end = 0; end < 2; ++end) {
-    out.corner[end] = std::min(size_length(animation, names[end]), most);
-    const double dome = size_length(animation, domes[end]);
+    out.corner[end] = std::min(dimension_in_file_unit(animation, names[end]), most);
+    const double dome = dimension_in_file_unit(animation, domes[end]);
     if (dome > out.radius) out.dome[end] = dome;
   }
-  out.mass_centre = size_number(animation, "roller_mass_offset") / length_unit(animation);
+  out.mass_centre = dimension_in_si(animation, "roller_mass_offset") / length_unit(animation);
   return out;
 }
 

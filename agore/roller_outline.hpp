@@ -30,7 +30,7 @@ struct RollerProfile {
   /// The same of a roller whose axis leans by an angle toward the viewer: the hull of its discs.
   [[nodiscard]] QPainterPath outline(double lean) const;
   /// Visible part of the rim of the end of such a roller; empty for a small tilt.
-  [[nodiscard]] QPainterPath end_seen(double lean) const;
+  [[nodiscard]] QPainterPath visible_end_rim(double lean) const;
 };
 [[nodiscard]] RollerProfile roller_profile(const Animation& animation);
 

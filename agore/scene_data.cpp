@@ -4,6 +4,7 @@
 #include "agore/solid_model.hpp"
 #include "agore/view_layout.hpp"
 #include "agore/view_scene.hpp"
+#include "base/constants.hpp"
 #include "base/json_text.hpp"
 #include "desktop/axis_scale.hpp"
 #include "results/quantities.hpp"
@@ -27,8 +28,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 static_assert(std::endian::native == std::endian::little, "the page reads little-endian numbers");
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 template <class Number>
 std::string base64(const std::vector<Number>& values) {
   const auto bytes =
@@ -38,13 +37,13 @@ std::string base64(const std::vector<Number>& values) {
 }
 
 /// A quantity of the contacts at outer and inner races.
-struct Quantity {
+struct SceneQuantity {
   const char *name, *channel;
   const deck::UnitPair& unit;
   bool colours;
 };
 constexpr deck::UnitPair kRadian{"rad", "rad", 1.0, 1.0};
-constexpr std::array<Quantity, 7> kQuantities{
+constexpr std::array<SceneQuantity, 7> kQuantities{
     {{"contact load", "contact.load", results::unit::kForce, true},
      {"largest pressure", "contact.pressure", results::unit::kPressure, true},
      {"contact angle", "contact.angle", kRadian, false},
@@ -73,8 +72,8 @@ Mat3 attitude_of(const Animation& animation, const results::Sol8Element& e) {
   if (animation.file.bearing_type == 1) return Mat3::Identity();
   const double lean = nominal_lean(animation);  // its turning was not followed
   Mat3 out;
-  out.col(0) = std::cos(lean) * Vec3::UnitX() + std::sin(lean) * outwards(e.theta);
-  out.col(2) = -std::sin(lean) * Vec3::UnitX() + std::cos(lean) * outwards(e.theta);
+  out.col(0) = std::cos(lean) * Vec3::UnitX() + std::sin(lean) * outward_direction(e.theta);
+  out.col(2) = -std::sin(lean) * Vec3::UnitX() + std::cos(lean) * outward_direction(e.theta);
   out.col(1) = out.col(2).cross(out.col(0));
   return out;
 }
@@ -106,8 +105,7 @@ struct Values {
   const results::MotionChannel* channel = nullptr;
   double factor = 1.0;
   [[nodiscard]] double at(std::size_t frame, std::size_t place) const {
-    return channel != nullptr && place < channel->width ? factor * channel->at(frame, place)
-                                                        : kNone;
+    return channel != nullptr && place < channel->width ? factor * channel->at(frame, place) : kNaN;
   }
 };
 
@@ -115,7 +113,7 @@ struct Values {
 Json ring_json(const Animation& animation, std::size_t race, double factor) {
   Json out = Json::array();
   const double unit = length_unit(animation);
-  for (const RingColumn& column : ring_profile(animation, race, factor))
+  for (const RingRadii& column : ring_profile(animation, race, factor))
     out.push_back({unit * column.x, unit * column.near, unit * column.far});
   return out;
 }
@@ -141,8 +139,9 @@ Json cage_json(const Animation& animation, double factor) {
       for (const double height : {profile.low, profile.high})
         for (const auto& [angle, u] :
              {std::pair{r.hole_angle, r.hole_u}, {r.edge_angle, r.edge_u}}) {
-          const QPointF p = leaned(0.0, pitch_radius, profile.lean, u, height);
-          const Vec3 at = unit * (p.x() * Vec3::UnitX() + p.y() * outwards(pocket.azimuth + angle));
+          const QPointF p = tilted_point(0.0, pitch_radius, profile.lean, u, height);
+          const Vec3 at =
+              unit * (p.x() * Vec3::UnitX() + p.y() * outward_direction(pocket.azimuth + angle));
           for (const double v : {at.x(), at.y(), at.z()}) of.push_back(static_cast<float>(v));
         }
     const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
@@ -173,7 +172,7 @@ Json shapes_json(const Animation& animation, double factor, const Eye& eye) {
   out["open"] = {towards + kOpen, towards + 2.0 * kPi - kOpen};
   out["rings"] = {ring_json(animation, 0, factor), ring_json(animation, 1, factor)};
   Json lands = Json::array();
-  for (const LandPlace& land : land_places(animation, factor))
+  for (const LandSection& land : land_sections(animation, factor))
     lands.push_back({land.race, unit * land.low, unit * land.high,
                      unit * land.on_race * (land.race == 0 ? 0.9995 : 1.0005)});
   out["lands"] = lands;
@@ -219,7 +218,7 @@ std::string scene_data(const Animation& animation, const ViewOptions& view,
   std::array<Values, kQuantities.size()> values;
   Json quantities = Json::array();
   for (std::size_t q = 0; q < kQuantities.size(); ++q) {
-    const Quantity& of = kQuantities[q];
+    const SceneQuantity& of = kQuantities[q];
     values[q].channel = animation.motion->channel(of.channel);
     if (values[q].channel != nullptr && values[q].channel->width == 2 * n)
       values[q].factor = values[q].channel->unit == of.unit.en ? of.unit.en_factor : 1.0;

@@ -58,7 +58,7 @@ std::pair<std::size_t, std::size_t> range_of(const Animation& animation,
   return {static_cast<std::size_t>(options.first - 1), static_cast<std::size_t>(last - 1)};
 }
 
-std::string html_text(std::string_view text) {
+std::string escape_html(std::string_view text) {
   std::string out;
   for (const char c : text) {
     if (c == '<')
@@ -81,7 +81,7 @@ std::string script_text(std::string text, std::string_view end) {
 std::string page_template() {
   QFile file(":/adore/scene/scene.html");
   const bool there = file.open(QIODevice::ReadOnly);
-  demand(there, "the page of the 3D scene is built in");
+  demand(there, "the built-in page of the 3D scene is missing");
   return file.readAll().toStdString();
 }
 
@@ -93,7 +93,7 @@ std::string ScenePage::summary() const {
                      desktop::pretty_number(1e-6 * static_cast<double>(html.size()), 2));
 }
 
-bool three_found() {
+bool is_threejs_installed() {
   std::error_code none;
   return fs::exists(kThreeFile, none);
 }
@@ -127,7 +127,7 @@ ScenePage scene_page(const Animation& animation, const ScenePageOptions& options
       scene_data(animation, options.view, range_of(animation, options), size.every), "</");
   const std::string& run = animation.file.run_id;
   const std::pair<std::string_view, std::string> parts[] = {
-      {"{{title}}", html_text(run.empty() ? "Bearing" : run)},
+      {"{{title}}", escape_html(run.empty() ? "Bearing" : run)},
       {"{{licence}}", kLicence},
       {"{{three}}", script_text(library, "</script")},
       {"{{data}}", data}};
@@ -135,7 +135,7 @@ ScenePage scene_page(const Animation& animation, const ScenePageOptions& options
   std::size_t at = 0;  // a text that is put in is not searched
   for (const auto& [name, text] : parts) {
     at = out.html.find(name, at);
-    demand(at != std::string::npos, "the page of the 3D scene has all places");
+    demand(at != std::string::npos, "the page of the 3D scene lacks a placeholder");
     out.html.replace(at, name.size(), text);
     at += text.size();
   }

@@ -33,7 +33,7 @@ struct ScenePage {
 };
 
 /// Is three.js installed?
-[[nodiscard]] bool three_found();
+[[nodiscard]] bool is_threejs_installed();
 
 /// Interval of frames, and size of the file with three.js [bytes], before it is written.
 struct ScenePageSize {

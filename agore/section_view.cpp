@@ -63,7 +63,7 @@ void draw_roller(const Scene& s, const Cut& cut, std::size_t k) {
   const double lean = axis_angles(e).lean;
   QPolygonF body;
   for (const QPointF& point : shape.outline().toFillPolygon()) {
-    const QPointF p = leaned(e.x, e.r, lean, point.x() - shape.mass_centre, point.y());
+    const QPointF p = tilted_point(e.x, e.r, lean, point.x() - shape.mass_centre, point.y());
     body.append(cut.at(p.x(), p.y()));
   }
   QPainterPath path;
@@ -77,17 +77,17 @@ void draw_cage_cut(const Scene& s, const Cut& cut, std::size_t k) {
   const CageProfile cage = cage_profile(s.animation);
   QColor colour = s.sketch.theme().cage;
   colour.setAlpha(170);
-  const double x = s.animation.cage_of(s.index, k).position[0];
+  const double x = s.animation.cage_part_of(s.index, k).position[0];
   for (const double side : {-1.0, 1.0}) {
     QPolygonF bar;
     const auto corner = [&](double u, double v) {
-      const QPointF p = leaned(x, s.pitch_radius(), cage.lean, side * u, v);
+      const QPointF p = tilted_point(x, s.pitch_radius(), cage.lean, side * u, v);
       bar.append(cut.at(p.x(), p.y()));
     };
     constexpr int kParts = 16;
     for (int i = 0; i <= kParts; ++i) {
       const double v = cage.low + (cage.high - cage.low) * i / kParts;
-      corner(std::min(cage.hole_at(v, side < 0.0 ? 0 : 1), cage.half_width), v);
+      corner(std::min(cage.pocket_half_length_at(v, side < 0.0 ? 0 : 1), cage.half_width), v);
     }
     corner(cage.half_width, cage.high);
     corner(cage.half_width, cage.low);
@@ -100,16 +100,17 @@ void draw_cage_cut(const Scene& s, const Cut& cut, std::size_t k) {
 
 /// Lands of the cage near the guiding race: with a step if their diameter differs from that of the
 /// cage.
-void draw_lands(const Scene& s, const Cut& cut, std::size_t k, std::vector<KeyEntry>& key) {
-  const std::vector<LandPlace> lands = land_places(s.animation);
+void draw_lands(const Scene& s, const Cut& cut, std::size_t k,
+                std::vector<PictureLegendEntry>& key) {
+  const std::vector<LandSection> lands = land_sections(s.animation);
   const auto& t = s.sketch.theme();
   const auto& g = s.geometry();
-  const auto& body = s.animation.cage_of(s.index, k);
+  const auto& body = s.animation.cage_part_of(s.index, k);
   const CageProfile cage = cage_profile(s.animation);
   QColor colour = t.cage;
   colour.setAlpha(170);
-  for (const LandPlace& land : lands) {
-    const auto [low, high] = on_bar(cage, s.pitch_radius(), land);
+  for (const LandSection& land : lands) {
+    const auto [low, high] = land_range_on_bar(cage, s.pitch_radius(), land);
     const QPointF a = cut.at(low + body.position[0], land.on_cage),
                   b = cut.at(high + body.position[0], land.on_cage);
     const double side = land.race == 0 ? g.cage_outer_radius : g.cage_inner_radius;
@@ -128,7 +129,8 @@ void draw_lands(const Scene& s, const Cut& cut, std::size_t k, std::vector<KeyEn
 
 /// Flange forces on the roller, at its ends. They are small compared with race loads: their arrows
 /// have a larger scale, up to the length of the longest race arrow.
-void draw_flange_forces(const Scene& s, const Cut& cut, std::size_t k, std::vector<KeyEntry>& key) {
+void draw_flange_forces(const Scene& s, const Cut& cut, std::size_t k,
+                        std::vector<PictureLegendEntry>& key) {
   const results::MotionChannel* forces =
       s.animation.motion ? s.animation.motion->channel("flange.force") : nullptr;
   if (forces == nullptr || s.animation.contacts_at(s.index) == nullptr ||
@@ -155,15 +157,15 @@ void draw_flange_forces(const Scene& s, const Cut& cut, std::size_t k, std::vect
           up * (shape.line(way * shape.half) - (std::isfinite(height) ? height : 0.0));
       const double u = way * shape.half - shape.mass_centre;
       const double length = 0.75 * shape.radius * factor * force / longest;
-      const QPointF tip = leaned(e.x, e.r, lean, u, across),
-                    tail = leaned(e.x, e.r, lean, u + way * length, across);
-      const bool drawn = load_arrow(s, cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()),
-                                    flange_colour(t), 3.2);
+      const QPointF tip = tilted_point(e.x, e.r, lean, u, across),
+                    tail = tilted_point(e.x, e.r, lean, u + way * length, across);
+      const bool drawn = draw_load_arrow(s, cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()),
+                                         flange_colour(t), 3.2);
       key.push_back(
           {drawn ? flange_colour(t) : QColor(),
            QString::fromStdString(fmt::format(
                "{} flange at {}x: {}{}", race == 0 ? "outer" : "inner", side == 0 ? "−" : "+",
-               desktop::even_quantity(force, s.animation.contacts->load_unit, 4),
+               desktop::zero_padded_quantity(force, s.animation.contacts->load_unit, 4),
                !drawn         ? std::string(kTooSmall)
                : factor > 1.0 ? fmt::format(", arrow × {}", desktop::pretty_number(factor, 3))
                               : std::string()))});
@@ -172,7 +174,8 @@ void draw_flange_forces(const Scene& s, const Cut& cut, std::size_t k, std::vect
 
 /// The line of a contact from the center of the element, and its load on the element.
 void draw_contact(const Scene& s, const Cut& cut, std::size_t k, std::size_t race, double load,
-                  const char* angle_channel, const std::string& name, std::vector<KeyEntry>& key) {
+                  const char* angle_channel, const std::string& name,
+                  std::vector<PictureLegendEntry>& key) {
   const auto& t = s.sketch.theme();
   const auto& e = s.frame.elements.at(k);
   const double radius = s.geometry().element_radius;
@@ -182,19 +185,20 @@ void draw_contact(const Scene& s, const Cut& cut, std::size_t k, std::size_t rac
   const double part = load / s.animation.contacts->largest_load;
   const QPointF tip(e.x + u.x() * radius, e.r + u.y() * radius);
   const QPointF tail = tip + 0.75 * part * radius * u;
-  const std::vector<WayPoint> line{{cut.at(e.x, e.r), false, false},
-                                   {cut.at(tip.x(), tip.y()), true, false}};
+  const std::vector<TrajectoryPoint> line{{cut.at(e.x, e.r), false, false},
+                                          {cut.at(tip.x(), tip.y()), true, false}};
   // Dashes on gray steel are not visible next to a dark edge of the usual width.
   const double edge = t.kind == desktop::ThemeKind::Dark ? 0.5 * kCasing : kCasing;
-  draw_way(s.sketch.painter(), s.sketch.area(), line, {t.curves[race], 2.4, t.surface, true, edge});
+  draw_trajectory(s.sketch.painter(), s.sketch.area(), line,
+                  {t.curves[race], 2.4, t.surface, true, edge});
   const bool drawn =
-      load_arrow(s, cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()), t.curves[race], 3.2);
+      draw_load_arrow(s, cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()), t.curves[race], 3.2);
   key.push_back({t.curves[race],
                  QString::fromStdString(fmt::format(
                      "{}: {} at {}°{}", name,
-                     desktop::even_quantity(load, s.animation.contacts->load_unit, 4),
+                     desktop::zero_padded_quantity(load, s.animation.contacts->load_unit, 4),
                      desktop::tick_text(angle * 180.0 / kPi, 2), drawn ? "" : kTooSmall)),
-                 drawn ? KeyMark::Contact : KeyMark::Dashed});
+                 drawn ? LegendMark::Contact : LegendMark::Dashed});
 }
 
 }  // namespace
@@ -203,12 +207,12 @@ double section_picture_radius(const Animation& animation) {
   const auto& g = animation.file.geometry;
   const double high = std::max(g.outer_race_outer_radius, 1.06 * g.outer_race_inner_radius);
   const double pitch = 0.5 * g.pitch_diameter;
-  const double wide = 0.5 * std::max(size_length(animation, "outer_race_width"),
-                                     size_length(animation, "inner_race_width"));
+  const double wide = 0.5 * std::max(dimension_in_file_unit(animation, "outer_race_width"),
+                                     dimension_in_file_unit(animation, "inner_race_width"));
   return 1.12 * std::max({high - pitch, pitch - g.inner_race_inner_radius, wide});
 }
 
-void section_view(const Scene& s) {
+void draw_section_view(const Scene& s) {
   const auto& g = s.geometry();
   const auto& t = s.sketch.theme();
   const Cut cut(s);
@@ -224,11 +228,13 @@ void section_view(const Scene& s) {
     draw_roller(s, cut, k);
   }
   if (s.animation.has_cage) draw_cage_cut(s, cut, k);
-  std::vector<KeyEntry> key;
+  std::vector<PictureLegendEntry> key;
   const char* const names[] = {"outer race", "inner race"};
   const auto* const contacts = s.animation.contacts_at(s.index);
   if (contacts == nullptr)
-    key.push_back({{}, QString::fromStdString("no race loads: " + s.animation.no_loads(s.index))});
+    key.push_back(
+        {{},
+         QString::fromStdString("no race loads: " + s.animation.missing_loads_reason(s.index))});
   for (std::size_t j = 0; j < 2 && contacts != nullptr; ++j) {
     const auto& contact = contacts->at(k);
     if (!(contact.load[j] > 0.0)) {
@@ -243,12 +249,13 @@ void section_view(const Scene& s) {
   }
   draw_flange_forces(s, cut, k, key);
   if (s.animation.has_cage) draw_lands(s, cut, k, key);
-  draw_key(
+  draw_legend(
       s, key,
       QString::fromStdString(fmt::format(
           "element {} at {}°  ·  to scale{}", k + 1,
           desktop::tick_text(std::remainder(e.theta, 2.0 * kPi) * 180.0 / kPi, 1),
-          too_low(s.options, s.sketch.area().height()) ? "" : "  ·  +x to the right, outward up")));
+          is_too_low(s.options, s.sketch.area().height()) ? ""
+                                                          : "  ·  +x to the right, outward up")));
 }
 
 }  // namespace adore::agore

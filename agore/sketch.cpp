@@ -35,15 +35,15 @@ std::array<QColor, 2> rail_colours(const desktop::Theme& theme) {
 
 }  // namespace
 
-bool on_pixels(const QPainter& painter) {
+bool is_raster_target(const QPainter& painter) {
   return painter.paintEngine() != nullptr && painter.paintEngine()->type() == QPaintEngine::Raster;
 }
 
-void append_seen(QPolygonF& line, QPointF next) {
+void append_visible_point(QPolygonF& line, QPointF next) {
   if (line.isEmpty() || (next - line.back()).manhattanLength() > 0.5) line.append(next);
 }
 
-QColor turning_mark_colour(const desktop::Theme& theme) {
+QColor rotation_mark_color(const desktop::Theme& theme) {
   return theme.kind == desktop::ThemeKind::Dark ? QColor(Qt::black) : theme.text;
 }
 
@@ -64,8 +64,8 @@ bool drawable(const std::array<double, 3>& mark, QPointF middle) {
 
 }  // namespace
 
-void draw_turning_mark(QPainter& painter, QPointF middle, double r,
-                       const std::array<double, 3>& mark, const QColor& colour) {
+void draw_rotation_mark(QPainter& painter, QPointF middle, double r,
+                        const std::array<double, 3>& mark, const QColor& colour) {
   if (!drawable(mark, middle)) return;
   const QPointF way = QPointF(mark[0], -mark[1]) * r * 0.8, tip = middle + way;
   constexpr double kBehind = -0.05;  // clearly: at the edge the sign is determined by rounding
@@ -94,8 +94,8 @@ void draw_turning_mark(QPainter& painter, QPointF middle, double r,
   draw(colour, 0.0);
 }
 
-void draw_turning_sector(QPainter& painter, QPointF middle, double r,
-                         const std::array<double, 3>& mark, const QColor& colour) {
+void draw_rotation_sector(QPainter& painter, QPointF middle, double r,
+                          const std::array<double, 3>& mark, const QColor& colour) {
   if (!drawable(mark, middle)) return;
   constexpr double kHalf = 26.0, kOuter = 0.86;  // degrees, of the radius
   const double reach = kOuter * r * std::min(1.0, std::hypot(mark[0], mark[1]));
@@ -113,7 +113,7 @@ void draw_turning_sector(QPainter& painter, QPointF middle, double r,
 }
 
 Sketch::Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme,
-               QPointF pan, double foot, Stamps* stamps, double head)
+               QPointF pan, double foot, SpriteCache* stamps, double head)
     : painter_(painter),
       area_(area),
       theme_(theme),
@@ -121,13 +121,13 @@ Sketch::Sketch(QPainter& painter, const QRectF& area, double radius, const deskt
               QPointF(pan.x() * area.width(), pan.y() * area.height())),
       half_(0.5 * std::min(area.width(), area.height() - foot - head)),
       scale_(half_ / radius),
-      stamps_(stamps) {}
+      sprite_cache_(stamps) {}
 
-void Sketch::stamp(QPointF middle, double reach, const Stamps::Look& look,
+void Sketch::stamp(QPointF middle, double reach, const SpriteCache::DrawingAppearance& look,
                    const std::function<void(QPainter&, QPointF)>& paint) const {
   if (!std::isfinite(middle.x() + middle.y())) return;  // stars in the file
-  if (stamps_ != nullptr && on_pixels(painter_))
-    stamps_->draw(painter_, middle, reach, look, paint);
+  if (sprite_cache_ != nullptr && is_raster_target(painter_))
+    sprite_cache_->draw(painter_, middle, reach, look, paint);
   else
     paint(painter_, middle);
 }
@@ -207,7 +207,7 @@ void Sketch::ball(QPointF centre, double radius, const std::array<double, 3>& ma
     draw(painter_, there);
   else
     stamp(there, r + 1.0, {kBall, {r}, {rim.rgba(), theme_.steel_light.rgba()}}, draw);
-  turning_mark(centre, radius, mark, false);
+  draw_element_rotation_mark(centre, radius, mark, false);
 }
 
 void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 3>& mark,
@@ -228,13 +228,13 @@ void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 
     draw(painter_, there);
   else
     stamp(there, r, {kRollerEnd, {r}, {theme_.steel_light.rgba(), theme_.steel_dark.rgba()}}, draw);
-  turning_mark(centre, radius, mark, true);
+  draw_element_rotation_mark(centre, radius, mark, true);
 }
 
-void Sketch::turning_mark(QPointF centre, double radius, const std::array<double, 3>& mark,
-                          bool roller) const {
-  (roller ? draw_turning_sector : draw_turning_mark)(
-      painter_, at(centre.x(), centre.y()), radius * scale_, mark, turning_mark_colour(theme_));
+void Sketch::draw_element_rotation_mark(QPointF centre, double radius,
+                                        const std::array<double, 3>& mark, bool roller) const {
+  (roller ? draw_rotation_sector : draw_rotation_mark)(
+      painter_, at(centre.x(), centre.y()), radius * scale_, mark, rotation_mark_color(theme_));
 }
 
 void Sketch::cage_rail(QPointF centre, const Animation& animation) const {
@@ -244,7 +244,7 @@ void Sketch::cage_rail(QPointF centre, const Animation& animation) const {
         [&](QPainter& p, QPointF middle) {
           QPainterPath path;
           for (const double radius : {out, in}) path.addEllipse(middle, radius, radius);
-          pale_cage(p, path);
+          draw_pale_cage(p, path);
         });
 }
 
@@ -259,10 +259,10 @@ void Sketch::cage_rail(QPointF centre, const Animation& animation, double begin,
   QPainterPath path;
   path.addPolygon(rail);
   path.closeSubpath();
-  pale_cage(painter_, path);
+  draw_pale_cage(painter_, path);
 }
 
-void Sketch::pale_cage(QPainter& painter, const QPainterPath& path) const {
+void Sketch::draw_pale_cage(QPainter& painter, const QPainterPath& path) const {
   const auto [colour, edge] = rail_colours(theme_);
   painter.setPen(QPen(edge, 1.0));
   painter.setBrush(colour);
@@ -298,13 +298,13 @@ int letters_of(double pixels) { return std::clamp(static_cast<int>(pixels * 0.16
 
 }  // namespace
 
-bool Sketch::frame_named(double length) const {
+bool Sketch::can_label_frame(double length) const {
   constexpr double kLeast = 28.0;  // pixels: names of shorter axes would overlap
   return length * scale_ >= kLeast;
 }
 
-std::array<QPointF, 2> Sketch::frame_names(QPointF centre, double angle, double length,
-                                           double side) const {
+std::array<QPointF, 2> Sketch::frame_label_positions(QPointF centre, double angle, double length,
+                                                     double side) const {
   // Next to the tips: parallel frames are on one line.
   const double beside = (0.7 * letters_of(length * scale_) + 5.0) / scale_;
   const double tip = std::hypot(length, beside), turn = side * std::atan2(beside, length);
@@ -320,11 +320,11 @@ void Sketch::frame(QPointF centre, double angle, double length, const QColor& co
   arrow(origin, around(centre, length, angle), colour, 2.4);
 }
 
-void Sketch::name_frame(QPointF centre, double angle, double length, const QColor& colour,
-                        double side) const {
-  const std::array<QPointF, 2> names = frame_names(centre, angle, length, side);
+void Sketch::draw_frame_labels(QPointF centre, double angle, double length, const QColor& colour,
+                               double side) const {
+  const std::array<QPointF, 2> names = frame_label_positions(centre, angle, length, side);
   for (std::size_t i = 0; i < names.size(); ++i)
-    label_over(names[i], i == 0 ? "z" : "y", colour, letters_of(length * scale_));
+    draw_outlined_label(names[i], i == 0 ? "z" : "y", colour, letters_of(length * scale_));
 }
 
 void Sketch::arrow(QPointF from, QPointF to, const QColor& colour, double width) const {
@@ -339,7 +339,7 @@ void Sketch::arrow(QPointF from, QPointF to, const QColor& colour, double width)
   const QPointF neck = to - u * head * 0.8;
   painter_.setPen(QPen(theme_.surface, shaft + 2.0 * casing, Qt::SolidLine, Qt::FlatCap));
   painter_.drawLine(from, neck);
-  desktop::arrow_head(painter_, to, u, head, colour, QPen(theme_.surface, 2.0 * casing));
+  desktop::draw_arrow_head(painter_, to, u, head, colour, QPen(theme_.surface, 2.0 * casing));
   painter_.setPen(QPen(colour, shaft, Qt::SolidLine, Qt::FlatCap));
   painter_.drawLine(from, neck);
 }
@@ -372,8 +372,8 @@ void Sketch::label(QPointF where, const QString& text, const QColor& colour, int
                     text);
 }
 
-void Sketch::label_over(QPointF where, const QString& text, const QColor& colour,
-                        int pixel_size) const {
+void Sketch::draw_outlined_label(QPointF where, const QString& text, const QColor& colour,
+                                 int pixel_size) const {
   const QFont font = desktop::ui_font(pixel_size, true);
   const QFontMetricsF metrics(font);
   QPainterPath letters;

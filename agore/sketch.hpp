@@ -12,10 +12,10 @@
 namespace adore::agore {
 
 /// Is the target made of pixels, so that cached images can be used? Else vector graphics.
-bool on_pixels(const QPainter& painter);
+bool is_raster_target(const QPainter& painter);
 
 /// Adds a point to a line in the picture unless it is within half a pixel of the last one.
-void append_seen(QPolygonF& line, QPointF next);
+void append_visible_point(QPolygonF& line, QPointF next);
 
 /// Length of y of a frame without names, in that of z.
 inline constexpr double kShorterArm = 0.6;
@@ -30,13 +30,13 @@ void draw_asterisk(QPainter& painter, QPointF where, double size, const QColor& 
 
 /// The mark that turns with a body of radius `r` [pixels]: right, up, toward the viewer, in its
 /// radii; its end is hollow on the far side.
-void draw_turning_mark(QPainter& painter, QPointF middle, double r,
-                       const std::array<double, 3>& mark, const QColor& colour);
+void draw_rotation_mark(QPainter& painter, QPointF middle, double r,
+                        const std::array<double, 3>& mark, const QColor& colour);
 /// That of a roller, seen on its end: a sector, which no line of a path looks like.
-void draw_turning_sector(QPainter& painter, QPointF middle, double r,
-                         const std::array<double, 3>& mark, const QColor& colour);
+void draw_rotation_sector(QPainter& painter, QPointF middle, double r,
+                          const std::array<double, 3>& mark, const QColor& colour);
 /// Their color on steel and on the colors of a scale: darker than all of them.
-[[nodiscard]] QColor turning_mark_colour(const desktop::Theme& theme);
+[[nodiscard]] QColor rotation_mark_color(const desktop::Theme& theme);
 
 class Sketch {
  public:
@@ -45,7 +45,8 @@ class Sketch {
   /// the circle leaves free [pixels], `head`: at the top. `stamps`: keeps drawings that only move;
   /// may be null.
   Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme,
-         QPointF pan = {0.0, 0.0}, double foot = 0.0, Stamps* stamps = nullptr, double head = 0.0);
+         QPointF pan = {0.0, 0.0}, double foot = 0.0, SpriteCache* stamps = nullptr,
+         double head = 0.0);
 
   [[nodiscard]] QPainter& painter() const { return painter_; }
   [[nodiscard]] const desktop::Theme& theme() const { return theme_; }
@@ -82,38 +83,39 @@ class Sketch {
   void frame(QPointF centre_yz, double angle, double length, const QColor& colour,
              bool named) const;
   /// Are the arms long enough for their names?
-  [[nodiscard]] bool frame_named(double length) const;
+  [[nodiscard]] bool can_label_frame(double length) const;
   /// Positions of those names in the picture, z first: outside of the arms (`side` 1) or between
   /// them (-1).
-  [[nodiscard]] std::array<QPointF, 2> frame_names(QPointF centre_yz, double angle, double length,
-                                                   double side) const;
+  [[nodiscard]] std::array<QPointF, 2> frame_label_positions(QPointF centre_yz, double angle,
+                                                             double length, double side) const;
   /// Draws the names over existing parts.
-  void name_frame(QPointF centre_yz, double angle, double length, const QColor& colour,
-                  double side = 1.0) const;
+  void draw_frame_labels(QPointF centre_yz, double angle, double length, const QColor& colour,
+                         double side = 1.0) const;
   /// Arrow between two points of the picture; its edge separates it from the background.
   void arrow(QPointF from, QPointF to, const QColor& colour, double width) const;
   void asterisk(QPointF where, double size, const QColor& colour) const;  ///< picture position
   void label(QPointF where, const QString& text, const QColor& colour, int pixel_size,
              bool bold = false) const;  ///< centered
   /// The same in bold letters with an edge of the paper's color, for places over marks.
-  void label_over(QPointF where, const QString& text, const QColor& colour, int pixel_size) const;
+  void draw_outlined_label(QPointF where, const QString& text, const QColor& colour,
+                           int pixel_size) const;
 
   /// The mark of a ball or a roller alone.
-  void turning_mark(QPointF centre_yz, double radius, const std::array<double, 3>& mark,
-                    bool roller) const;
+  void draw_element_rotation_mark(QPointF centre_yz, double radius,
+                                  const std::array<double, 3>& mark, bool roller) const;
 
  private:
   /// A drawing about `middle` that is the same wherever that is, kept on a screen.
-  void stamp(QPointF middle, double reach, const Stamps::Look& look,
+  void stamp(QPointF middle, double reach, const SpriteCache::DrawingAppearance& look,
              const std::function<void(QPainter&, QPointF)>& paint) const;
-  void pale_cage(QPainter& painter, const QPainterPath& path) const;
+  void draw_pale_cage(QPainter& painter, const QPainterPath& path) const;
   QPainter& painter_;
   QRectF area_;
   const desktop::Theme& theme_;
   QPointF centre_;
   double half_;
   double scale_;
-  Stamps* stamps_;
+  SpriteCache* sprite_cache_;
 };
 
 }  // namespace adore::agore

@@ -8,7 +8,7 @@
 namespace adore::agore {
 
 /// Center as drawn: the clearances magnified across the axis, to scale along it.
-Vec3 element_place(const Scene& s, std::size_t k) {
+Vec3 drawn_element_center(const Scene& s, std::size_t k) {
   const QPointF centre = element_centre(s, k);
   return {s.frame.elements.at(k).x, centre.x(), centre.y()};
 }
@@ -21,26 +21,29 @@ Vec3 roller_axis(const results::Sol8Element& e, double nominal, double factor) {
   const AxisAngles angles = axis_angles(e);
   const double lean = nominal + std::clamp(factor * (angles.lean - nominal), -kMost, kMost);
   const double skew = std::clamp(factor * angles.skew, -kMost, kMost);
-  return Vec3(Vec3(1.0, 0.0, 0.0) + std::tan(lean) * outwards(e.theta) +
-              std::tan(skew) * onwards(e.theta))
+  return Vec3(Vec3(1.0, 0.0, 0.0) + std::tan(lean) * outward_direction(e.theta) +
+              std::tan(skew) * azimuthal_direction(e.theta))
       .normalized();
 }
 
-void add_elements(Modeller& m, const Scene& s, double roller_factor) {
-  const Colouring colours = colouring(s.animation, s.index, s.options.colour, s.options.scale);
+void add_elements(SolidPainter& m, const Scene& s, double roller_factor) {
+  const ElementColors colours =
+      element_colors(s.animation, s.index, s.options.colour, s.options.scale);
   const desktop::Theme& t = s.sketch.theme();
   const bool balls = s.animation.file.bearing_type == 1;
-  const Shades steel = shades_of(t.steel_light), plain_mark = shades_of(solid_mark_colour(t));
+  const Shades steel = shades_of(t.steel_light),
+               plain_mark = shades_of(solid_rotation_mark_color(t));
   const double nominal = nominal_lean(s.animation);
   const RollerProfile roller = roller_profile(s.animation);
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
     const auto& e = s.frame.elements[k];
     const QColor tint = colours.of(k);
     const Shades shades = tint.isValid() ? shades_of(tint) : steel;
-    const Shades paint = tint.isValid() ? shades_of(solid_mark_colour(t, true)) : plain_mark;
+    const Shades paint =
+        tint.isValid() ? shades_of(solid_rotation_mark_color(t, true)) : plain_mark;
     const bool followed = e.angles != std::array<double, 3>{};
     const Mat3 attitude = rotation(e.angles);
-    const Vec3 centre = element_place(s, k);
+    const Vec3 centre = drawn_element_center(s, k);
     if (balls) {
       m.sphere(centre, s.geometry().element_radius,
                followed ? Vec3(attitude.col(2)) : Vec3(Vec3::Zero()), shades, paint);
@@ -48,22 +51,22 @@ void add_elements(Modeller& m, const Scene& s, double roller_factor) {
     }
     const Vec3 axis = roller_axis(e, nominal, roller_factor);
     Vec3 first = attitude.col(2) - attitude.col(2).dot(axis) * axis;
-    if (!(first.norm() > 1e-6)) first = outwards(e.theta);
+    if (!(first.norm() > 1e-6)) first = outward_direction(e.theta);
     add_roller(m, roller, centre - roller.mass_centre * axis, axis, first.normalized(), shades,
                followed ? paint : shades);
   }
 }
 
-void add_cage(Modeller& m, const Scene& s) {
+void add_cage(SolidPainter& m, const Scene& s) {
   if (!s.animation.has_cage) return;
   const Shades shades = shades_of(s.sketch.theme().cage);
   CageProfile profile = cage_profile(s.animation);
   for (const CagePocket& pocket : cage_pockets(s.animation, s.pocket_radius(), profile)) {
     const auto& body = s.animation.part(s.index, pocket.part);
     const QPointF across = s.place(body);
-    add_cage_part(m, profile, s.pitch_radius(), pocket.azimuth, pocket.mesh,
-                  cage_attitude(s.animation, s.index, pocket.part, s.factor),
-                  {body.position[0], across.x(), across.y()}, pocket.open_end, shades);
+    add_pocket_sector(m, profile, s.pitch_radius(), pocket.azimuth, pocket.mesh,
+                      cage_attitude(s.animation, s.index, pocket.part, s.factor),
+                      {body.position[0], across.x(), across.y()}, pocket.open_end, shades);
   }
 }
 
@@ -93,25 +96,25 @@ double SolidLayer::roller_factor(const Animation& animation) {
 
 bool SolidLayer::hides(QPointF place, double depth) const {
   constexpr double kTouching = 0.75;  // pixels
-  const QPointF at = (place - corner_) * pixel_;
-  return canvas_.depth_at(at) > (depth + kTouching) * pixel_;
+  const QPointF at = (place - canvas_corner_) * canvas_pixel_size_;
+  return canvas_.depth_at(at) > (depth + kTouching) * canvas_pixel_size_;
 }
 
-std::vector<RaceSpot> race_spots(const Scene& s, const Eye& eye) {
-  std::vector<RaceSpot> out;
-  for (std::size_t race = outer_spot_shown(s, eye) ? 0 : 1; race < 2; ++race) {
+std::vector<RaceRotationMark> race_rotation_marks(const Scene& s, const Eye& eye) {
+  std::vector<RaceRotationMark> out;
+  for (std::size_t race = is_outer_mark_visible(s, eye) ? 0 : 1; race < 2; ++race) {
     const auto profile = ring_profile(s.animation, race, s.factor);
     const auto& at = s.frame.races.at(race).position;
-    for (const RingColumn& face : {profile.front(), profile.back()})
+    for (const RingRadii& face : {profile.front(), profile.back()})
       out.push_back({race, Vec3(Vec3(face.x, 0.0, 0.0) +
                                 0.5 * (face.near + face.far) *
-                                    outwards(s.animation.race_angle[race][s.index]) +
+                                    outward_direction(s.animation.race_angle[race][s.index]) +
                                 Vec3(at[0], at[1], at[2]))});
   }
   return out;
 }
 
-double race_spot_radius(const Scene& s) { return 0.16 * s.geometry().element_radius; }
+double race_rotation_mark_radius(const Scene& s) { return 0.16 * s.geometry().element_radius; }
 
 void SolidLayer::draw(const Scene& s, int oversample, double pixel_ratio) {
   const double pixel = oversample * pixel_ratio;
@@ -138,7 +141,7 @@ void SolidLayer::draw(const Scene& s, int oversample, double pixel_ratio) {
   if (!(key == key_)) {
     races_.reset(size, t.surface.rgb());
     canvas_ = DepthCanvas();
-    Modeller m(races_, eye, scale, middle);
+    SolidPainter m(races_, eye, scale, middle);
     const Shades steel = shades_of(t.steel_dark);
     const double towards = viewers_azimuth(eye);
     const std::array<std::pair<double, double>, 2> arcs{
@@ -146,19 +149,19 @@ void SolidLayer::draw(const Scene& s, int oversample, double pixel_ratio) {
     for (const std::size_t race : {0U, 1U})
       add_ring(m, ring_profile(s.animation, race, s.factor), shift(race), arcs[race].first,
                arcs[race].second, steel);
-    for (const LandPlace& land : land_places(s.animation, s.factor))
-      add_strip(m, land, shift(land.race), arcs[land.race], shades_of(t.red), 2.0 / scale);
+    for (const LandSection& land : land_sections(s.animation, s.factor))
+      add_land_surface(m, land, shift(land.race), arcs[land.race], shades_of(t.red), 2.0 / scale);
     key_ = key;
   }
   canvas_.restore(races_);
-  corner_ = area.topLeft();
-  pixel_ = pixel;
-  Modeller m(canvas_, eye, scale, middle);
+  canvas_corner_ = area.topLeft();
+  canvas_pixel_size_ = pixel;
+  SolidPainter m(canvas_, eye, scale, middle);
   add_elements(m, s, roller_factor(s.animation));
   add_cage(m, s);
-  for (const RaceSpot& spot : race_spots(s, eye)) {
+  for (const RaceRotationMark& spot : race_rotation_marks(s, eye)) {
     const Shades shades = shades_of(spot.race == 0 ? t.light_blue : t.blue);
-    m.sphere(spot.centre, race_spot_radius(s), Vec3::Zero(), shades, shades);
+    m.sphere(spot.centre, race_rotation_mark_radius(s), Vec3::Zero(), shades, shades);
   }
   // The rest is background.
   const QRect drawn = canvas_.drawn();

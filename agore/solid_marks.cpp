@@ -17,7 +17,7 @@ namespace {
 
 /// The way of an element's center in the picture, cut where bodies begin and end to hide it.
 struct CutWay {
-  std::vector<std::vector<WayPoint>> seen, hidden;
+  std::vector<std::vector<TrajectoryPoint>> seen, hidden;
 };
 
 class WayCutter {
@@ -52,7 +52,7 @@ class WayCutter {
   }
 
  private:
-  [[nodiscard]] std::vector<std::vector<WayPoint>>& piece() {
+  [[nodiscard]] std::vector<std::vector<TrajectoryPoint>>& piece() {
     return hidden_ ? out_.hidden : out_.seen;
   }
   void step(const Place& to, bool frame) {
@@ -111,8 +111,8 @@ LoadArrow load_arrow_of(const SolidLayer& layer, const WayCutter::Place& tail,
   cutter.add(tail, false);
   cutter.add(between(0.8 * out.head), true);
   for (auto* ways : {&out.shaft.seen, &out.shaft.hidden})
-    for (std::vector<WayPoint>& way : *ways)
-      for (WayPoint& point : way) point.frame = false;
+    for (std::vector<TrajectoryPoint>& way : *ways)
+      for (TrajectoryPoint& point : way) point.frame = false;
   const WayCutter::Place middle = between(0.5 * out.head);
   out.hidden = layer.hides(middle.at, middle.depth);
   return out;
@@ -121,7 +121,7 @@ LoadArrow load_arrow_of(const SolidLayer& layer, const WayCutter::Place& tail,
 void draw_head(QPainter& p, const LoadArrow& arrow, const QColor& paper) {
   constexpr double kEdge = 2.4;  // half of it outside
   const auto head = [&](const QColor& ink, const QPen& edge) {
-    desktop::arrow_head(p, arrow.tip, arrow.way, arrow.head, ink, edge);
+    desktop::draw_arrow_head(p, arrow.tip, arrow.way, arrow.head, ink, edge);
   };
   if (arrow.hidden) {
     head(paper, QPen(paper, kEdge + 2.0 * kCasing));
@@ -135,9 +135,9 @@ void draw_head(QPainter& p, const LoadArrow& arrow, const QColor& paper) {
 
 namespace {
 
-double length_of(const std::vector<std::vector<WayPoint>>& ways) {
+double length_of(const std::vector<std::vector<TrajectoryPoint>>& ways) {
   double out = 0.0;
-  for (const std::vector<WayPoint>& way : ways)
+  for (const std::vector<TrajectoryPoint>& way : ways)
     for (std::size_t i = 1; i < way.size(); ++i)
       if (way[i].joined) out += QLineF(way[i - 1].at, way[i].at).length();
   return std::isfinite(out) ? out : 0.0;
@@ -145,7 +145,7 @@ double length_of(const std::vector<std::vector<WayPoint>>& ways) {
 
 }  // namespace
 
-DrawnLines draw_paths(const Scene& s, const SolidLayer& layer, const Eye& eye) {
+LineVisibility draw_paths(const Scene& s, const SolidLayer& layer, const Eye& eye) {
   CutWay ways;
   WayCutter cutter(layer, ways);
   const Projection at(s, eye);
@@ -156,8 +156,8 @@ DrawnLines draw_paths(const Scene& s, const SolidLayer& layer, const Eye& eye) {
   }
   QPainter& p = s.sketch.painter();
   const QColor colour = trail_colour(s), edge = s.sketch.theme().surface;
-  draw_ways(p, s.sketch.area(), ways.hidden, {colour, 1.6, edge, true});
-  draw_ways(p, s.sketch.area(), ways.seen, {colour, 1.8, edge});
+  draw_trajectories(p, s.sketch.area(), ways.hidden, {colour, 1.6, edge, true});
+  draw_trajectories(p, s.sketch.area(), ways.seen, {colour, 1.8, edge});
   // A twentieth of them is hardly found.
   constexpr double kPart = 0.05;
   const double seen = length_of(ways.seen), hidden = length_of(ways.hidden);
@@ -165,8 +165,8 @@ DrawnLines draw_paths(const Scene& s, const SolidLayer& layer, const Eye& eye) {
   return {seen > kPart * hidden, hidden > kPart * seen};
 }
 
-std::array<DrawnLines, 2> draw_loads(const Scene& s, const SolidLayer& layer, const Eye& eye) {
-  std::array<DrawnLines, 2> out{};
+std::array<LineVisibility, 2> draw_loads(const Scene& s, const SolidLayer& layer, const Eye& eye) {
+  std::array<LineVisibility, 2> out{};
   const auto* const contacts = s.animation.contacts_at(s.index);
   if (contacts == nullptr || !(s.animation.contacts->largest_load > 0.0)) return out;
   constexpr double kSeen = 6.0, kWidth = 2.6, kHiddenWidth = 2.4;  // pixels
@@ -190,8 +190,8 @@ std::array<DrawnLines, 2> draw_loads(const Scene& s, const SolidLayer& layer, co
       if (!std::isfinite(angle)) continue;
       const double way = j == 0 ? 1.0 : -1.0;
       const Vec3 u = way * (Vec3(std::sin(angle), 0.0, 0.0) +
-                            std::cos(angle) * outwards(s.frame.elements.at(k).theta));
-      const Vec3 tip = element_place(s, k) + radius * u;
+                            std::cos(angle) * outward_direction(s.frame.elements.at(k).theta));
+      const Vec3 tip = drawn_element_center(s, k) + radius * u;
       const WayCutter::Place from = at(Vec3(tip + 1.3 * part * radius * u)), to = at(tip);
       const double length = QLineF(from.at, to.at).length();
       if (!std::isfinite(length)) continue;
@@ -209,14 +209,15 @@ std::array<DrawnLines, 2> draw_loads(const Scene& s, const SolidLayer& layer, co
   const QColor paper = s.sketch.theme().surface;
   // Sorted from back to front.
   for (const LoadArrow& arrow : arrows) {
-    draw_ways(p, s.sketch.area(), arrow.shaft.hidden, {arrow.colour, kHiddenWidth, paper, true});
+    draw_trajectories(p, s.sketch.area(), arrow.shaft.hidden,
+                      {arrow.colour, kHiddenWidth, paper, true});
     if (arrow.hidden) draw_head(p, arrow, paper);
   }
   for (const LoadArrow& arrow : arrows) {
-    draw_ways(p, s.sketch.area(), arrow.shaft.seen, {arrow.colour, kWidth, paper});
+    draw_trajectories(p, s.sketch.area(), arrow.shaft.seen, {arrow.colour, kWidth, paper});
     if (!arrow.hidden) draw_head(p, arrow, paper);
   }
-  for (const Stub& stub : stubs) load_stub(p, stub.tail, stub.tip, stub.colour, paper);
+  for (const Stub& stub : stubs) draw_load_stub(p, stub.tail, stub.tip, stub.colour, paper);
   return out;
 }
 

@@ -4,21 +4,21 @@ namespace adore::agore {
 
 using Point = DepthCanvas::Point;
 
-void add_ring(Modeller& m, const std::vector<RingColumn>& profile, const Vec3& shift, double begin,
-              double end, const Shades& shades) {
+void add_ring(SolidPainter& m, const std::vector<RingRadii>& profile, const Vec3& shift,
+              double begin, double end, const Shades& shades) {
   const int parts = std::max(8, static_cast<int>(std::ceil((end - begin) / (2.0 * kPi) * 150.0)));
   const auto place = [&](double x, double r, double azimuth) {
-    return Vec3(Vec3(x, 0.0, 0.0) + r * outwards(azimuth) + shift);
+    return Vec3(Vec3(x, 0.0, 0.0) + r * outward_direction(azimuth) + shift);
   };
   for (int i = 0; i < parts; ++i) {
     const double a = begin + (end - begin) * i / parts, b = begin + (end - begin) * (i + 1) / parts;
     for (std::size_t j = 1; j < profile.size(); ++j) {
-      const RingColumn &p = profile[j - 1], &q = profile[j];
+      const RingRadii &p = profile[j - 1], &q = profile[j];
       const auto surface = [&](double rp, double rq) {
         const double dx = q.x - p.x, dr = rq - rp, size = std::hypot(dx, dr);
         if (!(size > 0.0)) return;
         const auto normal = [&](double azimuth) {
-          return Vec3((Vec3(-dr, 0.0, 0.0) + dx * outwards(azimuth)) / size);
+          return Vec3((Vec3(-dr, 0.0, 0.0) + dx * outward_direction(azimuth)) / size);
         };
         m.canvas().quad(m.at(place(p.x, rp, a), normal(a)), m.at(place(q.x, rq, a), normal(a)),
                         m.at(place(q.x, rq, b), normal(b)), m.at(place(p.x, rp, b), normal(b)),
@@ -27,7 +27,7 @@ void add_ring(Modeller& m, const std::vector<RingColumn>& profile, const Vec3& s
       surface(p.near, q.near);
       surface(p.far, q.far);
     }
-    for (const RingColumn& face : {profile.front(), profile.back()})
+    for (const RingRadii& face : {profile.front(), profile.back()})
       m.flat(place(face.x, face.near, a), place(face.x, face.far, a), place(face.x, face.far, b),
              place(face.x, face.near, b), shades);
   }
@@ -39,13 +39,14 @@ void add_ring(Modeller& m, const std::vector<RingColumn>& profile, const Vec3& s
              place(profile[j - 1].x, profile[j - 1].far, cut), shades);
 }
 
-void add_strip(Modeller& m, const LandPlace& land, const Vec3& shift, std::pair<double, double> arc,
-               const Shades& shades, double proud) {
+void add_land_surface(SolidPainter& m, const LandSection& land, const Vec3& shift,
+                      std::pair<double, double> arc, const Shades& shades, double proud) {
   const double way = land.race == 0 ? -1.0 : 1.0, radius = land.on_race + way * proud;
   constexpr int kParts = 150;
   const auto at = [&](double x, int i) {
     const double azimuth = arc.first + (arc.second - arc.first) * i / kParts;
-    return m.at(Vec3(Vec3(x, 0.0, 0.0) + radius * outwards(azimuth) + shift), outwards(azimuth));
+    return m.at(Vec3(Vec3(x, 0.0, 0.0) + radius * outward_direction(azimuth) + shift),
+                outward_direction(azimuth));
   };
   for (int i = 0; i < kParts; ++i)
     m.canvas().quad(at(land.low, i), at(land.high, i), at(land.high, i + 1), at(land.low, i + 1),
@@ -107,20 +108,23 @@ Mat3 cage_attitude(const Animation& animation, std::size_t frame, int part, doub
   const auto tilt = [&](double angle) {
     return std::clamp(factor * std::remainder(angle, kPi), -kMost, kMost);
   };
-  return rotation({animation.part_angle(frame, part), tilt(body.angles[1]), tilt(body.angles[2])});
+  return rotation(
+      {animation.cage_part_angle(frame, part), tilt(body.angles[1]), tilt(body.angles[2])});
 }
 
-void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, double azimuth,
-                   const PocketMesh& pocket, const Mat3& turn, const Vec3& shift,
-                   const std::array<bool, 2>& open_end, const Shades& shades) {
+void add_pocket_sector(SolidPainter& m, const CageProfile& cage, double pitch_radius,
+                       double azimuth, const PocketMesh& pocket, const Mat3& turn,
+                       const Vec3& shift, const std::array<bool, 2>& open_end,
+                       const Shades& shades) {
   // Coordinates on the cage: s around it (an angle at the pitch radius), along u, across v.
   const auto place = [&](double angle, double u, double v) {
-    const QPointF p = leaned(0.0, pitch_radius, cage.lean, u, v);
-    return Vec3(turn * Vec3(Vec3(p.x(), 0.0, 0.0) + p.y() * outwards(azimuth + angle)) + shift);
+    const QPointF p = tilted_point(0.0, pitch_radius, cage.lean, u, v);
+    return Vec3(turn * Vec3(Vec3(p.x(), 0.0, 0.0) + p.y() * outward_direction(azimuth + angle)) +
+                shift);
   };
   const auto across = [&](double angle) {
     return Vec3(turn * Vec3(Vec3(-std::sin(cage.lean), 0.0, 0.0) +
-                            std::cos(cage.lean) * outwards(azimuth + angle)));
+                            std::cos(cage.lean) * outward_direction(azimuth + angle)));
   };
   // Points around a square, including its corners: around the bearing (`along` and back), and
   // straight along it, where only round holes need points.
@@ -162,7 +166,7 @@ void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, do
   }
 }
 
-void add_roller(Modeller& m, const RollerProfile& shape, const Vec3& middle, const Vec3& axis,
+void add_roller(SolidPainter& m, const RollerProfile& shape, const Vec3& middle, const Vec3& axis,
                 const Vec3& first, const Shades& shades, const Shades& mark) {
   const Vec3 second = axis.cross(first);
   constexpr int kSides = 28, kPainted = 2;  // on each side of the mark's middle: 64 degrees

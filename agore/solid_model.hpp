@@ -15,13 +15,17 @@
 namespace adore::agore {
 
 /// Directions at an azimuth: outward and of increasing azimuth.
-inline Vec3 outwards(double azimuth) { return {0.0, -std::sin(azimuth), std::cos(azimuth)}; }
-inline Vec3 onwards(double azimuth) { return {0.0, -std::cos(azimuth), -std::sin(azimuth)}; }
+inline Vec3 outward_direction(double azimuth) {
+  return {0.0, -std::sin(azimuth), std::cos(azimuth)};
+}
+inline Vec3 azimuthal_direction(double azimuth) {
+  return {0.0, -std::cos(azimuth), -std::sin(azimuth)};
+}
 
 /// Bodies as triangles on a canvas.
-class Modeller {
+class SolidPainter {
  public:
-  Modeller(DepthCanvas& canvas, const Eye& eye, double scale, QPointF middle)
+  SolidPainter(DepthCanvas& canvas, const Eye& eye, double scale, QPointF middle)
       : canvas_(canvas), eye_(eye), scale_(scale), middle_(middle) {}
 
   [[nodiscard]] DepthCanvas::Point at(const Vec3& p) const {
@@ -88,12 +92,12 @@ class Modeller {
 };
 
 /// A ring over the azimuths from `begin` to `end`.
-void add_ring(Modeller& m, const std::vector<RingColumn>& profile, const Vec3& shift, double begin,
-              double end, const Shades& shades);
+void add_ring(SolidPainter& m, const std::vector<RingRadii>& profile, const Vec3& shift,
+              double begin, double end, const Shades& shades);
 
 /// Contact surface of a guide land on its race, above the ring surface by `proud`.
-void add_strip(Modeller& m, const LandPlace& land, const Vec3& shift, std::pair<double, double> arc,
-               const Shades& shades, double proud);
+void add_land_surface(SolidPainter& m, const LandSection& land, const Vec3& shift,
+                      std::pair<double, double> arc, const Shades& shades, double proud);
 
 /// Position of the sector of one pocket of the cage, and its hole, as drawn.
 struct PocketMesh {
@@ -128,12 +132,13 @@ struct CagePocket {
                                  double factor);
 
 /// The sector of one pocket. `open_end`: does the cage end there, before and after it?
-void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, double azimuth,
-                   const PocketMesh& pocket, const Mat3& turn, const Vec3& shift,
-                   const std::array<bool, 2>& open_end, const Shades& shades);
+void add_pocket_sector(SolidPainter& m, const CageProfile& cage, double pitch_radius,
+                       double azimuth, const PocketMesh& pocket, const Mat3& turn,
+                       const Vec3& shift, const std::array<bool, 2>& open_end,
+                       const Shades& shades);
 
 /// `first`: position of its mark, across the axis; none: no mark.
-void add_roller(Modeller& m, const RollerProfile& shape, const Vec3& middle, const Vec3& axis,
+void add_roller(SolidPainter& m, const RollerProfile& shape, const Vec3& middle, const Vec3& axis,
                 const Vec3& first, const Shades& shades, const Shades& mark);
 
 }  // namespace adore::agore

@@ -25,23 +25,23 @@ struct Eye {
 inline constexpr double kOpen = 70.0 * kPi / 180.0;
 [[nodiscard]] double viewers_azimuth(const Eye& eye);
 /// Is the spot of the outer race on metal that is drawn?
-[[nodiscard]] bool outer_spot_shown(const Scene& scene, const Eye& eye);
+[[nodiscard]] bool is_outer_mark_visible(const Scene& scene, const Eye& eye);
 
 /// Center as drawn: the clearances magnified across the axis, to scale along it.
-[[nodiscard]] Vec3 element_place(const Scene& scene, std::size_t k);
+[[nodiscard]] Vec3 drawn_element_center(const Scene& scene, std::size_t k);
 
 /// A spot on a face of a race, which shows its turning.
-struct RaceSpot {
+struct RaceRotationMark {
   std::size_t race;
   Vec3 centre;
 };
 /// Those on metal that is drawn.
-[[nodiscard]] std::vector<RaceSpot> race_spots(const Scene& scene, const Eye& eye);
-[[nodiscard]] double race_spot_radius(const Scene& scene);
+[[nodiscard]] std::vector<RaceRotationMark> race_rotation_marks(const Scene& scene, const Eye& eye);
+[[nodiscard]] double race_rotation_mark_radius(const Scene& scene);
 
 /// Color of the marks that turn with elements in space. Green on steel, because a flat dark mark
 /// looks like a hole there; on colored elements the dark gray of no color of the scale.
-[[nodiscard]] QColor solid_mark_colour(const desktop::Theme& theme, bool coloured = false);
+[[nodiscard]] QColor solid_rotation_mark_color(const desktop::Theme& theme, bool coloured = false);
 
 /// Draws frames of one animation; caches constant parts.
 class SolidLayer {
@@ -67,18 +67,19 @@ class SolidLayer {
   };
   Key key_;
   DepthCanvas races_, canvas_;
-  QPointF corner_;      ///< of the canvas in the picture
-  double pixel_ = 1.0;  ///< of the canvas, in pixels of the picture
+  QPointF canvas_corner_;           ///< of the canvas in the picture
+  double canvas_pixel_size_ = 1.0;  ///< of the canvas, in pixels of the picture
   std::optional<double> roller_factor_;
 };
 
 /// Drawn parts of lines of one kind: in front of bodies, and behind them.
-struct DrawnLines {
+struct LineVisibility {
   bool seen = false, hidden = false;
 };
 /// Paths of the elements; arrows of the loads of both races. Dashed behind bodies, with hollow
 /// heads.
-DrawnLines draw_paths(const Scene& scene, const SolidLayer& layer, const Eye& eye);
-std::array<DrawnLines, 2> draw_loads(const Scene& scene, const SolidLayer& layer, const Eye& eye);
+LineVisibility draw_paths(const Scene& scene, const SolidLayer& layer, const Eye& eye);
+std::array<LineVisibility, 2> draw_loads(const Scene& scene, const SolidLayer& layer,
+                                         const Eye& eye);
 
 }  // namespace adore::agore

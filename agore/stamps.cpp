@@ -19,7 +19,7 @@ double bytes_of(const QImage& image) { return static_cast<double>(image.sizeInBy
 
 }  // namespace
 
-void Stamps::make_room(double bytes) {
+void SpriteCache::make_room(double bytes) {
   if (bytes_ + bytes <= room_) return;
   // A quarter more than is needed: the next one shall not have to search again.
   const double wanted = std::max(0.0, 0.75 * room_ - bytes);
@@ -34,8 +34,9 @@ void Stamps::make_room(double bytes) {
   }
 }
 
-void Stamps::draw(QPainter& painter, QPointF middle, double reach, const Look& look,
-                  const std::function<void(QPainter&, QPointF)>& paint) {
+void SpriteCache::draw(QPainter& painter, QPointF middle, double reach,
+                       const DrawingAppearance& look,
+                       const std::function<void(QPainter&, QPointF)>& paint) {
   const double ratio = painter.device()->devicePixelRatioF();
   const double far = reach * ratio;
   if (!(far < kLargest) || !std::isfinite(middle.x() + middle.y())) return paint(painter, middle);
@@ -65,7 +66,7 @@ void Stamps::draw(QPainter& painter, QPointF middle, double reach, const Look& l
     bytes_ += bytes_of(image);
     found = images_.emplace(key, Image{std::move(image)}).first;
   }
-  found->second.drawn = ++drawings_;
+  found->second.drawn = ++draw_count_;
   painter.drawImage(QPointF(x - half, y - half) / ratio, found->second.image);
 }
 

@@ -21,21 +21,21 @@
 /// deleted.
 namespace adore::agore {
 
-class Stamps {
+class SpriteCache {
  public:
   static constexpr double kRoom = 160e6;  ///< [bytes]
   /// @param room memory for all images [bytes]
-  explicit Stamps(double room = kRoom) : room_(room) {}
+  explicit SpriteCache(double room = kRoom) : room_(room) {}
   /// Appearance of a drawing: equal values give equal pictures.
-  struct Look {
+  struct DrawingAppearance {
     int kind = 0;
     std::array<double, 2> sizes{};  ///< [pixels]
     std::array<QRgb, 3> colours{};
-    auto operator<=>(const Look&) const = default;
+    auto operator<=>(const DrawingAppearance&) const = default;
   };
   /// Draws `paint` centered at `middle`, with an extent of at most `reach` pixels in each
   /// direction.
-  void draw(QPainter& painter, QPointF middle, double reach, const Look& look,
+  void draw(QPainter& painter, QPointF middle, double reach, const DrawingAppearance& look,
             const std::function<void(QPainter&, QPointF)>& paint);
   /// Images that are kept.
   [[nodiscard]] std::size_t size() const { return images_.size(); }
@@ -43,7 +43,7 @@ class Stamps {
 
  private:
   struct Key {
-    Look look;
+    DrawingAppearance look;
     int right = 0, down = 0;  ///< between pixels, in parts of one
     double ratio = 0.0;
     auto operator<=>(const Key&) const = default;
@@ -56,7 +56,7 @@ class Stamps {
   void make_room(double bytes);
   std::map<Key, Image> images_;
   double room_, bytes_ = 0.0;
-  std::uint64_t drawings_ = 0;
+  std::uint64_t draw_count_ = 0;
 };
 
 }  // namespace adore::agore

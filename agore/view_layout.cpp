@@ -90,9 +90,9 @@ bool many(View view) { return view == View::Bearing || view == View::Cage || vie
 double key_height(const Animation& animation, const ViewOptions& options, QSizeF size) {
   if (many(options.view)) {
     const std::size_t entries = key_entries(animation, options, size);
-    const auto columns = static_cast<std::size_t>(key_columns(entries, size));
+    const auto columns = static_cast<std::size_t>(legend_column_count(entries, size));
     return static_cast<double>((entries + columns - 1) / columns + 1) *
-           key_line(key_letters(entries, size));
+           legend_line_height(legend_font_size(entries, size));
   }
   constexpr double kWide = 520.0;  // remarks of narrower ones need another line
   const auto lines = [&] {
@@ -109,13 +109,13 @@ double key_height(const Animation& animation, const ViewOptions& options, QSizeF
         return 4;
     }
   };
-  return (lines() + (size.width() < kWide ? 1 : 0)) * key_line();
+  return (lines() + (size.width() < kWide ? 1 : 0)) * legend_line_height();
 }
 
 /// Width of a view's key [pixels], as its longest line needs it.
 double key_width(const Animation& animation, const ViewOptions& options, QSizeF size) {
   constexpr double kTwoColumns = 400.0;
-  if (many(options.view) && key_columns(key_entries(animation, options, size), size) == 2)
+  if (many(options.view) && legend_column_count(key_entries(animation, options, size), size) == 2)
     return std::min(size.width(), kTwoColumns);
   switch (options.view) {
     case View::Solid:
@@ -137,10 +137,10 @@ namespace {
 /// Of a picture that leaves `head` free at its top.
 double foot_below(const Animation& animation, const ViewOptions& options, QSizeF size,
                   double head) {
-  const bool low = too_low(options, size.height());
+  const bool low = is_too_low(options, size.height());
   const bool round = options.view != View::Pocket && options.view != View::Section &&
                      options.view != View::Flange && options.view != View::Raceways;
-  const double lines = low ? (options.view == View::Bearing ? 1.0 : 2.0) * key_line()
+  const double lines = low ? (options.view == View::Bearing ? 1.0 : 2.0) * legend_line_height()
                            : key_height(animation, options, size);
   const double height = std::min(lines + 4.0, 0.45 * size.height());
   if (!round || (low && options.view == View::Solid)) return height;
@@ -160,21 +160,21 @@ double foot_below(const Animation& animation, const ViewOptions& options, QSizeF
 
 }  // namespace
 
-double key_foot(const Animation& animation, const ViewOptions& options, QSizeF size) {
+double legend_height_below(const Animation& animation, const ViewOptions& options, QSizeF size) {
   if (!options.shown.key) return 0.0;
-  return foot_below(animation, options, size, scale_head(animation, options, size));
+  return foot_below(animation, options, size, color_scale_top_margin(animation, options, size));
 }
 
-QSizeF scale_room(const ViewOptions& options, QSizeF size) {
+QSizeF color_scale_size(const ViewOptions& options, QSizeF size) {
   const bool round = options.view == View::Bearing || options.view == View::Solid;
   if (options.colour == ColourBy::None || !round) return {0.0, 0.0};
-  if (options.one_of_several && too_low(options, size.height())) return {0.0, 0.0};
-  const double lines = options.scale.kind == ColourScale::Typed ? 3.0 : 2.0;
+  if (options.one_of_several && is_too_low(options, size.height())) return {0.0, 0.0};
+  const double lines = options.scale.kind == ColorScaleKind::Typed ? 3.0 : 2.0;
   return {size.width() < 480.0 ? 110.0 : 156.0, 46.0 + 14.0 * lines};
 }
 
-double scale_head(const Animation& animation, const ViewOptions& options, QSizeF size) {
-  const QSizeF room = scale_room(options, size);
+double color_scale_top_margin(const Animation& animation, const ViewOptions& options, QSizeF size) {
+  const QSizeF room = color_scale_size(options, size);
   if (room.isEmpty()) return 0.0;
   // A higher foot, which a head may ask for, makes the picture as much smaller as it lifts it.
   const double foot = options.shown.key ? foot_below(animation, options, size, 0.0) : 0.0;
@@ -189,8 +189,9 @@ double scale_head(const Animation& animation, const ViewOptions& options, QSizeF
 }
 
 QPointF picture_middle(const Animation& animation, const ViewOptions& options, const QRectF& area) {
-  return area.center() + QPointF(0.0, 0.5 * (scale_head(animation, options, area.size()) -
-                                             key_foot(animation, options, area.size())));
+  return area.center() +
+         QPointF(0.0, 0.5 * (color_scale_top_margin(animation, options, area.size()) -
+                             legend_height_below(animation, options, area.size())));
 }
 
 }  // namespace adore::agore

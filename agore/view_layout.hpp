@@ -10,7 +10,7 @@ namespace adore::agore {
 /// Heights that are too small for a key of several lines [pixels]: of a single picture, and of one
 /// of several, with a common key below.
 inline constexpr double kTooLow = 200.0, kTooLowBeside = 330.0;
-[[nodiscard]] inline bool too_low(const ViewOptions& options, double height) {
+[[nodiscard]] inline bool is_too_low(const ViewOptions& options, double height) {
   return height < (options.one_of_several ? kTooLowBeside : kTooLow);
 }
 
@@ -22,9 +22,9 @@ double numbers_margin(double half);
 
 /// Space for the color scale in the upper right corner of a picture, and height at the top that a
 /// round picture keeps free for it: just enough for its numbers.
-[[nodiscard]] QSizeF scale_room(const ViewOptions& options, QSizeF size);
-[[nodiscard]] double scale_head(const Animation& animation, const ViewOptions& options,
-                                QSizeF size);
+[[nodiscard]] QSizeF color_scale_size(const ViewOptions& options, QSizeF size);
+[[nodiscard]] double color_scale_top_margin(const Animation& animation, const ViewOptions& options,
+                                            QSizeF size);
 
 /// Radius of the circle about the picture's middle that must be seen, in the file's length, in
 /// `size` pixels.
@@ -32,6 +32,6 @@ double picture_radius(const Animation& animation, const ViewOptions& options, QS
 
 /// Height at the bottom of a picture for its key: just enough to keep a round picture out of the
 /// corner of the key, and all of the key otherwise.
-double key_foot(const Animation& animation, const ViewOptions& options, QSizeF size);
+double legend_height_below(const Animation& animation, const ViewOptions& options, QSizeF size);
 
 }  // namespace adore::agore

@@ -14,7 +14,7 @@
 
 namespace adore::agore {
 
-View view_named(const std::string& name, const std::string& race) {
+View parse_view(const std::string& name, const std::string& race) {
   if (name == "bearing") return View::Bearing;
   if (name == "cage") return View::Cage;
   if (name == "pocket") return View::Pocket;
@@ -32,10 +32,11 @@ View view_named(const std::string& name, const std::string& race) {
                    "'; use bearing, cage, pocket, element, race, flange, section, 3d or raceways");
 }
 
-std::vector<SideView> views_beside(const std::string& names, const std::string& race) {
-  std::vector<SideView> out;
+std::vector<AdditionalView> parse_additional_views(const std::string& names,
+                                                   const std::string& race) {
+  std::vector<AdditionalView> out;
   std::istringstream list(names);
-  for (std::string name; std::getline(list, name, ',');) out.push_back({view_named(name, race)});
+  for (std::string name; std::getline(list, name, ',');) out.push_back({parse_view(name, race)});
   return out;
 }
 
@@ -44,14 +45,14 @@ ViewOptions ViewOptions::tile(std::size_t number) const {
   out.one_of_several = !beside.empty();
   out.beside.clear();
   if (number == 0) return out;
-  const SideView& side = beside.at(number - 1);
+  const AdditionalView& side = beside.at(number - 1);
   out.view = side.view;
   out.zoom = side.zoom;
   out.pan = side.pan;
   return out;
 }
 
-ColourBy colour_named(const std::string& name) {
+ColourBy parse_color_quantity(const std::string& name) {
   if (name == "none") return ColourBy::None;
   if (name == "load") return ColourBy::Load;
   if (name == "slip") return ColourBy::Slip;
@@ -62,15 +63,15 @@ ColourBy colour_named(const std::string& name) {
                    "'; use none, load, slip, heat, temperature or pressure");
 }
 
-ScaleChoice scale_named(const std::string& name) {
+ColorScaleChoice parse_color_scale(const std::string& name) {
   if (name == "usual") return {};
-  if (name == "run") return {ColourScale::Run, 0.0, 0.0};
-  if (name == "moment") return {ColourScale::Moment, 0.0, 0.0};
+  if (name == "run") return {ColorScaleKind::Run, 0.0, 0.0};
+  if (name == "moment") return {ColorScaleKind::Moment, 0.0, 0.0};
   const InputError refusal("a color scale cannot be '" + name +
                            "'; use usual, run, moment or two increasing limits such as 0:0.02");
   std::istringstream text(name);
   text.imbue(std::locale::classic());
-  ScaleChoice out{ColourScale::Typed, 0.0, 0.0};
+  ColorScaleChoice out{ColorScaleKind::Typed, 0.0, 0.0};
   char between = 0;
   if (!(text >> out.low >> between >> out.high) || between != ':') throw refusal;
   if (text >> std::ws, !text.eof()) throw refusal;
@@ -78,15 +79,15 @@ ScaleChoice scale_named(const std::string& name) {
   return out;
 }
 
-std::string scale_name(const ScaleChoice& scale) {
+std::string scale_name(const ColorScaleChoice& scale) {
   switch (scale.kind) {
-    case ColourScale::Usual:
+    case ColorScaleKind::Usual:
       return "usual";
-    case ColourScale::Run:
+    case ColorScaleKind::Run:
       return "run";
-    case ColourScale::Moment:
+    case ColorScaleKind::Moment:
       return "moment";
-    case ColourScale::Typed:
+    case ColorScaleKind::Typed:
       break;
   }
   return fmt::format("{}:{}", scale.low, scale.high);

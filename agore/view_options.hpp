@@ -28,16 +28,16 @@ enum class View : unsigned char {
 enum class ColourBy : unsigned char { None, Load, Slip, Heat, Temperature, Pressure };
 
 /// How the scale of colors is chosen.
-enum class ColourScale : unsigned char {
+enum class ColorScaleKind : unsigned char {
   Usual,   ///< limit for 95 % of the values of the run: a short peak does not hide differences
   Run,     ///< to the largest of the run
   Moment,  ///< to the largest of the frame
   Typed
 };
-struct ScaleChoice {
-  ColourScale kind = ColourScale::Usual;
+struct ColorScaleChoice {
+  ColorScaleKind kind = ColorScaleKind::Usual;
   double low = 0.0, high = 0.0;  ///< specified limits, in the unit of the channel
-  bool operator==(const ScaleChoice&) const = default;
+  bool operator==(const ColorScaleChoice&) const = default;
 };
 
 /// Parts of a picture that can be hidden, so that the bodies get their space.
@@ -47,11 +47,11 @@ struct ShownParts {
 };
 
 /// An additional view, with its own zoom.
-struct SideView {
+struct AdditionalView {
   View view = View::Section;
   double zoom = 1.0;
   QPointF pan{0.0, 0.0};
-  bool operator==(const SideView&) const = default;
+  bool operator==(const AdditionalView&) const = default;
 };
 
 struct ViewOptions {
@@ -62,7 +62,7 @@ struct ViewOptions {
   bool dark = false;
   std::size_t flange_race = 1;  ///< of the flange view: 0 outer, 1 inner
   ColourBy colour = ColourBy::None;
-  ScaleChoice scale;
+  ColorScaleChoice scale;
   bool contacts = false;  ///< arrows of the race loads on all elements
   bool trails = false;    ///< paths of the elements so far
   double zoom = 1.0;
@@ -71,8 +71,8 @@ struct ViewOptions {
   bool moving = false;                  ///< a quick picture of the 3D view is enough
   /// Repeated range, as shown in the time bar [s]; none: to that end of the run.
   std::optional<double> span_from, span_to;
-  bool one_of_several = false;        ///< one of several: smaller pictures share a key below them
-  std::vector<SideView> beside = {};  ///< additional views of the same frame
+  bool one_of_several = false;  ///< one of several: smaller pictures share a key below them
+  std::vector<AdditionalView> beside = {};  ///< additional views of the same frame
 
   ShownParts shown = {};
   bool picked = false;       ///< the element has a ring in the views of all elements
@@ -85,20 +85,21 @@ struct ViewOptions {
 /// "bearing", "cage", "pocket", "element", "section", "3d", "raceways", "flange", "race" (`race`
 /// outer or inner).
 /// @throws InputError with the list of names.
-View view_named(const std::string& name, const std::string& race = "inner");
+View parse_view(const std::string& name, const std::string& race = "inner");
 
 /// "3d,section": several views, separated by commas; empty: none. @throws InputError as
-/// view_named()
-std::vector<SideView> views_beside(const std::string& names, const std::string& race = "inner");
+/// parse_view()
+std::vector<AdditionalView> parse_additional_views(const std::string& names,
+                                                   const std::string& race = "inner");
 
 /// "none", "load", "slip", "heat", "temperature", "pressure". @throws InputError with the list of
 /// names.
-ColourBy colour_named(const std::string& name);
+ColourBy parse_color_quantity(const std::string& name);
 
 /// "usual", "run", "moment", or two limits: "0:0.02". @throws InputError with the valid values.
-ScaleChoice scale_named(const std::string& name);
+ColorScaleChoice parse_color_scale(const std::string& name);
 /// The way back.
-std::string scale_name(const ScaleChoice& scale);
+std::string scale_name(const ColorScaleChoice& scale);
 
 /// "bearing", "outer-race", "3d": a view's name in names of files.
 std::string view_name(View view);

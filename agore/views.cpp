@@ -22,9 +22,9 @@ namespace {
 
 /// Scale of the picture, and position of its center.
 Sketch sketch_of(QPainter& painter, const QRectF& area, const Animation& animation,
-                 const ViewOptions& options, Stamps* stamps = nullptr) {
-  const double foot = key_foot(animation, options, area.size());
-  const double head = scale_head(animation, options, area.size());
+                 const ViewOptions& options, SpriteCache* stamps = nullptr) {
+  const double foot = legend_height_below(animation, options, area.size());
+  const double head = color_scale_top_margin(animation, options, area.size());
   const QSizeF room(area.width(), area.height() - foot - head);
   return {painter,
           area,
@@ -42,12 +42,12 @@ bool is_clipped(const ViewOptions& options) { return options.zoom != 1.0 || !opt
 void paint_still(const Scene& scene) {
   switch (scene.options.view) {
     case View::Bearing:
-      return bearing_rings(scene);
+      return draw_bearing_rings(scene);
     case View::Element:
-      return element_rings(scene);
+      return draw_element_rings(scene);
     case View::OuterRace:
     case View::InnerRace:
-      return race_ring(scene);
+      return draw_race_ring(scene);
     case View::Cage:
     case View::Pocket:
     case View::Section:
@@ -58,38 +58,38 @@ void paint_still(const Scene& scene) {
   }
 }
 
-void paint_moving(const Scene& scene, Kept& kept) {
+void paint_moving(const Scene& scene, ViewCache& kept) {
   switch (scene.options.view) {
     case View::Bearing:
-      return bearing_view(scene);
+      return draw_bearing_view(scene);
     case View::Cage:
-      return cage_view(scene);
+      return draw_cage_view(scene);
     case View::Pocket:
-      return pocket_view(scene);
+      return draw_pocket_view(scene);
     case View::Section:
-      return section_view(scene);
+      return draw_section_view(scene);
     case View::Solid:
       return solid_view(scene, kept.solid);
     case View::Flange:
-      return flange_view(scene);
+      return draw_flange_view(scene);
     case View::Raceways:
-      return raceway_view(scene);
+      return draw_raceway_view(scene);
     case View::Element:
-      return element_view(scene);
+      return draw_element_view(scene);
     case View::OuterRace:
     case View::InnerRace:
-      return race_view(scene);
+      return draw_race_view(scene);
   }
 }
 
 }  // namespace
 
-StillKey still_key(const QRectF& area, const Animation& animation, std::size_t index,
-                   const ViewOptions& options) {
+StaticLayerKey static_layer_key(const QRectF& area, const Animation& animation, std::size_t index,
+                                const ViewOptions& options) {
   QImage nothing(1, 1, QImage::Format_RGB32);
   QPainter painter(&nothing);
   const Sketch sketch = sketch_of(painter, area, animation, options);
-  StillKey key{
+  StaticLayerKey key{
       area,         sketch.at(0.0, 0.0), sketch.scale(),      used_exaggeration(animation, options),
       options.view, options.dark,        is_clipped(options), {}};
   if (options.view != View::Bearing && options.view != View::Element) return key;
@@ -131,9 +131,9 @@ std::optional<std::size_t> element_at(const QRectF& area, QPointF position,
 }
 
 void paint_picture(QPainter& painter, const QRectF& area, const Animation& animation,
-                   std::size_t index, const ViewOptions& options, Kept* kept, Layers layers) {
+                   std::size_t index, const ViewOptions& options, ViewCache* kept, Layers layers) {
   check_view(animation, options);
-  Kept once;
+  ViewCache once;
   if (kept == nullptr) kept = &once;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

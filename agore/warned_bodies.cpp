@@ -13,7 +13,7 @@ WarnedBodies warned_bodies(std::span<const Finding> findings) {
   WarnedBodies out;
   for (const Finding& one : findings) {
     if (one.severity == Severity::Note || one.body.empty()) continue;
-    const int element = desktop::element_of_body(one.body);
+    const int element = desktop::parse_element_number(one.body);
     const auto names = [&one](const char* word) {
       return one.body.find(word) != std::string::npos;
     };

@@ -54,8 +54,8 @@ void draw_frame_mark(QPainter& painter, QPointF at, double width, const QColor& 
 namespace {
 
 /// One stroke of a path, its edge or the line: `extra` pixels wider than the path.
-void stroke(QPainter& painter, const QRectF& area, const std::vector<WayPoint>& way,
-            const WayLook& look, const QColor& ink, double extra) {
+void stroke(QPainter& painter, const QRectF& area, const std::vector<TrajectoryPoint>& way,
+            const TrajectoryStyle& look, const QColor& ink, double extra) {
   QPen pen(ink, look.width + extra, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
   if (look.dashed) {  // of equal length, however wide the stroke is
     constexpr double kDash = 4.0, kGap = 3.0;
@@ -83,13 +83,13 @@ void stroke(QPainter& painter, const QRectF& area, const std::vector<WayPoint>& 
   };
   for (std::size_t i = 0; i < way.size(); ++i) {
     if (i > 0 && !way[i].joined) end_line(i - 1);
-    append_seen(line, way[i].at);
+    append_visible_point(line, way[i].at);
     marks = marks || marked(i);
   }
   if (!way.empty()) end_line(way.size() - 1);
   if (!marks) return;
   Places places(area);
-  const bool pixels = on_pixels(painter);
+  const bool pixels = is_raster_target(painter);
   const double size = mark_size(look.width) + extra;
   QPolygonF points;
   for (std::size_t i = 0; i < way.size(); ++i) {
@@ -105,11 +105,11 @@ void stroke(QPainter& painter, const QRectF& area, const std::vector<WayPoint>& 
 }
 
 /// Without invalid points (stars in the file): the path is interrupted there.
-std::vector<WayPoint> known_part(const std::vector<WayPoint>& way) {
-  std::vector<WayPoint> out;
+std::vector<TrajectoryPoint> known_part(const std::vector<TrajectoryPoint>& way) {
+  std::vector<TrajectoryPoint> out;
   out.reserve(way.size());
   bool broken = false;
-  for (const WayPoint& point : way) {
+  for (const TrajectoryPoint& point : way) {
     if (!std::isfinite(point.at.x() + point.at.y())) {
       broken = true;
       continue;
@@ -123,19 +123,21 @@ std::vector<WayPoint> known_part(const std::vector<WayPoint>& way) {
 
 }  // namespace
 
-void draw_way(QPainter& painter, const QRectF& area, const std::vector<WayPoint>& way,
-              const WayLook& look) {
-  draw_ways(painter, area, {way}, look);
+void draw_trajectory(QPainter& painter, const QRectF& area, const std::vector<TrajectoryPoint>& way,
+                     const TrajectoryStyle& look) {
+  draw_trajectories(painter, area, {way}, look);
 }
 
-void draw_ways(QPainter& painter, const QRectF& area, const std::vector<std::vector<WayPoint>>& all,
-               const WayLook& look) {
-  std::vector<std::vector<WayPoint>> ways;
-  for (const std::vector<WayPoint>& way : all) ways.push_back(known_part(way));
+void draw_trajectories(QPainter& painter, const QRectF& area,
+                       const std::vector<std::vector<TrajectoryPoint>>& all,
+                       const TrajectoryStyle& look) {
+  std::vector<std::vector<TrajectoryPoint>> ways;
+  for (const std::vector<TrajectoryPoint>& way : all) ways.push_back(known_part(way));
   if (look.casing.isValid())
-    for (const std::vector<WayPoint>& way : ways)
+    for (const std::vector<TrajectoryPoint>& way : ways)
       stroke(painter, area, way, look, look.casing, 2.0 * look.edge);
-  for (const std::vector<WayPoint>& way : ways) stroke(painter, area, way, look, look.colour, 0.0);
+  for (const std::vector<TrajectoryPoint>& way : ways)
+    stroke(painter, area, way, look, look.colour, 0.0);
 }
 
 }  // namespace adore::agore

@@ -11,14 +11,14 @@
 /// frames that are visibly apart are marked, and for an unknown path only these marks are drawn.
 namespace adore::agore {
 
-struct WayPoint {
+struct TrajectoryPoint {
   QPointF at;           ///< in the picture
   bool joined = false;  ///< is the path from the previous point known?
   bool frame = true;    ///< of a frame, or a point where a body begins to hide the path
 };
 
 /// Appearance of a path: color, width, edge of `casing` over bodies, dashes behind bodies.
-struct WayLook {
+struct TrajectoryStyle {
   QColor colour;
   double width = 2.0;
   QColor casing{};  ///< invalid: none
@@ -27,11 +27,12 @@ struct WayLook {
 };
 
 /// `area`: visible area.
-void draw_way(QPainter& painter, const QRectF& area, const std::vector<WayPoint>& way,
-              const WayLook& look);
+void draw_trajectory(QPainter& painter, const QRectF& area, const std::vector<TrajectoryPoint>& way,
+                     const TrajectoryStyle& look);
 /// Several overlapping paths: edges are drawn below all lines.
-void draw_ways(QPainter& painter, const QRectF& area,
-               const std::vector<std::vector<WayPoint>>& ways, const WayLook& look);
+void draw_trajectories(QPainter& painter, const QRectF& area,
+                       const std::vector<std::vector<TrajectoryPoint>>& ways,
+                       const TrajectoryStyle& look);
 
 /// The mark of a frame on a path, centered at a point of the picture.
 void draw_frame_mark(QPainter& painter, QPointF at, double width, const QColor& colour);

@@ -54,7 +54,7 @@ bool AgoreWindow::openFile(const std::filesystem::path& named, long most_frames)
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
     return false;
   }
-  most_frames_ = most_frames;
+  max_frames_ = most_frames;
   desktop::remember_file(kApp, QString::fromStdString(path.string()));
   const std::string &note = picture_->animation().file.note,
                     &gaps = picture_->animation().file.gaps;
@@ -72,29 +72,17 @@ bool AgoreWindow::openFile(const std::filesystem::path& named, long most_frames)
 }
 
 bool AgoreWindow::openProject(const std::filesystem::path& path) {
-  std::optional<desktop::Project> project;
-  try {
-    project = desktop::Project::open(path);
-  } catch (const std::exception& error) {
-    desktop::show_message(this, QString::fromUtf8(error.what()), true);
-    return false;
-  }
-  desktop::remember_file(kApp, QString::fromStdString(project->file().string()));
-  auto* menu = findChild<QMenu*>("projectMenu");
-  menu->clear();
-  std::optional<std::filesystem::path> first;
-  for (const desktop::Project::Entry& run : project->runs()) {
-    const QString name = QString::fromStdString(run.name);
-    QAction* action = menu->addAction(run.missing ? tr("%1 (missing)").arg(name) : name, this,
-                                      [this, folder = run.path] { openFile(folder); });
-    action->setEnabled(!run.missing);
-    if (!run.missing && !first) first = run.path;
-  }
-  menu->setEnabled(!menu->isEmpty());
-  if (first) openFile(*first);
-  if (const QString problem = desktop::problem_of_runs(*project); !problem.isEmpty())
-    desktop::show_message(this, problem);
-  return true;
+  const auto list = [this](const desktop::Project& project) {
+    auto* menu = findChild<QMenu*>("projectMenu");
+    menu->clear();
+    for (const desktop::Project::Entry& run : project.runs())
+      menu->addAction(desktop::run_label(run), this,
+                      [this, folder = run.path] { openFile(folder); })
+          ->setEnabled(!run.missing);
+    menu->setEnabled(!menu->isEmpty());
+  };
+  return desktop::open_project(this, kApp, path, list,
+                               [this](const std::filesystem::path& run) { openFile(run); });
 }
 
 void AgoreWindow::askForProject() {
@@ -107,13 +95,13 @@ void AgoreWindow::reload() {
   const double moment = picture_->animation().time[frame_];
   const std::filesystem::path path = picture_->animation().file.path;  // the picture is closed, too
   const auto from = options_.span_from, to = options_.span_to;
-  if (!openFile(path, most_frames_)) return;
+  if (!openFile(path, max_frames_)) return;
   options_.span_from = from, options_.span_to = to;
   setFrame(picture_->frameAt(moment));
-  desktop::tell_in_foot(this, tr("Reloaded: %1 to %2.")
-                                  .arg(QString::fromStdString(counted(frameCount(), "frame")))
-                                  .arg(QString::fromStdString(desktop::pretty_quantity(
-                                      picture_->animation().time.back(), "s", 5))));
+  desktop::show_in_status_bar(this, tr("Reloaded: %1 to %2.")
+                                        .arg(QString::fromStdString(counted(frameCount(), "frame")))
+                                        .arg(QString::fromStdString(desktop::pretty_quantity(
+                                            picture_->animation().time.back(), "s", 5))));
 }
 
 void AgoreWindow::setAnimation(Animation animation) {
@@ -121,18 +109,18 @@ void AgoreWindow::setAnimation(Animation animation) {
   options_.span_from = options_.span_to = std::nullopt;
   {
     const QScopedValueRollback quiet(taking_, true);  // opened, not moved
-    adopt(std::move(animation));
+    replaceAnimation(std::move(animation));
     frame_ = 0;
     refresh();
   }
   joinLink();
 }
 
-void AgoreWindow::adopt(Animation animation) {
+void AgoreWindow::replaceAnimation(Animation animation) {
   auto fresh = std::make_unique<MotionPicture>(std::move(animation));
   if (options_.element > fresh->animation().file.elements) options_.element = 1;
   if (!why_not(options_.view, fresh->animation()).empty()) options_.view = View::Bearing;
-  std::erase_if(options_.beside, [&fresh](const SideView& side) {
+  std::erase_if(options_.beside, [&fresh](const AdditionalView& side) {
     return !why_not(side.view, fresh->animation()).empty();
   });
   seen_ = state_of(fresh->animation().file.path);
@@ -141,28 +129,29 @@ void AgoreWindow::adopt(Animation animation) {
   findings_->setFindings(results::run_findings(picture_->animation().file.path));
   options_.warned = warned_bodies(findings_->findings());
   panel_->open(picture_->animation());
-  refused_ = 0;
+  rejected_reload_count_ = 0;
   showFrame();  // the canvas lets go of the old one before it dies
 }
 
-bool AgoreWindow::showable(const Animation& animation) const {
+bool AgoreWindow::canShow(const Animation& animation) const {
   for (std::size_t i = 0; i <= options_.beside.size(); ++i)
     if (!why_not(options_.tile(i).view, animation).empty()) return false;
   return options_.element <= animation.file.elements;
 }
 
 void AgoreWindow::follow(bool on) {
-  if (follow_->isChecked() != on) return follow_->setChecked(on);  // which comes here again
-  growth_.setInterval(kLook);
-  on ? growth_.start() : growth_.stop();
+  if (follow_action_->isChecked() != on)
+    return follow_action_->setChecked(on);  // which comes here again
+  file_check_timer_.setInterval(kLook);
+  on ? file_check_timer_.start() : file_check_timer_.stop();
   refresh();
 }
 
 /// A file that is being written contains complete steps and possibly an incomplete one, which
 /// readers skip. Files that cannot be read now, or cannot replace the displayed ones (RESULTS.h5 is
 /// still too short for the view), are checked again later.
-void AgoreWindow::lookForGrowth() {
-  if (!picture_ || writing_) return;
+void AgoreWindow::checkForFileChanges() {
+  if (!picture_ || writing_movie_) return;
   const std::filesystem::path path = picture_->animation().file.path;
   const std::string now = state_of(path);
   if (now == seen_) return;
@@ -170,26 +159,27 @@ void AgoreWindow::lookForGrowth() {
   clock.start();
   std::optional<Animation> fresh;
   try {
-    fresh = open_motion(path, most_frames_);
+    fresh = open_motion(path, max_frames_);
   } catch (const std::exception& error) {
-    desktop::tell_in_foot(this, tr("The file cannot be read at the moment: %1").arg(error.what()));
+    desktop::show_in_status_bar(this,
+                                tr("The file cannot be read at the moment: %1").arg(error.what()));
     return;
   }
   constexpr int kPatience = 10;
-  if (!showable(*fresh) && ++refused_ < kPatience) return;
+  if (!canShow(*fresh) && ++rejected_reload_count_ < kPatience) return;
   const bool at_end = frame_ + 1 == frameCount() && !playing();
   const double moment = picture_->animation().time[frame_];
   {
     const QScopedValueRollback quiet(taking_, true);
-    adopt(std::move(*fresh));
+    replaceAnimation(std::move(*fresh));
     seen_ = now;  // steps that arrive while reading are found at the next check
     frame_ = at_end ? frameCount() - 1 : picture_->frameAt(moment);
     refresh();
   }
-  tellLinked(false);
+  sendLinkState(false);
   // Reading a long file takes processor time, which the solver needs.
   constexpr int kShare = 8;
-  growth_.setInterval(std::max(kLook, kShare * static_cast<int>(clock.elapsed())));
+  file_check_timer_.setInterval(std::max(kLook, kShare * static_cast<int>(clock.elapsed())));
 }
 
 /// The number first, as in the classic tool. The default is the largest possible number, whatever

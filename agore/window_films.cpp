@@ -43,12 +43,12 @@ QString megabytes(double bytes) {
   return QString::fromStdString(desktop::pretty_number(1e-6 * bytes, 2)) + " MB";
 }
 
-QString best_format() { return desktop::ffmpeg_found() ? "mp4" : "gif"; }
+QString best_format() { return desktop::has_ffmpeg() ? "mp4" : "gif"; }
 
 }  // namespace
 
 /// A name in the folder of the displayed file, used to find its pictures.
-QString AgoreWindow::besideFile(const QString& name) const {
+QString AgoreWindow::pathInFileFolder(const QString& name) const {
   return desktop::folder_of(picture_->animation().file.path) + "/" + name;
 }
 
@@ -56,7 +56,7 @@ void AgoreWindow::print() {
   if (!picture_) return askForFile();
   pause();
   desktop::print_page(this, [this](QPainter& painter, const QRectF& paper) {
-    picture_->paintOnPaper(painter, paper, canvas_->size(), frame_, stillOptions());
+    picture_->paintOnPaper(painter, paper, picture_widget_->size(), frame_, exportViewOptions());
   });
 }
 
@@ -64,10 +64,11 @@ void AgoreWindow::savePicture() {
   if (!picture_) return askForFile();
   pause();
   desktop::save_picture(
-      this, kApp, besideFile(proposedName("jpg")),
-      [this] { return picture_->image(canvas_->size(), frame_, stillOptions()); }, canvas_->size(),
+      this, kApp, pathInFileFolder(proposedName("jpg")),
+      [this] { return picture_->image(picture_widget_->size(), frame_, exportViewOptions()); },
+      picture_widget_->size(),
       [this](QPainter& painter) {
-        picture_->paint(painter, QRectF(canvas_->rect()), frame_, stillOptions());
+        picture_->paint(painter, QRectF(picture_widget_->rect()), frame_, exportViewOptions());
       });
 }
 
@@ -79,32 +80,37 @@ QString AgoreWindow::proposedName(const QString& suffix) const {
   return run + "-" + what + (suffix.isEmpty() ? QString() : "." + suffix);
 }
 
-int AgoreWindow::filmRate() const {
+int AgoreWindow::movieFrameRate() const {
   constexpr int kSlowRate = 25;
-  return slow_ > 0.0 ? kSlowRate : std::max(1, speed_->currentData().toInt() / filmEvery());
+  return slow_motion_rate_ > 0.0
+             ? kSlowRate
+             : std::max(1, playback_rate_box_->currentData().toInt() / movieFrameInterval());
 }
 
 /// Players show 50 pictures a second; a faster one shows every n-th frame, so that it lasts as long
 /// as the window plays.
-int AgoreWindow::filmEvery() const {
+int AgoreWindow::movieFrameInterval() const {
   constexpr int kMostRate = 50;
-  return slow_ > 0.0 ? 1 : (speed_->currentData().toInt() + kMostRate - 1) / kMostRate;
+  return slow_motion_rate_ > 0.0
+             ? 1
+             : (playback_rate_box_->currentData().toInt() + kMostRate - 1) / kMostRate;
 }
 
-FilmChoice AgoreWindow::filmChoice() const {
+MovieSettings AgoreWindow::movieSettings() const {
   const auto [first, last] = playedFrames();
   // As seen, but not larger than a film needs to be; codecs want even numbers.
-  const QSize size = canvas_->size().boundedTo({1280, 800});
-  return {first, last, filmEvery(), filmRate(), {size.width() & ~1, size.height() & ~1}};
+  const QSize size = picture_widget_->size().boundedTo({1280, 800});
+  return {
+      first, last, movieFrameInterval(), movieFrameRate(), {size.width() & ~1, size.height() & ~1}};
 }
 
-RenderOptions AgoreWindow::filmOptions(const FilmChoice& choice) const {
+RenderOptions AgoreWindow::movieRenderOptions(const MovieSettings& choice) const {
   RenderOptions render;
-  render.view = stillOptions();
+  render.view = exportViewOptions();
   render.width = choice.size.width();
   render.height = choice.size.height();
   render.replace = true;
-  render.slow = slow_;  // a film plays as the window does
+  render.slow = slow_motion_rate_;  // a film plays as the window does
   render.first = static_cast<int>(choice.first) + 1;
   render.last = static_cast<int>(choice.last) + 1;
   return render;
@@ -120,14 +126,14 @@ struct Sample {
 
 }  // namespace
 
-void AgoreWindow::saveFilm() {
+void AgoreWindow::saveMovie() {
   if (!picture_) return askForFile();
   pause();
   // The time for all pictures is estimated from one; writing to a file takes 30 ms
   // (picture-speed.md).
   constexpr double kInFile = 0.03;  // [s]
-  const auto tell = [this, sample = Sample()](const FilmChoice& choice) mutable {
-    const RenderOptions render = filmOptions(choice);
+  const auto tell = [this, sample = Sample()](const MovieSettings& choice) mutable {
+    const RenderOptions render = movieRenderOptions(choice);
     if (sample.size != choice.size) {
       QElapsedTimer clock;
       clock.start();
@@ -137,7 +143,7 @@ void AgoreWindow::saveFilm() {
     }
     try {
       const auto pictures =
-          static_cast<double>(film_frames(*picture_, choice.every, choice.rate, render).size());
+          static_cast<double>(movie_frames(*picture_, choice.every, choice.rate, render).size());
       const auto seconds = [](double value) {
         return QString::fromStdString(desktop::pretty_quantity(value, "s", 2));
       };
@@ -150,25 +156,26 @@ void AgoreWindow::saveFilm() {
                   .arg(seconds(pictures / choice.rate), seconds(sample.seconds * pictures),
                        megabytes(kMp4Share * bytes), megabytes(kGifShare * bytes),
                        megabytes(kAviShare * bytes)) +
-              (desktop::ffmpeg_found() ? QString()
-                                       : tr(" MP4 needs the package ffmpeg, which is missing.")),
+              (desktop::has_ffmpeg() ? QString()
+                                     : tr(" MP4 needs the package ffmpeg, which is missing.")),
           true};
     } catch (const std::exception& error) {
       return std::pair{QString::fromUtf8(error.what()), false};
     }
   };
-  auto* dialog = new FilmDialog(picture_->animation().time, filmChoice(), slow_ > 0.0, tell, this);
-  connect(dialog, &QDialog::accepted, this, [this, dialog] { askForFilmName(dialog->choice()); });
+  auto* dialog = new MovieDialog(picture_->animation().time, movieSettings(),
+                                 slow_motion_rate_ > 0.0, tell, this);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] { askForMovieFile(dialog->choice()); });
   dialog->open();
 }
 
-void AgoreWindow::askForFilmName(const FilmChoice& choice) {
+void AgoreWindow::askForMovieFile(const MovieSettings& choice) {
   // MP4 first: a GIF has some twenty times its size.
   const QString mp4 = tr("MP4 (*.mp4)"), others = tr("GIF (*.gif);;AVI (*.avi)"),
                 folder = tr("Numbered pictures, folder (*)");
   auto* dialog = new QFileDialog(
       this, tr("Save Movie"), proposedName(best_format()),
-      (desktop::ffmpeg_found()
+      (desktop::has_ffmpeg()
            ? QStringList{mp4, others, folder}
            : QStringList{others, tr("MP4 (needs the package ffmpeg) (*.mp4)"), folder})
           .join(";;"));
@@ -183,12 +190,12 @@ void AgoreWindow::askForFilmName(const FilmChoice& choice) {
     dialog->setDefaultSuffix(suffix);
     dialog->selectFile(suffix.isEmpty() ? base : base + "." + suffix);
   };
-  dialog->selectFile(besideFile(proposedName(best_format())));
+  dialog->selectFile(pathInFileFolder(proposedName(best_format())));
   name_as(dialog->selectedNameFilter());
   connect(dialog, &QFileDialog::filterSelected, this, name_as);
   connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, choice](const QString& name) {
     dialog->hide();  // writing takes its time
-    writeFilm(name, choice);
+    writeMovie(name, choice);
   });
   dialog->open();
 }
@@ -199,7 +206,7 @@ void AgoreWindow::saveScene() {
   const Animation& animation = picture_->animation();
   if (const std::string reason = why_not(View::Solid, animation); !reason.empty())
     return desktop::show_message(this, QString::fromStdString(reason));
-  if (!three_found())
+  if (!is_threejs_installed())
     return desktop::show_message(this,
                                  tr("A page with the 3D scene needs three.js. Install the package "
                                     "libjs-three."),
@@ -214,7 +221,7 @@ void AgoreWindow::saveScene() {
                        tr("File (%1, about %2):")
                            .arg(QString::fromStdString(counted(size.frames, "frame")))
                            .arg(megabytes(size.bytes)));
-  dialog->selectFile(besideFile(proposedName("html")));
+  dialog->selectFile(pathInFileFolder(proposedName("html")));
   connect(dialog, &QFileDialog::fileSelected, this,
           [this](const QString& name) { writeScene(name); });
   dialog->open();
@@ -222,7 +229,7 @@ void AgoreWindow::saveScene() {
 
 ScenePageOptions AgoreWindow::sceneOptions() const {
   ScenePageOptions out;
-  out.view = stillOptions();
+  out.view = exportViewOptions();
   const auto [first, last] = playedFrames();
   out.first = static_cast<int>(first) + 1, out.last = static_cast<int>(last) + 1;
   return out;
@@ -232,8 +239,8 @@ bool AgoreWindow::writeScene(const QString& path) {
   try {
     const ScenePage page =
         write_scene_page(picture_->animation(), sceneOptions(), path.toStdString(), true);
-    desktop::tell_in_foot(this,
-                          tr("Saved %1: %2.").arg(path, QString::fromStdString(page.summary())));
+    desktop::show_in_status_bar(
+        this, tr("Saved %1: %2.").arg(path, QString::fromStdString(page.summary())));
     return true;
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
@@ -241,19 +248,19 @@ bool AgoreWindow::writeScene(const QString& path) {
   }
 }
 
-bool AgoreWindow::writeFilm(const QString& path, int first, int last) {
-  FilmChoice choice = filmChoice();
+bool AgoreWindow::writeMovie(const QString& path, int first, int last) {
+  MovieSettings choice = movieSettings();
   choice.first = static_cast<std::size_t>(first - 1);
   choice.last = last > 0 ? static_cast<std::size_t>(last - 1) : frameCount() - 1;
   // Numbered pictures have no rate.
   if (QFileInfo(path).suffix().isEmpty()) choice.every = 1;
-  return writeFilm(path, choice);
+  return writeMovie(path, choice);
 }
 
-bool AgoreWindow::writeFilm(const QString& path, const FilmChoice& choice) {
-  writing_ = true;  // the picture stays unchanged until the movie is written
-  const auto written = qScopeGuard([this] { writing_ = false; });
-  RenderOptions render = filmOptions(choice);
+bool AgoreWindow::writeMovie(const QString& path, const MovieSettings& choice) {
+  writing_movie_ = true;  // the picture stays unchanged until the movie is written
+  const auto written = qScopeGuard([this] { writing_movie_ = false; });
+  RenderOptions render = movieRenderOptions(choice);
   QProgressDialog progress(tr("Writing %1 ...").arg(path), tr("Cancel"), 0,
                            static_cast<int>(frameCount()), this);
   progress.setWindowTitle(tr("Save Movie"));
@@ -272,14 +279,14 @@ bool AgoreWindow::writeFilm(const QString& path, const FilmChoice& choice) {
     render_movie(*picture_, every, choice.rate, path.toStdString(), render);
     const bool folder = QFileInfo(path).isDir();
     if (stopped)
-      desktop::tell_in_foot(
+      desktop::show_in_status_bar(
           this,
           folder ? tr("Stopped. %1 in %2.")
                        .arg(QString::fromStdString(counted(pictures, "picture is", "pictures are")))
                        .arg(path)
                  : tr("Stopped: no movie was saved."));
     else
-      desktop::tell_in_foot(
+      desktop::show_in_status_bar(
           this, folder
                     ? tr("Saved %1 in %2.")
                           .arg(QString::fromStdString(counted(pictures, "numbered picture")))

@@ -10,7 +10,7 @@ namespace adore::agore {
 
 void AgoreWindow::makeLink() {
   link_ = new desktop::RunLink(this);
-  connect(link_, &desktop::RunLink::told, this, &AgoreWindow::takeLinked);
+  connect(link_, &desktop::RunLink::told, this, &AgoreWindow::applyLinkState);
 }
 
 /// A file of the same run begins at the shared time.
@@ -19,28 +19,28 @@ void AgoreWindow::joinLink() {
   const std::filesystem::path file =
       std::filesystem::canonical(picture_->animation().file.path, none);
   link_->join(none ? QString() : QString::fromStdString(file.parent_path().string()));
-  linked_ = linkedNow();
-  takeLinked(link_->state());
+  last_link_state_ = currentLinkState();
+  applyLinkState(link_->state());
 }
 
-desktop::LinkState AgoreWindow::linkedNow() const {
+desktop::LinkState AgoreWindow::currentLinkState() const {
   return {picture_->animation().time[frame_], options_.element};
 }
 
-void AgoreWindow::tellLinked(bool by_user) {
+void AgoreWindow::sendLinkState(bool by_user) {
   if (!picture_ || taking_) return;
-  const desktop::LinkState now = linkedNow();
+  const desktop::LinkState now = currentLinkState();
   desktop::LinkState change;
-  if (now.time != linked_.time) change.time = now.time;
-  if (now.element != linked_.element) change.element = now.element;
-  linked_ = now;
+  if (now.time != last_link_state_.time) change.time = now.time;
+  if (now.element != last_link_state_.element) change.element = now.element;
+  last_link_state_ = now;
   using Cause = desktop::RunLink::Cause;
   link_->tell(change, by_user ? Cause::User : Cause::Playing);
 }
 
 /// Another window has moved: this one stops playing.
-void AgoreWindow::takeLinked(const desktop::LinkState& change) {
-  if (!picture_ || writing_ || change.empty()) return;
+void AgoreWindow::applyLinkState(const desktop::LinkState& change) {
+  if (!picture_ || writing_movie_ || change.empty()) return;
   const QScopedValueRollback quiet(taking_, true);
   if (change.time) {
     pause();
@@ -49,7 +49,7 @@ void AgoreWindow::takeLinked(const desktop::LinkState& change) {
   if (change.element && *change.element <= picture_->animation().file.elements)
     options_.element = *change.element;
   refresh();
-  linked_ = linkedNow();
+  last_link_state_ = currentLinkState();
 }
 
 }  // namespace adore::agore

@@ -47,25 +47,25 @@ QWidget* AgoreWindow::makeButtons() {
   button(tr("Pause"), "pause");
   layout->addSpacing(6);
   layout->addWidget(new QLabel(tr("Frames/second"), column));
-  speed_ = new QComboBox(column);
-  speed_->setObjectName("speed");
-  desktop::name_box(*speed_, tr("Frames per second"));
-  speed_->setFocusPolicy(Qt::NoFocus);
+  playback_rate_box_ = new QComboBox(column);
+  playback_rate_box_->setObjectName("speed");
+  desktop::set_accessible_name(*playback_rate_box_, tr("Frames per second"));
+  playback_rate_box_->setFocusPolicy(Qt::NoFocus);
   for (const int rate : {2, 5, 10, 25, 50, 100, 250, 1000})
-    speed_->addItem(QString::number(rate), rate);
-  speed_->setCurrentText("25");
-  layout->addWidget(speed_);
+    playback_rate_box_->addItem(QString::number(rate), rate);
+  playback_rate_box_->setCurrentText("25");
+  layout->addWidget(playback_rate_box_);
   layout->addWidget(new QLabel(tr("Slow motion"), column));
-  slow_motion_ = new QComboBox(column);
-  slow_motion_->setObjectName("slow");
-  desktop::name_box(*slow_motion_, tr("Slow motion"));
-  slow_motion_->setFocusPolicy(Qt::NoFocus);
-  slow_motion_->addItem(tr("by frames"), 0.0);
+  slow_motion_box_ = new QComboBox(column);
+  slow_motion_box_->setObjectName("slow");
+  desktop::set_accessible_name(*slow_motion_box_, tr("Slow motion"));
+  slow_motion_box_->setFocusPolicy(Qt::NoFocus);
+  slow_motion_box_->addItem(tr("by frames"), 0.0);
   for (const int part : {10, 100, 1000, 5000, 20000})
-    slow_motion_->addItem(QString("1/%1").arg(part), 1.0 / part);
-  connect(slow_motion_, &QComboBox::currentIndexChanged, this,
-          [this] { setSlowMotion(slow_motion_->currentData().toDouble()); });
-  layout->addWidget(slow_motion_);
+    slow_motion_box_->addItem(QString("1/%1").arg(part), 1.0 / part);
+  connect(slow_motion_box_, &QComboBox::currentIndexChanged, this,
+          [this] { setSlowMotion(slow_motion_box_->currentData().toDouble()); });
+  layout->addWidget(slow_motion_box_);
   layout->addStretch(1);
   button(tr("Print"), "print");
   button(tr("Save"), "save");
@@ -100,17 +100,17 @@ void AgoreWindow::makeMenus() {
   runs->setObjectName("projectMenu");
   runs->setEnabled(false);
   file->addAction(tr("Re&load"), Qt::Key_F5, this, &AgoreWindow::reload);
-  follow_ = file->addAction(tr("&Follow a Running Solver"));  // as AdrPlot has it
-  follow_->setObjectName("followAction");
-  follow_->setShortcut(Qt::Key_F);
-  follow_->setCheckable(true);
-  connect(follow_, &QAction::toggled, this, &AgoreWindow::follow);
+  follow_action_ = file->addAction(tr("&Follow a Running Solver"));  // as AdrPlot has it
+  follow_action_->setObjectName("followAction");
+  follow_action_->setShortcut(Qt::Key_F);
+  follow_action_->setCheckable(true);
+  connect(follow_action_, &QAction::toggled, this, &AgoreWindow::follow);
   // Only a choice of the user is stored: the command line applies once.
-  connect(follow_, &QAction::triggered, this,
+  connect(follow_action_, &QAction::triggered, this,
           [](bool on) { QSettings("Adore", kApp).setValue(kFollow, on); });
   file->addSeparator();
   add(file, tr("&Save Picture..."), "save", QKeySequence::Save, [this] { savePicture(); });
-  file->addAction(tr("Save &Movie..."), Qt::CTRL | Qt::Key_E, this, &AgoreWindow::saveFilm);
+  file->addAction(tr("Save &Movie..."), Qt::CTRL | Qt::Key_E, this, &AgoreWindow::saveMovie);
   file->addAction(tr("Save &3D Scene for Browsers..."), Qt::CTRL | Qt::SHIFT | Qt::Key_E, this,
                   &AgoreWindow::saveScene);
   add(file, tr("&Print..."), "print", QKeySequence::Print, [this] { print(); });
@@ -140,8 +140,8 @@ void AgoreWindow::makeMenus() {
        {tr("W, U"), tr("show or hide the view bar, the control buttons")},
        {tr("L, T"), tr("show race loads, paths of all elements")},
        {tr("C, Shift+C"), tr("next element coloring, next color scale")},
-       {tr("+ or =, -, 0"), tr("zoom in, zoom out the first picture, show all")},
-       {tr("Ctrl+arrow key"), tr("move the first picture or rotate the 3D view")},
+       {tr("+ or =, -, 0"), tr("zoom in and out in the first view, show all")},
+       {tr("Ctrl+arrow key"), tr("move the first view, or rotate a 3D view")},
        {tr("click or drag in the time bar or a curve"), tr("go to this time")},
        {tr("wheel, drag, double click on a picture"), tr("zoom, move, show all")},
        {tr("drag, Shift+drag in the 3D view"), tr("rotate, move")},
@@ -177,22 +177,23 @@ void AgoreWindow::makeMotionMenu(QMenu* menu) {
     box->setCurrentIndex(std::clamp(box->currentIndex() + by, 0, box->count() - 1));
   };
   const auto pace = [this, step](int by) {
-    if (slow_ == 0.0) return step(speed_, by);
+    if (slow_motion_rate_ == 0.0) return step(playback_rate_box_, by);
     // From one picture per frame to the slowest motion.
-    if (by < 0 || slow_motion_->currentIndex() > 1) step(slow_motion_, -by);
+    if (by < 0 || slow_motion_box_->currentIndex() > 1) step(slow_motion_box_, -by);
   };
   menu->addAction(tr("&Slower"), Qt::Key_BracketLeft, this, [pace] { pace(-1); });
   menu->addAction(tr("Fas&ter"), Qt::Key_BracketRight, this, [pace] { pace(1); });
   menu->addAction(tr("Slow &Motion"), Qt::Key_S, this, [this] {
-    slow_motion_->setCurrentIndex((slow_motion_->currentIndex() + 1) % slow_motion_->count());
+    slow_motion_box_->setCurrentIndex((slow_motion_box_->currentIndex() + 1) %
+                                      slow_motion_box_->count());
   });
-  repeat_ = menu->addAction(tr("&Repeat"));
-  repeat_->setShortcut(Qt::Key_R);
-  repeat_->setCheckable(true);
-  connect(repeat_, &QAction::toggled, this, &AgoreWindow::setLoop);
-  menu->addAction(tr("Repeat From &Here"), Qt::Key_A, this, [this] { markEnd(true); });
-  menu->addAction(tr("Repeat to H&ere"), Qt::Key_B, this, [this] { markEnd(false); });
-  menu->addAction(tr("&Delete Repeat Range"), Qt::Key_X, this, [this] { setSpan({}, {}); });
+  repeat_action_ = menu->addAction(tr("&Repeat"));
+  repeat_action_->setShortcut(Qt::Key_R);
+  repeat_action_->setCheckable(true);
+  connect(repeat_action_, &QAction::toggled, this, &AgoreWindow::setLoop);
+  menu->addAction(tr("Repeat From &Here"), Qt::Key_A, this, [this] { setRepeatLimit(true); });
+  menu->addAction(tr("Repeat to H&ere"), Qt::Key_B, this, [this] { setRepeatLimit(false); });
+  menu->addAction(tr("&Delete Repeat Range"), Qt::Key_X, this, [this] { setRepeatRange({}, {}); });
 }
 
 /// Key commands for mouse wheel and pointer, for the first picture.
@@ -257,7 +258,7 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
   menu->addAction(tr("&3D View..."), Qt::Key_9, this, [this] { askForElement(View::Solid); });
   menu->addAction(tr("Racewa&y Contacts"), Qt::CTRL | Qt::Key_8, this,
                   [this] { setView(View::Raceways); });
-  makeBesideMenu(menu->addMenu(tr("Add&itional Views")));
+  makeAdditionalViewsMenu(menu->addMenu(tr("Add&itional Views")));
   makePartsMenu(menu->addMenu(tr("Sho&wn Parts")));
   menu->addSeparator();
   addZoomKeys(menu);
@@ -267,7 +268,7 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
   contacts->setObjectName("contactsAction");
   contacts->setCheckable(true);
   contacts->setShortcut(Qt::Key_L);
-  connect(contacts, &QAction::toggled, this, &AgoreWindow::setContacts);
+  connect(contacts, &QAction::toggled, this, &AgoreWindow::setLoadArrowsShown);
   auto* trails = menu->addAction(tr("Element Pat&hs"));
   trails->setObjectName("trailsAction");
   trails->setCheckable(true);
@@ -340,7 +341,7 @@ void AgoreWindow::makeColourMenus(QMenu* menu) {
                                  {ColourBy::Heat, "Contact &Heat"},
                                  {ColourBy::Temperature, "Contact &Temperature"},
                                  {ColourBy::Pressure, "Contact &Pressure"}}) {
-    auto* action = colours->addAction(tr(name), this, [this, by = by] { setColour(by); });
+    auto* action = colours->addAction(tr(name), this, [this, by = by] { setColorQuantity(by); });
     action->setCheckable(true);
     action->setChecked(by == ColourBy::None);
     action->setData(static_cast<int>(by));
@@ -354,30 +355,30 @@ void AgoreWindow::makeColourMenus(QMenu* menu) {
   auto* scales = menu->addMenu(tr("Ran&ge of Colors"));
   scales->setObjectName("scaleMenu");
   auto* scale_group = new QActionGroup(this);
-  for (const auto& [kind, name] : {std::pair{ColourScale::Usual, "95 % of the Val&ues"},
-                                   {ColourScale::Run, "Range of the &Run"},
-                                   {ColourScale::Moment, "Range of This Fra&me"}}) {
+  for (const auto& [kind, name] : {std::pair{ColorScaleKind::Usual, "95 % of the Val&ues"},
+                                   {ColorScaleKind::Run, "Range of the &Run"},
+                                   {ColorScaleKind::Moment, "Range of This Fra&me"}}) {
     auto* action = scales->addAction(tr(name), this, [this, kind = kind] {
-      chooseScale({kind, 0.0, 0.0});
+      setDefaultColorScale({kind, 0.0, 0.0});
     });
     action->setCheckable(true);
     action->setData(static_cast<int>(kind));
     scale_group->addAction(action);
   }
-  auto* limits = scales->addAction(tr("&Limits..."), this, &AgoreWindow::askForLimits);
+  auto* limits = scales->addAction(tr("&Limits..."), this, &AgoreWindow::askForColorLimits);
   limits->setCheckable(true);
-  limits->setData(static_cast<int>(ColourScale::Typed));
+  limits->setData(static_cast<int>(ColorScaleKind::Typed));
   scale_group->addAction(limits);
   scales->addSeparator();
   scales->addAction(tr("Ne&xt Scale"), Qt::SHIFT | Qt::Key_C, this, [this] {
     constexpr int kWithoutAsking = 3;
-    chooseScale(
-        {static_cast<ColourScale>((static_cast<int>(options_.scale.kind) + 1) % kWithoutAsking),
+    setDefaultColorScale(
+        {static_cast<ColorScaleKind>((static_cast<int>(options_.scale.kind) + 1) % kWithoutAsking),
          0.0, 0.0});
   });
 }
 
-void AgoreWindow::makeBesideMenu(QMenu* menu) {
+void AgoreWindow::makeAdditionalViewsMenu(QMenu* menu) {
   menu->setObjectName("besideMenu");
   for (const View view :
        {View::Bearing, View::Cage, View::Pocket, View::Element, View::OuterRace, View::InnerRace,
@@ -386,7 +387,7 @@ void AgoreWindow::makeBesideMenu(QMenu* menu) {
     action->setCheckable(true);
     action->setData(static_cast<int>(view));
     connect(action, &QAction::triggered, this,
-            [this, view](bool shown) { setBeside(view, shown); });
+            [this, view](bool shown) { setAdditionalView(view, shown); });
   }
   menu->addSeparator();
   menu->addAction(tr("&Four Views or One View"), Qt::Key_V, this, [this] {

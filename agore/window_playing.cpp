@@ -13,9 +13,9 @@
 namespace adore::agore {
 
 void AgoreWindow::setSlowMotion(double rate) {
-  slow_ = rate;
-  speed_->setEnabled(rate == 0.0);
-  if (picture_) film_time_ = picture_->animation().time[frame_];
+  slow_motion_rate_ = rate;
+  playback_rate_box_->setEnabled(rate == 0.0);
+  if (picture_) slow_motion_time_ = picture_->animation().time[frame_];
 }
 
 void AgoreWindow::playForward() { play(1); }
@@ -28,21 +28,21 @@ std::pair<std::size_t, std::size_t> AgoreWindow::playedFrames() const {
   return {std::min(first, last), std::max(first, last)};
 }
 
-void AgoreWindow::setSpan(std::optional<double> from, std::optional<double> to) {
+void AgoreWindow::setRepeatRange(std::optional<double> from, std::optional<double> to) {
   if (from && to && *from > *to) std::swap(from, to);
   options_.span_from = from, options_.span_to = to;
-  if (picture_ && (from || to)) repeat_->setChecked(true);
+  if (picture_ && (from || to)) repeat_action_->setChecked(true);
   showFrame();
 }
 
 /// Start or end of the repeated range. The other end is removed if it would be passed.
-void AgoreWindow::markEnd(bool first) {
+void AgoreWindow::setRepeatLimit(bool first) {
   if (!picture_) return askForFile();
   const double now = picture_->animation().time[frame_];
   std::optional<double> from = options_.span_from, to = options_.span_to;
   (first ? from : to) = now;
   if (from && to && !(*from < *to)) (first ? to : from) = std::nullopt;
-  setSpan(from, to);
+  setRepeatRange(from, to);
 }
 
 void AgoreWindow::play(int direction) {
@@ -53,9 +53,9 @@ void AgoreWindow::play(int direction) {
   const bool within = frame_ >= first && frame_ <= last;
   if (direction > 0 && (!within || frame_ == last)) setFrame(first);
   if (direction < 0 && (!within || frame_ == first)) setFrame(last);
-  pending_ = 0.0;
-  film_time_ = picture_->animation().time[frame_];
-  link_->tell({film_time_, {}});
+  pending_frames_ = 0.0;
+  slow_motion_time_ = picture_->animation().time[frame_];
+  link_->tell({slow_motion_time_, {}});
   clock_.start();
   timer_.start();
 }
@@ -69,25 +69,25 @@ void AgoreWindow::advance() {
   const std::size_t end = beyond           ? (direction_ > 0 ? frameCount() - 1 : 0)
                           : direction_ > 0 ? last
                                            : first;
-  if (slow_ > 0.0) {
+  if (slow_motion_rate_ > 0.0) {
     // In simulated time, also for unequal intervals between frames.
     const auto& time = picture_->animation().time;
-    film_time_ += direction_ * slow_ * seconds;
-    bool over = direction_ > 0 ? film_time_ >= time[end] : film_time_ <= time[end];
+    slow_motion_time_ += direction_ * slow_motion_rate_ * seconds;
+    bool over = direction_ > 0 ? slow_motion_time_ >= time[end] : slow_motion_time_ <= time[end];
     if (over && around) {
       const double span = time[last] - time[first];
-      film_time_ -= span * std::floor((film_time_ - time[first]) / span);
+      slow_motion_time_ -= span * std::floor((slow_motion_time_ - time[first]) / span);
       over = false;
     }
-    const auto after = std::upper_bound(time.begin(), time.end(), film_time_);
+    const auto after = std::upper_bound(time.begin(), time.end(), slow_motion_time_);
     setFrame(over
                  ? end
                  : static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - time.begin() - 1)));
   } else {
-    pending_ += seconds * speed_->currentData().toDouble();
-    const auto due = static_cast<std::size_t>(pending_);
+    pending_frames_ += seconds * playback_rate_box_->currentData().toDouble();
+    const auto due = static_cast<std::size_t>(pending_frames_);
     if (due == 0) return;
-    pending_ -= static_cast<double>(due);
+    pending_frames_ -= static_cast<double>(due);
     const std::size_t left = direction_ > 0 ? end - frame_ : frame_ - end;
     if (due > left && around) {
       const std::size_t past = (due - left - 1) % (last - first + 1);

@@ -12,7 +12,7 @@
 #include "cli/picture_program.hpp"
 #include "cli/signals.hpp"
 #include "cli/streams.hpp"
-#include "deck/keep_text.hpp"
+#include "deck/deck_text_with_comments.hpp"
 #include "runs/results_folder.hpp"
 #include "studies/model_errors.hpp"
 
@@ -83,9 +83,9 @@ void apply(const Options& options, const studies::AccuracyStudy& study) {
   if (sets.empty()) throw InputError("--apply: no setting is recommended; the deck is unchanged");
   const std::filesystem::path path = runs::deck_path(std::filesystem::path(options.deck));
   const std::string before = contents(path);
-  const deck::KeptText text = deck::with_values(before, sets);
+  const deck::DeckTextWithComments text = deck::with_values(before, sets);
   std::filesystem::path backup;
-  if (!text.kept) backup = keep_copy(path, before);
+  if (!text.kept) backup = write_backup_copy(path, before);
   write_file_atomically(path, text.text);
   std::string said;
   for (const auto& [name, value] : sets)
@@ -116,7 +116,7 @@ int run_models(const Options& options, bool out_given) {
   const std::filesystem::path file = made.path() / runs::kModelFile;
   check_export(file, runs::model_json({}), {options.deck});
   InterruptWatch watch;
-  const runs::ModelStudy study = studies::study_models(
+  const runs::ModelStudy study = studies::run_model_study(
       request, options.turns_given ? options.turns : kTurns, options.budget,
       [](const runs::ModelRow& row) {
         tell(fmt::format("  {:<15}{:<40} {:.3g} s{}\n", row.variant.group, row.variant.name,
@@ -194,7 +194,7 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_accuracy(CLI::App& app, int& exit_code) {
+void add_accuracy_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "accuracy",
       "compare error and computing time of integrators, tolerances and step sizes for a deck");

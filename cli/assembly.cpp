@@ -58,7 +58,7 @@ std::string text_of(const assembly::AssemblyOutcome& outcome) {
 
 }  // namespace
 
-bool names_assembly(const DeckOptions& options) {
+bool is_assembly_deck(const DeckOptions& options) {
   return options.deck != kStream && assembly::is_assembly(options.deck);
 }
 
@@ -113,8 +113,8 @@ int check_assembly(const DeckOptions& options, bool json) {
   return report.ok() ? 0 : 2;
 }
 
-void write_assembly(const NewAssemblyOptions& options, std::vector<assembly::RowText> rows) {
-  assembly::Assembly set = assembly::named_assembly(options.arrangement);
+void write_assembly(const NewAssemblyOptions& options, std::vector<assembly::RowDeckText> rows) {
+  assembly::Assembly set = assembly::assembly_from_arrangement(options.arrangement);
   if (options.out.empty() || options.out == kStream)
     throw InputError("--assembly writes a folder; name it with --out FOLDER");
   if (rows.size() == 1) rows.resize(set.rows.size(), rows.front());

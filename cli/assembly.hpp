@@ -11,7 +11,7 @@
 namespace adore::cli {
 
 /// Does DECK name an assembly?
-[[nodiscard]] bool names_assembly(const DeckOptions& options);
+[[nodiscard]] bool is_assembly_deck(const DeckOptions& options);
 
 struct AssemblyRunOptions {
   std::string out;
@@ -28,6 +28,6 @@ struct NewAssemblyOptions {
   std::optional<double> axial, radial;    ///< load of the set [N]
 };
 /// `adore new --assembly`. @param rows one deck, used for all rows, or one for each
-void write_assembly(const NewAssemblyOptions& options, std::vector<assembly::RowText> rows);
+void write_assembly(const NewAssemblyOptions& options, std::vector<assembly::RowDeckText> rows);
 
 }  // namespace adore::cli

@@ -83,7 +83,7 @@ int validate(const std::vector<std::string>& files, const std::string& report_fi
   const validation::ValidateReport report = validation::validate_files(
       paths,
       [&](const validation::FileResult& file) {
-        const std::string text = validation::file_text(file, detail == Detail::Cases);
+        const std::string text = validation::file_result_text(file, detail == Detail::Cases);
         if (detail == Detail::Totals || detail == Detail::Json) {
           tell(text.substr(0, text.find('\n') + 1));
         } else {
@@ -113,7 +113,7 @@ void experiments(const std::string& only, const std::string& report_file, bool j
 }
 
 void torque(const std::string& report_file, bool json, bool markdown) {
-  const std::vector<validation::TorqueTable> tables = validation::catalogue_torques();
+  const std::vector<validation::TorqueTable> tables = validation::compute_torque_tables();
   const std::string as_json = dump_json(validation::torque_json(tables), 2) + "\n";
   print("{}", json       ? as_json
               : markdown ? validation::torque_markdown(tables)
@@ -123,7 +123,7 @@ void torque(const std::string& report_file, bool json, bool markdown) {
 
 }  // namespace
 
-void add_calc(CLI::App& app, int& exit_code) {
+void add_calc_commands(CLI::App& app, int& exit_code) {
   {
     CLI::App* command =
         app.add_subcommand("calc", "run a component calculator (input and results are JSON)");
@@ -138,7 +138,7 @@ void add_calc(CLI::App& app, int& exit_code) {
     std::vector<std::string> names;
     for (const calculators::CalculatorInfo& info : calculators::calculator_list())
       names.push_back(info.name);
-    command_line::offer(
+    command_line::suggest_values(
         command->add_option("name", *name, "name of the calculator (--list lists all)")
             ->type_name("NAME"),
         names);
@@ -160,13 +160,14 @@ void add_calc(CLI::App& app, int& exit_code) {
             "with --list or --describe: print JSON; without them: read the inputs from FILE")
         ->expected(0, 1)
         ->type_name("FILE");
-    command->add_flag("--as-json", *as_json, "the older name of --json")->group("");
+    command->add_flag("--as-json", *as_json, "old name of --json")->group("");
     command->add_flag("--markdown", *markdown, "with --list: print all inputs as Markdown");
     command
-        ->add_option("--deck", *deck,
-                     fmt::format("take the inputs from the quasi-static solution of this deck; for "
-                                 "{}",
-                                 fmt::join(design::deck_calculators(), ", ")))
+        ->add_option(
+            "--deck", *deck,
+            fmt::format(
+                "take the inputs from the quasi-static solution of this deck (calculators: {})",
+                fmt::join(design::deck_calculators(), ", ")))
         ->type_name("DECK");
     command
         ->add_option("--element", *element,

@@ -7,13 +7,13 @@
 /// gave up, 130 interrupted.
 namespace adore::cli {
 
-void add_run(CLI::App& app, int& exit_code);
+void add_run_command(CLI::App& app, int& exit_code);
 void add_deck_commands(CLI::App& app, int& exit_code);  ///< check, plan, schema, new, examples
-void add_calc(CLI::App& app, int& exit_code);           ///< calc, validate
-void add_find(CLI::App& app, int& exit_code);
-void add_accuracy(CLI::App& app, int& exit_code);
-void add_user(CLI::App& app, int& exit_code);  ///< user new
-void add_study(CLI::App& app, int& exit_code);
+void add_calc_commands(CLI::App& app, int& exit_code);  ///< calc, validate
+void add_find_command(CLI::App& app, int& exit_code);
+void add_accuracy_command(CLI::App& app, int& exit_code);
+void add_user_command(CLI::App& app, int& exit_code);  ///< user new
+void add_study_command(CLI::App& app, int& exit_code);
 void add_file_commands(CLI::App& app, int& exit_code);  ///< verify, show, convert
 
 }  // namespace adore::cli

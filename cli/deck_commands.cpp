@@ -11,7 +11,7 @@
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
 #include "deck/catalogue.hpp"
-#include "deck/keep_text.hpp"
+#include "deck/deck_text_with_comments.hpp"
 #include "deck/number.hpp"
 #include "deck/quantity.hpp"
 #include "deck/rated_bearings.hpp"
@@ -42,7 +42,7 @@ namespace {
 
 /// All errors and warnings of a deck; missing features are a note here and an error of `run`.
 int check(const DeckOptions& options, bool json) {
-  if (names_assembly(options)) return check_assembly(options, json);
+  if (is_assembly_deck(options)) return check_assembly(options, json);
   runs::DeckRequest request;
   options.fill(request);
   const runs::CheckReport report = runs::check(request);
@@ -137,7 +137,7 @@ runs::LoadedDeck changed(std::string_view text, const std::vector<std::string>& 
   DeckOptions options;
   options.sets = sets;
   runs::DeckRequest request;
-  for (auto& set : options.pairs_of_sets()) request.sets.push_back(std::move(set));
+  for (auto& set : options.parse_set_options()) request.sets.push_back(std::move(set));
   request.text = std::string(text);
   request.deck = "new deck";
   request.in_memory = true;
@@ -209,7 +209,7 @@ runs::OperatingPoint operating_point(const NewOptions& o) {
 /// --set entries of the operating point; later ones win.
 std::vector<std::string> operating_sets(const NewOptions& o) {
   std::vector<std::string> out;
-  for (const auto& [name, value] : runs::sets_of(operating_point(o)))
+  for (const auto& [name, value] : runs::deck_assignments(operating_point(o)))
     out.push_back(name + "=" + value);
   out.insert(out.end(), o.sets.begin(), o.sets.end());
   return out;
@@ -218,24 +218,24 @@ std::vector<std::string> operating_sets(const NewOptions& o) {
 void write_bearing(const deck::CatalogueBearing& bearing, const NewOptions& o) {
   const std::string written =
       write_new(o.out, with_sets(deck::catalogue_deck(bearing), operating_sets(o)));
-  const std::string story = text_of(deck::catalogue_story(bearing));
+  const std::string story = text_of(deck::describe_catalogue_bearing(bearing));
   tell(written.empty() ? story : fmt::format("wrote {}\n{}", written, story));
 }
 
-std::vector<assembly::RowText> rows_of(const NewOptions& o) {
+std::vector<assembly::RowDeckText> rows_of(const NewOptions& o) {
   NewOptions row = o;  // the load is that of the set
   row.radial.clear();
   row.axial.clear();
   DeckOptions options;
   options.sets = operating_sets(row);
-  const auto sets = options.pairs_of_sets();
+  const auto sets = options.parse_set_options();
   const auto as_row = [&](const std::string& text) {
-    return assembly::RowText{assembly::row_deck(text, sets), {}};
+    return assembly::RowDeckText{assembly::make_row_deck(text, sets), {}};
   };
   if (!o.designation.empty())
     return {as_row(deck::catalogue_deck(deck::find_bearing(o.designation)))};
   if (!o.type.empty()) return {as_row(std::string(deck::template_text(o.type)))};
-  std::vector<assembly::RowText> out;
+  std::vector<assembly::RowDeckText> out;
   for (const std::string& name : o.decks) {
     const std::filesystem::path deck = runs::deck_path(name);
     out.push_back(as_row(read_text_file(deck)));
@@ -247,7 +247,7 @@ std::vector<assembly::RowText> rows_of(const NewOptions& o) {
 }
 
 void new_set(const NewOptions& o) {
-  const std::vector<assembly::RowText> rows = rows_of(o);
+  const std::vector<assembly::RowDeckText> rows = rows_of(o);
   if (rows.empty())
     throw InputError(
         "--assembly needs the rows: give the name of an example, --catalogue BEARING, or --deck "
@@ -263,7 +263,7 @@ int new_from_facts(const NewOptions& o) {
                                              : read_text_file(o.from, kLargestFacts);
   const design::CandidateReport report = design::find_candidates(design::read_facts(text, o.from));
   if (o.choose != 0) {
-    write_bearing(design::chosen_candidate(report, o.choose), o);
+    write_bearing(design::candidate_bearing(report, o.choose), o);
     return 0;
   }
   if (o.json)
@@ -277,13 +277,14 @@ int new_from_facts(const NewOptions& o) {
 /// Ratings of a bearing that no deck describes.
 void print_ratings(const deck::RatedBearing& bearing, const NewOptions& o) {
   if (!o.ratings)
-    throw InputError(fmt::format(
-        "{}: no deck describes a {} yet. Give --ratings for its dimensions and estimated ratings.",
-        bearing.designation, deck::rated_type_name(bearing.type)));
-  if (!o.json) return print("{}", text_of(design::ratings_story(bearing)));
+    throw InputError(
+        fmt::format("{}: decks cannot describe a {} yet. Give --ratings for its dimensions and "
+                    "estimated ratings.",
+                    bearing.designation, deck::rated_bearing_type_name(bearing.type)));
+  if (!o.json) return print("{}", text_of(design::describe_ratings(bearing)));
   const design::CatalogueRatings r = design::catalogue_ratings(bearing);
   const nlohmann::ordered_json out{{"name", bearing.designation},
-                                   {"type", deck::rated_type_name(bearing.type)},
+                                   {"type", deck::rated_bearing_type_name(bearing.type)},
                                    {"bore [m]", bearing.envelope.bore},
                                    {"outside [m]", bearing.envelope.outside},
                                    {"width [m]", bearing.envelope.width},
@@ -314,7 +315,7 @@ void list_catalogue(const NewOptions& o) {
     nlohmann::ordered_json out = nlohmann::ordered_json::array();
     for (const deck::CatalogueBearing& one : all)
       out.push_back({{"name", one.designation},
-                     {"type", deck::type_word(one.type)},
+                     {"type", deck::bearing_type_keyword(one.type)},
                      {"bore [m]", one.envelope.bore},
                      {"outside [m]", one.envelope.outside},
                      {"width [m]", one.envelope.width},
@@ -322,7 +323,7 @@ void list_catalogue(const NewOptions& o) {
                      {"test_rig", one.rig}});
     for (const deck::RatedBearing& one : listed_rated(o))
       out.push_back({{"name", one.designation},
-                     {"type", deck::rated_type_name(one.type)},
+                     {"type", deck::rated_bearing_type_name(one.type)},
                      {"bore [m]", one.envelope.bore},
                      {"outside [m]", one.envelope.outside},
                      {"width [m]", one.envelope.width},
@@ -332,14 +333,14 @@ void list_catalogue(const NewOptions& o) {
     return;
   }
   for (const deck::CatalogueBearing& one : all)
-    print("{:<20} {:<16} {:>8g} x {:g} x {:g} mm{}\n", one.designation, deck::type_word(one.type),
-          one.envelope.bore * 1e3, one.envelope.outside * 1e3, one.envelope.width * 1e3,
-          one.rig ? "  public test rig" : "");
+    print("{:<20} {:<16} {:>8g} x {:g} x {:g} mm{}\n", one.designation,
+          deck::bearing_type_keyword(one.type), one.envelope.bore * 1e3, one.envelope.outside * 1e3,
+          one.envelope.width * 1e3, one.rig ? "  public test rig" : "");
   const std::vector<deck::RatedBearing> rated = listed_rated(o);
   for (const deck::RatedBearing& one : rated)
     print("{:<20} {:<16} {:>8g} x {:g} x {:g} mm  ratings only\n", one.designation,
-          deck::rated_type_name(one.type), one.envelope.bore * 1e3, one.envelope.outside * 1e3,
-          one.envelope.width * 1e3);
+          deck::rated_bearing_type_name(one.type), one.envelope.bore * 1e3,
+          one.envelope.outside * 1e3, one.envelope.width * 1e3);
   print("{} bearings. `adore new --catalogue NAME` writes a deck", all.size());
   if (!rated.empty()) print(". {} with --ratings only", counted(rated.size(), "bearing"));
   print("\n");
@@ -463,21 +464,21 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
         command->add_option("type", o->type,
                             "example deck: ball, cylindrical, spherical, tapered, "
                             "spherical-tapered or another name listed by `adore examples`");
-    command_line::offer(name->type_name("NAME"), template_names());
+    command_line::suggest_values(name->type_name("NAME"), template_names());
     CLI::Option* catalogue =
         command
-            ->add_option(
-                "--catalogue", o->designation,
-                "bearing designation (6205, 7208 B, NU209, 30208, 22210), type and size "
-                "('deep-groove 25x52x15' in mm) or public test rig (CWRU-6205-DE). The boundary "
-                "dimensions are standard values; the internal geometry is estimated, except of "
-                "rigs")
+            ->add_option("--catalogue", o->designation,
+                         "bearing designation (6205, 7208 B, NU209, 30208, 22210), type and size "
+                         "('deep-groove 25x52x15' in mm) or public test rig (CWRU-6205-DE). The "
+                         "boundary dimensions are standard values. The internal geometry is "
+                         "estimated, except for test rigs")
             ->type_name("BEARING")
             ->excludes(name);
     command
-        ->add_flag("--ratings", o->ratings,
-                   "with --catalogue: print dimensions and estimated ratings of a bearing that no "
-                   "deck describes (QJ2, QJ3, 32, 33, 12, 13, 22, 23, NA49, 511, 512, 811, 812)")
+        ->add_flag(
+            "--ratings", o->ratings,
+            "with --catalogue: print dimensions and estimated ratings of a bearing type that decks "
+            "cannot describe (QJ2, QJ3, 32, 33, 12, 13, 22, 23, NA49, 511, 512, 811, 812)")
         ->needs(catalogue);
     CLI::Option* from =
         command
@@ -488,7 +489,9 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
             ->type_name("FACTS")
             ->excludes(name)
             ->excludes(catalogue);
-    command->add_option("--choose", o->choose, "write the deck of this candidate of --from")
+    command
+        ->add_option("--choose", o->choose,
+                     "number of the candidate of --from whose deck is written")
         ->type_name("N")
         ->needs(from);
     CLI::Option* list = command->add_flag("--list", o->list, "list the bearings of the catalogue")
@@ -502,7 +505,7 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
         command->add_option("--type", o->bearing_type, "with --list: bearings of this type")
             ->type_name("TYPE")
             ->needs(list),
-        deck::type_words());
+        deck::bearing_type_keywords());
     command->add_flag("--json", o->json, "print the list or the candidates as JSON");
     command->add_option("--radial", o->radial, "radial load (appLoadZ) [N], or with unit: 4kN")
         ->type_name("LOAD");
@@ -546,7 +549,7 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
         ->needs(assembly);
     command
         ->add_option("--offset", o->offset,
-                     "with --assembly: axial offset of the set that clamping closes [um]")
+                     "with --assembly: axial offset of the set, closed by clamping [um]")
         ->type_name("UM")
         ->needs(assembly);
     command->add_option("--out", o->out, "file or folder to write (default: standard output)")
@@ -572,8 +575,8 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
           return print_ratings(*rated, *o);
         if (o->ratings)
           throw InputError(
-              "--ratings is for bearings that no deck describes (`adore new --list`). Run the deck "
-              "of this bearing; its results have the ratings.");
+              "--ratings is only for bearing types that decks cannot describe (`adore new "
+              "--list`). Run the deck of this bearing; its results contain the ratings.");
         return write_bearing(deck::find_bearing(o->designation), *o);
       }
       if (o->type.empty())
@@ -587,7 +590,7 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand("examples", "list the example decks, or describe one");
     auto name = std::make_shared<std::string>();
     auto json = std::make_shared<bool>(false);
-    command_line::offer(
+    command_line::suggest_values(
         command->add_option("name", *name, "example to describe")->type_name("NAME"),
         template_names());
     command->add_flag("--json", *json, "print as JSON");

@@ -31,7 +31,7 @@ std::vector<std::string> option_words() {
 
 }  // namespace
 
-std::vector<std::string> variable_words() {
+std::vector<std::string> variable_completions() {
   std::vector<std::string> out;
   for (const deck::RecordSpec& record : deck::schema())
     for (const deck::VariableSpec& variable : record.variables)
@@ -42,7 +42,7 @@ std::vector<std::string> variable_words() {
   return out;
 }
 
-void add_deck(CLI::App& command, std::string& deck) {
+void add_deck_option(CLI::App& command, std::string& deck) {
   command.add_option("deck", deck, "deck file, folder with DATA.txt, or - for standard input")
       ->type_name("DECK")
       ->default_str("DATA.txt in the current folder");
@@ -50,19 +50,19 @@ void add_deck(CLI::App& command, std::string& deck) {
 
 void add_sets(CLI::App& command, std::vector<std::string>& sets) {
   // One value each: the next argument is the deck.
-  command_line::offer(
+  command_line::suggest_values(
       command
           .add_option("--set", sets,
                       "set a deck variable in the units of the deck; may be repeated")
           ->type_name("NAME=VALUE")
           ->allow_extra_args(false),
-      variable_words());
+      variable_completions());
 }
 
 void DeckOptions::add_to(CLI::App& command) {
-  add_deck(command, deck);
+  add_deck_option(command, deck);
   add_sets(command, sets);
-  command_line::offer(
+  command_line::suggest_values(
       command
           .add_option("--opt", options,
                       "set a run option (`adore run --list-options` lists them); may be repeated")
@@ -91,7 +91,7 @@ runs::DeckRequest deck_request(const std::string& deck) {
   return request;
 }
 
-std::vector<std::pair<std::string, std::string>> DeckOptions::pairs_of_sets() const {
+std::vector<std::pair<std::string, std::string>> DeckOptions::parse_set_options() const {
   std::vector<std::pair<std::string, std::string>> out;
   for (const std::string& text : sets) out.push_back(split(text, "--set"));
   return out;
@@ -102,7 +102,7 @@ void DeckOptions::fill(runs::DeckRequest& request) const {
   request.deck = source.deck;
   request.text = source.text;
   request.user = user;
-  for (auto& set : pairs_of_sets()) request.sets.push_back(std::move(set));
+  for (auto& set : parse_set_options()) request.sets.push_back(std::move(set));
   for (const std::string& text : options) request.options.push_back(split(text, "--opt"));
 }
 

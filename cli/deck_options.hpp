@@ -21,15 +21,15 @@ struct DeckOptions {
   /// @throws InputError for a --set or --opt without "=".
   void fill(runs::DeckRequest& request) const;
   /// @throws InputError for a --set without "=".
-  [[nodiscard]] std::vector<std::pair<std::string, std::string>> pairs_of_sets() const;
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> parse_set_options() const;
 };
 
 /// Names of the deck variables with "=", for completion.
-[[nodiscard]] std::vector<std::string> variable_words();
+[[nodiscard]] std::vector<std::string> variable_completions();
 /// --set alone.
 void add_sets(CLI::App& command, std::vector<std::string>& sets);
 /// The positional DECK alone.
-void add_deck(CLI::App& command, std::string& deck);
+void add_deck_option(CLI::App& command, std::string& deck);
 /// Meaning of DECK: a file, a folder, or "-" for standard input.
 [[nodiscard]] runs::DeckRequest deck_request(const std::string& deck);
 

@@ -57,7 +57,7 @@ void list_all(bool json) {
 
 FindReport answer(const FindOptions& options) {
   design::FindRequest request;
-  design::AskedQuestion asked;
+  design::ParsedFindQuestion asked;
   if (!options.question.empty()) {
     asked = design::parse_question(options.question);
     request.unknown = asked.unknown;
@@ -98,32 +98,32 @@ FindReport answer(const FindOptions& options) {
 
 }  // namespace
 
-void add_find(CLI::App& app, int& exit_code) {
+void add_find_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "find", "find the value of an input at which a result meets a target (inverse calculation)");
   auto options = std::make_shared<FindOptions>();
   options->add_to(*command);
-  command_line::offer(
+  command_line::suggest_values(
       command
           ->add_option("--unknown", options->unknown,
                        "deck variable or run option with its bounds, NAME=lower:upper, in the "
                        "units of the deck")
           ->type_name("NAME=RANGE")
           ->allow_extra_args(false),
-      variable_words());
+      variable_completions());
   std::vector<std::string> results, questions, calculators;
   for (const design::FindResultInfo& one : design::find_results()) results.push_back(one.id + "=");
   for (const design::FindQuestion& one : design::find_questions()) questions.emplace_back(one.name);
   for (const calculators::CalculatorInfo& one : calculators::calculator_list())
     calculators.push_back(one.name);
-  command_line::offer(
+  command_line::suggest_values(
       command
           ->add_option("--target", options->target,
                        "result of the equilibrium and its value in the unit of its name; also "
                        "'NAME>=VALUE', 'NAME<=VALUE', NAME=least and NAME=largest")
           ->type_name("NAME=VALUE"),
       results);
-  CLI::Option* question = command_line::offer(
+  CLI::Option* question = command_line::suggest_values(
       command
           ->add_option("--question", options->question,
                        "common question, with its value if it needs one (--list lists them)")
@@ -135,11 +135,11 @@ void add_find(CLI::App& app, int& exit_code) {
       ->type_name("RANGE")
       ->needs(question)
       ->excludes("--unknown");
-  command_line::offer(
+  command_line::suggest_values(
       command
           ->add_option("--calc", options->calculator,
-                       "ask this component calculator; DECK is the JSON file with its inputs, "
-                       "names are paths such as body1.Rx, displacement.ux or 'least(Qi)'")
+                       "use this component calculator. DECK is then the JSON file with its inputs, "
+                       "and names are paths such as body1.Rx, displacement.ux or 'least(Qi)'")
           ->type_name("NAME"),
       calculators);
   command
@@ -164,7 +164,7 @@ void add_find(CLI::App& app, int& exit_code) {
     check_range("--points", options->points);
     const FindReport report = answer(*options);
     if (options->json) {
-      print("{}\n", dump_json(find_json(report), 2));
+      print("{}\n", dump_json(find_report_json(report), 2));
     } else {
       print("{}\n", question_text(report));
       for (const std::string& line : answer_lines(report)) print("{}\n", line);

@@ -1,5 +1,5 @@
 #include "cli/commands.hpp"
-#include "cli/no_command.hpp"
+#include "cli/default_run_choice.hpp"
 #include "cli/picture_program.hpp"
 #include "cli/whole_program.hpp"
 #include "command_line/program.hpp"
@@ -12,14 +12,14 @@ int main(int argc, char** argv) {
   return cli::whole_program([&] {
     std::string run = "run";
     std::array<char*, 3> run_here{argv[0], run.data(), nullptr};
-    if (argc == 1) switch (cli::ask_for_run()) {
-        case cli::NoCommand::NoDeck:
+    if (argc == 1) switch (cli::confirm_default_run()) {
+        case cli::DefaultRunChoice::NoDeck:
           break;
-        case cli::NoCommand::Declined:
+        case cli::DefaultRunChoice::Declined:
           return 0;
-        case cli::NoCommand::NotAsked:
+        case cli::DefaultRunChoice::NotAsked:
           return 2;
-        case cli::NoCommand::Run:
+        case cli::DefaultRunChoice::Run:
           argc = 2;
           argv = run_here.data();
       }
@@ -38,15 +38,15 @@ int main(int argc, char** argv) {
         "3 failed computation; 130 interrupted.");
     app->require_subcommand(1);
     int exit_code = 0;
-    cli::add_run(*app, exit_code);
+    cli::add_run_command(*app, exit_code);
     cli::add_deck_commands(*app, exit_code);
-    cli::add_calc(*app, exit_code);
-    cli::add_find(*app, exit_code);
-    cli::add_accuracy(*app, exit_code);
-    cli::add_user(*app, exit_code);
-    cli::add_study(*app, exit_code);
+    cli::add_calc_commands(*app, exit_code);
+    cli::add_find_command(*app, exit_code);
+    cli::add_accuracy_command(*app, exit_code);
+    cli::add_user_command(*app, exit_code);
+    cli::add_study_command(*app, exit_code);
     cli::add_file_commands(*app, exit_code);
-    cli::add_picture_commands(*app, cli::handed_over(argv));
+    cli::add_picture_commands(*app, cli::forwarding_actions(argv));
     return command_line::parse(*app, argc, argv).value_or(exit_code);
   });
 }

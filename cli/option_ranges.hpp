@@ -20,6 +20,9 @@ inline constexpr std::array kOptionRanges{
     OptionRange{"--lubricant", 1, 20, "kTrac of record 10.0"},
     OptionRange{"--temperature", 150, 800, "in kelvin"},
     OptionRange{"--workers", 0, 1024, "0: as many as cores and memory allow"},
+    OptionRange{"--width", 30, 500, "in mm"},
+    OptionRange{"--height", 30, 500, "in mm"},
+    OptionRange{"--letters", 4, 24, "in points"},
     OptionRange{"--page", 1, 10'000, ""},
     OptionRange{"--from", 1, 1e15, "counted from 1"},
     OptionRange{"--to", 1, 1e15, "counted from 1"},
@@ -45,7 +48,7 @@ inline void check_range(std::string_view option, double value) {
         "{} is {}; give a number from {} to {}{}", option, value, range.least, range.most,
         range.meaning.empty() ? std::string() : fmt::format(" ({})", range.meaning)));
   }
-  demand(false, "every option with a number has a range");
+  demand(false, "no range is defined for this option");
 }
 
 }  // namespace adore::cli

@@ -21,9 +21,10 @@ void add_progress(CLI::App& command, std::string& style) {
 }
 
 void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw) {
-  CLI::App* command = app.add_subcommand("plot",
-                                         "draw the charts of SOL1-SOL7, SWEEP.csv, ACCURACY.json "
-                                         "or the RUN.json of a quasi-static run as PNG files");
+  CLI::App* command =
+      app.add_subcommand("plot",
+                         "draw the charts of SOL1-SOL7, SWEEP.csv, ACCURACY.json "
+                         "or the RUN.json of a quasi-static run as PNG, SVG or PDF files");
   auto request = std::make_shared<PlotRequest>();
   auto time = std::make_shared<bool>(false);
   command
@@ -42,12 +43,10 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
                        "temperature of lubricant and surfaces [K] (default: 350)")
           ->type_name("K")
           ->needs(lubricant);
-  command_line::one_of(
-      command->add_option("--format", request->format, "format of the lubricant charts")
-          ->capture_default_str()
-          ->type_name("FORM")
-          ->needs(lubricant),
-      {"png", "svg"});
+  command_line::one_of(command->add_option("--format", request->format, "file format")
+                           ->capture_default_str()
+                           ->type_name("FORM"),
+                       {"png", "svg", "pdf"});
   command->add_option("--out", request->out, "output folder")
       ->type_name("DIR")
       ->default_str("current folder");
@@ -66,7 +65,7 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
   command_line::one_of(command->add_option("--domain", request->domain, "chart type")
                            ->capture_default_str()
                            ->type_name("WHAT"),
-                       {"history", "spectrum", "spectrogram"});
+                       {"history", "spectrum", "spectrogram", "envelope", "orders"});
   command
       ->add_option(
           "--curve", request->curve,
@@ -86,12 +85,47 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
                        "vertical axis of spectrograms: time or shaft speed (default: time)")
           ->type_name("WHAT"),
       {"time", "speed"});
+  command
+      ->add_option("--band", request->band,
+                   "frequencies of an envelope in Hz, LOW:HIGH (default: the band with the most "
+                   "impulsive vibration, or else the strongest modulation)")
+      ->type_name("BAND");
+  command_line::one_of(
+      command
+          ->add_option("--orders-of", request->orders_of,
+                       "part whose revolutions orders refer to (default: shaft; envelopes without "
+                       "this option have a frequency in Hz)")
+          ->type_name("PART"),
+      {"shaft", "cage", "element"});
   command->add_flag("--time", *time, "the same as --abscissa time")->group("");
-  command->add_flag("--dark", request->dark, "dark theme");
+  CLI::Option* dark = command->add_flag("--dark", request->dark, "dark theme");
+  CLI::Option* width =
+      command
+          ->add_option("--width", request->width,
+                       "draw figures for print: their width [mm], such as 85 (one column) or 170")
+          ->type_name("MM")
+          ->excludes(dark);
+  CLI::Option* height = command
+                            ->add_option("--height", request->height,
+                                         "height of figures [mm] (default: 0.75 of the width, 0.2 "
+                                         "more for each further panel)")
+                            ->type_name("MM")
+                            ->needs(width);
+  CLI::Option* letters =
+      command->add_option("--letters", request->letters, "size of the letters of figures [pt]")
+          ->type_name("PT")
+          ->capture_default_str()
+          ->needs(width);
+  command->add_option("--font", request->font, "font family of figures (default: DejaVu Sans)")
+      ->type_name("NAME")
+      ->needs(width);
+  command->add_flag("--gray", request->gray, "figures with gray lines of different dashes")
+      ->needs(width);
   add_progress(*command, request->progress);
   command->footer(
       "Examples\n"
       "  adore plot SOL1 SOL7 --page 1 --out pictures\n"
+      "  adore plot SOL2 --page 1 --width 85 --format pdf\n"
       "  adore plot --lubricant 4 --temperature 394 --out pictures");
   command->callback([=] {
     if ((lubricant->count() > 0) != request->files.empty())
@@ -102,6 +136,9 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
     check_range("--from", static_cast<double>(request->range.from));
     if (to->count() > 0) check_range("--to", static_cast<double>(request->range.to));
     check_range("--every", static_cast<double>(request->range.every));
+    if (width->count() > 0) check_range("--width", request->width);
+    if (height->count() > 0) check_range("--height", request->height);
+    if (letters->count() > 0) check_range("--letters", request->letters);
     if (*time) request->abscissa = "time";
     draw(*request);
   });
@@ -150,12 +187,13 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
                                         "movie to write: NAME.avi, NAME.gif, NAME.mp4 (needs "
                                         "ffmpeg), or a folder of numbered pictures")
                            ->type_name("FILE");
-  CLI::Option* html = command
-                          ->add_option("--html", request->html,
-                                       "page with the 3D scene to write, which a browser plays: "
-                                       "NAME.html (needs libjs-three)")
-                          ->type_name("FILE")
-                          ->excludes(movie);
+  CLI::Option* html =
+      command
+          ->add_option("--html", request->html,
+                       "HTML file to write, with the animated 3D scene for a web browser: "
+                       "NAME.html (needs libjs-three)")
+          ->type_name("FILE")
+          ->excludes(movie);
   command->add_option("--fps", request->frames_per_second, "movie frames per second")
       ->capture_default_str();
   CLI::Option* slow = command

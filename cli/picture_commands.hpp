@@ -16,11 +16,16 @@ namespace adore::cli {
 struct PlotRequest {
   std::vector<std::string> files;
   std::string out = ".", progress = "auto", abscissa = "rev", domain = "history", curve, scale,
-              rows;
+              rows, band, orders_of;
   int page = 0;              ///< 0: all
   int lubricant = 0;         ///< kTrac of the charts drawn instead of files; 0: none
   double temperature = 0.0;  ///< of its charts [K]; 0: the usual one
   std::string format = "png";
+  double width = 0.0;    ///< of figures for print [mm]; 0: pictures for screens
+  double height = 0.0;   ///< [mm]; 0: by the number of panels
+  double letters = 8.0;  ///< [pt]
+  std::string font;      ///< family; empty: font of the program
+  bool gray = false;
   results::SolRange range;
   bool dark = false;
 };

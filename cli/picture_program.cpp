@@ -38,7 +38,7 @@ void become(char** argv) {
   (void)std::fflush(nullptr);
   // An interrupt that arrives while the other program is loaded waits until that program handles
   // it.
-  const InterruptsWait wait;
+  const InterruptBlocker wait;
   ::execv(program.c_str(), argv);
   refuse(program, errno);
 }
@@ -53,7 +53,7 @@ bool has_pictures() noexcept {
 #endif
 }
 
-PictureActions handed_over(char** argv) {
+PictureActions forwarding_actions(char** argv) {
   return {[argv](const PlotRequest&) { become(argv); },
           [argv](const AnimateRequest&) { become(argv); },
           [argv](const GalleryRequest&) { become(argv); },

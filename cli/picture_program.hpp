@@ -13,7 +13,7 @@ namespace adore::cli {
 
 /// Actions that replace the process with that program, with the same command line. Without Qt they
 /// throw an InputError. @param argv of main, null-terminated
-[[nodiscard]] PictureActions handed_over(char** argv);
+[[nodiscard]] PictureActions forwarding_actions(char** argv);
 
 /// Starts it with these arguments and waits. @return true if its exit code is 0; false without Qt.
 /// @throws InputError if it is not installed.

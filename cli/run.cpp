@@ -99,7 +99,7 @@ int report(const runs::RunOutcome& outcome, const RunOptions& options, bool tole
     write_text(
         "", "",
         summary_text(outcome, outcome.status == runs::RunStatus::Done && outcome.steps > 0
-                                  ? options.continuation(tolerance_given, twice_as_far(outcome))
+                                  ? options.continuation(tolerance_given, doubled_length(outcome))
                                   : ""));
   return exit_code(outcome);
 }
@@ -121,7 +121,8 @@ RunOptions with(RunOptions options, const studies::ChosenSettings& chosen) {
 /// A completed run: measured, stored in its files and reported.
 studies::AccuracyStatement state(const runs::RunRequest& request, const runs::RunOutcome& outcome,
                                  double target, InterruptWatch& watch) {
-  studies::AccuracyStatement out = studies::state_accuracy(request, outcome, target, watch.token());
+  studies::AccuracyStatement out =
+      studies::make_accuracy_statement(request, outcome, target, watch.token());
   studies::store_statement(out, outcome);
   return out;
 }
@@ -132,28 +133,29 @@ int run_to_accuracy(const RunOptions& options, runs::RunRequest& request,
                     const runs::ProgressSink& sink, InterruptWatch& watch) {
   constexpr int kMaxTightenings = 2, kMaxExtensions = 2;
   const double target = parse_percentage("--accuracy", options.accuracy);
-  studies::ChosenSettings chosen =
-      studies::choose_settings(request, target, watch.token(), studies::asked_turns(request));
+  studies::ChosenSettings chosen = studies::choose_settings(
+      request, target, watch.token(), studies::requested_revolutions(request));
   RunOptions given = options;
   for (int tighter = 0, extended = 0;;) {
-    const runs::RunOutcome outcome = run_asking(
-        request, [&] { return studies::run_chosen(request, chosen, sink, watch.token()); });
+    const runs::RunOutcome outcome = run_asking(request, [&] {
+      return studies::run_with_chosen_settings(request, chosen, sink, watch.token());
+    });
     const bool done = exit_code(outcome) == 0 && outcome.steps > 0;
     std::optional<studies::AccuracyStatement> stated;
     if (done) {
       runs::RunRequest as_run = request;
-      studies::add_choice(as_run, chosen);
+      studies::apply_chosen_settings(as_run, chosen);
       stated = state(as_run, outcome, target, watch);
       if (stated->numerical() > target && tighter < kMaxTightenings && !request.go_on) {
         ++tighter;
         tell(fmt::format(
             "the numerical error is {:.2g} %; the run is repeated with tighter settings\n",
             100.0 * stated->numerical()));
-        studies::tighten(chosen, request, outcome);
+        studies::tighten_settings(chosen, request, outcome);
         request.overwrite = true;
         continue;
       }
-      if (const double turns = stated->needed_turns(target);
+      if (const double turns = stated->required_revolutions(target);
           options.extend && turns > 0.0 && extended < kMaxExtensions) {
         ++extended;
         tell(fmt::format("accurate mean values need a run of about {}; the run continues\n",
@@ -200,7 +202,7 @@ int run(const RunOptions& options, bool tolerance_given) {
     return 0;
   }
   if (options.reproducible) runs::require_reproducible();
-  if (names_assembly(options)) return run_set(options, tolerance_given);
+  if (is_assembly_deck(options)) return run_set(options, tolerance_given);
   runs::RunRequest request;
   options.fill(request);
   if (!options.out.empty()) request.out = options.out;
@@ -256,7 +258,7 @@ int run(const RunOptions& options, bool tolerance_given) {
 
 }  // namespace
 
-void add_run(CLI::App& app, int& exit_code) {
+void add_run_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "run", "simulate a deck: PRINT.txt, FINAL, MASTER, SOL1-SOL8, RUN.json, RESULTS.h5");
   auto options = std::make_shared<RunOptions>();
@@ -268,7 +270,7 @@ void add_run(CLI::App& app, int& exit_code) {
                    "simulated length: revolutions (5rev), time (0.02s) or dimensionless time "
                    "(1000); replaces fTime and maxStps")
       ->type_name("END");
-  command_line::offer(
+  command_line::suggest_values(
       command
           ->add_option("--integrator", options->integrator,
                        "integrator: rkf1-7, rk4, pece1-8, cvode-adams, cvode-bdf, arkode-erk, "

@@ -20,12 +20,12 @@ namespace {
 std::string picture_lines(const runs::RunOutcome& outcome) {
   std::string plots, animation, motion, table;
   for (const std::filesystem::path& file : outcome.files) {
-    const FileSort sort = sort_of_file(file);
+    const AdoreFileType sort = read_file_type(file);
     const std::string name = " " + quoted_path(file);
-    if (sort == FileSort::Plot) plots += name;
-    if (sort == FileSort::Animation) animation = name;
-    if (sort == FileSort::ResultsH5) motion = name;
-    if (sort == FileSort::RunJson) table = name;
+    if (sort == AdoreFileType::Plot) plots += name;
+    if (sort == AdoreFileType::Animation) animation = name;
+    if (sort == AdoreFileType::ResultsH5) motion = name;
+    if (sort == AdoreFileType::RunJson) table = name;
   }
   if (!outcome.results.empty()) plots = table;  // the tables of a quasi-static run
   // Without SOL8 the same from there.
@@ -110,7 +110,7 @@ std::string quoted_path(const std::filesystem::path& path) {
   return quoted(word.starts_with('-') ? "./" + word : word);
 }
 
-std::string twice_as_far(const runs::RunOutcome& outcome) {
+std::string doubled_length(const runs::RunOutcome& outcome) {
   const double turns = std::abs(outcome.revolutions);
   return turns > 0.0 && !outcome.speeds_vary ? fmt::format("{:.4g}rev", 2.0 * turns)
                                              : fmt::format("{:.4g}s", 2.0 * outcome.time);

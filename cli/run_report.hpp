@@ -22,7 +22,7 @@ namespace adore::cli {
                                        const std::string& continuation);
 
 /// An end for --until at twice the length of the run.
-[[nodiscard]] std::string twice_as_far(const runs::RunOutcome& outcome);
+[[nodiscard]] std::string doubled_length(const runs::RunOutcome& outcome);
 
 /// @param again the command that repeats failed runs; empty: reported elsewhere
 [[nodiscard]] std::string sweep_text(const studies::SweepOutcome& outcome,

@@ -42,7 +42,7 @@ InterruptWatch::InterruptWatch() {
   // The watcher keeps them blocked: signals go to the thread that computes and writes.
   watcher_ = std::jthread([this](std::stop_token done) {
     while (!done.stop_requested()) {
-      if (asked) source_.request_stop();
+      if (asked) stop_source_.request_stop();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
   });

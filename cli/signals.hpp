@@ -15,10 +15,10 @@ void ignore_file_size_signal();
 class InterruptWatch {
  public:
   InterruptWatch();
-  [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
+  [[nodiscard]] std::stop_token token() const { return stop_source_.get_token(); }
 
  private:
-  std::stop_source source_;
+  std::stop_source stop_source_;
   std::jthread watcher_;
 };
 

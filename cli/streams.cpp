@@ -13,7 +13,7 @@
 
 namespace adore::cli {
 
-void keep_stream_numbers() {
+void reserve_standard_streams() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(number, F_GETFD) != -1 || errno != EBADF) continue;
     // The lowest free number is this one; neither reading from 0 nor writing to 1 and 2 succeeds.
@@ -28,7 +28,7 @@ void tell(std::string_view said, bool patient) noexcept {
   try {
     const bool clear = said.starts_with(kClear);
     shown = (clear ? std::string(kClear) : std::string()) +
-            terminal_text(said.substr(clear ? kClear.size() : 0));
+            escape_for_terminal(said.substr(clear ? kClear.size() : 0));
   } catch (const std::exception&) {
     return;  // no memory for a remark
   }

@@ -8,7 +8,7 @@ namespace adore::cli {
 
 /// A stream that was closed when the program started is opened so that writing fails as before, but
 /// no result file gets its number. Call first.
-void keep_stream_numbers();
+void reserve_standard_streams();
 
 /// Writes to standard error; ignores errors. `patient` false: only if no waiting is needed
 /// (progress on a full pipe or a stopped terminal).

@@ -227,14 +227,14 @@ void add_work(CLI::App& study, int& exit_code) {
   command->callback([=, &exit_code] {
     InterruptWatch watch;
     exit_code = tasks->empty()
-                    ? studies::work_from_stream(*folder, watch.token())
-                    : studies::work_through_file(*folder, *tasks, *first, *count, watch.token());
+                    ? studies::run_tasks_from_stdin(*folder, watch.token())
+                    : studies::run_tasks_from_file(*folder, *tasks, *first, *count, watch.token());
   });
 }
 
 }  // namespace
 
-void add_study(CLI::App& app, int& exit_code) {
+void add_study_command(CLI::App& app, int& exit_code) {
   CLI::App* study = app.add_subcommand("study",
                                        "run studies with many cases: sweeps, tolerances, cage "
                                        "maps, sensitivities, worst cases, what-if");

@@ -158,7 +158,7 @@ void new_routine(const UserOptions& options) {
 
 }  // namespace
 
-void add_user(CLI::App& app, int& exit_code) {
+void add_user_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "user", "write an example of a user routine (ADRX0 to ADRX9) for `adore run --user`");
   command->require_subcommand(1);

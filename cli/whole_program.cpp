@@ -41,9 +41,9 @@ int guarded(const std::function<int()>& body) {
 }  // namespace
 
 int whole_program(const std::function<int()>& body) {
-  keep_stream_numbers();
+  reserve_standard_streams();
   ignore_file_size_signal();
-  end_when_interrupted();
+  exit_on_interrupt();
   return close_output(guarded(body));
 }
 

@@ -1,8 +1,8 @@
-# adore_core_library(<folder> [DEPENDS <folder>...] [LINK <target>...])
+# adore_core_library(<folder> [APART] [DEPENDS <folder>...] [LINK <target>...])
 # One static library per folder of core/, named adore_<folder>, built from every .cpp in it and below it.
-# DEPENDS are the folders whose headers it may include (design: the dependency rule).
+# APART: its sources are never joined. DEPENDS are the folders whose headers it may include (design: the dependency rule).
 function(adore_core_library name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "APART" "" "DEPENDS;LINK" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   list(TRANSFORM ARG_DEPENDS PREPEND adore_)
   if(NOT name IN_LIST ADORE_NOT_IN_THE_SHARED_LIBRARY)
@@ -15,7 +15,14 @@ function(adore_core_library name)
     target_include_directories(adore_${name} PUBLIC ${CMAKE_SOURCE_DIR}/core)
     target_link_libraries(adore_${name} PUBLIC ${ARG_DEPENDS} ${ARG_LINK} PRIVATE adore_options)
     if(NOT name STREQUAL integrators)  # stands apart: it knows no other library of ours
-      adore_precompiled(adore_${name} FROM core)
+      if(name STREQUAL dynamics)
+        adore_precompiled(adore_dynamics FROM dynamics)
+      else()
+        adore_precompiled(adore_${name} FROM core)
+      endif()
+      if(NOT ARG_APART)
+        adore_joined(adore_${name})
+      endif()
     endif()
   else()
     add_library(adore_${name} INTERFACE)

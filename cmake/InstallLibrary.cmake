@@ -7,9 +7,9 @@ include(CMakePackageConfigHelpers)
 set(ADORE_NOT_IN_THE_SHARED_LIBRARY drawing validation)
 
 set(ADORE_PUBLIC_HEADERS
-    base/errors.hpp base/finding.hpp base/interrupted.hpp base/version.hpp base/write_folder.hpp bearing/grade_oil.hpp bearing/life_inputs.hpp bearing/lubrication.hpp
+    base/constants.hpp base/errors.hpp base/finding.hpp base/interrupted.hpp base/version.hpp base/write_folder.hpp bearing/grade_oil.hpp bearing/life_inputs.hpp bearing/lubrication.hpp
     calculators/adapter.hpp calculators/calculator_description.hpp calculators/calculators.hpp
-    deck/deck.hpp deck/defaults.hpp deck/difference.hpp deck/keep_text.hpp deck/no_part.hpp deck/schema.hpp deck/templates.hpp
+    deck/deck.hpp deck/defaults.hpp deck/difference.hpp deck/deck_text_with_comments.hpp deck/no_part.hpp deck/schema.hpp deck/templates.hpp
     deck/unit_change.hpp deck/units.hpp
     runs/check.hpp runs/deck_request.hpp runs/deck_story.hpp runs/equilibrium.hpp runs/measured_run.hpp runs/option_file.hpp
     runs/output_folder.hpp runs/plan.hpp runs/reproducible.hpp runs/run.hpp

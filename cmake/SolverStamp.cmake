@@ -18,4 +18,5 @@ function(adore_solver_stamp target)
     DEPENDS ${sources} ${list} ${CMAKE_SOURCE_DIR}/cmake/stamp_files.cmake
     COMMENT "Hashing the solver" VERBATIM)
   target_sources(${target} PRIVATE ${generated})
+  set_source_files_properties(${generated} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

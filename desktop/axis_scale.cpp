@@ -130,7 +130,7 @@ AxisScale scaled(const Limits& limits, std::string_view unit, int parts, double 
 
 }  // namespace
 
-double least_span_of(std::string_view unit) {
+double min_axis_span(std::string_view unit) {
   struct Least {
     std::string_view unit;
     double span;

@@ -62,7 +62,7 @@ struct Extent {
 
 /// Smallest range of an axis for a unit of the result files: smaller changes are rounding. A
 /// ten-billionth of a meter is the size of an atom; 0 for a unit without such a limit.
-double least_span_of(std::string_view unit);
+double min_axis_span(std::string_view unit);
 
 /// The largest of 1, 2, 5 times a power of ten that divides `span` into at least `parts` parts.
 double nice_step(double span, int parts);

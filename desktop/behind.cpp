@@ -8,9 +8,9 @@
 
 namespace adore::desktop {
 
-OpensBehind::OpensBehind() { qApp->installEventFilter(this); }
+OpenWithoutFocusGuard::OpenWithoutFocusGuard() { qApp->installEventFilter(this); }
 
-bool OpensBehind::eventFilter(QObject* object, QEvent* event) {
+bool OpenWithoutFocusGuard::eventFilter(QObject* object, QEvent* event) {
   // After the user has activated a window, later ones come to the front.
   if (event->type() == QEvent::WindowActivate) qApp->removeEventFilter(this);
   if (!object->isWidgetType() || !static_cast<QWidget*>(object)->isWindow()) return false;

@@ -10,9 +10,9 @@ inline constexpr const char* kBehind = "--behind";
 
 /// As long as it lives, and until a window of this program is chosen, windows open without taking
 /// the keyboard, behind those that are there.
-class OpensBehind : public QObject {
+class OpenWithoutFocusGuard : public QObject {
  public:
-  OpensBehind();
+  OpenWithoutFocusGuard();
   bool eventFilter(QObject* object, QEvent* event) override;
 };
 

@@ -49,7 +49,7 @@ std::vector<Share> shares_of(const ChartPage& page) {
 
 }  // namespace
 
-std::string beyond_log_axes(const ChartPage& page) {
+std::string log_axis_note(const ChartPage& page) {
   constexpr std::size_t kNamed = 3;
   std::string out;
   const std::vector<Share> shares = shares_of(page);
@@ -82,7 +82,7 @@ std::string beyond_log_axes(const ChartPage& page) {
   return out;
 }
 
-std::vector<double> above_or_at(const std::vector<double>& values, double below) {
+std::vector<double> replace_nonpositive(const std::vector<double>& values, double below) {
   std::vector<double> out = values;
   for (double& value : out)
     if (is_drawable(value) && !(value > 0.0)) value = below;

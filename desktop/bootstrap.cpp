@@ -31,7 +31,7 @@ void set_up(const QString& name) {
     demand(QFontDatabase::addApplicationFont(QString(":/adore/fonts/") + file) >= 0,
            "a shipped font does not load");
   apply_theme(preferred_theme());
-  qApp->installEventFilter(new DialogRoom(qApp));
+  qApp->installEventFilter(new DialogSizeLimiter(qApp));
 }
 
 /// Pictures made without a session need no session folder and no window manager, so Qt's remarks

@@ -217,7 +217,7 @@ qreal unlike_gaps(const ChartCurve& a, const ChartCurve& b, std::size_t from, st
 }
 
 /// Shorter ranges are crossings, or invisible; such a small part of the picture width is ignored.
-constexpr qreal kLeast = 24.0, kWorthSaying = 0.05;
+constexpr qreal kMinGap = 24.0, kWorthSaying = 0.05;
 
 /// Visible ranges of two curves without points where only the upper one has values: nothing is
 /// below it there.
@@ -267,7 +267,7 @@ std::pair<std::vector<std::pair<qreal, qreal>>, bool> common_ways(
       while (i < on.size() && on[i]) ++i;
       const qreal left = line[static_cast<qsizetype>(first)].x() + kColumn,
                   right = line[static_cast<qsizetype>(i) - 1].x() - kColumn;
-      if (right - left >= kLeast) out.emplace_back(left, right);
+      if (right - left >= kMinGap) out.emplace_back(left, right);
     }
   }
   return {std::move(out), all};
@@ -281,9 +281,10 @@ bool equal_values(double p, double q) {
 
 }  // namespace
 
-std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, const QRectF& area,
-                                                            const AxisScale& y_axis,
-                                                            const Metrics& m) {
+std::vector<ChartScene::ShownCurve> ChartScene::prepareShownCurves(std::size_t index,
+                                                                   const QRectF& area,
+                                                                   const AxisScale& y_axis,
+                                                                   const Metrics& m) {
   const ChartPanel& panel = page_.panels[index];
   std::vector<ShownCurve> out;
   for (std::size_t c = 0; c < panel.curves.size(); ++c) {
@@ -293,30 +294,31 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
     std::vector<double> positive;
     // One height of the panel below its foot; a curve of such values alone has no line.
     if (panel.log)
-      positive =
-          above_or_at(curve.y, any_above_0(curve) ? y_axis.value(2.0 * y_axis.min - y_axis.max)
+      positive = replace_nonpositive(curve.y, has_positive_value(curve)
+                                                  ? y_axis.value(2.0 * y_axis.min - y_axis.max)
                                                   : std::numeric_limits<double>::quiet_NaN());
-    const CurveBlocks* const blocks = blocks_.empty() || panel.log ? nullptr : &blocks_[index][c].y;
+    const CurveBlocks* const blocks =
+        curve_blocks_.empty() || panel.log ? nullptr : &curve_blocks_[index][c].y;
     const std::vector<double>& y = panel.log ? positive : curve.y;
     const int columns = static_cast<int>(area.width());
     if (page_.log_x) {  // columns of pixels are equal parts of a decade
-      shown.pieces = drawable_pieces(decades_, y, std::log10(low_), std::log10(high_), columns,
-                                     panel.wraps, blocks);
+      shown.pieces = drawable_polylines(log_abscissa_, y, std::log10(low_), std::log10(high_),
+                                        columns, panel.wraps, blocks);
       for (Polyline& piece : shown.pieces)
         for (double& x : piece.x) x = std::pow(10.0, x);
     } else {
-      shown.pieces = drawable_pieces(page_.x, y, low_, high_, columns, panel.wraps, blocks);
+      shown.pieces = drawable_polylines(page_.x, y, low_, high_, columns, panel.wraps, blocks);
     }
     for (const Polyline& piece : shown.pieces)
-      shown.lines.push_back(placed(piece, area, x_axis_, y_axis));
+      shown.lines.push_back(line_in_scene(piece, area, x_axis_, y_axis));
     shown.extents = extents_of(shown.lines);
-    const bool compared = rising_;
+    const bool compared = abscissa_increasing_;
     const qreal same = m.line;  // distance of two lines that partly cover each other
     // Dense oscillations have no values to compare: their edges are compared.
     const qreal edges = std::min(same, area.height() / 300.0);
     const auto hide = [&](ShownCurve& before) {
       shown.hides = before.curve;
-      tellAlike(index, before.curve, shown, area, y_axis, same);
+      classifyOverlap(index, before.curve, shown, area, y_axis, same);
       shown.later = ++before.later;
     };
     for (ShownCurve& before : out) {
@@ -325,7 +327,7 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
       break;
     }
     for (std::size_t i = 0; compared && !panel.log && !shown.hides && i < out.size(); ++i)
-      if (!out[i].hides && findStretches(index, out[i], shown, area, y_axis, same)) break;
+      if (!out[i].hides && findOverlapRanges(index, out[i], shown, area, y_axis, same)) break;
     for (ShownCurve& before : out) {
       // A later curve hides an earlier one where it is on it, and is complete elsewhere.
       if (!compared || shown.hides || before.hides ||
@@ -346,21 +348,21 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
   return out;
 }
 
-bool ChartScene::findStretches(std::size_t index, ShownCurve& before, ShownCurve& shown,
-                               const QRectF& area, const AxisScale& y_axis, qreal same) const {
+bool ChartScene::findOverlapRanges(std::size_t index, ShownCurve& before, ShownCurve& shown,
+                                   const QRectF& area, const AxisScale& y_axis, qreal same) const {
   const ChartPanel& panel = page_.panels[index];
-  const auto [from, to] = places_between(page_.x, low_, high_);
+  const auto [from, to] = indices_between(page_.x, low_, high_);
   // Lines side by side do not cover each other: one over paper would look like a broken line.
   constexpr double kBegins = 0.3, kGoesOn = 0.6;  // of a line's width
   const double line = same / area.height() * (y_axis.max - y_axis.min) * std::abs(y_axis.factor);
-  const double nothing = 1e-3 * std::max(panel.least_span, least_span_of(panel.unit));
+  const double nothing = 1e-3 * std::max(panel.least_span, min_axis_span(panel.unit));
   const ChartCurve &one = panel.curves[before.curve], &other = panel.curves[shown.curve];
   const auto place = [&](std::size_t i) {
     return area.left() +
            (x_axis_.shown(page_.x[i]) - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
   };
   const auto long_enough = [&](std::size_t first, std::size_t last) {
-    return place(last) - place(first) >= kLeast;
+    return place(last) - place(first) >= kMinGap;
   };
   const auto within_of_line = [&](double part) {
     return [=](double p, double q) { return std::abs(p - q) <= part * line; };
@@ -371,7 +373,7 @@ bool ChartScene::findStretches(std::size_t index, ShownCurve& before, ShownCurve
   double longest = 0.0;  // of equal values, along the abscissa
   std::vector<std::pair<qreal, qreal>> over;
   const qreal gaps = found.places.empty() ? 0.0 : unlike_gaps(one, other, from, to, place);
-  const auto places = gaps > kLeast ? without_gaps(found.places, one, other, place) : found.places;
+  const auto places = gaps > kMinGap ? without_gaps(found.places, one, other, place) : found.places;
   for (const auto& [first, last] : places) {
     if (!long_enough(first, last)) continue;
     // Lines are thinned to columns of pixels: near an end they may already deviate toward the next
@@ -395,23 +397,23 @@ bool ChartScene::findStretches(std::size_t index, ShownCurve& before, ShownCurve
   }
   qreal all = 0.0;
   for (const auto& [first, last] : over) all += last - first;
-  if (all < std::max(kLeast, kWorthSaying * area.width())) return false;
+  if (all < std::max(kMinGap, kWorthSaying * area.width())) return false;
   shown.hides = before.curve;
   shown.later = ++before.later;
   shown.over = std::move(over);
-  shown.partly = found.differ || gaps > kLeast;
+  shown.partly = found.differ || gaps > kMinGap;
   const double told = kWorthSaying * (page_.log_x ? std::log10(high_ / low_) : high_ - low_);
   shown.alike = equal || (shown.partly && longest >= told) ? Alike::Equal : Alike::Near;
   return true;
 }
 
-void ChartScene::tellAlike(std::size_t index, std::size_t a, ShownCurve& shown, const QRectF& area,
-                           const AxisScale& y_axis, qreal same) {
+void ChartScene::classifyOverlap(std::size_t index, std::size_t a, ShownCurve& shown,
+                                 const QRectF& area, const AxisScale& y_axis, qreal same) {
   const ChartPanel& panel = page_.panels[index];
   const ChartCurve &one = panel.curves[a], &other = panel.curves[shown.curve];
-  const auto [known, unknown] = equal_runs_.try_emplace({index, a, shown.curve}, false);
+  const auto [known, unknown] = equal_curves_cache_.try_emplace({index, a, shown.curve}, false);
   // Values that are 0 except for rounding are 0.
-  const double nothing = 1e-3 * std::max(panel.least_span, least_span_of(panel.unit));
+  const double nothing = 1e-3 * std::max(panel.least_span, min_axis_span(panel.unit));
   const auto equal = [nothing](double p, double q) {
     return equal_values(p, q) || std::abs(p - q) <= nothing;
   };
@@ -421,7 +423,7 @@ void ChartScene::tellAlike(std::size_t index, std::size_t a, ShownCurve& shown, 
   }
   shown.alike = Alike::Equal;
   if (known->second) return;
-  const auto [from, to] = places_between(page_.x, low_, high_);
+  const auto [from, to] = indices_between(page_.x, low_, high_);
   const double seen = same / area.height() * (y_axis.max - y_axis.min);
   const auto near = [&](double p, double q) {
     const bool p_shown = !panel.log || p > 0.0, q_shown = !panel.log || q > 0.0;
@@ -434,7 +436,7 @@ void ChartScene::tellAlike(std::size_t index, std::size_t a, ShownCurve& shown, 
            (x_axis_.shown(page_.x[i]) - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
   };
   shown.partly =
-      seen_alike.agree && seen_alike.gaps && unlike_gaps(one, other, from, to, place) > kLeast;
+      seen_alike.agree && seen_alike.gaps && unlike_gaps(one, other, from, to, place) > kMinGap;
   // On a steep path the values of lines that cover each other differ by more than a line width.
   const auto near_by_ways = [&] {
     return !runs_to_and_fro(shown, same) &&

@@ -81,14 +81,15 @@ void ChartScene::addBand(std::size_t panel, std::size_t which, const QRectF& are
       pieces.back().high = std::max(pieces.back().high, high);
     }
   };
-  const LongCurve* const blocks = blocks_.empty() ? nullptr : &blocks_[panel][which];
-  const auto [first, last] =
-      rising_ ? places_between(page_.x, low_, high_) : std::pair(std::size_t{0}, count);
+  const LongCurveBlocks* const blocks =
+      curve_blocks_.empty() ? nullptr : &curve_blocks_[panel][which];
+  const auto [first, last] = abscissa_increasing_ ? indices_between(page_.x, low_, high_)
+                                                  : std::pair(std::size_t{0}, count);
   // The interval that the end of the view cuts is drawn as far.
   std::size_t known = count;  // the value at position `begins`
   qreal begins = 0.0;
   for (std::size_t i = first; i < std::min(last + 1, count);) {
-    if (!rising_ && (page_.x[i] < low_ || page_.x[i] > high_)) {
+    if (!abscissa_increasing_ && (page_.x[i] < low_ || page_.x[i] > high_)) {
       ++i;
       continue;
     }
@@ -149,8 +150,9 @@ std::vector<Extent> columns_of(const std::vector<QPolygonF>& lines, const QRectF
 
 }  // namespace
 
-bool ChartScene::bandsSeen(const std::vector<QPolygonF>& bands,
-                           const std::vector<ShownCurve>& shown, const QRectF& area, qreal line) {
+bool ChartScene::areBandsVisible(const std::vector<QPolygonF>& bands,
+                                 const std::vector<ShownCurve>& shown, const QRectF& area,
+                                 qreal line) {
   constexpr qreal kSeen = 0.7, kSteepest = 2.0;  // [px], and of a line's width
   if (bands.empty()) return false;
   std::vector<std::vector<Extent>> covers;

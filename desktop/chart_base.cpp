@@ -37,8 +37,9 @@ int hidden_by(const QRectF& box, const std::vector<QPolygonF>& drawn) {
 
 }  // namespace
 
-void ChartScene::addBase(const AxisScale& y_axis, const QRectF& area, qreal head, qreal legend,
-                         const std::vector<QPolygonF>& drawn, const Metrics& m) {
+void ChartScene::addAxisOffset(const AxisScale& y_axis, const QRectF& area, qreal head,
+                               qreal legend, const std::vector<QPolygonF>& drawn,
+                               const Metrics& m) {
   constexpr qreal kGap = 8.0, kRim = 4.0, kEdge = 2.0;
   auto* base =
       addSimpleText("difference from " + text_of(y_axis.offset_text), ui_font(m.tick_font));

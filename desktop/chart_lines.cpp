@@ -30,7 +30,7 @@ class LineItem : public QGraphicsItem {
 /// A path of very many points, drawn from tiles stored in its scene.
 class LongWayItem : public QGraphicsItem {
  public:
-  LongWayItem(const WayRuns& way, WayTiles& tiles, WayPlace place, QPen pen)
+  LongWayItem(const PathIndex& way, PathTiles& tiles, PathPlacement place, QPen pen)
       : way_(way), tiles_(tiles), place_(std::move(place)), pen_(std::move(pen)) {}
   [[nodiscard]] QRectF boundingRect() const override { return place_.area; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
@@ -38,9 +38,9 @@ class LongWayItem : public QGraphicsItem {
   }
 
  private:
-  const WayRuns& way_;
-  WayTiles& tiles_;
-  WayPlace place_;
+  const PathIndex& way_;
+  PathTiles& tiles_;
+  PathPlacement place_;
   QPen pen_;
 };
 
@@ -49,12 +49,16 @@ class LongWayItem : public QGraphicsItem {
 QPen ChartScene::penOf(int colour, qreal width, bool dashed) const {
   QPen pen(theme_->curves[static_cast<std::size_t>(colour) % theme_->curves.size()], width);
   pen.setJoinStyle(Qt::BevelJoin);  // a round one takes five times as long
-  if (dashed) pen.setDashPattern({4.0, 4.0});
+  if (const QList<qreal> dashes = dash_pattern(*theme_, static_cast<std::size_t>(colour));
+      !dashes.isEmpty())
+    pen.setDashPattern(dashes);
+  else if (dashed)
+    pen.setDashPattern({4.0, 4.0});
   return pen;
 }
 
-QPolygonF placed(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
-                 const AxisScale& y_axis, bool limited) {
+QPolygonF line_in_scene(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
+                        const AxisScale& y_axis, bool limited) {
   QPolygonF points;
   points.reserve(static_cast<qsizetype>(line.x.size()));
   // Far outside a picture numbers are too large for the painter.
@@ -69,7 +73,7 @@ QPolygonF placed(const Polyline& line, const QRectF& area, const AxisScale& x_ax
 }
 
 /// The parts of a line inside `area`.
-std::vector<QPolygonF> parts_inside(const QPolygonF& line, const QRectF& area) {
+std::vector<QPolygonF> clip_to_area(const QPolygonF& line, const QRectF& area) {
   std::vector<QPolygonF> out;
   bool joined = false;  // the last part continues
   for (qsizetype i = 1; i < line.size(); ++i) {
@@ -128,7 +132,7 @@ QPolygonF with_bends(const QPolygonF& line) {
 /// have too many parts.
 std::vector<QPolygonF> stretches(const QPolygonF& whole, int of, const QRectF& area) {
   constexpr qreal kWide = 9.0, kLong = 20000.0;
-  const std::vector<QPolygonF> lines = parts_inside(whole, area);
+  const std::vector<QPolygonF> lines = clip_to_area(whole, area);
   qreal length = 0.0;
   for (const QPolygonF& line : lines)
     for (qsizetype i = 1; i < line.size(); ++i) length += std::abs(line[i].y() - line[i - 1].y());
@@ -185,8 +189,8 @@ QPolygonF between(const QPolygonF& line, qreal left, qreal right) {
 
 }  // namespace
 
-void ChartScene::addShown(const ShownCurve& shown, const ChartPanel& panel, const QRectF& area,
-                          const AxisScale& y_axis, const Metrics& m) {
+void ChartScene::addShownCurve(const ShownCurve& shown, const ChartPanel& panel, const QRectF& area,
+                               const AxisScale& y_axis, const Metrics& m) {
   const ChartCurve& curve = panel.curves[shown.curve];
   const QPen pen = penOf(shown.colour, curve.heavy ? 2.5 * m.line : m.line, curve.dashed);
   std::vector<QPolygonF> parts;
@@ -211,7 +215,7 @@ void ChartScene::addShown(const ShownCurve& shown, const ChartPanel& panel, cons
       add({between(line, left, around.right())});
     }
   }
-  addWay(std::move(parts), area, pen);
+  addPolylineItem(std::move(parts), area, pen);
   if (!lines_.empty()) lines_.back() += static_cast<int>(shown.lines.size());
   for (std::size_t i = 0; i < shown.pieces.size(); ++i) {
     // A value between gaps has no line: it is drawn as a point. A dashed line among points is a
@@ -222,14 +226,14 @@ void ChartScene::addShown(const ShownCurve& shown, const ChartPanel& panel, cons
   }
 }
 
-void ChartScene::addWay(std::vector<QPolygonF> parts, const QRectF& area, QPen pen) {
+void ChartScene::addPolylineItem(std::vector<QPolygonF> parts, const QRectF& area, QPen pen) {
   if (!parts.empty())
     addItem(new LineItem(std::move(parts), area.adjusted(-1, -1, 1, 1), std::move(pen)));
 }
 
-void ChartScene::addLongWay(std::size_t curve, const WayPlace& place, QPen pen) {
+void ChartScene::addLongPath(std::size_t curve, const PathPlacement& place, QPen pen) {
   PlaneCurve& known = plane_curves_[curve];
-  WayPlace around = place;
+  PathPlacement around = place;
   around.area.adjust(-1, -1, 1, 1);
   addItem(new LongWayItem(known.runs, known.tiles, around, std::move(pen)));
   if (!lines_.empty()) ++lines_.back();
@@ -239,13 +243,13 @@ QPolygonF ChartScene::addCurve(const Polyline& line, const QRectF& area, const A
                                const AxisScale& y_axis, QPen pen) {
   // A line that extends far outside the frame is clipped: numbers too large for the painter would
   // have to be changed, and with them the direction of lines that cross the frame.
-  QPolygonF points = placed(line, area, x_axis, y_axis, false);
+  QPolygonF points = line_in_scene(line, area, x_axis, y_axis, false);
   constexpr qreal kMargin = 1000.0;
   const QRectF around = area.adjusted(-kMargin, -kMargin, kMargin, kMargin);
   if (around.contains(points.boundingRect()))
-    addWay({points}, area, std::move(pen));
+    addPolylineItem({points}, area, std::move(pen));
   else
-    addWay(parts_inside(points, area.adjusted(-10, -10, 10, 10)), area, std::move(pen));
+    addPolylineItem(clip_to_area(points, area.adjusted(-10, -10, 10, 10)), area, std::move(pen));
   if (!lines_.empty()) ++lines_.back();
   return points;
 }

@@ -165,12 +165,12 @@ QPolygonF way_of(const ChartMark& mark, const QRectF& area, const AxisScale& x_a
     way.x.push_back(x);
     way.y.push_back(height);
   }
-  return placed(way, area, x_axis, y_axis);
+  return line_in_scene(way, area, x_axis, y_axis);
 }
 
 }  // namespace
 
-int mark_rows(const ChartPage& page, int tick_font, qreal width) {
+int mark_row_count(const ChartPage& page, int tick_font, qreal width) {
   constexpr qreal kBesidePanels = 114.0, kOne = 0.6, kTwo = 1.5;  // of their width
   const QFontMetricsF metrics(ui_font(tick_font));
   qreal all = 0.0;
@@ -180,10 +180,10 @@ int mark_rows(const ChartPage& page, int tick_font, qreal width) {
   return part < kOne ? 1 : part < kTwo ? 2 : 3;
 }
 
-qreal mark_rise(const ChartPage& page, int tick_font, qreal width) {
+qreal mark_labels_height(const ChartPage& page, int tick_font, qreal width) {
   if (page.marks.empty()) return 0.0;
-  const int rows = mark_rows(page, tick_font, width);
-  return tick_font + 6.0 + mark_steps(rows) + (rows - 1) * row_pitch(tick_font);
+  const int rows = mark_row_count(page, tick_font, width);
+  return tick_font + 6.0 + mark_step_height(rows) + (rows - 1) * row_pitch(tick_font);
 }
 
 void ChartScene::addMarks(const QRectF& area, const AxisScale& y_axis, bool label, bool drawn,
@@ -206,7 +206,7 @@ void ChartScene::addMarks(const QRectF& area, const AxisScale& y_axis, bool labe
     }
     // A mark that leaves the view at a side is named at its last visible position.
     std::optional<qreal> last;
-    for (const QPolygonF& part : parts_inside(way_of(mark, area, x_axis_, y_axis), area)) {
+    for (const QPolygonF& part : clip_to_area(way_of(mark, area, x_axis_, y_axis), area)) {
       QPainterPath path;
       path.addPolygon(part);
       if (drawn) addPath(path, pen);
@@ -218,10 +218,10 @@ void ChartScene::addMarks(const QRectF& area, const AxisScale& y_axis, bool labe
                    [](const MarkName& a, const MarkName& b) { return a.line < b.line; });
   if (!label || names.empty()) return;
   const std::vector<MarkName> lines = names;
-  const int rows = mark_rows(page_, m.tick_font, size_.width());
+  const int rows = mark_row_count(page_, m.tick_font, size_.width());
   place_names(names, rows, metrics, area.left(), area.right());
-  const qreal top = area.top() - mark_steps(rows);
-  const std::vector<qreal> depth = step_depths(names, mark_steps(rows));
+  const qreal top = area.top() - mark_step_height(rows);
+  const std::vector<qreal> depth = step_depths(names, mark_step_height(rows));
   const QPen thin(theme_->muted, 1);
   for (std::size_t i = 0, line = 0; i < names.size(); ++i) {
     const MarkName& name = names[i];

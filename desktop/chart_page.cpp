@@ -8,7 +8,7 @@
 
 namespace adore::desktop {
 
-std::vector<double> limits_between(const std::vector<double>& places) {
+std::vector<double> cell_edges(const std::vector<double>& places) {
   if (places.empty()) return {};
   if (places.size() == 1) return {places[0] - 0.5, places[0] + 0.5};
   std::vector<double> out{places[0] - 0.5 * (places[1] - places[0])};
@@ -103,8 +103,8 @@ Extent extent_between(const std::vector<double>& y, std::size_t from, std::size_
   return out;
 }
 
-std::size_t pieces_between(const std::vector<double>& y, std::size_t first, std::size_t last,
-                           bool wraps, const CurveBlocks& blocks) {
+std::size_t count_pieces_between(const std::vector<double>& y, std::size_t first, std::size_t last,
+                                 bool wraps, const CurveBlocks& blocks) {
   std::size_t out = 0;
   for (std::size_t i = first; i < last;) {
     const std::size_t b = i / CurveBlocks::kLength;
@@ -121,8 +121,8 @@ std::size_t pieces_between(const std::vector<double>& y, std::size_t first, std:
   return out;
 }
 
-std::pair<std::size_t, std::size_t> places_between(const std::vector<double>& x, double low,
-                                                   double high) {
+std::pair<std::size_t, std::size_t> indices_between(const std::vector<double>& x, double low,
+                                                    double high) {
   const auto first = std::lower_bound(x.begin(), x.end(), low);
   return {static_cast<std::size_t>(first - x.begin()),
           static_cast<std::size_t>(std::upper_bound(first, x.end(), high) - x.begin())};
@@ -173,17 +173,17 @@ Polyline reduced(const std::vector<double>& x, const std::vector<double>& y, std
 
 }  // namespace
 
-std::vector<Polyline> drawable_pieces(const std::vector<double>& x, const std::vector<double>& y,
-                                      double low, double high, int columns, bool wraps,
-                                      const CurveBlocks* blocks) {
+std::vector<Polyline> drawable_polylines(const std::vector<double>& x, const std::vector<double>& y,
+                                         double low, double high, int columns, bool wraps,
+                                         const CurveBlocks* blocks) {
   if (blocks != nullptr && x.size() == y.size() && !x.empty()) {
-    auto [first, last] = places_between(x, low, high);
+    auto [first, last] = indices_between(x, low, high);
     first -= first > 0 ? 1 : 0;
     last = std::min(last + 1, x.size());
-    wraps = wraps && pieces_between(y, first, last, wraps, *blocks) <= kMostPieces;
+    wraps = wraps && count_pieces_between(y, first, last, wraps, *blocks) <= kMostPieces;
     const Polyline few =
         reduced(x, y, first, last, (high - low) / std::max(columns, 1), wraps, *blocks);
-    return drawable_pieces(few.x, few.y, low, high, columns, wraps);
+    return drawable_polylines(few.x, few.y, low, high, columns, wraps);
   }
   std::vector<Polyline> pieces;
   const std::size_t count = std::min(x.size(), y.size());
@@ -204,7 +204,8 @@ std::vector<Polyline> drawable_pieces(const std::vector<double>& x, const std::v
     last = y[i];
     open = true;
   }
-  if (wraps && pieces.size() > kMostPieces) return drawable_pieces(x, y, low, high, columns, false);
+  if (wraps && pieces.size() > kMostPieces)
+    return drawable_polylines(x, y, low, high, columns, false);
   for (auto& piece : pieces) piece = thinned(piece, low, high, columns);
   return pieces;
 }

@@ -31,7 +31,7 @@ struct ChartCurve {
 /// Vertical axis and colors of a panel whose curves are the rows of a map: each curve is one row at
 /// its place on the axis, each value a color. Values of a map have no gaps between stored places:
 /// a color reaches half the distance to the neighbors.
-struct ChartRows {
+struct ChartMapRows {
   std::string title, unit;       ///< vertical axis: "Time", "s"
   std::vector<double> at;        ///< place of each curve; increasing
   std::string value_title;       ///< of the color bar: "Amplitude"
@@ -40,7 +40,7 @@ struct ChartRows {
 
 /// Limits between the neighbors of increasing places, half a distance beyond the first and last:
 /// one more than places.
-[[nodiscard]] std::vector<double> limits_between(const std::vector<double>& places);
+[[nodiscard]] std::vector<double> cell_edges(const std::vector<double>& places);
 
 struct ChartPanel {
   std::string title;  ///< "Contact load"
@@ -49,10 +49,10 @@ struct ChartPanel {
   bool wraps = false;  ///< an angle in degrees: jumps by more than half a revolution are not joined
   double least_span =
       0.0;  ///< smallest range of the vertical axis; finer detail is rounding of the data
-  std::string message = {};            ///< a message instead of curves without values
-  bool log = false;                    ///< logarithmic axis; values of 0 and less cannot be drawn
-  int group = -1;                      ///< that a user-defined chart gave to its curves
-  std::optional<ChartRows> rows = {};  ///< the curves are rows of a map
+  std::string message = {};  ///< a message instead of curves without values
+  bool log = false;          ///< logarithmic axis; values of 0 and less cannot be drawn
+  int group = -1;            ///< that a user-defined chart gave to its curves
+  std::optional<ChartMapRows> rows = {};  ///< the curves are rows of a map
 };
 
 struct ChartMark {
@@ -122,9 +122,9 @@ struct Polyline {
 };
 /// With the `blocks` of a long curve over a rising x only as many values are looked at as matter.
 struct CurveBlocks;
-std::vector<Polyline> drawable_pieces(const std::vector<double>& x, const std::vector<double>& y,
-                                      double low, double high, int columns, bool wraps,
-                                      const CurveBlocks* blocks = nullptr);
+std::vector<Polyline> drawable_polylines(const std::vector<double>& x, const std::vector<double>& y,
+                                         double low, double high, int columns, bool wraps,
+                                         const CurveBlocks* blocks = nullptr);
 
 /// Indices of the minimum and maximum of each block of kLength values of a long curve, and these
 /// values: computed once, so that panning over a million values is fast and keeps all peaks.
@@ -148,11 +148,12 @@ struct CurveBlocks {
 
 /// Pieces of a curve from index `first` to before `last` between its gaps and, if it `wraps`, its
 /// wraps; complete blocks are not examined.
-[[nodiscard]] std::size_t pieces_between(const std::vector<double>& y, std::size_t first,
-                                         std::size_t last, bool wraps, const CurveBlocks& blocks);
+[[nodiscard]] std::size_t count_pieces_between(const std::vector<double>& y, std::size_t first,
+                                               std::size_t last, bool wraps,
+                                               const CurveBlocks& blocks);
 
 /// Indices of the values with low <= x <= high, [first, second). `x` increases.
-[[nodiscard]] std::pair<std::size_t, std::size_t> places_between(const std::vector<double>& x,
-                                                                 double low, double high);
+[[nodiscard]] std::pair<std::size_t, std::size_t> indices_between(const std::vector<double>& x,
+                                                                  double low, double high);
 
 }  // namespace adore::desktop

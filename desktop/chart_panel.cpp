@@ -10,7 +10,7 @@
 namespace adore::desktop {
 
 AxisScale ChartScene::panelAxis(std::size_t index, const QRectF& area, bool& any) {
-  auto& found = found_axes_.at(index);
+  auto& found = axis_cache_.at(index);
   if (!found) {
     bool has = false;
     const AxisScale axis = findAxis(index, area, has);
@@ -24,7 +24,7 @@ AxisScale ChartScene::findAxis(std::size_t index, const QRectF& area, bool& any)
   const ChartPanel& panel = page_.panels[index];
   if (panel.rows) {
     any = !panel.rows->at.empty();
-    const std::vector<double> limits = limits_between(panel.rows->at);
+    const std::vector<double> limits = cell_edges(panel.rows->at);
     const auto [low, high] = panel_views_[index].value_or(
         any ? std::pair(limits.front(), limits.back()) : std::pair(0.0, 1.0));
     return tight_axis(low, high, panel.rows->unit,
@@ -32,25 +32,27 @@ AxisScale ChartScene::findAxis(std::size_t index, const QRectF& area, bool& any)
   }
   Extent extent;
   any = false;
-  const auto [from, to] = rising_ ? places_between(page_.x, low_, high_)
-                                  : std::pair<std::size_t, std::size_t>(0, page_.x.size());
+  const auto [from, to] = abscissa_increasing_
+                              ? indices_between(page_.x, low_, high_)
+                              : std::pair<std::size_t, std::size_t>(0, page_.x.size());
   for (std::size_t c = 0; c < panel.curves.size(); ++c) {
     const ChartCurve& curve = panel.curves[c];
     any = any || std::any_of(curve.y.begin(), curve.y.end(), is_drawable);
     if (curve.hidden) continue;
-    const bool by_blocks = !blocks_.empty() && !panel.log;
+    const bool by_blocks = !curve_blocks_.empty() && !panel.log;
     std::size_t which = 0;
     for (const auto* values : {&curve.y, &curve.low, &curve.high}) {
-      if (by_blocks) extent.include(extent_between(*values, from, to, blocks_[index][c].of(which)));
+      if (by_blocks)
+        extent.include(extent_between(*values, from, to, curve_blocks_[index][c].of(which)));
       ++which;
       if (by_blocks) continue;
       for (std::size_t i = from; i < std::min(to, values->size()); ++i)
-        if ((rising_ || (page_.x[i] >= low_ && page_.x[i] <= high_)) &&
+        if ((abscissa_increasing_ || (page_.x[i] >= low_ && page_.x[i] <= high_)) &&
             (!panel.log || (*values)[i] > 0.0))
           extent.include((*values)[i]);
     }
   }
-  const double least = std::max(panel.least_span, least_span_of(panel.unit));
+  const double least = std::max(panel.least_span, min_axis_span(panel.unit));
   if (!panel.log && !extent.empty() && extent.high - extent.low < least) {
     // Next to a larger value such noise is a constant; around zero the axis shows its size.
     constexpr double kSeen = 0.03;  // of an axis as short as the noise: less is a straight line
@@ -82,7 +84,7 @@ bool has_values(const ChartPanel& panel) {
 
 /// More than rounding of 0.
 bool is_something(const ChartPanel& panel) {
-  const double least = std::max(panel.least_span, least_span_of(panel.unit));
+  const double least = std::max(panel.least_span, min_axis_span(panel.unit));
   return std::any_of(panel.curves.begin(), panel.curves.end(), [least](const ChartCurve& curve) {
     return std::any_of(curve.y.begin(), curve.y.end(),
                        [least](double v) { return is_drawable(v) && std::abs(v) > least; });
@@ -108,13 +110,14 @@ bool shares_unit(const ChartPanel& panel) {
 void ChartScene::addMapPanel(std::size_t index, const QRectF& area, const AxisScale& y_axis,
                              bool any, bool bottom, const Metrics& m) {
   const ChartPanel& panel = page_.panels[index];
-  const QString x_title = bottom ? with_unit_and_base(text_of(page_.x_title), x_axis_) : QString();
-  addFrame(area, x_axis_, y_axis, x_title, with_unit_and_base(text_of(panel.rows->title), y_axis),
+  const QString x_title =
+      bottom ? with_unit_and_offset(text_of(page_.x_title), x_axis_) : QString();
+  addFrame(area, x_axis_, y_axis, x_title, with_unit_and_offset(text_of(panel.rows->title), y_axis),
            bottom, any, m);
-  if (any) addRows(panel, area, y_axis, m);
+  if (any) addMapRows(panel, area, y_axis, m);
   if (!any) addMessage(area, text_of(panel.message), m);
   if (any) addMarks(area, y_axis, index == 0, true, m);
-  areas_.push_back(area);
+  plot_areas_.push_back(area);
   y_axes_.push_back(y_axis);
 }
 
@@ -124,7 +127,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   AxisScale y_axis = panelAxis(index, area, any);
   if (one_message(page_)) {  // axes would be of nothing
     if (index == 0) addMessage(space(m), text_of(panel.message), m);
-    areas_.push_back(area);
+    plot_areas_.push_back(area);
     y_axes_.push_back(y_axis);
     lines_.push_back(0);
     return;
@@ -140,15 +143,17 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   }
   if (!alike.empty()) take_common_unit(y_axis, alike);
   if (panel.rows) return addMapPanel(index, area, y_axis, any, bottom, m);
-  const QString x_title = bottom ? with_unit_and_base(text_of(page_.x_title), x_axis_) : QString();
-  const std::vector<ShownCurve> shown = shownCurves(index, area, y_axis, m);
+  const QString x_title =
+      bottom ? with_unit_and_offset(text_of(page_.x_title), x_axis_) : QString();
+  const std::vector<ShownCurve> shown = prepareShownCurves(index, area, y_axis, m);
   const bool log_of_none =
-      any && panel.log && std::none_of(panel.curves.begin(), panel.curves.end(), any_above_0);
+      any && panel.log &&
+      std::none_of(panel.curves.begin(), panel.curves.end(), has_positive_value);
   const bool names_above = index == 0 && !page_.marks.empty();
   // A panel without values has no scale: any would be made up.
   const bool scaled = any && !log_of_none;
   const QRectF below_legend = area.adjusted(
-      0.0, names_above ? -mark_rise(page_, m.tick_font, size_.width()) : 0.0, 0.0, 0.0);
+      0.0, names_above ? -mark_labels_height(page_, m.tick_font, size_.width()) : 0.0, 0.0, 0.0);
   // Low panels of a small picture have no space for repeated names.
   const bool named_before =
       style_ == ChartStyle::Compact && size_.height() < kLowCompact && index > 0 &&
@@ -167,7 +172,8 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
       std::any_of(page_.panels.begin(), page_.panels.end(), [&](const ChartPanel& one) {
         const QString unit = "[" + text_of(pretty_unit(one.unit)) + "]";
         return std::max(title_metrics.horizontalAdvance(text_of(one.title)),
-                        title_metrics.horizontalAdvance(unit)) > title_room(area, m.gap);
+                        title_metrics.horizontalAdvance(unit)) >
+               available_title_length(area, m.gap);
       });
   if (above && area.left() + title_metrics.horizontalAdvance(y_title) + 8.0 < legend) {
     auto* title = addSimpleText(y_title, ui_font(m.text_font));
@@ -181,9 +187,10 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   for (const ShownCurve& one : shown)  // below all curves: none has the color of another's area
     if (!panel.curves[one.curve].low.empty())
       addBand(index, one.curve, area, y_axis, one.colour, drawn);
-  if (!page_.band_note.empty() && !bands_seen_) bands_seen_ = bandsSeen(drawn, shown, area, m.line);
+  if (!page_.band_note.empty() && !bands_visible_)
+    bands_visible_ = areBandsVisible(drawn, shown, area, m.line);
   for (const ShownCurve& one : shown) {
-    addShown(one, panel, area, y_axis, m);
+    addShownCurve(one, panel, area, y_axis, m);
     drawn.insert(drawn.end(), one.lines.begin(), one.lines.end());
   }
   if (!any)
@@ -191,12 +198,12 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
                m);
   if (log_of_none) addMessage(area, tr("No value is above 0 (logarithmic axis)."), m);
   if (scaled && !y_axis.offset_text.empty())
-    addBase(y_axis, area, head, names_above ? head : legend, drawn, m);
+    addAxisOffset(y_axis, area, head, names_above ? head : legend, drawn, m);
   // Lines would cross the text of a message; their names are also at the panels below.
   const bool named =
       index == 0 && std::any_of(page_.panels.begin(), page_.panels.end(), has_values);
   if (any || named) addMarks(area, y_axis, named, any, m);
-  areas_.push_back(area);
+  plot_areas_.push_back(area);
   y_axes_.push_back(y_axis);
 }
 

@@ -42,18 +42,18 @@ bool ChartScene::isPlane() const {
   return page_.equal_axes && !page_.schematic && !page_.panels.empty();
 }
 
-void ChartScene::studyPlane() {
+void ChartScene::precomputePlaneCurves() {
   plane_curves_.clear();
   if (page_.panels.empty()) return;
   for (const ChartCurve& curve : page_.panels.front().curves) {
     PlaneCurve& known = plane_curves_.emplace_back();
     for (const double x : curve.x) known.across.include(x);
     for (const double y : curve.y) known.up.include(y);
-    known.runs = WayRuns(curve.x, curve.y);
+    known.runs = PathIndex(curve.x, curve.y);
   }
 }
 
-ChartScene::Plane ChartScene::wholePlane(const Metrics& m) const {
+ChartScene::EqualAxesLayout ChartScene::fullPlaneLayout(const Metrics& m) const {
   const QRectF space = this->space(m);
   const ChartPanel& panel = page_.panels.front();
   Extent across, up;
@@ -74,7 +74,7 @@ ChartScene::Plane ChartScene::wholePlane(const Metrics& m) const {
   }
   // A square with both ranges keeps circles round; a margin of a twelfth keeps the curve off the
   // frame.
-  Plane out;
+  EqualAxesLayout out;
   out.middle_x = across.empty() ? 0.0 : 0.5 * (across.low + across.high);
   out.middle_y = up.empty() ? 0.0 : 0.5 * (up.low + up.high);
   double half = across.empty() || up.empty()
@@ -83,7 +83,7 @@ ChartScene::Plane ChartScene::wholePlane(const Metrics& m) const {
   if (!(half > 1e-9 * std::max(std::abs(out.middle_x), std::abs(out.middle_y))))
     half = std::max({std::abs(out.middle_x), std::abs(out.middle_y), 1e-9});
   // Less than an atom's size is rounding, not a path.
-  half = std::max(half, 0.5 * least_span_of(panel.unit));
+  half = std::max(half, 0.5 * min_axis_span(panel.unit));
   half *= 1.08;
   // A fitted page is as wide as its curves need at the scale that its height gives, or less.
   out.half_x = out.half_y = half;
@@ -112,8 +112,8 @@ ChartScene::Plane ChartScene::wholePlane(const Metrics& m) const {
 
 /// A page with long curves is moved by whole pixels: its tiles are reused, and curves do not shift
 /// against each other. At most half a pixel.
-ChartScene::Plane ChartScene::seenPlane(const Plane& whole) const {
-  Plane out = page_.schematic ? whole : chosenPlane(whole);
+ChartScene::EqualAxesLayout ChartScene::visiblePlaneLayout(const EqualAxesLayout& whole) const {
+  EqualAxesLayout out = page_.schematic ? whole : selectedPlaneLayout(whole);
   const auto& curves = page_.panels.front().curves;
   if (std::none_of(curves.begin(), curves.end(), is_long)) return out;
   const auto on_pixels = [](double middle, double anchor, double place, double per) {
@@ -129,7 +129,7 @@ ChartScene::Plane ChartScene::seenPlane(const Plane& whole) const {
 
 /// Both axes at one scale, for any two ranges: both ranges are visible, extended as the frame
 /// needs, never beyond the whole.
-ChartScene::Plane ChartScene::chosenPlane(const Plane& whole) const {
+ChartScene::EqualAxesLayout ChartScene::selectedPlaneLayout(const EqualAxesLayout& whole) const {
   constexpr double kMost = 1.0 / kLeastPart;
   if (panel_views_.size() != 2 || !panel_views_[0] || !panel_views_[1]) return whole;
   const auto [bottom, top] = *panel_views_[0];
@@ -137,7 +137,7 @@ ChartScene::Plane ChartScene::chosenPlane(const Plane& whole) const {
   const double part =
       std::max((right - left) / (2.0 * whole.half_x), (top - bottom) / (2.0 * whole.half_y));
   if (!(part < 1.0 - 1e-9) || !(right >= left) || !(top >= bottom)) return whole;
-  Plane out = whole;
+  EqualAxesLayout out = whole;
   out.enlarged = std::min(1.0 / std::max(part, 1.0 / kMost), kMost);
   out.half_x /= out.enlarged;
   out.half_y /= out.enlarged;
@@ -150,21 +150,23 @@ ChartScene::Plane ChartScene::chosenPlane(const Plane& whole) const {
 }
 
 void ChartScene::setPlaneView(const QRectF& part) {
-  if (!isPlane() || areas_.empty()) return;
+  if (!isPlane() || plot_areas_.empty()) return;
   setZoom({low_,
            high_,
            {std::pair(valueAt(0, part.bottom()), valueAt(0, part.top())),
             std::pair(abscissaAt(part.left()), abscissaAt(part.right()))}});
 }
 
-std::optional<QPointF> ChartScene::planePlace(double across, double up) const {
-  if (!isPlane() || areas_.empty() || !is_drawable(across) || !is_drawable(up)) return std::nullopt;
-  const QPointF at(positionOf(across), heightOf(0, up));
-  return areas_.front().contains(at) ? std::optional(at) : std::nullopt;
+std::optional<QPointF> ChartScene::planePosition(double across, double up) const {
+  if (!isPlane() || plot_areas_.empty() || !is_drawable(across) || !is_drawable(up))
+    return std::nullopt;
+  const QPointF at(sceneXAt(across), sceneYAt(0, up));
+  return plot_areas_.front().contains(at) ? std::optional(at) : std::nullopt;
 }
 
-std::optional<ChartScene::PlanePoint> ChartScene::pointNear(QPointF position, qreal reach) const {
-  if (!isPlane() || areas_.empty()) return std::nullopt;
+std::optional<ChartScene::PlanePoint> ChartScene::nearestPlanePoint(QPointF position,
+                                                                    qreal reach) const {
+  if (!isPlane() || plot_areas_.empty()) return std::nullopt;
   // In the unit of the page: no point of a long orbit is converted twice.
   const double x = abscissaAt(position.x()), y = valueAt(0, position.y());
   const double unit = std::abs(abscissaAt(position.x() + 1.0) - x);
@@ -176,7 +178,7 @@ std::optional<ChartScene::PlanePoint> ChartScene::pointNear(QPointF position, qr
       if (const auto i = plane_curves_[c].runs.nearest(x, y, least)) out = PlanePoint{c, *i, {}};
   if (!out) return out;
   const ChartCurve& curve = curves[out->curve];
-  out->at = QPointF(positionOf(curve.x[out->index]), heightOf(0, curve.y[out->index]));
+  out->at = QPointF(sceneXAt(curve.x[out->index]), sceneYAt(0, curve.y[out->index]));
   return out;
 }
 
@@ -184,12 +186,12 @@ std::optional<ChartScene::PlanePoint> ChartScene::pointNear(QPointF position, qr
 QStringList ChartScene::planeReadout(QPointF position) const {
   constexpr qreal kBeside = 20.0;
   if (!panelAt(position)) return {};
-  const auto near = page_.closed_outline ? std::nullopt : pointNear(position, kBeside);
-  if (near) return storedParts(near->curve, near->index);
-  return {tr("here:   ") + planeValues(abscissaAt(position.x()), valueAt(0, position.y()))};
+  const auto near = page_.closed_outline ? std::nullopt : nearestPlanePoint(position, kBeside);
+  if (near) return storedPointReadout(near->curve, near->index);
+  return {tr("here:   ") + planeValuesText(abscissaAt(position.x()), valueAt(0, position.y()))};
 }
 
-QString ChartScene::planeValues(double across, double up) const {
+QString ChartScene::planeValuesText(double across, double up) const {
   const ChartPanel& panel = page_.panels.front();
   const int digits = digitsOf(0, 0);
   return tr("%1 %2, %3 %4")
@@ -199,8 +201,8 @@ QString ChartScene::planeValues(double across, double up) const {
 
 void ChartScene::addOrbit(const Metrics& m) {
   const ChartPanel& panel = page_.panels.front();
-  const Plane whole = wholePlane(m);
-  const Plane seen = seenPlane(whole);
+  const EqualAxesLayout whole = fullPlaneLayout(m);
+  const EqualAxesLayout seen = visiblePlaneLayout(whole);
   const QRectF& area = whole.area;
   const double half_x = seen.half_x, half_y = seen.half_y;
   const double half = std::max(half_x, half_y);
@@ -270,7 +272,7 @@ void ChartScene::addOrbit(const Metrics& m) {
         for (std::size_t i = 0; i < piece.x.size(); ++i)
           addCurve({{0.0, piece.x[i]}, {0.0, piece.y[i]}}, area, x_axis, y_axis, pen);
         const qreal r = (on_another ? 2.0 : 3.6) * m.line;  // at the same point both are visible
-        for (const QPointF& at : placed(piece, area, x_axis, y_axis, false))
+        for (const QPointF& at : line_in_scene(piece, area, x_axis, y_axis, false))
           if (area.adjusted(-1, -1, 1, 1).contains(at))
             addEllipse(QRectF(at.x() - r, at.y() - r, 2 * r, 2 * r), QPen(Qt::NoPen), pen.color())
                 ->setZValue(5);
@@ -297,8 +299,8 @@ void ChartScene::addOrbit(const Metrics& m) {
                    y_per = -area.height() / (y_axis.max - y_axis.min);
       const PlaneScale scale{area.left() - x_axis.min * x_per, x_per / x_axis.factor,
                              area.bottom() - y_axis.min * y_per, y_per / y_axis.factor};
-      addLongWay(static_cast<std::size_t>(colour),
-                 {scale, QPointF(whole.middle_x, whole.middle_y), area}, pen);
+      addLongPath(static_cast<std::size_t>(colour),
+                  {scale, QPointF(whole.middle_x, whole.middle_y), area}, pen);
     }
     for (std::size_t i = first; i < last && !by_what_is_seen; ++i) {
       if (!known(i)) {
@@ -335,7 +337,7 @@ void ChartScene::addOrbit(const Metrics& m) {
     mark(start, theme_->green, false);
     mark(end, theme_->red, true);
   }
-  areas_.push_back(area);
+  plot_areas_.push_back(area);
   y_axes_.push_back(y_axis);
   for (const ChartLabel& label : page_.labels) {
     const QPointF at(area.left() + (x_axis.shown(label.x) - x_axis.min) /
@@ -343,7 +345,7 @@ void ChartScene::addOrbit(const Metrics& m) {
                      area.bottom() - (y_axis.shown(label.y) - y_axis.min) /
                                          (y_axis.max - y_axis.min) * area.height());
     if (seen.enlarged > 1.0 && !area.contains(at)) continue;
-    addRemark(label, at, area, m);
+    addPlaneLabel(label, at, area, m);
   }
   if (page_.closed_outline) {
     addLegend(panel, shown, area, labelsTop(area, y_axis, m), m);
@@ -366,8 +368,8 @@ void ChartScene::addOrbit(const Metrics& m) {
               area.top() - key->boundingRect().height());
 }
 
-void ChartScene::addRemark(const ChartLabel& label, QPointF at, const QRectF& area,
-                           const Metrics& m) {
+void ChartScene::addPlaneLabel(const ChartLabel& label, QPointF at, const QRectF& area,
+                               const Metrics& m) {
   constexpr qreal kLeader = 26.0, kDot = 3.0;
   const QFont font = ui_font(m.text_font);
   const QFontMetricsF metrics(font);

@@ -31,7 +31,7 @@ int digits_for(double low, double high) {
 
 }  // namespace
 
-void ChartScene::studyDigits() {
+void ChartScene::computeCurveDigits() {
   digits_.clear();
   for (const ChartPanel& panel : page_.panels) {
     auto& of_panel = digits_.emplace_back();
@@ -54,7 +54,7 @@ int ChartScene::digitsOf(std::size_t panel, std::size_t curve) const {
   return digits;
 }
 
-QString ChartScene::bandAt(std::size_t panel, std::size_t index, std::size_t place) const {
+QString ChartScene::bandText(std::size_t panel, std::size_t index, std::size_t place) const {
   const ChartPanel& of = page_.panels[panel];
   const ChartCurve& curve = of.curves[index];
   if (place >= curve.low.size() || place >= curve.high.size()) return {};
@@ -73,16 +73,17 @@ QStringList ChartScene::readoutParts(QPointF position) const {
                 : tr("%1 runs (first: %2). Click to open.").arg(runs.size()).arg(runs.front())};
   if (isPlane()) return planeReadout(position);
   if (page_.equal_axes || page_.x.empty() || !panelAt(position)) return {};
-  return storedParts(rowAt(position).value_or(0), nearest_index(page_.x, abscissaAt(position.x())));
+  return storedPointReadout(mapRowAt(position).value_or(0),
+                            nearest_index(page_.x, abscissaAt(position.x())));
 }
 
-QStringList ChartScene::storedParts(std::size_t of_orbit, std::size_t i) const {
+QStringList ChartScene::storedPointReadout(std::size_t of_orbit, std::size_t i) const {
   if (isPlane()) {
     const ChartCurve& curve = page_.panels.front().curves.at(of_orbit);
     const QString head = i < page_.along.size()
                              ? text_of(pretty_quantity(page_.along[i], page_.along_unit, 5))
                              : text_of(curve.name);
-    return {head + ":   " + planeValues(curve.x.at(i), curve.y.at(i))};
+    return {head + ":   " + planeValuesText(curve.x.at(i), curve.y.at(i))};
   }
   const QString place = text_of(pretty_quantity(page_.x[i], page_.x_unit, 5)) + ":";
   QStringList parts;
@@ -102,7 +103,7 @@ QStringList ChartScene::storedParts(std::size_t of_orbit, std::size_t i) const {
       const ChartCurve& curve = panel.curves[c];
       if (i >= curve.y.size() || curve.hidden) continue;
       QString value = text_of(pretty_quantity(curve.y[i], panel.unit, digitsOf(p, c)));
-      value += bandAt(p, c, i);
+      value += bandText(p, c, i);
       const bool whole = !curve.brief.empty();
       QString part = whole                ? text_of(curve.brief) + ": " + value
                      : curve.name.empty() ? value

@@ -42,7 +42,7 @@ struct PixelRange {
 std::vector<PixelRange> pixel_ranges(const std::vector<double>& shown, double low, double high,
                                      int pixels) {
   std::vector<PixelRange> out(static_cast<std::size_t>(pixels));
-  const std::vector<double> limits = limits_between(shown);
+  const std::vector<double> limits = cell_edges(shown);
   const double width = (high - low) / pixels;
   for (int p = 0; p < pixels; ++p) {
     const double from = low + width * p, to = from + width, middle = from + 0.5 * width;
@@ -117,11 +117,11 @@ qreal ChartScene::colorBarWidth(const Metrics& m) const {
   return out;
 }
 
-void ChartScene::addRows(const ChartPanel& panel, const QRectF& area, const AxisScale& y_axis,
-                         const Metrics& m) {
-  const ChartRows& rows = *panel.rows;
+void ChartScene::addMapRows(const ChartPanel& panel, const QRectF& area, const AxisScale& y_axis,
+                            const Metrics& m) {
+  const ChartMapRows& rows = *panel.rows;
   // Saved pictures are finer than a screen.
-  const double finer = pointed_ ? std::max(1.0, qApp->devicePixelRatio()) : 2.0;
+  const double finer = interactive_ ? std::max(1.0, qApp->devicePixelRatio()) : 2.0;
   const QSize size(std::max(1, static_cast<int>(std::lround(area.width() * finer))),
                    std::max(1, static_cast<int>(std::lround(area.height() * finer))));
   const auto across =
@@ -164,8 +164,9 @@ void ChartScene::addRows(const ChartPanel& panel, const QRectF& area, const Axis
   }
   const QFont title_font = ui_font(m.text_font);
   const QFontMetricsF title_metrics(title_font);
-  const QString text = title_metrics.elidedText(with_unit_and_base(text_of(rows.value_title), axis),
-                                                Qt::ElideRight, title_room(area, m.gap));
+  const QString text =
+      title_metrics.elidedText(with_unit_and_offset(text_of(rows.value_title), axis),
+                               Qt::ElideRight, available_title_length(area, m.gap));
   auto* title = addSimpleText(text, title_font);
   title->setBrush(theme_->text);
   title->setRotation(-90);
@@ -173,11 +174,11 @@ void ChartScene::addRows(const ChartPanel& panel, const QRectF& area, const Axis
                 area.center().y() + 0.5 * title_metrics.horizontalAdvance(text));
 }
 
-std::optional<std::size_t> ChartScene::rowAt(QPointF position) const {
+std::optional<std::size_t> ChartScene::mapRowAt(QPointF position) const {
   const auto panel = panelAt(position);
   if (!panel || !page_.panels.at(*panel).rows) return std::nullopt;
   const std::vector<double>& at = page_.panels[*panel].rows->at;
-  const std::vector<double> limits = limits_between(at);
+  const std::vector<double> limits = cell_edges(at);
   const double value = valueAt(*panel, position.y());
   if (at.empty() || value < limits.front() || value > limits.back()) return std::nullopt;
   const auto behind = std::upper_bound(limits.begin(), limits.end(), value) - limits.begin();

@@ -42,11 +42,11 @@ void ChartScene::setPage(ChartPage page, bool keep_view) {
   const double low = low_, high = high_;
   page_ = std::move(page);
   panel_views_.assign(view_count(page_), std::nullopt);
-  studyCurves();
-  studyPlane();
-  studyDigits();
-  beyond_log_ = beyond_log_axes(page_);
-  const auto [first, last] = wholeRange();
+  precomputeCurves();
+  precomputePlaneCurves();
+  computeCurveDigits();
+  log_axis_note_ = log_axis_note(page_);
+  const auto [first, last] = fullRange();
   if (same && low < last && high > first) {
     low_ = std::max(low, first);
     high_ = std::min(high, last);
@@ -68,25 +68,26 @@ void ChartScene::setPageSize(QSizeF size) {
   rebuild();
 }
 
-void ChartScene::setPointed(bool pointed) {
-  if (pointed == pointed_) return;
-  pointed_ = pointed;
+void ChartScene::setInteractive(bool interactive) {
+  if (interactive == interactive_) return;
+  interactive_ = interactive;
   if (!items().isEmpty()) rebuild();
 }
 
-void ChartScene::studyCurves() {
+void ChartScene::precomputeCurves() {
   constexpr std::size_t kLong = 8192;
   const std::vector<double>& x = page_.x;
-  blocks_.clear();
-  equal_runs_.clear();
-  decades_.clear();
+  curve_blocks_.clear();
+  equal_curves_cache_.clear();
+  log_abscissa_.clear();
   if (page_.log_x)
-    for (const double value : x) decades_.push_back(std::log10(value));
-  rising_ = !page_.equal_axes && !x.empty() && std::is_sorted(x.begin(), x.end()) &&
-            std::all_of(x.begin(), x.end(), [](double value) { return is_drawable(value); });
-  if (!rising_ || x.size() < kLong) return;
+    for (const double value : x) log_abscissa_.push_back(std::log10(value));
+  abscissa_increasing_ =
+      !page_.equal_axes && !x.empty() && std::is_sorted(x.begin(), x.end()) &&
+      std::all_of(x.begin(), x.end(), [](double value) { return is_drawable(value); });
+  if (!abscissa_increasing_ || x.size() < kLong) return;
   for (const ChartPanel& panel : page_.panels) {
-    auto& of_panel = blocks_.emplace_back();
+    auto& of_panel = curve_blocks_.emplace_back();
     const auto study = [&](const std::vector<double>& values, bool wraps) {
       return values.size() == x.size() ? blocks_of(values, wraps) : CurveBlocks{};
     };
@@ -96,8 +97,8 @@ void ChartScene::studyCurves() {
   }
 }
 
-std::pair<double, double> ChartScene::wholeRange() const {
-  if (rising_ && !page_.log_x) return {page_.x.front(), page_.x.back()};
+std::pair<double, double> ChartScene::fullRange() const {
+  if (abscissa_increasing_ && !page_.log_x) return {page_.x.front(), page_.x.back()};
   Extent extent;
   for (const double x : page_.x)
     if (!page_.log_x || x > 0.0) extent.include(x);
@@ -105,35 +106,35 @@ std::pair<double, double> ChartScene::wholeRange() const {
   return {extent.low, extent.high};
 }
 
-std::pair<double, double> ChartScene::firstRange() const {
-  if (!(page_.view_high > page_.view_low)) return wholeRange();
-  return {page_.log_x ? std::max(page_.view_low, wholeRange().first) : page_.view_low,
+std::pair<double, double> ChartScene::initialRange() const {
+  if (!(page_.view_high > page_.view_low)) return fullRange();
+  return {page_.log_x ? std::max(page_.view_low, fullRange().first) : page_.view_low,
           page_.view_high};
 }
 
 void ChartScene::resetView() {
   panel_views_.assign(view_count(page_), std::nullopt);
-  std::tie(low_, high_) = firstRange();
+  std::tie(low_, high_) = initialRange();
   rebuild();
 }
 
 void ChartScene::showAll() {
   panel_views_.assign(view_count(page_), std::nullopt);
-  std::tie(low_, high_) = wholeRange();
+  std::tie(low_, high_) = fullRange();
   rebuild();
 }
 
-bool ChartScene::panelsWhole() const {
+bool ChartScene::arePanelsUnzoomed() const {
   return std::none_of(panel_views_.begin(), panel_views_.end(),
                       [](const auto& range) { return range.has_value(); });
 }
 
 bool ChartScene::whole() const {
-  return panelsWhole() && (page_.equal_axes || std::pair(low_, high_) == wholeRange());
+  return arePanelsUnzoomed() && (page_.equal_axes || std::pair(low_, high_) == fullRange());
 }
 
 bool ChartScene::zoomed() const {
-  return !panelsWhole() || (!page_.equal_axes && std::pair(low_, high_) != firstRange());
+  return !arePanelsUnzoomed() || (!page_.equal_axes && std::pair(low_, high_) != initialRange());
 }
 
 void ChartScene::setView(double low, double high) { setZoom({low, high, panel_views_}); }
@@ -142,7 +143,7 @@ void ChartScene::setZoom(const ChartZoom& zoom) {
   if (isPlane()) {
     panel_views_ = zoom.panels;
     panel_views_.resize(view_count(page_));
-    const Plane seen = seenPlane(wholePlane(metrics()));
+    const EqualAxesLayout seen = visiblePlaneLayout(fullPlaneLayout(metrics()));
     if (seen.enlarged > 1.0)
       panel_views_ = {std::pair(seen.middle_y - seen.half_y, seen.middle_y + seen.half_y),
                       std::pair(seen.middle_x - seen.half_x, seen.middle_x + seen.half_x)};
@@ -153,8 +154,8 @@ void ChartScene::setZoom(const ChartZoom& zoom) {
   }
   if (page_.x.empty() || page_.equal_axes) return;
   // Spectra begin at 0, before their first line: that view is theirs, too.
-  const auto [from, last] = wholeRange();
-  const double first = std::min(from, firstRange().first);
+  const auto [from, last] = fullRange();
+  const double first = std::min(from, initialRange().first);
   const double smallest = (last - first) * kLeastPart;
   const double low = std::clamp(zoom.low, first, last), high = std::clamp(zoom.high, first, last);
   if (high - low >= smallest) {
@@ -175,55 +176,55 @@ void ChartScene::setPanelView(std::size_t panel, std::optional<std::pair<double,
 
 void ChartScene::showCurve(std::size_t panel, std::size_t curve, bool shown) {
   page_.panels.at(panel).curves.at(curve).hidden = !shown;
-  beyond_log_ = beyond_log_axes(page_);
+  log_axis_note_ = log_axis_note(page_);
   rebuild();
 }
 
 QRectF ChartScene::everything() const {
-  if (areas_.empty()) return {};
-  const QRectF& area = areas_.front();
+  if (plot_areas_.empty()) return {};
+  const QRectF& area = plot_areas_.front();
   if (isPlane()) {
-    const Plane all = wholePlane(metrics());
-    const qreal left = positionOf(all.middle_x - all.half_x),
-                top = heightOf(0, all.middle_y + all.half_y);
-    return {left, top, positionOf(all.middle_x + all.half_x) - left,
-            heightOf(0, all.middle_y - all.half_y) - top};
+    const EqualAxesLayout all = fullPlaneLayout(metrics());
+    const qreal left = sceneXAt(all.middle_x - all.half_x),
+                top = sceneYAt(0, all.middle_y + all.half_y);
+    return {left, top, sceneXAt(all.middle_x + all.half_x) - left,
+            sceneYAt(0, all.middle_y - all.half_y) - top};
   }
   if (page_.equal_axes) return area;
-  const auto [from, last] = wholeRange();
-  const qreal left = positionOf(std::min(from, firstRange().first));
-  return {left, area.top(), positionOf(last) - left, area.height()};
+  const auto [from, last] = fullRange();
+  const qreal left = sceneXAt(std::min(from, initialRange().first));
+  return {left, area.top(), sceneXAt(last) - left, area.height()};
 }
 
 double ChartScene::abscissaAt(double scene_x) const {
-  if (areas_.empty()) return low_;
-  const QRectF& area = areas_.front();
+  if (plot_areas_.empty()) return low_;
+  const QRectF& area = plot_areas_.front();
   return x_axis_.value(x_axis_.min +
                        (scene_x - area.left()) / area.width() * (x_axis_.max - x_axis_.min));
 }
 
-double ChartScene::positionOf(double abscissa) const {
-  if (areas_.empty()) return 0.0;
-  const QRectF& area = areas_.front();
+double ChartScene::sceneXAt(double abscissa) const {
+  if (plot_areas_.empty()) return 0.0;
+  const QRectF& area = plot_areas_.front();
   return area.left() +
          (x_axis_.shown(abscissa) - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
 }
 
 double ChartScene::valueAt(std::size_t panel, double scene_y) const {
-  const QRectF& area = areas_.at(panel);
+  const QRectF& area = plot_areas_.at(panel);
   const AxisScale& axis = y_axes_.at(panel);
   return axis.value(axis.min + (area.bottom() - scene_y) / area.height() * (axis.max - axis.min));
 }
 
-double ChartScene::heightOf(std::size_t panel, double value) const {
-  const QRectF& area = areas_.at(panel);
+double ChartScene::sceneYAt(std::size_t panel, double value) const {
+  const QRectF& area = plot_areas_.at(panel);
   const AxisScale& axis = y_axes_.at(panel);
   return area.bottom() - (axis.shown(value) - axis.min) / (axis.max - axis.min) * area.height();
 }
 
 std::optional<std::size_t> ChartScene::panelAt(QPointF position) const {
-  for (std::size_t p = 0; p < areas_.size(); ++p)
-    if (areas_[p].contains(position)) return p;
+  for (std::size_t p = 0; p < plot_areas_.size(); ++p)
+    if (plot_areas_[p].contains(position)) return p;
   return std::nullopt;
 }
 
@@ -243,22 +244,22 @@ bool has_heads(const ChartPage& page) {
 
 void ChartScene::rebuild() {
   build();
-  if (page_.band_note.empty() || bands_seen_ == bands_told_) return;
+  if (page_.band_note.empty() || bands_visible_ == band_note_visible_) return;
   // The note needs some of the height of the panels: only what is visible without it is described.
-  bands_told_ = !bands_told_;
+  band_note_visible_ = !band_note_visible_;
   build();
-  if (bands_told_ || !bands_seen_) return;
-  bands_told_ = true;
+  if (band_note_visible_ || !bands_visible_) return;
+  band_note_visible_ = true;
   build();
 }
 
 void ChartScene::build() {
-  bands_seen_ = false;
+  bands_visible_ = false;
   clear();
   lines_.clear();
-  areas_.clear();
+  plot_areas_.clear();
   y_axes_.clear();
-  found_axes_.assign(page_.panels.size(), std::nullopt);
+  axis_cache_.assign(page_.panels.size(), std::nullopt);
   legend_.clear();
   setSceneRect(QRectF(QPointF(0, 0), size_));
   setBackgroundBrush(theme_->surface);
@@ -282,7 +283,7 @@ void ChartScene::build() {
                         : tight_axis(low_, high_, page_.x_unit,
                                      std::max(2, static_cast<int>(space.width() / 110)));
   const auto count = static_cast<qreal>(page_.panels.size());
-  const qreal rise = mark_rise(page_, m.tick_font, size_.width());
+  const qreal rise = mark_labels_height(page_, m.tick_font, size_.width());
   const qreal legend = has_heads(page_) ? m.legend : 0.0;
   const auto share = [&] { return (space.height() - m.gap * (count - 1) - legend - rise) / count; };
   // Low panels of a small picture need the room between them more than the eye does.
@@ -309,11 +310,11 @@ void ChartScene::paintPage(QPainter& painter, const QRectF& target) {
 QImage ChartScene::image(QSize size) {
   QImage image(size, QImage::Format_RGB32);
   image.fill(theme_->surface);
-  const bool before = pointed_;
-  setPointed(false);
+  const bool before = interactive_;
+  setInteractive(false);
   QPainter painter(&image);
   paintPage(painter, QRectF(QPointF(0, 0), QSizeF(size)));
-  setPointed(before);
+  setInteractive(before);
   return image;
 }
 

@@ -24,19 +24,19 @@ inline QString with_unit(const QString& title, const AxisScale& axis) {
 }
 
 /// Space at an abscissa for the reference value of its numbers.
-inline QString with_unit_and_base(const QString& title, const AxisScale& axis) {
+inline QString with_unit_and_offset(const QString& title, const AxisScale& axis) {
   const QString text = with_unit(title, axis);
   return axis.offset_text.empty() ? text : text + " from " + text_of(axis.offset_text);
 }
 
-inline bool any_above_0(const ChartCurve& curve) {
+inline bool has_positive_value(const ChartCurve& curve) {
   return std::any_of(curve.y.begin(), curve.y.end(),
                      [](double value) { return value > 0.0 && is_drawable(value); });
 }
 
 /// Does a curve have values, but none for a logarithmic axis?
-inline bool nothing_above_0(const ChartCurve& curve) {
-  return std::any_of(curve.y.begin(), curve.y.end(), is_drawable) && !any_above_0(curve);
+inline bool has_only_nonpositive_values(const ChartCurve& curve) {
+  return std::any_of(curve.y.begin(), curve.y.end(), is_drawable) && !has_positive_value(curve);
 }
 
 /// A curve of a panel as drawn.
@@ -57,11 +57,12 @@ struct ChartScene::ShownCurve {
 };
 
 /// Points of a line in the scene; `limited` to the range of a painter.
-[[nodiscard]] QPolygonF placed(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
-                               const AxisScale& y_axis, bool limited = true);
+[[nodiscard]] QPolygonF line_in_scene(const Polyline& line, const QRectF& area,
+                                      const AxisScale& x_axis, const AxisScale& y_axis,
+                                      bool limited = true);
 
 /// The parts of a line inside `area`.
-[[nodiscard]] std::vector<QPolygonF> parts_inside(const QPolygonF& line, const QRectF& area);
+[[nodiscard]] std::vector<QPolygonF> clip_to_area(const QPolygonF& line, const QRectF& area);
 
 struct ChartScene::Metrics {
   qreal left, right, top, bottom, gap, legend;
@@ -75,12 +76,12 @@ inline constexpr qreal kLowCompact = 190.0;
 /// Between a panel and its legend: rows of mark names, and the steps from these to their lines, so
 /// that no step crosses a curve. The number of rows is that of all marks of the page at this width:
 /// constant while zooming.
-[[nodiscard]] inline qreal mark_steps(int rows) { return rows > 1 ? 24.0 : 20.0; }
-[[nodiscard]] int mark_rows(const ChartPage& page, int tick_font, qreal width);
-[[nodiscard]] qreal mark_rise(const ChartPage& page, int tick_font, qreal width);
+[[nodiscard]] inline qreal mark_step_height(int rows) { return rows > 1 ? 24.0 : 20.0; }
+[[nodiscard]] int mark_row_count(const ChartPage& page, int tick_font, qreal width);
+[[nodiscard]] qreal mark_labels_height(const ChartPage& page, int tick_font, qreal width);
 
 /// Length of a title next to its panel: into the gaps above and below, up to the next title.
-inline qreal title_room(const QRectF& area, qreal gap) {
+inline qreal available_title_length(const QRectF& area, qreal gap) {
   constexpr qreal kApart = 12.0;
   return area.height() + gap - kApart;
 }

@@ -17,9 +17,9 @@ namespace {
 constexpr std::size_t kMostViews = 100;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-constexpr int kDigits = 5;
+constexpr int kQuantityDigits = 5;
 
-QString quantity(double value, const std::string& unit, int digits = kDigits) {
+QString quantity(double value, const std::string& unit, int digits = kQuantityDigits) {
   return QString::fromStdString(pretty_quantity(value, unit, digits));
 }
 
@@ -49,7 +49,7 @@ std::string cursor_axis(const ChartPage& page) {
 ChartView::ChartView(QWidget* parent)
     : QGraphicsView(parent), scene_(new ChartScene(ChartStyle::Page, this)) {
   setScene(scene_);
-  scene_->setPointed(true);
+  scene_->setInteractive(true);
   setFrameShape(QFrame::NoFrame);
   setRenderHint(QPainter::Antialiasing);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -70,26 +70,26 @@ void ChartView::showPage(ChartPage page) {
   reading_.reset();
   if (name_of(page) != name_of(old)) panel_ = 0;
   if (panel_ >= page.panels.size()) panel_ = 0;
-  moving_ = false;
-  values_of_.clear();
-  pointer_ = -1.0;  // its values are of the page before
-  point_.reset();
-  pointed_at_.reset();
+  key_move_active_ = false;
+  panel_value_ranges_.clear();
+  pointer_line_x_ = -1.0;  // its values are of the page before
+  hovered_plane_point_.reset();
+  pointer_position_.reset();
   ranges_ = now().ranges;
-  if (hidden_.size() > kMostPages) hidden_.clear();
-  auto& hidden = hidden_[name_of(old)];
+  if (hidden_curves_.size() > kMostPages) hidden_curves_.clear();
+  auto& hidden = hidden_curves_[name_of(old)];
   hidden.clear();
   for (std::size_t p = 0; p < old.panels.size(); ++p)
     for (std::size_t c = 0; c < old.panels[p].curves.size(); ++c)
       if (old.panels[p].curves[c].hidden) hidden.emplace(p, c);
-  for (const auto& [p, c] : hidden_[name_of(page)])
+  for (const auto& [p, c] : hidden_curves_[name_of(page)])
     if (p < page.panels.size() && c < page.panels[p].curves.size())
       page.panels[p].curves[c].hidden = true;
   scene_->setPage(std::move(page), true);
   const auto own = ranges_.find(name_of(scene_->page()));
   if (own != ranges_.end()) scene_->setZoom({scene_->viewLow(), scene_->viewHigh(), own->second});
   if (const auto& places = cursor_places(scene_->page()); std::isfinite(read_at) && !places.empty())
-    reading_ = StoredPlace{0, nearest_index(places, read_at)};
+    reading_ = StoredPoint{0, nearest_index(places, read_at)};
   if (!reading_) setAccessibleDescription(QString::fromStdString(scene_->page().title));
   emit cursorsChanged();
   read();
@@ -118,12 +118,12 @@ void ChartView::apply(const View& view) {
 }
 
 void ChartView::remember() {
-  moving_ = false;
+  key_move_active_ = false;
   View view = now();
-  if (!back_.empty() && back_.back() == view) return;
-  back_.push_back(std::move(view));
-  if (back_.size() > kMostViews) back_.erase(back_.begin());
-  forward_.clear();
+  if (!back_views_.empty() && back_views_.back() == view) return;
+  back_views_.push_back(std::move(view));
+  if (back_views_.size() > kMostViews) back_views_.erase(back_views_.begin());
+  forward_views_.clear();
 }
 
 /// Views without effect here are skipped; they are kept if no other one has an effect, for the page
@@ -137,16 +137,16 @@ void ChartView::travel(std::vector<View>& from, std::vector<View>& to) {
     if (scene_->zoom() == seen) continue;
     from.resize(i);
     to.push_back(left);
-    moving_ = false;
+    key_move_active_ = false;
     viewport()->update();
     return;
   }
   apply(left);
 }
 
-void ChartView::zoomBack() { travel(back_, forward_); }
+void ChartView::zoomBack() { travel(back_views_, forward_views_); }
 
-void ChartView::zoomForward() { travel(forward_, back_); }
+void ChartView::zoomForward() { travel(forward_views_, back_views_); }
 
 /// Everything; a second time, if a page begins with a part: that part.
 void ChartView::zoomAll() {
@@ -159,7 +159,7 @@ void ChartView::zoomAll() {
   read();
 }
 
-void ChartView::setCursor(int which, double abscissa) {
+void ChartView::setCursorAbscissa(int which, double abscissa) {
   const auto& x = cursor_places(scene_->page());
   // On a stored value: the readout is a value of the file.
   cursors_.at(static_cast<std::size_t>(which)) =
@@ -217,7 +217,7 @@ QString ChartView::cursorReport() const {
   if (page.equal_axes) return (lines << planeReport()).join('\n');
   for (std::size_t p = 0; p < page.panels.size(); ++p) {
     if (page.panels[p].rows) {
-      lines << rowsReport(page.panels[p]);
+      lines << mapReport(page.panels[p]);
       continue;
     }
     for (std::size_t c = 0; c < page.panels[p].curves.size(); ++c) {
@@ -264,7 +264,7 @@ QString ChartView::cursorReport() const {
 }
 
 /// The largest value of a map at each cursor, and its row.
-QString ChartView::rowsReport(const ChartPanel& panel) const {
+QString ChartView::mapReport(const ChartPanel& panel) const {
   QString out = QString::fromStdString(panel.title) + ":";
   for (const auto& [name, at] : {std::pair("A", cursors_[0]), std::pair("B", cursors_[1])}) {
     if (!std::isfinite(at)) continue;
@@ -314,7 +314,7 @@ std::optional<QPointF> ChartView::planeCursor(std::size_t which) const {
   const ChartCurve& curve = page.panels.front().curves.front();
   const std::size_t i = nearest_index(page.along, cursors_.at(which));
   if (i >= std::min(curve.x.size(), curve.y.size())) return {};
-  return scene_->planePlace(curve.x[i], curve.y[i]);
+  return scene_->planePosition(curve.x[i], curve.y[i]);
 }
 
 void ChartView::resizeEvent(QResizeEvent* event) {
@@ -364,10 +364,10 @@ void place_cursor(ChartView& view, QPointF position, Qt::KeyboardModifiers held)
   if (!scene.panelAt(position)) return;
   const ChartPage& page = scene.page();
   if (!page.equal_axes)
-    view.setCursor(which, scene.abscissaAt(position.x()));
-  else if (const auto point = scene.pointNear(position, kAnywhere);
+    view.setCursorAbscissa(which, scene.abscissaAt(position.x()));
+  else if (const auto point = scene.nearestPlanePoint(position, kAnywhere);
            point && point->index < page.along.size())
-    view.setCursor(which, page.along[point->index]);
+    view.setCursorAbscissa(which, page.along[point->index]);
 }
 
 }  // namespace
@@ -382,34 +382,34 @@ void ChartView::mousePressEvent(QMouseEvent* event) {
   }
   // Click for a cursor: the content under the mouse may just have moved.
   const bool for_cursor = (event->modifiers() & Qt::ControlModifier) != 0;
-  pressed_ = event->position().toPoint();
+  press_position_ = event->position().toPoint();
   if (!for_cursor) {
-    pressed_name_ = legendAt(position);
-    pressed_title_ = drop_types_.isEmpty() ? std::nullopt : titleAt(position);
-    if (pressed_name_ || pressed_title_) return;
+    pressed_legend_entry_ = legendAt(position);
+    pressed_title_panel_ = drop_types_.isEmpty() ? std::nullopt : panelTitleAt(position);
+    if (pressed_legend_entry_ || pressed_title_panel_) return;
   }
   if (for_cursor) return place_cursor(*this, position, event->modifiers());
   if ((event->modifiers() & Qt::ShiftModifier) != 0) {
-    boxing_ = true;
-    box_from_ = event->position().toPoint();
-    band_->setGeometry(QRect(box_from_, QSize()));
+    zoom_box_active_ = true;
+    zoom_box_start_ = event->position().toPoint();
+    band_->setGeometry(QRect(zoom_box_start_, QSize()));
     band_->show();
     return;
   }
   dragging_ = true;
   remember();
-  drag_from_ = scene_->abscissaAt(position.x());
+  drag_start_x_ = scene_->abscissaAt(position.x());
   last_ = position;
 }
 
 void ChartView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF position = mapToScene(event->position().toPoint());
-  if ((pressed_name_ || pressed_title_) && (event->buttons() & Qt::LeftButton) != 0) {
-    if ((event->position().toPoint() - pressed_).manhattanLength() <
+  if ((pressed_legend_entry_ || pressed_title_panel_) && (event->buttons() & Qt::LeftButton) != 0) {
+    if ((event->position().toPoint() - press_position_).manhattanLength() <
         QApplication::startDragDistance())
       return;
-    const auto name = std::exchange(pressed_name_, std::nullopt);
-    const auto title = std::exchange(pressed_title_, std::nullopt);
+    const auto name = std::exchange(pressed_legend_entry_, std::nullopt);
+    const auto title = std::exchange(pressed_title_panel_, std::nullopt);
     if (name)
       startDrag(name->panel, name->curve);
     else
@@ -417,10 +417,11 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
     return;
   }
   const bool left = event->buttons().testFlag(Qt::LeftButton);
-  if (left && !dragging_ && !boxing_ && event->modifiers().testFlag(Qt::ControlModifier) &&
+  if (left && !dragging_ && !zoom_box_active_ && event->modifiers().testFlag(Qt::ControlModifier) &&
       !scene_->page().study)
     place_cursor(*this, position, event->modifiers());
-  if (boxing_) band_->setGeometry(QRect(box_from_, event->position().toPoint()).normalized());
+  if (zoom_box_active_)
+    band_->setGeometry(QRect(zoom_box_start_, event->position().toPoint()).normalized());
   if (dragging_ && scene_->isPlane()) {
     if (scene_->zoomed())
       scene_->setPlaneView(scene_->plotAreas().front().translated(last_ - position));
@@ -434,35 +435,35 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
       last_ = position;
     }
   } else if (dragging_) {
-    const double shift = drag_from_ - scene_->abscissaAt(position.x());
+    const double shift = drag_start_x_ - scene_->abscissaAt(position.x());
     const double low = scene_->viewLow() + shift, high = scene_->viewHigh() + shift;
     const auto& x = scene_->page().x;
     // Moving beyond the data would squeeze the view, so it stops at the ends.
     if (!x.empty() && low >= x.front() && high <= x.back()) scene_->setView(low, high);
   }
-  if (pointed_at_ != event->position().toPoint()) reading_.reset();
-  pointed_at_ = event->position().toPoint();
+  if (pointer_position_ != event->position().toPoint()) reading_.reset();
+  pointer_position_ = event->position().toPoint();
   read();
 }
 
 /// Content under the pointer now, also after the view has moved.
 void ChartView::read() {
-  if (reading_ && !sees(*reading_)) endReading();
+  if (reading_ && !isPointVisible(*reading_)) endReading();
   if (reading_)
-    readAt(*reading_);
+    readStoredPoint(*reading_);
   else
     readPointer();
   emit viewChanged();
 }
 
 void ChartView::readPointer() {
-  if (!pointed_at_) return;
-  const QPointF position = mapToScene(*pointed_at_);
+  if (!pointer_position_) return;
+  const QPointF position = mapToScene(*pointer_position_);
   const QStringList parts = scene_->readoutParts(position);
-  pointer_ = parts.isEmpty() || scene_->page().equal_axes ? -1.0 : position.x();
+  pointer_line_x_ = parts.isEmpty() || scene_->page().equal_axes ? -1.0 : position.x();
   const auto near =
-      scene_->page().closed_outline ? std::nullopt : scene_->pointNear(position, 20.0);
-  point_ = near ? std::optional(near->at) : std::nullopt;
+      scene_->page().closed_outline ? std::nullopt : scene_->nearestPlanePoint(position, 20.0);
+  hovered_plane_point_ = near ? std::optional(near->at) : std::nullopt;
   emit readoutChanged(parts);
   viewport()->update();
 }
@@ -485,18 +486,19 @@ void ChartView::zoomBox(const QRectF& box) {
 }
 
 void ChartView::mouseReleaseEvent(QMouseEvent* event) {
-  pressed_title_.reset();
-  if (const auto name = std::exchange(pressed_name_, std::nullopt))
+  pressed_title_panel_.reset();
+  if (const auto name = std::exchange(pressed_legend_entry_, std::nullopt))
     return toggleCurve(name->panel, name->curve);
-  if (dragging_ && !back_.empty() && back_.back() == now()) back_.pop_back();
+  if (dragging_ && !back_views_.empty() && back_views_.back() == now()) back_views_.pop_back();
   const QPoint place = event->position().toPoint();
-  const bool clicked = dragging_ && (place - pressed_).manhattanLength() < 4;
+  const bool clicked = dragging_ && (place - press_position_).manhattanLength() < 4;
   dragging_ = false;
   if (const auto panel = scene_->panelAt(mapToScene(place)); clicked && panel) choosePanel(*panel);
-  if (!boxing_) return;
-  boxing_ = false;
+  if (!zoom_box_active_) return;
+  zoom_box_active_ = false;
   band_->hide();
-  zoomBox(QRectF(mapToScene(box_from_), mapToScene(event->position().toPoint())).normalized());
+  zoomBox(
+      QRectF(mapToScene(zoom_box_start_), mapToScene(event->position().toPoint())).normalized());
   read();
 }
 
@@ -505,10 +507,10 @@ void ChartView::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void ChartView::leaveEvent(QEvent* event) {
-  pointed_at_.reset();
+  pointer_position_.reset();
   if (!reading_) {
-    pointer_ = -1.0;
-    point_.reset();
+    pointer_line_x_ = -1.0;
+    hovered_plane_point_.reset();
     emit readoutChanged({});
   }
   viewport()->update();

@@ -21,7 +21,7 @@ std::optional<LegendEntry> ChartView::legendAt(QPointF position) const {
 }
 
 /// The numbers and the title next to a panel.
-std::optional<std::size_t> ChartView::titleAt(QPointF position) const {
+std::optional<std::size_t> ChartView::panelTitleAt(QPointF position) const {
   const auto& areas = scene_->plotAreas();
   for (std::size_t p = 0; p < areas.size(); ++p)
     if (position.x() < areas[p].left() && position.y() > areas[p].top() &&
@@ -30,7 +30,7 @@ std::optional<std::size_t> ChartView::titleAt(QPointF position) const {
   return std::nullopt;
 }
 
-void ChartView::takeDrops(const QStringList& types) {
+void ChartView::enableDrops(const QStringList& types) {
   drop_types_ = types;
   viewport()->setAcceptDrops(!types.isEmpty());
   setAcceptDrops(!types.isEmpty());
@@ -59,47 +59,47 @@ void ChartView::startDrag(std::size_t panel, std::optional<std::size_t> curve) {
   drag->exec(Qt::MoveAction | Qt::CopyAction, Qt::MoveAction);
 }
 
-bool ChartView::takesDrop(const QMimeData* mime) const {
+bool ChartView::acceptsDrop(const QMimeData* mime) const {
   return std::any_of(drop_types_.begin(), drop_types_.end(),
                      [mime](const QString& type) { return mime->hasFormat(type); });
 }
 
-void ChartView::showDropPlace(std::optional<QPoint> at) {
-  drop_at_.reset();
-  if (at) drop_at_ = scene_->panelAt(mapToScene(*at));
+void ChartView::showDropTarget(std::optional<QPoint> at) {
+  drop_panel_.reset();
+  if (at) drop_panel_ = scene_->panelAt(mapToScene(*at));
   viewport()->update();
 }
 
 void ChartView::dragEnterEvent(QDragEnterEvent* event) {
-  if (!takesDrop(event->mimeData())) return event->ignore();
+  if (!acceptsDrop(event->mimeData())) return event->ignore();
   event->acceptProposedAction();
-  showDropPlace(event->position().toPoint());
+  showDropTarget(event->position().toPoint());
 }
 
 void ChartView::dragMoveEvent(QDragMoveEvent* event) {
-  if (!takesDrop(event->mimeData())) return event->ignore();
+  if (!acceptsDrop(event->mimeData())) return event->ignore();
   event->acceptProposedAction();
-  showDropPlace(event->position().toPoint());
+  showDropTarget(event->position().toPoint());
 }
 
 void ChartView::dragLeaveEvent(QDragLeaveEvent* event) {
-  showDropPlace(std::nullopt);
+  showDropTarget(std::nullopt);
   event->accept();
 }
 
 void ChartView::dropEvent(QDropEvent* event) {
-  if (!takesDrop(event->mimeData())) return event->ignore();
+  if (!acceptsDrop(event->mimeData())) return event->ignore();
   event->acceptProposedAction();
   const auto panel = scene_->panelAt(mapToScene(event->position().toPoint()));
-  showDropPlace(std::nullopt);
+  showDropTarget(std::nullopt);
   emit dropped(event->mimeData(), panel);
 }
 
-void ChartView::drawDropPlace(QPainter& painter) const {
-  if (!drop_at_ || *drop_at_ >= scene_->plotAreas().size()) return;
+void ChartView::drawDropTarget(QPainter& painter) const {
+  if (!drop_panel_ || *drop_panel_ >= scene_->plotAreas().size()) return;
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(current_theme().accent, 2.0));
-  painter.drawRect(scene_->plotAreas()[*drop_at_].adjusted(1, 1, -1, -1));
+  painter.drawRect(scene_->plotAreas()[*drop_panel_].adjusted(1, 1, -1, -1));
 }
 
 }  // namespace adore::desktop

@@ -12,19 +12,19 @@ constexpr double kZoom = 0.5, kMove = 0.1;  ///< fractions of the visible range
 constexpr qreal kEdge = 0.5;                ///< smaller motions are ignored [px]
 
 /// Fraction of the visible range by which a command moves along the abscissa and upward.
-QPointF way_of(ChartDeed deed) {
-  switch (deed) {
-    case ChartDeed::MoveLeft:
+QPointF way_of(ChartAction chart_action) {
+  switch (chart_action) {
+    case ChartAction::MoveLeft:
       return {-kMove, 0.0};
-    case ChartDeed::MoveRight:
+    case ChartAction::MoveRight:
       return {kMove, 0.0};
-    case ChartDeed::FarLeft:
+    case ChartAction::FarLeft:
       return {-1.0, 0.0};
-    case ChartDeed::FarRight:
+    case ChartAction::FarRight:
       return {1.0, 0.0};
-    case ChartDeed::MoveUp:
+    case ChartAction::MoveUp:
       return {0.0, -kMove};  // downward in the scene
-    case ChartDeed::MoveDown:
+    case ChartAction::MoveDown:
       return {0.0, kMove};
     default:
       return {};
@@ -40,59 +40,60 @@ std::pair<qreal, qreal> inside(qreal low, qreal high, qreal first, qreal last) {
 
 }  // namespace
 
-QString ChartView::whyNotAtAll() const {
+QString ChartView::chartDisabledReason() const {
   const ChartPage& page = scene_->page();
   if (page.study) return tr("Charts of a study have fixed axes.");
   if (page.panels.empty()) return tr("There are no curves on this page.");
   if (page.equal_axes && !scene_->isPlane()) return tr("This drawing cannot be zoomed.");
-  (void)valuesOfPanel();
-  const bool any = std::any_of(values_of_.begin(), values_of_.end(),
+  (void)panelValueRange();
+  const bool any = std::any_of(panel_value_ranges_.begin(), panel_value_ranges_.end(),
                                [](const auto& values) { return !values->empty(); });
   if (!any || scene_->plotAreas().empty()) return tr("There are no values.");
   return {};
 }
 
-QString ChartView::whyNot(ChartDeed deed) const {
-  if (const QString reason = whyNotAtAll(); !reason.isEmpty()) return reason;
-  switch (deed) {
-    case ChartDeed::ZoomIn:
-    case ChartDeed::ZoomOut:
-    case ChartDeed::ZoomToCursors:
-      return whyNotZoom(deed);
-    case ChartDeed::MoveLeft:
-    case ChartDeed::MoveRight:
-    case ChartDeed::FarLeft:
-    case ChartDeed::FarRight:
-    case ChartDeed::MoveUp:
-    case ChartDeed::MoveDown:
-      return whyNotMove(deed);
-    case ChartDeed::EnlargeValues:
-    case ChartDeed::ReduceValues:
-      return whyNotValues(deed);
-    case ChartDeed::PanelAbove:
-    case ChartDeed::PanelBelow: {
+QString ChartView::disabledReason(ChartAction chart_action) const {
+  if (const QString reason = chartDisabledReason(); !reason.isEmpty()) return reason;
+  switch (chart_action) {
+    case ChartAction::ZoomIn:
+    case ChartAction::ZoomOut:
+    case ChartAction::ZoomToCursors:
+      return zoomDisabledReason(chart_action);
+    case ChartAction::MoveLeft:
+    case ChartAction::MoveRight:
+    case ChartAction::FarLeft:
+    case ChartAction::FarRight:
+    case ChartAction::MoveUp:
+    case ChartAction::MoveDown:
+      return moveDisabledReason(chart_action);
+    case ChartAction::EnlargeValues:
+    case ChartAction::ReduceValues:
+      return valueZoomDisabledReason(chart_action);
+    case ChartAction::PanelAbove:
+    case ChartAction::PanelBelow: {
       const std::size_t count = scene_->page().panels.size();
       if (count < 2) return tr("This page has only one panel.");
-      if (deed == ChartDeed::PanelAbove && panel_ == 0) return tr("This is the first panel.");
-      if (deed == ChartDeed::PanelBelow && panel_ + 1 >= count)
+      if (chart_action == ChartAction::PanelAbove && panel_ == 0)
+        return tr("This is the first panel.");
+      if (chart_action == ChartAction::PanelBelow && panel_ + 1 >= count)
         return tr("This is the last panel.");
       return {};
     }
     default:
-      return whyNotRead(deed);
+      return readDisabledReason(chart_action);
   }
 }
 
-QString ChartView::whyNotZoom(ChartDeed deed) const {
+QString ChartView::zoomDisabledReason(ChartAction chart_action) const {
   const QRectF all = scene_->everything(), area = scene_->plotAreas().front();
-  if (deed == ChartDeed::ZoomToCursors) {
+  if (chart_action == ChartAction::ZoomToCursors) {
     if (scene_->isPlane()) return tr("This page has no horizontal axis. Use + to zoom.");
     if (!std::isfinite(cursors_[0]) || !std::isfinite(cursors_[1]))
       return tr("Set cursors A and B first.");
     if (cursors_[0] == cursors_[1]) return tr("Cursors A and B are at the same point.");
   }
-  const QRectF part = partAfter(deed);
-  if (deed == ChartDeed::ZoomOut)
+  const QRectF part = visiblePartAfter(chart_action);
+  if (chart_action == ChartAction::ZoomOut)
     return all.width() > area.width() + kEdge ? QString() : tr("Everything is shown.");
   const bool closest = scene_->isPlane()
                            ? area.width() < all.width() * ChartScene::kLeastPart * (1.0 + 1e-6)
@@ -105,44 +106,45 @@ QString ChartView::whyNotZoom(ChartDeed deed) const {
   return {};
 }
 
-QString ChartView::whyNotMove(ChartDeed deed) const {
-  const bool upright = way_of(deed).y() != 0.0;
+QString ChartView::moveDisabledReason(ChartAction chart_action) const {
+  const bool upright = way_of(chart_action).y() != 0.0;
   const QString nothing = tr("There is nothing more in this direction.");
   if (!upright && scene_->everything().width() < scene_->plotAreas().front().width() + kEdge)
     return nothing;
   if (!upright || scene_->isPlane()) {
-    const QPointF moved = partAfter(deed).topLeft() - scene_->plotAreas().front().topLeft();
+    const QPointF moved =
+        visiblePartAfter(chart_action).topLeft() - scene_->plotAreas().front().topLeft();
     return std::abs(moved.x()) < kEdge && std::abs(moved.y()) < kEdge ? nothing : QString();
   }
   const ChartZoom zoom = scene_->zoom();
   if (panel_ >= zoom.panels.size() || !zoom.panels[panel_])
-    return tr("Enlarge the values of this panel first.");
-  const auto [low, high] = valuesAfter(deed);
-  const Extent& all = valuesOfPanel();
+    return tr("Zoom in vertically on this panel first.");
+  const auto [low, high] = valueRangeAfter(chart_action);
+  const Extent& all = panelValueRange();
   return all.empty() || low > all.high || high < all.low ? nothing : QString();
 }
 
-QString ChartView::whyNotValues(ChartDeed deed) const {
+QString ChartView::valueZoomDisabledReason(ChartAction chart_action) const {
   if (scene_->isPlane()) return tr("This page uses equal axis scales; + and - zoom both axes.");
-  const Extent& all = valuesOfPanel();
+  const Extent& all = panelValueRange();
   if (all.empty()) return tr("This panel has no values.");
   const QRectF& area = scene_->plotAreas().at(panel_);
-  if (deed == ChartDeed::ReduceValues)
+  if (chart_action == ChartAction::ReduceValues)
     return scene_->valueAt(panel_, area.bottom()) <= all.low &&
                    scene_->valueAt(panel_, area.top()) >= all.high
                ? tr("All values of this panel are shown.")
                : QString();
   constexpr double kDigits = 1e-9, kLeast = 1e-6;  // of a value, of all of them
-  const auto [low, high] = valuesAfter(deed);
+  const auto [low, high] = valueRangeAfter(chart_action);
   const double least = scene_->page().panels[panel_].log ? 0.0 : kLeast * (all.high - all.low);
   const bool closest =
       high - low < std::max(least, kDigits * std::max(std::abs(low), std::abs(high)));
   return closest ? tr("Maximum zoom reached.") : QString();
 }
 
-QString ChartView::whyNotRead(ChartDeed deed) const {
+QString ChartView::readDisabledReason(ChartAction chart_action) const {
   const ChartPage& page = scene_->page();
-  const bool cursor = deed == ChartDeed::CursorA || deed == ChartDeed::CursorB;
+  const bool cursor = chart_action == ChartAction::CursorA || chart_action == ChartAction::CursorB;
   if (page.equal_axes && page.closed_outline) return tr("Outlines have no stored points.");
   if (cursor && page.equal_axes && page.along.empty())
     return tr("The points of this page are not ordered by time.");
@@ -150,41 +152,42 @@ QString ChartView::whyNotRead(ChartDeed deed) const {
     if (cursor)
       return std::isfinite(abscissaOf(*reading_)) ? QString()
                                                   : tr("The time of this point is unknown.");
-    return placeAfter(deed) ? QString() : tr("There is nothing more in this direction.");
+    return storedPointAfter(chart_action) ? QString()
+                                          : tr("There is nothing more in this direction.");
   }
-  for (StoredPlace at; at.curve < (page.equal_axes ? page.panels.front().curves.size() : 1);
+  for (StoredPoint at; at.curve < (page.equal_axes ? page.panels.front().curves.size() : 1);
        ++at.curve, at.index = 0)
     for (; at.index < placesOf(at.curve); ++at.index)
-      if (hasPlace(at)) return {};
+      if (hasStoredPoint(at)) return {};
   return tr("There are no points to read.");
 }
 
-QRectF ChartView::partAfter(ChartDeed deed) const {
+QRectF ChartView::visiblePartAfter(ChartAction chart_action) const {
   const QRectF area = scene_->plotAreas().front();
   QRectF part = area;
-  if (deed == ChartDeed::ZoomIn || deed == ChartDeed::ZoomOut) {
-    const double factor = deed == ChartDeed::ZoomIn ? kZoom : 1.0 / kZoom;
-    const QPointF about = reading_ ? sceneOf(*reading_) : area.center();
+  if (chart_action == ChartAction::ZoomIn || chart_action == ChartAction::ZoomOut) {
+    const double factor = chart_action == ChartAction::ZoomIn ? kZoom : 1.0 / kZoom;
+    const QPointF about = reading_ ? scenePosition(*reading_) : area.center();
     part = QRectF(about + factor * (area.topLeft() - about), factor * area.size());
-  } else if (deed == ChartDeed::ZoomToCursors) {
+  } else if (chart_action == ChartAction::ZoomToCursors) {
     const auto [from, to] = std::minmax(cursors_[0], cursors_[1]);
-    part.setLeft(scene_->positionOf(from));
-    part.setRight(scene_->positionOf(to));
+    part.setLeft(scene_->sceneXAt(from));
+    part.setRight(scene_->sceneXAt(to));
   } else {
-    const QPointF way = way_of(deed);
+    const QPointF way = way_of(chart_action);
     part.translate(way.x() * area.width(), way.y() * area.height());
   }
-  return withinAll(part);
+  return limitToContent(part);
 }
 
-QRectF ChartView::withinAll(const QRectF& part) const {
+QRectF ChartView::limitToContent(const QRectF& part) const {
   const QRectF all = scene_->everything();
   const auto [left, right] = inside(part.left(), part.right(), all.left(), all.right());
   const auto [top, bottom] = inside(part.top(), part.bottom(), all.top(), all.bottom());
   return {QPointF(left, top), QPointF(right, bottom)};
 }
 
-void ChartView::showPart(const QRectF& part) {
+void ChartView::setVisiblePart(const QRectF& part) {
   if (scene_->isPlane()) return scene_->setPlaneView(part);
   // The exact ends, without rounding to pixels.
   const QRectF all = scene_->everything();
@@ -196,12 +199,12 @@ void ChartView::showPart(const QRectF& part) {
 }
 
 /// Of all panels once for a page: menus ask again whenever the pointer moves.
-const Extent& ChartView::valuesOfPanel() const {
-  for (std::size_t p = values_of_.size(); p < scene_->page().panels.size(); ++p) {
+const Extent& ChartView::panelValueRange() const {
+  for (std::size_t p = panel_value_ranges_.size(); p < scene_->page().panels.size(); ++p) {
     const ChartPanel& panel = scene_->page().panels[p];
-    Extent& of = values_of_.emplace_back(Extent{}).value();
+    Extent& of = panel_value_ranges_.emplace_back(Extent{}).value();
     if (panel.rows) {
-      for (const double limit : limits_between(panel.rows->at)) of.include(limit);
+      for (const double limit : cell_edges(panel.rows->at)) of.include(limit);
       continue;
     }
     for (const ChartCurve& curve : panel.curves)
@@ -209,15 +212,15 @@ const Extent& ChartView::valuesOfPanel() const {
         for (const double value : *values)
           if (!panel.log || value > 0.0) of.include(value);
   }
-  return values_of_.at(panel_).value();
+  return panel_value_ranges_.at(panel_).value();
 }
 
-std::pair<double, double> ChartView::valuesAfter(ChartDeed deed) const {
+std::pair<double, double> ChartView::valueRangeAfter(ChartAction chart_action) const {
   const QRectF& area = scene_->plotAreas().at(panel_);
   // In pixels, so that a logarithmic axis behaves like any other.
-  double grown = 0.0, moved = area.height() * way_of(deed).y();
-  if (deed == ChartDeed::EnlargeValues) grown = 0.5 * (kZoom - 1.0) * area.height();
-  if (deed == ChartDeed::ReduceValues) grown = 0.5 * (1.0 / kZoom - 1.0) * area.height();
+  double grown = 0.0, moved = area.height() * way_of(chart_action).y();
+  if (chart_action == ChartAction::EnlargeValues) grown = 0.5 * (kZoom - 1.0) * area.height();
+  if (chart_action == ChartAction::ReduceValues) grown = 0.5 * (1.0 / kZoom - 1.0) * area.height();
   return {scene_->valueAt(panel_, area.bottom() + moved + grown),
           scene_->valueAt(panel_, area.top() + moved - grown)};
 }
@@ -229,7 +232,7 @@ void ChartView::choosePanel(std::size_t panel) {
   viewport()->update();
 }
 
-std::vector<LegendEntry> ChartView::namedCurves() const {
+std::vector<LegendEntry> ChartView::legendCurves() const {
   std::vector<LegendEntry> out = scene_->legend();
   std::sort(out.begin(), out.end(), [](const LegendEntry& a, const LegendEntry& b) {
     return std::pair(a.panel, a.curve) < std::pair(b.panel, b.curve);
@@ -244,38 +247,39 @@ void ChartView::toggleCurve(std::size_t panel, std::size_t curve) {
   if (reading_) read();
 }
 
-void ChartView::perform(ChartDeed deed) {
-  if (!whyNot(deed).isEmpty()) return;
-  const bool moves = !way_of(deed).isNull();
-  switch (deed) {
-    case ChartDeed::PanelAbove:
+void ChartView::perform(ChartAction chart_action) {
+  if (!disabledReason(chart_action).isEmpty()) return;
+  const bool moves = !way_of(chart_action).isNull();
+  switch (chart_action) {
+    case ChartAction::PanelAbove:
       return choosePanel(panel_ - 1);
-    case ChartDeed::PanelBelow:
+    case ChartAction::PanelBelow:
       return choosePanel(panel_ + 1);
-    case ChartDeed::CursorA:
-    case ChartDeed::CursorB: {
-      const int which = deed == ChartDeed::CursorA ? 0 : 1;
-      const auto place = placeOfNow();
+    case ChartAction::CursorA:
+    case ChartAction::CursorB: {
+      const int which = chart_action == ChartAction::CursorA ? 0 : 1;
+      const auto place = currentStoredPoint();
       if (!place) return;
       const double here = abscissaOf(*place);
       reading_ = place;
-      setCursor(which, cursorAt(which) == here ? std::numeric_limits<double>::quiet_NaN() : here);
+      setCursorAbscissa(
+          which, cursorAbscissa(which) == here ? std::numeric_limits<double>::quiet_NaN() : here);
       break;
     }
-    case ChartDeed::ReadBack:
-    case ChartDeed::ReadOn:
-    case ChartDeed::ReadFarBack:
-    case ChartDeed::ReadFarOn:
-      if (const auto place = placeAfter(deed)) follow(*place);
+    case ChartAction::ReadBack:
+    case ChartAction::ReadOn:
+    case ChartAction::ReadFarBack:
+    case ChartAction::ReadFarOn:
+      if (const auto place = storedPointAfter(chart_action)) follow(*place);
       break;
     default:
-      if (!moves || !moving_) remember();
-      moving_ = moves;
-      if (deed == ChartDeed::EnlargeValues || deed == ChartDeed::ReduceValues ||
-          (way_of(deed).y() != 0.0 && !scene_->isPlane()))
-        scene_->setPanelView(panel_, valuesAfter(deed));
+      if (!moves || !key_move_active_) remember();
+      key_move_active_ = moves;
+      if (chart_action == ChartAction::EnlargeValues || chart_action == ChartAction::ReduceValues ||
+          (way_of(chart_action).y() != 0.0 && !scene_->isPlane()))
+        scene_->setPanelView(panel_, valueRangeAfter(chart_action));
       else
-        showPart(partAfter(deed));
+        setVisiblePart(visiblePartAfter(chart_action));
   }
   read();
   viewport()->update();

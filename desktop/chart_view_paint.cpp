@@ -7,14 +7,14 @@ namespace adore::desktop {
 
 void ChartView::drawForeground(QPainter* painter, const QRectF&) {
   if (hasFocus()) drawFocus(*painter);
-  drawDropPlace(*painter);
+  drawDropTarget(*painter);
   const auto line = [&](double x) {
     for (const auto& area : scene_->plotAreas())
       painter->drawLine(QLineF(x, area.top(), x, area.bottom()));
   };
-  if (pointer_ >= 0.0) {
+  if (pointer_line_x_ >= 0.0) {
     painter->setPen(QPen(current_theme().accent, 1, Qt::DotLine));
-    line(pointer_);
+    line(pointer_line_x_);
   }
   if (scene_->plotAreas().empty()) return;
   if (scene_->page().equal_axes) {
@@ -24,7 +24,7 @@ void ChartView::drawForeground(QPainter* painter, const QRectF&) {
       painter->setBrush(Qt::NoBrush);
       painter->drawEllipse(at, kRadius, kRadius);
     };
-    if (point_) ring(*point_, QPen(current_theme().accent, 1.2));
+    if (hovered_plane_point_) ring(*hovered_plane_point_, QPen(current_theme().accent, 1.2));
     for (std::size_t i = 0; i < cursors_.size(); ++i) {
       const auto at = planeCursor(i);
       if (!at) continue;
@@ -36,7 +36,7 @@ void ChartView::drawForeground(QPainter* painter, const QRectF&) {
   }
   for (std::size_t i = 0; i < cursors_.size(); ++i) {
     if (!(cursors_[i] >= scene_->viewLow() && cursors_[i] <= scene_->viewHigh())) continue;
-    const double x = scene_->positionOf(cursors_[i]);
+    const double x = scene_->sceneXAt(cursors_[i]);
     painter->setPen(QPen(current_theme().red, 1.2));
     line(x);
     painter->setFont(ui_font(12, true));

@@ -13,7 +13,7 @@ std::size_t ChartView::placesOf(std::size_t curve) const {
   return std::min(of.x.size(), of.y.size());
 }
 
-bool ChartView::hasPlace(const StoredPlace& place) const {
+bool ChartView::hasStoredPoint(const StoredPoint& place) const {
   const ChartPage& page = scene_->page();
   if (place.index >= placesOf(place.curve)) return false;
   if (!page.equal_axes)
@@ -22,18 +22,18 @@ bool ChartView::hasPlace(const StoredPlace& place) const {
   return !of.hidden && is_drawable(of.x[place.index]) && is_drawable(of.y[place.index]);
 }
 
-QPointF ChartView::sceneOf(const StoredPlace& place) const {
+QPointF ChartView::scenePosition(const StoredPoint& place) const {
   const ChartPage& page = scene_->page();
   if (!page.equal_axes)
-    return {scene_->positionOf(page.x[place.index]),
+    return {scene_->sceneXAt(page.x[place.index]),
             page.panels.front().rows
-                ? scene_->heightOf(0, page.panels.front().rows->at.at(place.curve))
+                ? scene_->sceneYAt(0, page.panels.front().rows->at.at(place.curve))
                 : scene_->plotAreas().front().center().y()};
   const ChartCurve& of = page.panels.front().curves.at(place.curve);
-  return {scene_->positionOf(of.x[place.index]), scene_->heightOf(0, of.y[place.index])};
+  return {scene_->sceneXAt(of.x[place.index]), scene_->sceneYAt(0, of.y[place.index])};
 }
 
-double ChartView::abscissaOf(const StoredPlace& place) const {
+double ChartView::abscissaOf(const StoredPoint& place) const {
   const ChartPage& page = scene_->page();
   const std::vector<double>& places = page.equal_axes ? page.along : page.x;
   // Cursors of an orbit are on its first curve.
@@ -42,19 +42,19 @@ double ChartView::abscissaOf(const StoredPlace& place) const {
              : std::numeric_limits<double>::quiet_NaN();
 }
 
-bool ChartView::sees(const StoredPlace& place) const {
+bool ChartView::isPointVisible(const StoredPoint& place) const {
   constexpr qreal kRounded = 0.5;
-  return !scene_->plotAreas().empty() && hasPlace(place) &&
+  return !scene_->plotAreas().empty() && hasStoredPoint(place) &&
          scene_->plotAreas()
              .front()
              .adjusted(-kRounded, -kRounded, kRounded, kRounded)
-             .contains(sceneOf(place));
+             .contains(scenePosition(place));
 }
 
-std::optional<ChartView::StoredPlace> ChartView::nextPlace(StoredPlace at, long by) const {
+std::optional<ChartView::StoredPoint> ChartView::nextStoredPoint(StoredPoint at, long by) const {
   const ChartPage& page = scene_->page();
   const std::size_t curves = page.equal_axes ? page.panels.front().curves.size() : 1;
-  std::optional<StoredPlace> out;
+  std::optional<StoredPoint> out;
   for (long left = std::abs(by); left > 0;) {
     if (by > 0) {
       if (at.index + 1 < placesOf(at.curve))
@@ -71,74 +71,75 @@ std::optional<ChartView::StoredPlace> ChartView::nextPlace(StoredPlace at, long 
     } else {
       break;
     }
-    if (!hasPlace(at)) continue;
+    if (!hasStoredPoint(at)) continue;
     out = at;
     --left;
   }
   return out;
 }
 
-std::optional<ChartView::StoredPlace> ChartView::placeOfNow() const {
+std::optional<ChartView::StoredPoint> ChartView::currentStoredPoint() const {
   constexpr qreal kAnywhere = 1e9;
   if (reading_) return reading_;
-  const QPointF pointer = pointed_at_ ? mapToScene(*pointed_at_) : QPointF(-1.0, -1.0);
+  const QPointF pointer = pointer_position_ ? mapToScene(*pointer_position_) : QPointF(-1.0, -1.0);
   const QPointF from = scene_->panelAt(pointer) ? pointer : scene_->plotAreas().front().center();
   if (scene_->isPlane()) {
-    const auto near = scene_->pointNear(from, kAnywhere);
-    return near ? std::optional(StoredPlace{near->curve, near->index}) : std::nullopt;
+    const auto near = scene_->nearestPlanePoint(from, kAnywhere);
+    return near ? std::optional(StoredPoint{near->curve, near->index}) : std::nullopt;
   }
-  const StoredPlace out{scene_->rowAt(from).value_or(0),
+  const StoredPoint out{scene_->mapRowAt(from).value_or(0),
                         nearest_index(scene_->page().x, scene_->abscissaAt(from.x()))};
-  if (hasPlace(out)) return out;
-  const auto on = nextPlace(out, 1);
-  return on ? on : nextPlace(out, -1);
+  if (hasStoredPoint(out)) return out;
+  const auto on = nextStoredPoint(out, 1);
+  return on ? on : nextStoredPoint(out, -1);
 }
 
 /// Reading begins in the middle of the visible range, or continues from the pointer.
-std::optional<ChartView::StoredPlace> ChartView::placeAfter(ChartDeed deed) const {
-  const auto from = placeOfNow();
-  const bool pointed = pointed_at_ && scene_->panelAt(mapToScene(*pointed_at_));
+std::optional<ChartView::StoredPoint> ChartView::storedPointAfter(ChartAction chart_action) const {
+  const auto from = currentStoredPoint();
+  const bool pointed = pointer_position_ && scene_->panelAt(mapToScene(*pointer_position_));
   if (!from || (!reading_ && !pointed)) return from;
-  const bool on = deed == ChartDeed::ReadOn || deed == ChartDeed::ReadFarOn;
-  const bool far = deed == ChartDeed::ReadFarBack || deed == ChartDeed::ReadFarOn;
+  const bool on = chart_action == ChartAction::ReadOn || chart_action == ChartAction::ReadFarOn;
+  const bool far =
+      chart_action == ChartAction::ReadFarBack || chart_action == ChartAction::ReadFarOn;
   long by = on ? 1 : -1;
   if (far && scene_->isPlane()) {
     by *= std::max(1L, static_cast<long>(placesOf(from->curve) / 20));
   } else if (far) {
     const qreal way = 0.05 * scene_->plotAreas().front().width() * (on ? 1.0 : -1.0);
     const auto there = static_cast<long>(
-        nearest_index(scene_->page().x, scene_->abscissaAt(sceneOf(*from).x() + way)));
+        nearest_index(scene_->page().x, scene_->abscissaAt(scenePosition(*from).x() + way)));
     const long steps = there - static_cast<long>(from->index);
     if (steps * by > 1) by = steps;
   }
-  const auto next = nextPlace(*from, by);
+  const auto next = nextStoredPoint(*from, by);
   return next || reading_ ? next : from;
 }
 
 /// Reads a point; the view moves if the point is outside.
-void ChartView::follow(const StoredPlace& place) {
+void ChartView::follow(const StoredPoint& place) {
   reading_ = place;
-  if (sees(place)) return;
+  if (isPointVisible(place)) return;
   constexpr double kRoom = 0.1;  // fraction of the visible range, ahead
   const QRectF area = scene_->plotAreas().front();
-  const QPointF at = sceneOf(place);
+  const QPointF at = scenePosition(place);
   const auto beyond = [](qreal value, qreal low, qreal high) {
     const qreal room = kRoom * (high - low);
     return value < low ? value - low - room : value > high ? value - high + room : 0.0;
   };
-  if (!moving_) remember();
-  moving_ = true;
+  if (!key_move_active_) remember();
+  key_move_active_ = true;
   const QPointF by(beyond(at.x(), area.left(), area.right()),
                    scene_->isPlane() ? beyond(at.y(), area.top(), area.bottom()) : 0.0);
-  showPart(withinAll(area.translated(by)));
+  setVisiblePart(limitToContent(area.translated(by)));
 }
 
 /// Shows a point as if the pointer were there, also to screen readers.
-void ChartView::readAt(const StoredPlace& place) {
-  const QStringList parts = scene_->storedParts(place.curve, place.index);
-  const QPointF at = sceneOf(place);
-  pointer_ = scene_->isPlane() ? -1.0 : at.x();
-  point_ = scene_->isPlane() ? std::optional(at) : std::nullopt;
+void ChartView::readStoredPoint(const StoredPoint& place) {
+  const QStringList parts = scene_->storedPointReadout(place.curve, place.index);
+  const QPointF at = scenePosition(place);
+  pointer_line_x_ = scene_->isPlane() ? -1.0 : at.x();
+  hovered_plane_point_ = scene_->isPlane() ? std::optional(at) : std::nullopt;
   if (const QString told = parts.join(""); told != accessibleDescription())
     setAccessibleDescription(told);
   emit readoutChanged(parts);
@@ -147,8 +148,8 @@ void ChartView::readAt(const StoredPlace& place) {
 
 void ChartView::endReading() {
   reading_.reset();
-  pointer_ = -1.0;
-  point_.reset();
+  pointer_line_x_ = -1.0;
+  hovered_plane_point_.reset();
   setAccessibleDescription(QString::fromStdString(scene_->page().title));
   emit readoutChanged({});
 }

@@ -100,10 +100,10 @@ ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
   const auto panels = static_cast<qreal>(page_.equal_axes ? 3 : page_.panels.size());
   const auto room_beside = [&](qreal panel) {
     return std::max(kLeastNote, size_.height() - kHead - kFoot - kLegend -
-                                    mark_rise(page_, kLargest - 1, size_.width()) -
+                                    mark_labels_height(page_, kLargest - 1, size_.width()) -
                                     panels * (panel + kGap) + kGap);
   };
-  const qreal room = room_beside(pointed_ ? kPanelRead : kPanel);
+  const qreal room = room_beside(interactive_ ? kPanelRead : kPanel);
   // A single panel is the main content of a page: it gets at least half of a low picture.
   constexpr qreal kPart = 0.107;
   const qreal few =
@@ -120,7 +120,7 @@ ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
       if (fits(height)) return out;
     }
   // A saved picture has no tooltips: smaller letters are used before text is omitted.
-  for (out.font = kSmallest; !pointed_ && out.font >= kSmallestSaved; --out.font) {
+  for (out.font = kSmallest; !interactive_ && out.font >= kSmallestSaved; --out.font) {
     out.lines = evenly_wrapped(words, QFontMetricsF(ui_font(out.font)), width);
     if (fits(room_beside(kPanelSaved))) return out;
   }
@@ -129,7 +129,7 @@ ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
   const QStringList sentences = sentences_of(note);
   for (qsizetype told = sentences.size() - 1; told >= 0; --told) {
     const qsizetype left = sentences.size() - told;
-    const QString where = pointed_ ? tr(": move the pointer here.") : tr(" not shown.");
+    const QString where = interactive_ ? tr(": move the pointer here.") : tr(" not shown.");
     const QString more = (left == 1 ? tr("(1 more sentence%1)").arg(where)
                                     : tr("(%1 more sentences%2)").arg(left).arg(where));
     out.lines =
@@ -140,25 +140,26 @@ ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
   return out;
 }
 
-qreal ChartScene::leastHeight() const {
+qreal ChartScene::minReadableHeight() const {
   constexpr qreal kOther = 300.0;  // of orbits, studies and messages
   constexpr int kTickFont = 12;
   if (page_.study || page_.equal_axes || page_.panels.empty()) return kOther;
   const auto panels = static_cast<qreal>(page_.panels.size());
   return std::max(kOther, kHead + kLeastNote + kLegend + kFoot +
-                              mark_rise(page_, kTickFont, size_.width()) +
+                              mark_labels_height(page_, kTickFont, size_.width()) +
                               panels * (kPanelRead + kGap) - kGap);
 }
 
 std::string ChartScene::noteText() const {
   std::string out = page_.note;
-  for (const std::string& more : {tellsOfBands() ? page_.band_note : std::string(), beyond_log_})
+  for (const std::string& more :
+       {showsBandNote() ? page_.band_note : std::string(), log_axis_note_})
     if (!more.empty()) out += (out.empty() ? "" : " ") + more;
   return out;
 }
 
 const ChartScene::NoteLines& ChartScene::noteLines(qreal right) const {
-  const auto key = std::tuple(noteText(), size_.width(), size_.height(), right, pointed_);
+  const auto key = std::tuple(noteText(), size_.width(), size_.height(), right, interactive_);
   if (!note_lines_ || note_lines_->first != key) note_lines_ = {key, findNoteLines(right)};
   return note_lines_->second;
 }
@@ -255,14 +256,14 @@ void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const A
     item->setPos(position);
     return item;
   };
-  for (const auto& [value, label] : ticks_upwards(y_ticks, y_scale, area.height(), metrics)) {
+  for (const auto& [value, label] : fit_vertical_ticks(y_ticks, y_scale, area.height(), metrics)) {
     const QString text = text_of(label);
     const qreal y =
         area.bottom() - (value - y_scale.min) / (y_scale.max - y_scale.min) * area.height();
     add(text, font, theme_->muted,
         {area.left() - 8 - metrics.horizontalAdvance(text), y - 0.5 * metrics.height()});
   }
-  for (const auto& [value, label] : ticks_across(x_ticks, x_scale, area.width(), metrics)) {
+  for (const auto& [value, label] : fit_horizontal_ticks(x_ticks, x_scale, area.width(), metrics)) {
     const QString text = text_of(label);
     const qreal x =
         area.left() + (value - x_scale.min) / (x_scale.max - x_scale.min) * area.width();
@@ -278,7 +279,7 @@ void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const A
   // A title longer than its panel may use the gaps above and below; then its unit gets a separate
   // line, which is never shortened, and its letters get smaller before any are omitted.
   constexpr int kLeastLetters = 10;
-  const qreal room = title_room(area, m.gap);
+  const qreal room = available_title_length(area, m.gap);
   const auto write = [&](const QString& text, qreal left, qreal most) {
     QFont used = title_font;
     for (int size = m.text_font;
@@ -338,8 +339,9 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
     }
     if (std::none_of(curve.y.begin(), curve.y.end(), is_drawable))
       return tr("%1 (none)").arg(text_of(curve.name));
-    return panel.log && nothing_above_0(curve) ? tr("%1 (not above 0)").arg(text_of(curve.name))
-                                               : text_of(curve.name);
+    return panel.log && has_only_nonpositive_values(curve)
+               ? tr("%1 (not above 0)").arg(text_of(curve.name))
+               : text_of(curve.name);
   };
   const auto length = [&](bool whole) {
     qreal all = 0.0;
@@ -377,7 +379,12 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
     const qreal middle = foot - 0.5 * metrics.height();
     const auto colour = [&](std::size_t of) { return theme_->curves[of % theme_->curves.size()]; };
     QPen pen(curve.hidden ? theme_->frame : colour(i), 2.4);
-    if (curve.dashed) pen.setDashPattern({2.0, 1.5});
+    if (const QList<qreal> dashes = dash_pattern(*theme_, i); !dashes.isEmpty()) {
+      pen.setWidthF(m.line);
+      pen.setDashPattern(dashes);
+    } else if (curve.dashed) {
+      pen.setDashPattern({2.0, 1.5});
+    }
     if (const ShownCurve* const one = drawn(i); one != nullptr && one->hides) {
       addLine(QLineF(x - line, middle, x - 6, middle), QPen(colour(*one->hides), 2.4));
       pen.setDashPattern({2.0, 2.0});

@@ -50,7 +50,7 @@ void remember(const QString& app, const QString& path, qsizetype most_of_folder)
 
 void remember_file(const QString& app, const QString& path) { remember(app, path, kMost); }
 
-void remember_part_of_run(const QString& app, const QString& path) {
+void add_recent_run_file(const QString& app, const QString& path) {
   remember(app, path, kMostOfRun);
 }
 

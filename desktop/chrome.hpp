@@ -17,7 +17,7 @@ namespace adore::desktop {
 void remember_file(const QString& app, const QString& path);
 /// The same for one of several files of a run: at most three of one folder, so that two runs do not
 /// fill the list.
-void remember_part_of_run(const QString& app, const QString& path);
+void add_recent_run_file(const QString& app, const QString& path);
 /// Files opened by `open` are one entry, their folder: a run of five files leaves space for others.
 /// Nothing is added if opening failed.
 void remember_as_folder(const QString& app, const QString& folder,

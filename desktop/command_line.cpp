@@ -27,7 +27,7 @@ PictureSize parse_size(const std::string& text) {
   return size;
 }
 
-int guarded(const std::string& program, const std::function<int()>& body) {
+int run_guarded(const std::string& program, const std::function<int()>& body) {
   try {
     return body();
   } catch (const InputError& error) {

@@ -15,6 +15,6 @@ PictureSize parse_size(const std::string& text);
 
 /// Runs the body of a program and converts exceptions to a message on stderr and the exit codes of
 /// the suite (2 input, 3 numerics, 1 bug).
-int guarded(const std::string& program, const std::function<int()>& body);
+int run_guarded(const std::string& program, const std::function<int()>& body);
 
 }  // namespace adore::desktop

@@ -57,7 +57,7 @@ void draw_in_pieces(QPainter& painter, const QPolygonF& line, const QPen& pen) {
 
 }  // namespace
 
-bool paints_pixels(const QPainter& painter) {
+bool is_raster_painter(const QPainter& painter) {
   const QTransform& placed = painter.deviceTransform();
   return painter.paintEngine() != nullptr &&
          painter.paintEngine()->type() == QPaintEngine::Raster &&
@@ -100,7 +100,7 @@ void draw_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QR
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(pen);
   painter.setBrush(Qt::NoBrush);
-  const bool as_strokes = paints_pixels(painter) && pen.style() == Qt::SolidLine;
+  const bool as_strokes = is_raster_painter(painter) && pen.style() == Qt::SolidLine;
   constexpr qsizetype kMany = 4000;  // points of dense oscillations
   std::vector<QPolygonF> strokes, ways;
   qsizetype points = 0;
@@ -121,7 +121,7 @@ void draw_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QR
 }
 
 bool draw_band(QPainter& painter, const QPolygonF& outline, const QColor& colour) {
-  if (!paints_pixels(painter)) return false;
+  if (!is_raster_painter(painter)) return false;
   draw_on_device(painter, band_image(painter.deviceTransform().map(outline), colour));
   return true;
 }

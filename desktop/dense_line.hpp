@@ -24,7 +24,7 @@ struct ColumnBar {
 std::vector<ColumnBar> column_bars(const QPolygonF& line, double left, double right, double scale);
 
 /// Does the painter draw on pixels, with whole pixel coordinates?
-[[nodiscard]] bool paints_pixels(const QPainter& painter);
+[[nodiscard]] bool is_raster_painter(const QPainter& painter);
 
 /// Draws lines inside `area`; on a screen those with increasing x by stroke_mask.hpp, oscillating
 /// paths of many points by dense_way.hpp.

@@ -103,15 +103,18 @@ bool cut(QPointF& p, QPointF& q, const QRectF& area) {
 
 }  // namespace
 
-std::vector<QPolygonF> seen_way(const std::vector<double>& x, const std::vector<double>& y,
-                                const PlaneScale& scale, const QRectF& area) {
+std::vector<QPolygonF> visible_path_strokes(const std::vector<double>& x,
+                                            const std::vector<double>& y, const PlaneScale& scale,
+                                            const QRectF& area) {
   constexpr double kMargin = 4.0;  // strokes outside the picture reach into it [px]
-  return seen_way(x, y, {{0, std::min(x.size(), y.size())}}, scale, area, kMargin);
+  return visible_path_strokes(x, y, {{0, std::min(x.size(), y.size())}}, scale, area, kMargin);
 }
 
-std::vector<QPolygonF> seen_way(const std::vector<double>& x, const std::vector<double>& y,
-                                const std::vector<Stretch>& stretches, const PlaneScale& scale,
-                                const QRectF& area, double margin) {
+std::vector<QPolygonF> visible_path_strokes(const std::vector<double>& x,
+                                            const std::vector<double>& y,
+                                            const std::vector<PointRange>& stretches,
+                                            const PlaneScale& scale, const QRectF& area,
+                                            double margin) {
   const QRectF around = whole_cells(area.adjusted(-margin, -margin, margin, margin));
   const double left = around.left(), right = around.right(), top = around.top(),
                bottom = around.bottom();
@@ -163,7 +166,7 @@ std::vector<QPolygonF> seen_way(const std::vector<double>& x, const std::vector<
     p = q;
     known = true;
   };
-  for (const Stretch& stretch : stretches) {
+  for (const PointRange& stretch : stretches) {
     known = false;
     for (std::size_t i = stretch.first; i < stretch.end; ++i) go_to(scale.place(x[i], y[i]));
   }
@@ -218,18 +221,18 @@ void stamp_rows(const std::vector<QPolygonF>& lines, float reach, const QRect& w
 
 }  // namespace
 
-double stamp_reach(double width) { return 0.5 * width + 0.5; }
+double stamp_radius(double width) { return 0.5 * width + 0.5; }
 
-std::vector<std::uint8_t> stamp_cover(const std::vector<QPolygonF>& lines, double width,
-                                      const QRect& within) {
+std::vector<std::uint8_t> stamp_coverage(const std::vector<QPolygonF>& lines, double width,
+                                         const QRect& within) {
   if (lines.empty() || within.isEmpty()) return {};
   std::vector<std::uint8_t> cover(static_cast<std::size_t>(within.width()) *
                                   static_cast<std::size_t>(within.height()));
-  stamp_rows(lines, static_cast<float>(stamp_reach(width)), within, 0, within.height(), cover);
+  stamp_rows(lines, static_cast<float>(stamp_radius(width)), within, 0, within.height(), cover);
   return cover;
 }
 
-std::array<QRgb, 256> inks_of(const QColor& colour) {
+std::array<QRgb, 256> premultiplied_inks(const QColor& colour) {
   std::array<QRgb, 256> out;
   for (int c = 0; c < 256; ++c)
     out[static_cast<std::size_t>(c)] = qPremultiply(
@@ -244,7 +247,7 @@ StampImage stamp_image(const std::vector<QPolygonF>& lines, double width, const 
   const int columns = within.width(), rows = within.height();
   std::vector<std::uint8_t> cover(static_cast<std::size_t>(columns) *
                                   static_cast<std::size_t>(rows));
-  const auto reach = static_cast<float>(stamp_reach(width));
+  const auto reach = static_cast<float>(stamp_radius(width));
   // Each thread has separate rows; for few strokes a thread is not worthwhile.
   constexpr qsizetype kMany = 20'000;
   qsizetype points = 0;
@@ -260,7 +263,7 @@ StampImage stamp_image(const std::vector<QPolygonF>& lines, double width, const 
     stamp_rows(lines, reach, within, 0, rows / bands, cover);
   }
   if (std::all_of(cover.begin(), cover.end(), [](std::uint8_t c) { return c == 0; })) return out;
-  const std::array<QRgb, 256> inks = inks_of(colour);
+  const std::array<QRgb, 256> inks = premultiplied_inks(colour);
   out.image = QImage(columns, rows, QImage::Format_ARGB32_Premultiplied);
   for (int r = 0; r < rows; ++r) {
     auto* const pixels = reinterpret_cast<QRgb*>(out.image.scanLine(r));

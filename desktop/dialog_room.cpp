@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kBesideText = 140;  // height of a message's buttons, tick box and margins
 constexpr int kWidest = 460;      // of a message's text that scrolls
-constexpr int kLeast = 80;
+constexpr int kMinRoom = 80;
 
 QSize room_for(const QWidget& window) {
   return size_within(QSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX), window.screen()->availableSize());
@@ -29,7 +29,7 @@ int foot_of(const QWidget& window) {
 
 }  // namespace
 
-bool DialogRoom::eventFilter(QObject* object, QEvent* event) {
+bool DialogSizeLimiter::eventFilter(QObject* object, QEvent* event) {
   if (event->type() != QEvent::Show && event->type() != QEvent::Resize) return false;
   auto* dialog = qobject_cast<QDialog*>(object);
   if (dialog == nullptr || !dialog->isWindow() || dialog->screen() == nullptr) return false;
@@ -37,9 +37,9 @@ bool DialogRoom::eventFilter(QObject* object, QEvent* event) {
     // The box determines its size when shown, and is laid out during this event.
     if (event->type() == QEvent::Resize && box->height() > room_for(*box).height())
       QMetaObject::invokeMethod(
-          box, [box] { letTextScroll(*box); }, Qt::QueuedConnection);
+          box, [box] { makeTextScrollable(*box); }, Qt::QueuedConnection);
   } else if (event->type() == QEvent::Show) {
-    bound(*dialog);
+    limitToScreen(*dialog);
   } else if (dialog->isVisible()) {
     // One that was unfolded, as that of printers can be: its buttons stay in sight.
     QMetaObject::invokeMethod(
@@ -53,12 +53,12 @@ bool DialogRoom::eventFilter(QObject* object, QEvent* event) {
   return false;
 }
 
-void DialogRoom::bound(QDialog& dialog) {
+void DialogSizeLimiter::limitToScreen(QDialog& dialog) {
   const QSize within = dialog.size().boundedTo(room_for(dialog));
   if (within != dialog.size()) dialog.resize(within);
 }
 
-void DialogRoom::letTextScroll(QMessageBox& box) {
+void DialogSizeLimiter::makeTextScrollable(QMessageBox& box) {
   auto* label = box.findChild<QLabel*>("qt_msgbox_label", Qt::FindDirectChildrenOnly);
   auto* grid = qobject_cast<QGridLayout*>(box.layout());
   if (label == nullptr || grid == nullptr) return;  // it scrolls already
@@ -70,7 +70,7 @@ void DialogRoom::letTextScroll(QMessageBox& box) {
   area->setFrameShape(QFrame::NoFrame);
   area->setWidgetResizable(true);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setFixedHeight(std::max(kLeast, room_for(box).height() - kBesideText));
+  area->setFixedHeight(std::max(kMinRoom, room_for(box).height() - kBesideText));
   area->setMinimumWidth(kWidest);
   label->setWordWrap(true);
   label->setAlignment(Qt::AlignTop | Qt::AlignLeft);

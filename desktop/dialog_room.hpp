@@ -9,14 +9,14 @@ namespace adore::desktop {
 
 /// Dialogs of a program fit its screen of any size: none opens larger, and the text of a higher
 /// message scrolls. One for the application.
-class DialogRoom : public QObject {
+class DialogSizeLimiter : public QObject {
  public:
-  explicit DialogRoom(QObject* parent) : QObject(parent) {}
+  explicit DialogSizeLimiter(QObject* parent) : QObject(parent) {}
   bool eventFilter(QObject* object, QEvent* event) override;
 
  private:
-  static void bound(QDialog& dialog);
-  static void letTextScroll(QMessageBox& box);
+  static void limitToScreen(QDialog& dialog);
+  static void makeTextScrollable(QMessageBox& box);
 };
 
 }  // namespace adore::desktop

@@ -161,7 +161,7 @@ void ask_files(QWidget* parent, const QString& app, const QString& title, const 
   dialog->open();
 }
 
-void tell_in_foot(QWidget* window, const QString& text) {
+void show_in_status_bar(QWidget* window, const QString& text) {
   constexpr int kTold = 6000;  // [ms]
   auto* main = qobject_cast<QMainWindow*>(window);
   if (main != nullptr && main->findChild<QStatusBar*>() != nullptr)
@@ -181,8 +181,8 @@ void save_picture(QWidget* parent, const QString& app, const QString& fallback,
   const auto save = [picture = std::move(picture), size,
                      draw = std::move(draw)](const QString& name) {
     const QString suffix = QFileInfo(name).suffix().toLower();
-    if (suffix == "svg") return save_bytes(svg_of(size, draw), name.toStdString());
-    if (suffix == "pdf") return save_bytes(pdf_of(size, draw), name.toStdString());
+    if (suffix == "svg") return save_bytes(render_svg(size, draw), name.toStdString());
+    if (suffix == "pdf") return save_bytes(render_pdf(size, draw), name.toStdString());
     if (suffix != "png" && suffix != "jpg" && suffix != "jpeg")
       throw InputError("a picture cannot be saved as " + name.toStdString() +
                        "; give a name that ends in .png, .jpg, .svg or .pdf");
@@ -193,7 +193,7 @@ void save_picture(QWidget* parent, const QString& app, const QString& fallback,
                      try {
                        save(name);
                        remember_image_name(app, fallback, name);
-                       tell_in_foot(parent, QObject::tr("Saved %1.").arg(name));
+                       show_in_status_bar(parent, QObject::tr("Saved %1.").arg(name));
                      } catch (const std::exception& error) {
                        show_message(parent, error.what(), true);
                      }

@@ -43,7 +43,7 @@ void ask_files(QWidget* parent, const QString& app, const QString& title, const 
                std::function<void(QStringList)> answer);
 
 /// Shows a result for some seconds in the status bar of a window, if it has one.
-void tell_in_foot(QWidget* window, const QString& text);
+void show_in_status_bar(QWidget* window, const QString& text);
 
 /// Dialog to save a picture: the remembered name with a running number, free to edit; then saves it
 /// and reports failure by message. By `draw`, at `size`, also lines and text: SVG or PDF.

@@ -11,7 +11,8 @@ namespace adore::desktop {
 
 /// pretty_quantity() with trailing zeros: "272.0 N" next to "312.2 N". 0 and powers of ten are
 /// unchanged.
-[[nodiscard]] inline std::string even_quantity(double value, std::string_view unit, int digits) {
+[[nodiscard]] inline std::string zero_padded_quantity(double value, std::string_view unit,
+                                                      int digits) {
   std::string text = pretty_quantity(value, unit, digits);
   std::size_t end = 0;
   int counted = 0;

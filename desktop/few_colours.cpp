@@ -95,7 +95,7 @@ class Nearest {
 
 }  // namespace
 
-QImage in_few_colours(const QImage& picture, std::size_t most) {
+QImage reduce_colors(const QImage& picture, std::size_t most) {
   const QImage image = picture.convertToFormat(QImage::Format_RGB32);
   std::vector<Box> boxes(std::size_t{1} << (3 * kBits));
   for (int y = 0; y < image.height(); ++y) {
@@ -145,7 +145,7 @@ QImage in_few_colours(const QImage& picture, std::size_t most) {
   return out;
 }
 
-QImage in_mixed_colours(const QImage& picture) {
+QImage dither_colors(const QImage& picture) {
   constexpr std::size_t kColours = 256;
   const QImage image = picture.convertToFormat(QImage::Format_RGB32);
   const QList<QRgb> table = commonest_colours(image, kColours);

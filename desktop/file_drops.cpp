@@ -52,7 +52,7 @@ class FileDrops : public QObject {
 
 }  // namespace
 
-void take_files_anywhere(QWidget& window, std::function<void(const QStringList& files)> opened) {
+void accept_file_drops(QWidget& window, std::function<void(const QStringList& files)> opened) {
   window.setAcceptDrops(true);
   new FileDrops(window, std::move(opened));
 }

@@ -13,6 +13,6 @@ namespace adore::desktop {
 /// takes the file name as text. Everything else, such as web links, goes to the fields as usual.
 /// Files are copied as far as their owner knows, never moved: a move would delete them. Docks of
 /// the window also accept them while they float.
-void take_files_anywhere(QWidget& window, std::function<void(const QStringList& files)> opened);
+void accept_file_drops(QWidget& window, std::function<void(const QStringList& files)> opened);
 
 }  // namespace adore::desktop

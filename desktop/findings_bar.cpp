@@ -84,14 +84,17 @@ void FindingsBar::setFindings(std::vector<Finding> findings) {
   fill();
 }
 
-void FindingsBar::setPlace(std::function<bool(const Finding&)> concerns, const QString& name) {
-  concerns_ = std::move(concerns);
-  place_ = name;
+void FindingsBar::setCurrentPage(std::function<bool(const Finding&)> concerns,
+                                 const QString& name) {
+  concerns_current_page_ = std::move(concerns);
+  page_name_ = name;
   fill();
 }
 
 void FindingsBar::fill() {
-  const auto here = [this](const Finding& one) { return concerns_ && concerns_(one); };
+  const auto here = [this](const Finding& one) {
+    return concerns_current_page_ && concerns_current_page_(one);
+  };
   std::stable_sort(findings_.begin(), findings_.end(), [&](const Finding& a, const Finding& b) {
     const auto rank = [&](const Finding& one) {
       const bool warns = one.severity > Severity::Note;
@@ -112,13 +115,13 @@ void FindingsBar::fill() {
   const std::string all = findings_line(findings_);
   line_ = QString::fromStdString(all);
   if (!findings_.empty() && here(findings_.front()) && findings_.front().severity > Severity::Note)
-    line_ = QString::fromStdString(all.substr(0, all.find(". Worst: "))) + ". " + place_ + ": " +
-            QString::fromStdString(findings_.front().message);
-  fitLine();
+    line_ = QString::fromStdString(all.substr(0, all.find(". Worst: "))) + ". " + page_name_ +
+            ": " + QString::fromStdString(findings_.front().message);
+  elideLine();
   setVisible(!findings_.empty());
 }
 
-void FindingsBar::fitLine() {
+void FindingsBar::elideLine() {
   const Theme& theme = current_theme();
   const Finding* const worst = worst_finding(findings_);
   QPalette colours = button_->palette();
@@ -135,7 +138,7 @@ void FindingsBar::fitLine() {
 
 void FindingsBar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  fitLine();
+  elideLine();
 }
 
 void FindingsBar::openList() {
@@ -184,8 +187,8 @@ QIcon warning_icon() {
   return QIcon(picture);
 }
 
-int element_of_body(const std::string& body) {
-  for (const char* word : {"ball ", "roller ", "element "}) {
+int parse_element_number(const std::string& body) {
+  for (const char* word : {"ball ", "roller ", "element ", "balls ", "rollers ", "elements "}) {
     const std::size_t at = body.find(word);
     if (at == std::string::npos) continue;
     int number = 0;
@@ -197,9 +200,9 @@ int element_of_body(const std::string& body) {
   return 0;
 }
 
-QImage with_findings(QSize size, const std::vector<Finding>& findings, bool dark,
-                     const std::function<QImage(QSize)>& draw,
-                     const std::function<bool(const Finding&)>& concerns) {
+QImage image_with_findings(QSize size, const std::vector<Finding>& findings, bool dark,
+                           const std::function<QImage(QSize)>& draw,
+                           const std::function<bool(const Finding&)>& concerns) {
   std::vector<Finding> shown;
   std::copy_if(findings.begin(), findings.end(), std::back_inserter(shown),
                [](const Finding& one) { return one.severity > Severity::Note; });

@@ -25,7 +25,7 @@ class FindingsBar : public QWidget {
   void setFindings(std::vector<Finding> findings);
   /// Findings of the page or view come first.
   /// @param name "This page": begins the line if one of them is a warning
-  void setPlace(std::function<bool(const Finding&)> concerns, const QString& name);
+  void setCurrentPage(std::function<bool(const Finding&)> concerns, const QString& name);
   [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
   [[nodiscard]] QString line() const { return line_; }
   [[nodiscard]] QListWidget& list() { return *list_; }
@@ -42,11 +42,11 @@ class FindingsBar : public QWidget {
  private:
   void show(int row);
   void fill();
-  void fitLine();
+  void elideLine();
 
   std::vector<Finding> findings_;
-  std::function<bool(const Finding&)> concerns_;
-  QString place_, line_;
+  std::function<bool(const Finding&)> concerns_current_page_;
+  QString page_name_, line_;
   QToolButton* button_;
   QWidget* popup_;
   QListWidget* list_;
@@ -59,12 +59,12 @@ class FindingsBar : public QWidget {
 [[nodiscard]] QIcon warning_icon();
 
 /// Number of the element in "ball 3, inner race" or "cage, in the pocket of element 3"; 0: none.
-[[nodiscard]] int element_of_body(const std::string& body);
+[[nodiscard]] int parse_element_number(const std::string& body);
 
 /// A picture of that size with a line at its bottom for each warning, up to four, those that
 /// concern it first. Without warnings: the picture alone.
-[[nodiscard]] QImage with_findings(QSize size, const std::vector<Finding>& findings, bool dark,
-                                   const std::function<QImage(QSize)>& draw,
-                                   const std::function<bool(const Finding&)>& concerns = {});
+[[nodiscard]] QImage image_with_findings(QSize size, const std::vector<Finding>& findings,
+                                         bool dark, const std::function<QImage(QSize)>& draw,
+                                         const std::function<bool(const Finding&)>& concerns = {});
 
 }  // namespace adore::desktop

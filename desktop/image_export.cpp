@@ -29,7 +29,12 @@ void check_replaceable(const std::filesystem::path& path) {
     bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
     const bool picture = bytes.starts_with("\x89PNG") || bytes.starts_with("\xff\xd8") ||
                          bytes.starts_with("RIFF") || bytes.starts_with("GIF89a");
-    if (bytes.empty() || (picture && bytes.find("Adore ") != std::string::npos)) return;
+    const auto has = [&](std::string_view mark) { return bytes.find(mark) != std::string::npos; };
+    using namespace std::string_view_literals;
+    if (bytes.empty() || (picture && has("Adore ")) ||
+        (bytes.starts_with("<?xml") && has("<desc>Adore</desc>")) ||
+        (bytes.starts_with("%PDF") && has("\0A\0d\0o\0r\0e"sv)))
+      return;
   }
   throw InputError(path.string() +
                    " exists and was not written by this program; select another file or folder, or "

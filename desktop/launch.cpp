@@ -39,7 +39,7 @@ QString path_of(const QString& program) {
 
 }  // namespace
 
-Starter start_programs_by(Starter start) {
+Starter set_program_starter(Starter start) {
   return std::exchange(starter(), start ? std::move(start) : &start_detached);
 }
 

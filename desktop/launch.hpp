@@ -22,6 +22,6 @@ using Starter = std::function<bool(const QString& path, const QStringList& argum
 
 /// Replaces the function that start_program() uses (none: the default), for tests, which must not
 /// leave windows. Returns the previous one.
-Starter start_programs_by(Starter start);
+Starter set_program_starter(Starter start);
 
 }  // namespace adore::desktop

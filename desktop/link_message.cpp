@@ -8,7 +8,7 @@
 namespace adore::desktop {
 namespace {
 
-constexpr const char *kFormat = "adore-link", *kTime = "time", *kElement = "element",
+constexpr const char *kFormatKey = "adore-link", *kTime = "time", *kElement = "element",
                      *kAction = "action";
 constexpr int kVersion = 1, kMostElements = 1'000'000;
 
@@ -21,7 +21,7 @@ void LinkState::take(const LinkState& change) {
 
 QByteArray link_message(const LinkMessage& message) {
   const LinkState& change = message.change;
-  QJsonObject out{{kFormat, kVersion}, {kAction, message.action}};
+  QJsonObject out{{kFormatKey, kVersion}, {kAction, message.action}};
   if (change.time) out[kTime] = *change.time;
   if (change.element) out[kElement] = *change.element;
   return QJsonDocument(out).toJson(QJsonDocument::Compact) + '\n';
@@ -30,7 +30,7 @@ QByteArray link_message(const LinkMessage& message) {
 std::optional<LinkMessage> read_link_message(const QByteArray& line) {
   if (line.size() > kLongestMessage) return std::nullopt;
   const QJsonObject read = QJsonDocument::fromJson(line).object();
-  if (read[QLatin1String(kFormat)].toDouble() != kVersion) return std::nullopt;
+  if (read[QLatin1String(kFormatKey)].toDouble() != kVersion) return std::nullopt;
   constexpr qint64 kActionLimit = 1'000'000'000'000;
   LinkMessage message{{}, read[QLatin1String(kAction)].toInteger(-1)};
   if (message.action < 0 || message.action > kActionLimit) return std::nullopt;

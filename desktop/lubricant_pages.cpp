@@ -69,7 +69,7 @@ std::vector<ChartPage> lubricant_pages(const calculators::LubricantContact& cont
              "shear stress)");
   add_note(pages[0], all.recommended);
   for (const std::size_t page : {std::size_t{0}, std::size_t{1}})
-    add_note(pages[page], all.beyond_range);
+    add_note(pages[page], all.extrapolation_note);
   constexpr double kNearGlass = 0.99e12;  // tribology/viscosity/glass.hpp
   if (largest(all.viscosity) > kNearGlass)
     add_note(pages[1], "the viscosity is limited to 10¹² Pa·s (glass)");

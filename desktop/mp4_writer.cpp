@@ -7,10 +7,10 @@
 
 namespace adore::desktop {
 namespace {
-constexpr int kPatience = 60'000;  // [ms] for one picture, and for the end
+constexpr int kEncoderPatience = 60'000;  // [ms] for one picture, and for the end
 }
 
-bool ffmpeg_found() { return !QStandardPaths::findExecutable("ffmpeg").isEmpty(); }
+bool has_ffmpeg() { return !QStandardPaths::findExecutable("ffmpeg").isEmpty(); }
 
 Mp4Writer::Mp4Writer(const std::filesystem::path& path, QSize size, int frames_per_second)
     : path_(path), file_(path), size_(size.width() & ~1, size.height() & ~1) {
@@ -62,13 +62,13 @@ void Mp4Writer::add(const QImage& picture) {
                            .convertToFormat(QImage::Format_RGB32);
   process_.write(reinterpret_cast<const char*>(image.constBits()), image.sizeInBytes());
   while (process_.bytesToWrite() > 0)
-    if (!process_.waitForBytesWritten(kPatience)) fail();
+    if (!process_.waitForBytesWritten(kEncoderPatience)) fail();
 }
 
 void Mp4Writer::finish() {
   process_.closeWriteChannel();
-  if (!process_.waitForFinished(kPatience) || process_.exitStatus() != QProcess::NormalExit ||
-      process_.exitCode() != 0)
+  if (!process_.waitForFinished(kEncoderPatience) ||
+      process_.exitStatus() != QProcess::NormalExit || process_.exitCode() != 0)
     fail();
   file_.commit();
 }

@@ -12,7 +12,7 @@ class QImage;
 namespace adore::desktop {
 
 /// Is there a program ffmpeg in the PATH?
-[[nodiscard]] bool ffmpeg_found();
+[[nodiscard]] bool has_ffmpeg();
 
 /// An MP4 film (H.264) by the program ffmpeg, which gets the pictures through a pipe. The file
 /// appears under its name only when finish() succeeds.

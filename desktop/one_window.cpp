@@ -19,8 +19,9 @@ QString server_name(const QString& program, const QString& folder) {
 
 }  // namespace
 
-OneWindow::OneWindow(const QString& program, const QString& folder, QObject* parent,
-                     std::function<void(const QStringList&)> show)
+SingleWindowServer::SingleWindowServer(const QString& program, const QString& folder,
+                                       QObject* parent,
+                                       std::function<void(const QStringList&)> show)
     : QObject(parent), server_(new QLocalServer(this)) {
   const QString name = server_name(program, folder);
   server_->setSocketOptions(QLocalServer::UserAccessOption);
@@ -40,13 +41,13 @@ OneWindow::OneWindow(const QString& program, const QString& folder, QObject* par
   });
 }
 
-bool OneWindow::listens() const { return server_->isListening(); }
+bool SingleWindowServer::is_listening() const { return server_->isListening(); }
 
 QString folder_of(const std::filesystem::path& file) {
   return QFileInfo(QString::fromStdString(file.string())).absolutePath();
 }
 
-bool hand_over(const QString& program, const QString& folder, const QStringList& files) {
+bool send_to_open_window(const QString& program, const QString& folder, const QStringList& files) {
   const bool any = std::any_of(files.begin(), files.end(),
                                [](const QString& name) { return !name.startsWith("--"); });
   if (!any) return false;

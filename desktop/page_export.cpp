@@ -2,7 +2,6 @@
 
 #include "base/errors.hpp"
 #include "desktop/chart_scene.hpp"
-#include "desktop/image_export.hpp"
 #include "desktop/pdf_pages.hpp"
 #include "desktop/study_chart.hpp"
 #include "desktop/svg_writer.hpp"
@@ -27,7 +26,7 @@ std::string field(const std::string& text) {
   return out + '"';
 }
 
-std::string with_unit(const std::string& name, const std::string& unit) {
+std::string field_with_unit(const std::string& name, const std::string& unit) {
   return field(unit.empty() ? name : name + " [" + unit + "]");
 }
 
@@ -41,7 +40,7 @@ std::string page_csv(const ChartPage& page) {
     const std::vector<bool>* stored = nullptr;  ///< 1 or 0 instead of the values
   };
   std::vector<Column> columns;
-  if (!page.equal_axes) columns.push_back({with_unit(page.x_title, page.x_unit), &page.x});
+  if (!page.equal_axes) columns.push_back({field_with_unit(page.x_title, page.x_unit), &page.x});
   for (const ChartPanel& panel : page.panels)
     for (const ChartCurve& curve : panel.curves) {
       std::string name = curve.name.empty() ? panel.title : panel.title + ", " + curve.name;
@@ -49,14 +48,17 @@ std::string page_csv(const ChartPage& page) {
       if (!page.about.empty())
         name = page.about + ": " + (page.title == panel.title ? "" : page.title + ": ") + name;
       if (page.equal_axes)
-        columns.push_back({with_unit(page.x_title + ", " + curve.name, panel.unit), &curve.x});
-      columns.push_back({with_unit(name, panel.unit), &curve.y});
+        columns.push_back(
+            {field_with_unit(page.x_title + ", " + curve.name, panel.unit), &curve.x});
+      columns.push_back({field_with_unit(name, panel.unit), &curve.y});
       if (!curve.stored.empty())
         columns.push_back(
             {field(name + ": stored (1) or interpolated (0)"), &curve.y, &curve.stored});
       if (curve.low.empty()) continue;
-      columns.push_back({with_unit(name + ", lowest since the last", panel.unit), &curve.low});
-      columns.push_back({with_unit(name + ", highest since the last", panel.unit), &curve.high});
+      columns.push_back(
+          {field_with_unit(name + ", lowest since the last", panel.unit), &curve.low});
+      columns.push_back(
+          {field_with_unit(name + ", highest since the last", panel.unit), &curve.high});
     }
   std::string out;
   std::size_t rows = 0;
@@ -81,7 +83,7 @@ std::string page_csv(const ChartPage& page) {
   return out;
 }
 
-ChartPage seen_part(const ChartScene& scene) {
+ChartPage visible_part(const ChartScene& scene) {
   ChartPage page = scene.page();
   const auto keep = [](auto& values, const std::vector<bool>& seen) {
     std::size_t to = 0;
@@ -97,7 +99,7 @@ ChartPage seen_part(const ChartScene& scene) {
       if (page.equal_axes) {
         rows.clear();
         for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i)
-          rows.push_back(scene.planePlace(curve.x[i], curve.y[i]).has_value());
+          rows.push_back(scene.planePosition(curve.x[i], curve.y[i]).has_value());
       }
       for (auto* values : {&curve.x, &curve.y, &curve.low, &curve.high}) keep(*values, rows);
       keep(curve.stored, rows);
@@ -109,8 +111,8 @@ ChartPage seen_part(const ChartScene& scene) {
 
 void paint_vector(ChartScene& scene, QPainter& painter, const QRectF& target, QSizeF page) {
   const QSizeF before = scene.sceneRect().size();
-  const bool pointed = scene.pointed();
-  scene.setPointed(false);
+  const bool interactive = scene.interactive();
+  scene.setInteractive(false);
   scene.setPageSize(page);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
@@ -118,7 +120,7 @@ void paint_vector(ChartScene& scene, QPainter& painter, const QRectF& target, QS
   scene.render(&painter, target, scene.sceneRect(), Qt::KeepAspectRatio);
   painter.restore();
   scene.setPageSize(before);
-  scene.setPointed(pointed);
+  scene.setInteractive(interactive);
 }
 
 void save_pdf(ChartScene& scene, const std::filesystem::path& path, std::size_t pages, QSizeF size,
@@ -127,23 +129,28 @@ void save_pdf(ChartScene& scene, const std::filesystem::path& path, std::size_t 
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
-  write_pdf(buffer, size, pages, [&](QPainter& painter, const QRectF& paper, std::size_t page) {
+  const auto draw = [&](QPainter& painter, const QRectF& paper, std::size_t page) {
     show(page);
     paint_vector(scene, painter, paper, size);
-  });
+  };
+  // Of several pages no title is that of the document.
+  const std::string title = pages == 1 ? scene.page().title : path.stem().string();
+  write_pdf(buffer, size, pages, draw, {QString::fromStdString(title), {}});
   buffer.close();
   save_bytes(bytes, path);
 }
 
-void save_page(ChartScene& scene, const std::filesystem::path& path, QSizeF size) {
+void save_page(ChartScene& scene, const std::filesystem::path& path, QSizeF size, Replace replace) {
+  if (replace == Replace::OwnPictures) check_replaceable(path);
   const QString suffix = QFileInfo(QString::fromStdString(path.string())).suffix().toLower();
   if (suffix == "csv") return save_bytes(QByteArray::fromStdString(page_csv(scene.page())), path);
   if (suffix == "pdf") return save_pdf(scene, path, 1, size, [](std::size_t) {});
   if (suffix == "svg")
-    return save_bytes(svg_of(size,
-                             [&](QPainter& painter) {
-                               paint_vector(scene, painter, QRectF(QPointF(0, 0), size), size);
-                             }),
+    return save_bytes(render_svg(size,
+                                 [&](QPainter& painter) {
+                                   paint_vector(scene, painter, QRectF(QPointF(0, 0), size), size);
+                                 },
+                                 {QString::fromStdString(scene.page().title), {}}),
                       path);
   if (suffix != "png" && suffix != "jpg" && suffix != "jpeg")
     throw InputError("a page cannot be saved as " + path.string() +
@@ -151,7 +158,7 @@ void save_page(ChartScene& scene, const std::filesystem::path& path, QSizeF size
   const QSizeF before = scene.sceneRect().size();
   const QImage image = scene.image(size.toSize());
   scene.setPageSize(before);
-  save_image(image, path, Replace::Anything);
+  save_image(image, path, replace);
 }
 
 }  // namespace adore::desktop

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "desktop/chart_page.hpp"
+#include "desktop/image_export.hpp"
 
 #include <QSizeF>
 
@@ -22,7 +23,7 @@ class ChartScene;
 [[nodiscard]] std::string page_csv(const ChartPage& page);
 
 /// Visible part of a page: the values inside the view, of the visible curves.
-[[nodiscard]] ChartPage seen_part(const ChartScene& scene);
+[[nodiscard]] ChartPage visible_part(const ChartScene& scene);
 
 /// Paints a page, laid out for `page` pixels, as lines and text into `target` of any device.
 void paint_vector(ChartScene& scene, QPainter& painter, const QRectF& target, QSizeF page);
@@ -34,7 +35,9 @@ void save_pdf(ChartScene& scene, const std::filesystem::path& path, std::size_t 
               const std::function<void(std::size_t)>& show);
 
 /// The scene's page by the name's suffix: .png, .jpg, .jpeg, .svg, .pdf or .csv.
-/// @throws InputError for another suffix, or when it cannot be written
-void save_page(ChartScene& scene, const std::filesystem::path& path, QSizeF size);
+/// @throws InputError for another suffix, when it cannot be written, or for a file that may not be
+/// replaced
+void save_page(ChartScene& scene, const std::filesystem::path& path, QSizeF size,
+               Replace replace = Replace::Anything);
 
 }  // namespace adore::desktop

@@ -6,8 +6,8 @@
 
 namespace adore::desktop {
 
-void arrow_head(QPainter& painter, QPointF tip, QPointF direction, double length,
-                const QColor& colour, const QPen& casing) {
+void draw_arrow_head(QPainter& painter, QPointF tip, QPointF direction, double length,
+                     const QColor& colour, const QPen& casing) {
   const QPointF across(-direction.y(), direction.x());
   const QPolygonF head({tip, tip - direction * length + across * length * 0.42,
                         tip - direction * length - across * length * 0.42});

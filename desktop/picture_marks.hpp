@@ -11,8 +11,8 @@ class QPainter;
 namespace adore::desktop {
 
 /// Filled head of an arrow; `direction` is a unit vector. `casing`: about it, below its fill.
-void arrow_head(QPainter& painter, QPointF tip, QPointF direction, double length,
-                const QColor& colour, const QPen& casing = Qt::NoPen);
+void draw_arrow_head(QPainter& painter, QPointF tip, QPointF direction, double length,
+                     const QColor& colour, const QPen& casing = Qt::NoPen);
 
 /// A round body lit from the upper left: its colors toward the light, in the middle and at the
 /// rim.

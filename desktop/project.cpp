@@ -64,7 +64,7 @@ Project Project::open(const fs::path& named) {
     refuse(out.file_, "damaged, it has no version", "Restore it from a copy. " + kept);
   if (*version > kVersion)
     refuse(out.file_,
-           fmt::format("version {} of the format, this program knows version {}",
+           fmt::format("format version {}, but this program supports version {}",
                        version->get<long>(), kVersion),
            "Open it with a newer program. " + kept);
   for (const char* list : {"decks", "runs"})
@@ -77,7 +77,7 @@ Project Project::open(const fs::path& named) {
   return out;
 }
 
-Project Project::of_folder(const fs::path& folder) {
+Project Project::open_or_create(const fs::path& folder) {
   std::error_code none;
   if (fs::exists(folder / kProjectFile, none)) return open(folder);
   Project out;

@@ -22,7 +22,7 @@ class Project {
   [[nodiscard]] static Project open(const std::filesystem::path& named);
   /// The project of a folder; a new one, not yet saved, if it has none. @throws InputError as
   /// open()
-  [[nodiscard]] static Project of_folder(const std::filesystem::path& folder);
+  [[nodiscard]] static Project open_or_create(const std::filesystem::path& folder);
 
   struct Entry {
     std::string name;            ///< as in the file

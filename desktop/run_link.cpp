@@ -23,20 +23,20 @@ constexpr int kUnsentLimit = 64 * 1024;       // [bytes] for a program that does
 }  // namespace
 
 RunLink::RunLink(QObject* parent) : QObject(parent) {
-  retry_.setSingleShot(true);
-  connect(&retry_, &QTimer::timeout, this, &RunLink::begin);
-  pace_.setSingleShot(true);
-  pace_.setInterval(kPace);
-  connect(&pace_, &QTimer::timeout, this, [this] {
+  retry_timer_.setSingleShot(true);
+  connect(&retry_timer_, &QTimer::timeout, this, &RunLink::begin);
+  send_timer_.setSingleShot(true);
+  send_timer_.setInterval(kPace);
+  connect(&send_timer_, &QTimer::timeout, this, [this] {
     if (pending_.change.empty()) return;
     send(std::exchange(pending_, {}));
-    pace_.start();
+    send_timer_.start();
   });
 }
 
 RunLink::~RunLink() { leave(); }
 
-QString RunLink::socketOf(const QString& folder) {
+QString RunLink::socketPath(const QString& folder) {
   if (folder.isEmpty() || !QFileInfo(folder).isDir()) return {};
   return user_socket("adore-link-" + folder_key(folder));
 }
@@ -46,9 +46,9 @@ void RunLink::join(const QString& folder) {
   leave();
   folder_ = folder;
   state_ = {};
-  action_ = 0;
-  path_ = socketOf(folder);
-  failures_ = 0;
+  last_action_number_ = 0;
+  path_ = socketPath(folder);
+  join_failures_ = 0;
   begin();
 }
 
@@ -57,19 +57,19 @@ void RunLink::setActive(bool on) {
   active_ = on;
   state_ = {};
   leave();
-  failures_ = 0;
+  join_failures_ = 0;
   begin();
 }
 
 void RunLink::tell(const LinkState& change, Cause cause) {
   if (!active_ || folder_.isEmpty() || change.empty()) return;
-  if (cause == Cause::User) ++action_;
+  if (cause == Cause::User) ++last_action_number_;
   state_.take(change);
   pending_.change.take(change);
-  pending_.action = action_;
-  if (pace_.isActive()) return;
+  pending_.action = last_action_number_;
+  if (send_timer_.isActive()) return;
   send(std::exchange(pending_, {}));
-  pace_.start();
+  send_timer_.start();
 }
 
 void RunLink::begin() {
@@ -78,19 +78,19 @@ void RunLink::begin() {
 }
 
 void RunLink::leave() {
-  retry_.stop();
-  pace_.stop();
+  retry_timer_.stop();
+  send_timer_.stop();
   pending_ = {};
   connected_ = false;
-  for (QLocalSocket* socket : std::exchange(sockets_, {})) release(socket);
+  for (QLocalSocket* socket : std::exchange(sockets_, {})) discardSocket(socket);
   server_.reset();  // removes its file before another one can have the lock
   lock_.reset();
 }
 
 /// Windows that lose their hub do not all ask for the lock at the same moment.
 void RunLink::retry() {
-  const int pause = kFirstRetry << std::min(failures_++, kRetryDoublings);
-  retry_.start(pause + QRandomGenerator::global()->bounded(pause));
+  const int pause = kFirstRetry << std::min(join_failures_++, kRetryDoublings);
+  retry_timer_.start(pause + QRandomGenerator::global()->bounded(pause));
 }
 
 bool RunLink::becomeHub() {
@@ -103,19 +103,19 @@ bool RunLink::becomeHub() {
   if (!server->listen(path_)) return false;
   lock_ = std::move(lock);
   server_ = std::move(server);
-  failures_ = 0;
-  connect(server_.get(), &QLocalServer::newConnection, this, &RunLink::welcome);
+  join_failures_ = 0;
+  connect(server_.get(), &QLocalServer::newConnection, this, &RunLink::acceptConnections);
   return true;
 }
 
-void RunLink::welcome() {
+void RunLink::acceptConnections() {
   while (QLocalSocket* socket = server_->nextPendingConnection()) {
     socket->setParent(this);
     adopt(socket);
     if (sockets_.size() > kWindowsLimit)
-      release(sockets_.takeLast());
+      discardSocket(sockets_.takeLast());
     else if (!state_.empty())
-      socket->write(link_message({state_, action_}));
+      socket->write(link_message({state_, last_action_number_}));
   }
 }
 
@@ -125,12 +125,12 @@ void RunLink::connectToHub() {
   adopt(socket);
   connect(socket, &QLocalSocket::connected, this, [this] {
     connected_ = true;
-    failures_ = 0;
+    join_failures_ = 0;
   });
   connect(socket, &QLocalSocket::errorOccurred, this, [this, socket] {
     if (sockets_.removeAll(socket) == 0) return;
     connected_ = false;
-    release(socket);
+    discardSocket(socket);
     retry();
   });
   socket->connectToServer(path_);
@@ -143,14 +143,14 @@ void RunLink::adopt(QLocalSocket* socket) {
   connect(socket, &QLocalSocket::readyRead, this, [this, socket] { receive(socket); });
   connect(socket, &QLocalSocket::disconnected, this, [this, socket] {
     if (sockets_.removeAll(socket) == 0) return;
-    release(socket);
+    discardSocket(socket);
     if (server_) return;
     connected_ = false;  // the hub has ended
     retry();
   });
 }
 
-void RunLink::release(QLocalSocket* socket) {
+void RunLink::discardSocket(QLocalSocket* socket) {
   socket->disconnect(this);
   socket->abort();
   socket->deleteLater();
@@ -161,15 +161,16 @@ void RunLink::release(QLocalSocket* socket) {
 void RunLink::receive(QLocalSocket* from) {
   LinkState change;
   while (from->canReadLine())
-    if (const auto read = read_link_message(from->readLine()); read && read->action >= action_) {
-      action_ = read->action;
+    if (const auto read = read_link_message(from->readLine());
+        read && read->action >= last_action_number_) {
+      last_action_number_ = read->action;
       change.take(read->change);
     }
   if (from->bytesAvailable() > kLongestMessage) return from->abort();
   if (change.empty()) return;
   state_.take(change);
   pending_ = {};  // it is older
-  if (server_) send({change, action_}, from);
+  if (server_) send({change, last_action_number_}, from);
   emit told(change);
 }
 

@@ -43,7 +43,7 @@ class RunLink : public QObject {
   [[nodiscard]] bool isJoined() const { return server_ || connected_; }
   [[nodiscard]] bool isHub() const { return server_ != nullptr; }
   /// Of a folder; empty: windows of this folder cannot be linked.
-  [[nodiscard]] static QString socketOf(const QString& folder);
+  [[nodiscard]] static QString socketPath(const QString& folder);
 
  signals:
   /// A change in another window. A window that joins receives the current state.
@@ -55,9 +55,9 @@ class RunLink : public QObject {
   void retry();
   bool becomeHub();
   void connectToHub();
-  void welcome();
+  void acceptConnections();
   void adopt(QLocalSocket* socket);
-  void release(QLocalSocket* socket);
+  void discardSocket(QLocalSocket* socket);
   void receive(QLocalSocket* from);
   void send(const LinkMessage& message, const QLocalSocket* except = nullptr);
 
@@ -68,9 +68,9 @@ class RunLink : public QObject {
   QList<QLocalSocket*> sockets_;          ///< of the hub: to all others; else: to the hub
   LinkState state_;
   LinkMessage pending_;
-  long long action_ = 0;  ///< the last one of the user, in any window
-  QTimer retry_, pace_;
-  int failures_ = 0;  ///< successive attempts to join
+  long long last_action_number_ = 0;  ///< the last one of the user, in any window
+  QTimer retry_timer_, send_timer_;
+  int join_failures_ = 0;  ///< successive attempts to join
 };
 
 }  // namespace adore::desktop

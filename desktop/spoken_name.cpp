@@ -4,7 +4,7 @@
 
 namespace adore::desktop {
 
-void name_box(QComboBox& box, const QString& name) {
+void set_accessible_name(QComboBox& box, const QString& name) {
   box.setAccessibleName(name);
   box.setAccessibleDescription(name);
 }

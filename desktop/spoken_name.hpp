@@ -7,6 +7,6 @@ namespace adore::desktop {
 
 /// Accessible name of a combo box. If the name of boxes is their current text (Qt on Linux takes
 /// the name only from a label), the description contains it, too.
-void name_box(QComboBox& box, const QString& name);
+void set_accessible_name(QComboBox& box, const QString& name);
 
 }  // namespace adore::desktop

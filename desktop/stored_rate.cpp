@@ -8,7 +8,7 @@
 
 namespace adore::desktop {
 
-double usual_interval(const std::vector<double>& times) {
+double median_interval(const std::vector<double>& times) {
   if (times.size() < 2) return 0.0;
   std::vector<double> steps;
   for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
@@ -17,12 +17,12 @@ double usual_interval(const std::vector<double>& times) {
 }
 
 double values_per_period(const std::vector<double>& times, double frequency) {
-  const double interval = usual_interval(times);
+  const double interval = median_interval(times);
   return frequency > 0.0 && interval > 0.0 ? 1.0 / (interval * frequency) : 0.0;
 }
 
-std::string seldom_stored(const std::vector<double>& times, double frequency, long every,
-                          bool beside_bands) {
+std::string coarse_storage_note(const std::vector<double>& times, double frequency, long every,
+                                bool beside_bands) {
   const double values = values_per_period(times, frequency);
   if (!(values > 0.0) || values >= kTrueShape) return {};
   return fmt::format(

@@ -13,7 +13,7 @@ inline constexpr double kTrueShape = 6.0;
 inline constexpr double kAliased = 2.0;
 
 /// The median: single steps may be longer or shorter. 0 of fewer than two times.
-[[nodiscard]] double usual_interval(const std::vector<double>& times);
+[[nodiscard]] double median_interval(const std::vector<double>& times);
 
 /// Stored values in a period of `frequency` [Hz]; 0: not known.
 [[nodiscard]] double values_per_period(const std::vector<double>& times, double frequency);
@@ -21,7 +21,7 @@ inline constexpr double kAliased = 2.0;
 /// Note "Coarse: the fastest contact vibration, 26.3 kHz, has 2.2 stored steps per period ...";
 /// empty if there are enough points, or for an unknown frequency. `every`: interval of the stored
 /// steps among the times. @param beside_bands other lines of the picture have their extremes
-[[nodiscard]] std::string seldom_stored(const std::vector<double>& times, double frequency,
-                                        long every = 1, bool beside_bands = false);
+[[nodiscard]] std::string coarse_storage_note(const std::vector<double>& times, double frequency,
+                                              long every = 1, bool beside_bands = false);
 
 }  // namespace adore::desktop

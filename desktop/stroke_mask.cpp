@@ -78,7 +78,7 @@ struct Cover {
   Cover(const QRect& box, const QColor& colour)
       : out{QImage(box.size(), QImage::Format_ARGB32_Premultiplied), box.topLeft()},
         stride(static_cast<std::size_t>(out.image.bytesPerLine()) / sizeof(QRgb)),
-        inks(inks_of(colour)) {
+        inks(premultiplied_inks(colour)) {
     out.image.fill(Qt::transparent);
     pixels = reinterpret_cast<QRgb*>(out.image.bits());
   }

@@ -125,44 +125,47 @@ bool has_something(const Tornado& tornado) {
                      [](const Tornado::Bar& bar) { return is_drawable(bar.value); });
 }
 
-std::string field(const std::string& text) {
+std::string csv_field(const std::string& text) {
   return text.find_first_of(",\"\n") == std::string::npos ? text : dump_json(Json(text));
 }
-std::string field(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+std::string csv_field(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
 
 std::string csv(const BandCurves& data) {
-  std::string out = fmt::format("curve,{},{},low,high\n", field(data.x_title), field(data.y_title));
+  std::string out =
+      fmt::format("curve,{},{},low,high\n", csv_field(data.x_title), csv_field(data.y_title));
   for (const auto& curve : data.curves)
     for (std::size_t i = 0; i < curve.x.size(); ++i)
-      out += fmt::format("{},{},{},{},{}\n", field(curve.name), field(curve.x[i]),
-                         field(curve.y[i]), curve.low.empty() ? "" : field(curve.low[i]),
-                         curve.high.empty() ? "" : field(curve.high[i]));
+      out += fmt::format("{},{},{},{},{}\n", csv_field(curve.name), csv_field(curve.x[i]),
+                         csv_field(curve.y[i]), curve.low.empty() ? "" : csv_field(curve.low[i]),
+                         curve.high.empty() ? "" : csv_field(curve.high[i]));
   return out;
 }
 std::string csv(const HeatMap& map) {
-  std::string out =
-      fmt::format("{},{},{},mark\n", field(map.x_title), field(map.y_title), field(map.legend));
+  std::string out = fmt::format("{},{},{},mark\n", csv_field(map.x_title), csv_field(map.y_title),
+                                csv_field(map.legend));
   for (std::size_t j = 0; j < map.y.size(); ++j)
     for (std::size_t i = 0; i < map.x.size(); ++i)
-      out += fmt::format("{},{},{},{}\n", field(map.x[i]), field(map.y[j]), field(map.values[j][i]),
-                         map.marks.empty() ? "" : field(map.marks[j][i]));
+      out += fmt::format("{},{},{},{}\n", csv_field(map.x[i]), csv_field(map.y[j]),
+                         csv_field(map.values[j][i]),
+                         map.marks.empty() ? "" : csv_field(map.marks[j][i]));
   return out;
 }
 std::string csv(const ParallelLines& lines) {
   std::string out = "run";
-  for (const std::string& axis : lines.axes) out += "," + field(axis);
+  for (const std::string& axis : lines.axes) out += "," + csv_field(axis);
   out += "\n";
   for (std::size_t i = 0; i < lines.rows.size(); ++i) {
     out += std::to_string(lines.runs.empty() ? static_cast<long>(i + 1) : lines.runs[i]);
-    for (const double value : lines.rows[i]) out += "," + field(value);
+    for (const double value : lines.rows[i]) out += "," + csv_field(value);
     out += "\n";
   }
   return out;
 }
 std::string csv(const Tornado& tornado) {
-  std::string out = fmt::format("name,{},doubt\n", field(tornado.x_title));
+  std::string out = fmt::format("name,{},doubt\n", csv_field(tornado.x_title));
   for (const auto& bar : tornado.bars)
-    out += fmt::format("{},{},{}\n", field(bar.name), field(bar.value), field(bar.doubt));
+    out +=
+        fmt::format("{},{},{}\n", csv_field(bar.name), csv_field(bar.value), csv_field(bar.doubt));
   return out;
 }
 
@@ -172,7 +175,7 @@ const std::string& StudyChart::title() const {
   return std::visit([](const auto& chart) -> const std::string& { return chart.title; }, of);
 }
 
-bool StudyChart::drawable() const {
+bool StudyChart::has_content() const {
   return std::visit([](const auto& chart) { return has_something(chart); }, of);
 }
 
@@ -196,7 +199,7 @@ std::vector<StudyChart> parse_study_charts(const std::string& text, const std::s
 }
 
 bool save_picture(const StudyChart& chart, const WritePath& file) {
-  if (!chart.drawable()) return false;
+  if (!chart.has_content()) return false;
   const QSize size(1280, 800);
   QImage image(size, QImage::Format_RGB32);
   QPainter painter(&image);

@@ -65,7 +65,7 @@ struct StudyChart {
 
   [[nodiscard]] const std::string& title() const;
   /// Is there anything to draw?
-  [[nodiscard]] bool drawable() const;
+  [[nodiscard]] bool has_content() const;
 };
 
 /// Parses the text of CHARTS.json. @throws InputError if invalid

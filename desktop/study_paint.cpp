@@ -80,7 +80,7 @@ class Sheet {
   const Theme& colours_;
 };
 
-struct Extent {
+struct PanelExtent {
   double low = std::numeric_limits<double>::infinity(),
          high = -std::numeric_limits<double>::infinity();
   void add(double value) {
@@ -99,7 +99,7 @@ struct Extent {
   }
 };
 
-std::string with_unit(const std::string& title, const std::string& unit) {
+std::string title_with_unit(const std::string& title, const std::string& unit) {
   return unit.empty() ? title : title + " [" + unit + "]";
 }
 
@@ -124,7 +124,7 @@ void paint(const HeatMap& map, QPainter& painter, const QSizeF& size, const Them
   const MapPlace place(map, size);
   const QRectF& plane = place.plane;
   const double u = place.page.u;
-  Extent extent;
+  PanelExtent extent;
   for (const auto& row : map.values)
     for (const double value : row) extent.add(value);
   Sheet sheet(place.page, painter, theme, map.title);
@@ -178,7 +178,7 @@ void paint(const HeatMap& map, QPainter& painter, const QSizeF& size, const Them
                 Qt::AlignLeft | Qt::AlignVCenter, tick.text);
   }
   sheet.label({size.width() - 520 * u, 44 * u, 512 * u, 26 * u}, Qt::AlignRight | Qt::AlignVCenter,
-              with_unit(map.legend, axis.unit) + (wide ? ", logarithmic" : "") +
+              title_with_unit(map.legend, axis.unit) + (wide ? ", logarithmic" : "") +
                   (axis.offset_text.empty() ? "" : " − " + axis.offset_text));
 }
 
@@ -208,7 +208,7 @@ struct LinesPlace {
   Page page;
   QRectF plane;
   double gap;
-  std::vector<Extent> extents;
+  std::vector<PanelExtent> extents;
 };
 
 void paint(const ParallelLines& lines, QPainter& painter, const QSizeF& size, const Theme& theme) {
@@ -321,7 +321,7 @@ void paint(const Tornado& tornado, QPainter& painter, const QSizeF& size, const 
                 pretty_number(bars[i].value, 3));
   }
   sheet.line({x_of(0.0), plane.top()}, {x_of(0.0), plane.bottom()}, theme.text, 1.5);
-  sheet.titles(plane, with_unit(tornado.x_title, axis.unit), "");
+  sheet.titles(plane, title_with_unit(tornado.x_title, axis.unit), "");
 }
 
 Runs near(const Tornado& /*tornado*/, const QSizeF& /*size*/, const QPointF& /*at*/) {
@@ -333,7 +333,7 @@ Runs near(const Tornado& /*tornado*/, const QSizeF& /*size*/, const QPointF& /*a
 struct CurvesPlace {
   CurvesPlace(const BandCurves& data, const QSizeF& size)
       : page(size), plane(page.plane(130, data.curves.size() > 1 ? 250 : 60)) {
-    Extent across, up;
+    PanelExtent across, up;
     for (const BandCurves::Curve& curve : data.curves)
       for (std::size_t i = 0; i < curve.x.size(); ++i) {
         if (!is_drawable(curve.y[i])) continue;
@@ -435,7 +435,7 @@ void paint(const BandCurves& data, QPainter& painter, const QSizeF& size, const 
                      : data.curves[k].name);
   }
   const auto titled = [](const std::string& title, const AxisScale& axis) {
-    std::string out = with_unit(title, axis.unit);
+    std::string out = title_with_unit(title, axis.unit);
     if (!axis.offset_text.empty()) out += " − " + axis.offset_text;
     return out;
   };
@@ -462,14 +462,14 @@ Runs near(const BandCurves& data, const QSizeF& size, const QPointF& at) {
 
 void paint_study(const StudyChart& chart, QPainter& painter, const QSizeF& size,
                  const Theme& theme) {
-  if (!chart.drawable()) return;
+  if (!chart.has_content()) return;
   painter.save();
   std::visit([&](const auto& of) { paint(of, painter, size, theme); }, chart.of);
   painter.restore();
 }
 
 Runs runs_at(const StudyChart& chart, const QSizeF& size, const QPointF& at) {
-  if (!chart.drawable()) return {};
+  if (!chart.has_content()) return {};
   return std::visit([&](const auto& of) { return near(of, size, at); }, chart.of);
 }
 

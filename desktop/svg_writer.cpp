@@ -250,18 +250,23 @@ class SvgDevice final : public QPaintDevice {
 
 }  // namespace
 
-QByteArray svg_of(QSizeF size, const std::function<void(QPainter&)>& draw) {
+QByteArray render_svg(QSizeF size, const std::function<void(QPainter&)>& draw, const Print& print) {
   SvgDevice device(size);
   {
     QPainter painter(&device);
     draw(painter);
   }
-  const QString head = QString(
-                           "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                           "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%1\" "
-                           "height=\"%2\" viewBox=\"0 0 %1 %2\">\n"
-                           "<desc>Adore</desc>\n")
-                           .arg(number(size.width()), number(size.height()));
+  const QString width = number(size.width()), height = number(size.height());
+  const bool paper = !print.paper.isEmpty();
+  const QString head =
+      QString(
+          "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+          "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%3\" height=\"%4\" "
+          "viewBox=\"0 0 %1 %2\">\n%5<desc>Adore</desc>\n")
+          .arg(width, height, paper ? number(print.paper.width()) + "mm" : width,
+               paper ? number(print.paper.height()) + "mm" : height,
+               print.title.isEmpty() ? QString()
+                                     : "<title>" + print.title.toHtmlEscaped() + "</title>\n");
   return (head + device.body() + "</svg>\n").toUtf8();
 }
 

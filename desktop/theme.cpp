@@ -55,6 +55,26 @@ Theme make_dark() {
   return t;
 }
 
+Theme make_gray() {
+  Theme t = make_light();
+  for (QColor* colour : {&t.text, &t.muted, &t.grid, &t.frame, &t.accent, &t.steel_light,
+                         &t.steel_dark, &t.cage, &t.red, &t.green, &t.blue, &t.light_blue}) {
+    const int gray = qGray(colour->rgb());
+    *colour = QColor(gray, gray, gray);
+  }
+  t.text = QColor(Qt::black);
+  t.curves = {QColor("#000000"), QColor("#5c5c5c"), QColor("#000000"), QColor("#8a8a8a"),
+              QColor("#3c3c3c"), QColor("#747474"), QColor("#000000"), QColor("#a0a0a0")};
+  t.dashes = true;
+  return t;
+}
+
+/// Of pictures.
+QString& font_family() {
+  static QString family = "DejaVu Sans";
+  return family;
+}
+
 ThemeKind& chosen() {
   static ThemeKind kind = ThemeKind::Light;
   return kind;
@@ -65,6 +85,17 @@ ThemeKind& chosen() {
 const Theme& theme(ThemeKind kind) {
   static const Theme light = make_light(), dark = make_dark();
   return kind == ThemeKind::Dark ? dark : light;
+}
+
+const Theme& gray_theme() {
+  static const Theme gray = make_gray();
+  return gray;
+}
+
+QList<qreal> dash_pattern(const Theme& theme, std::size_t curve) {
+  static const std::array<QList<qreal>, 8> kDashes{
+      QList<qreal>{}, {6, 3}, {2, 2}, {}, {8, 3, 2, 3}, {4, 2}, {8, 2, 1, 2, 1, 2}, {2, 2}};
+  return theme.dashes ? kDashes[curve % kDashes.size()] : QList<qreal>{};
 }
 
 const Theme& current_theme() { return theme(chosen()); }
@@ -95,7 +126,7 @@ void apply_theme(ThemeKind kind) {
   QApplication::setFont(ui_font(13));
 }
 
-ThemeKind desktop_preference() {
+ThemeKind desktop_theme_kind() {
   if (QGuiApplication::platformName() == "offscreen") return ThemeKind::Light;
   const QPalette palette = QGuiApplication::palette();
   const bool dark =
@@ -118,15 +149,21 @@ ThemeKind preferred_theme() {
   const QString chosen = shared_settings().value("theme").toString();
   return chosen == "dark"    ? ThemeKind::Dark
          : chosen == "light" ? ThemeKind::Light
-                             : desktop_preference();
+                             : desktop_theme_kind();
 }
 
 QFont ui_font(int pixel_size, bool bold) {
-  QFont font("DejaVu Sans");
+  QFont font(font_family());
   font.setPixelSize(pixel_size);
   font.setBold(bold);
   return font;
 }
+
+PictureFont::PictureFont(const std::string& family) : before_(font_family()) {
+  if (!family.empty()) font_family() = QString::fromStdString(family);
+}
+
+PictureFont::~PictureFont() { font_family() = before_; }
 
 QString fitted_line(const QString& text, const QFontMetricsF& metrics, qreal width) {
   if (metrics.horizontalAdvance(text) <= width) return text;

@@ -38,8 +38,8 @@ std::vector<AxisTick> thinned(std::vector<AxisTick> ticks, const AxisScale& axis
 
 }  // namespace
 
-std::vector<AxisTick> ticks_across(std::vector<AxisTick> ticks, const AxisScale& axis, qreal length,
-                                   const QFontMetricsF& letters) {
+std::vector<AxisTick> fit_horizontal_ticks(std::vector<AxisTick> ticks, const AxisScale& axis,
+                                           qreal length, const QFontMetricsF& letters) {
   constexpr qreal kBetween = 6.0;
   const auto width = [&](const AxisTick& tick) {
     return letters.horizontalAdvance(QString::fromStdString(tick.text));
@@ -49,8 +49,8 @@ std::vector<AxisTick> ticks_across(std::vector<AxisTick> ticks, const AxisScale&
   });
 }
 
-std::vector<AxisTick> ticks_upwards(std::vector<AxisTick> ticks, const AxisScale& axis,
-                                    qreal length, const QFontMetricsF& letters) {
+std::vector<AxisTick> fit_vertical_ticks(std::vector<AxisTick> ticks, const AxisScale& axis,
+                                         qreal length, const QFontMetricsF& letters) {
   constexpr qreal kBetween = 3.0;  // digits do not reach below their line
   return thinned(
       std::move(ticks), axis, length,

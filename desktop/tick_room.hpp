@@ -11,11 +11,12 @@ namespace adore::desktop {
 
 /// Ticks of an axis with that many pixels whose numbers do not overlap: all, or fewer round ones,
 /// or the outermost.
-[[nodiscard]] std::vector<AxisTick> ticks_across(std::vector<AxisTick> ticks, const AxisScale& axis,
-                                                 qreal length, const QFontMetricsF& letters);
+[[nodiscard]] std::vector<AxisTick> fit_horizontal_ticks(std::vector<AxisTick> ticks,
+                                                         const AxisScale& axis, qreal length,
+                                                         const QFontMetricsF& letters);
 /// The same for a vertical axis, whose numbers are above each other.
-[[nodiscard]] std::vector<AxisTick> ticks_upwards(std::vector<AxisTick> ticks,
-                                                  const AxisScale& axis, qreal length,
-                                                  const QFontMetricsF& letters);
+[[nodiscard]] std::vector<AxisTick> fit_vertical_ticks(std::vector<AxisTick> ticks,
+                                                       const AxisScale& axis, qreal length,
+                                                       const QFontMetricsF& letters);
 
 }  // namespace adore::desktop

@@ -13,7 +13,7 @@ constexpr std::size_t kPoints = 16;
 
 }  // namespace
 
-WayRuns::WayRuns(const std::vector<double>& x, const std::vector<double>& y)
+PathIndex::PathIndex(const std::vector<double>& x, const std::vector<double>& y)
     : x_(&x), y_(&y), count_(std::min(x.size(), y.size())) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   boxes_.reserve((count_ + kPoints - 1) / kPoints);
@@ -30,11 +30,11 @@ WayRuns::WayRuns(const std::vector<double>& x, const std::vector<double>& y)
   }
 }
 
-Stretch WayRuns::stretch(std::size_t index) const {
+PointRange PathIndex::stretch(std::size_t index) const {
   return {index * kPoints, std::min((index + 1) * kPoints + 1, count_)};
 }
 
-std::optional<std::size_t> WayRuns::nearest(double x, double y, double& most) const {
+std::optional<std::size_t> PathIndex::nearest(double x, double y, double& most) const {
   std::optional<std::size_t> out;
   for (std::size_t run = 0; run < boxes_.size(); ++run) {
     const Box& box = boxes_[run];

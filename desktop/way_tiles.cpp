@@ -31,7 +31,7 @@ QRect pixels_of(int row, int column) { return {column * kTile, row * kTile, kTil
 
 struct NewTile {
   int row = 0, column = 0;
-  std::vector<Stretch> strokes = {};  ///< of the path, that may cross it
+  std::vector<PointRange> strokes = {};  ///< of the path, that may cross it
   std::vector<std::uint8_t> cover = {};
 };
 
@@ -43,7 +43,7 @@ class Finder {
       : tiles_(tiles), at_(static_cast<std::size_t>(tiles.width() * tiles.height()), nullptr) {
     for (NewTile& tile : made) at_[place(tile.row, tile.column)] = &tile;
   }
-  void find(const WayRuns& way, const PlaneScale& scale, double reach) {
+  void find(const PathIndex& way, const PlaneScale& scale, double reach) {
     // Far outside there are no such numbers.
     const auto tile = [](double pixel, int least, int most) {
       return static_cast<int>(std::clamp(std::floor(pixel / kTile), least - 1.0, most + 1.0));
@@ -56,7 +56,7 @@ class Finder {
     const auto [least_y, most_y] =
         std::minmax({(along[0] - scale.y_at) / scale.y_per, (along[1] - scale.y_at) / scale.y_per});
     for (std::size_t run = 0; run < way.boxes().size(); ++run) {
-      const WayRuns::Box& box = way.boxes()[run];
+      const PathIndex::Box& box = way.boxes()[run];
       if (box.left > most_x || box.right < least_x || box.low > most_y || box.high < least_y)
         continue;
       const QPointF one = scale.place(box.left, box.low), other = scale.place(box.right, box.high);
@@ -77,7 +77,7 @@ class Finder {
   [[nodiscard]] std::size_t place(int row, int column) const {
     return static_cast<std::size_t>((row - tiles_.top()) * tiles_.width() + column - tiles_.left());
   }
-  static void append(NewTile& tile, const Stretch& run) {
+  static void append(NewTile& tile, const PointRange& run) {
     if (!tile.strokes.empty() && tile.strokes.back().end == run.first + 1)
       tile.strokes.back().end = run.end;
     else
@@ -104,7 +104,7 @@ void share(std::size_t count, Use use) {
 
 }  // namespace
 
-bool WayTiles::Look::same_as(const Look& other) const {
+bool PathTiles::Look::same_as(const Look& other) const {
   // An axis that moves changes its scale by rounding.
   constexpr double kRounding = 1e-9;
   const auto same = [](double one, double another) {
@@ -114,7 +114,7 @@ bool WayTiles::Look::same_as(const Look& other) const {
          anchor == other.anchor;
 }
 
-void WayTiles::make(const WayRuns& way, const QRect& seen) {
+void PathTiles::make(const PathIndex& way, const QRect& seen) {
   const QRect tiles = tiles_of(seen);
   std::vector<NewTile> made;
   for (int r = tiles.top(); r <= tiles.bottom(); ++r)
@@ -123,20 +123,23 @@ void WayTiles::make(const WayRuns& way, const QRect& seen) {
   if (made.empty()) return;
   const PlaneScale scale{-look_.x_per * look_.anchor.x(), look_.x_per,
                          -look_.y_per * look_.anchor.y(), look_.y_per};
-  const double reach = stamp_reach(look_.width) + 1.0;
+  const double reach = stamp_radius(look_.width) + 1.0;
   Finder(tiles, made).find(way, scale, reach);
   share(made.size(), [&](std::size_t i) {
     NewTile& tile = made[i];
     const QRect pixels = pixels_of(tile.row, tile.column);
-    tile.cover = stamp_cover(seen_way(way.x(), way.y(), tile.strokes, scale, QRectF(pixels), reach),
-                             look_.width, pixels);
+    tile.cover = stamp_coverage(
+        visible_path_strokes(way.x(), way.y(), tile.strokes, scale, QRectF(pixels), reach),
+        look_.width, pixels);
   });
   for (NewTile& tile : made) tiles_.emplace(Index(tile.row, tile.column), std::move(tile.cover));
 }
 
-void WayTiles::draw(QPainter& painter, const WayRuns& way, const WayPlace& place, const QPen& pen) {
-  if (!paints_pixels(painter) || pen.style() != Qt::SolidLine) {
-    draw_lines(painter, seen_way(way.x(), way.y(), place.scale, place.area), place.area, pen);
+void PathTiles::draw(QPainter& painter, const PathIndex& way, const PathPlacement& place,
+                     const QPen& pen) {
+  if (!is_raster_painter(painter) || pen.style() != Qt::SolidLine) {
+    draw_lines(painter, visible_path_strokes(way.x(), way.y(), place.scale, place.area), place.area,
+               pen);
     return;
   }
   const QTransform& device = painter.deviceTransform();
@@ -159,7 +162,7 @@ void WayTiles::draw(QPainter& painter, const WayRuns& way, const WayPlace& place
   make(way, seen);
   QImage image(seen.size(), QImage::Format_ARGB32_Premultiplied);
   image.fill(Qt::transparent);
-  const std::array<QRgb, 256> inks = inks_of(pen.color());
+  const std::array<QRgb, 256> inks = premultiplied_inks(pen.color());
   const QRect tiles = tiles_of(seen);
   for (int r = tiles.top(); r <= tiles.bottom(); ++r)
     for (int c = tiles.left(); c <= tiles.right(); ++c) {

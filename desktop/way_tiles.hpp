@@ -19,21 +19,21 @@ namespace adore::desktop {
 
 /// Position of a path: inside `area`, with the mapping `scale`. Two pictures of a moved path have
 /// `anchor`, a point of the plane, at positions that are whole pixels apart.
-struct WayPlace {
+struct PathPlacement {
   PlaneScale scale;
   QPointF anchor;
   QRectF area;
 };
 
-/// The visible strokes of a path (`seen_way`) as tiles of pixels that belong to the path and not to
-/// its frame. A moved frame shows the existing tiles, and only new ones are drawn from the strokes
-/// through them. No stroke appears or disappears during a motion, and a picture does not depend on
-/// the previous ones.
-class WayTiles {
+/// The visible strokes of a path (`visible_path_strokes`) as tiles of pixels that belong to the
+/// path and not to its frame. A moved frame shows the existing tiles, and only new ones are drawn
+/// from the strokes through them. No stroke appears or disappears during a motion, and a picture
+/// does not depend on the previous ones.
+class PathTiles {
  public:
   /// Draws the path: on a screen its tiles, for which `anchor` has to be at whole pixels (else it
   /// is drawn up to half a pixel aside); for other painters its strokes.
-  void draw(QPainter& painter, const WayRuns& way, const WayPlace& place, const QPen& pen);
+  void draw(QPainter& painter, const PathIndex& way, const PathPlacement& place, const QPen& pen);
   /// Tiles that are kept now.
   [[nodiscard]] std::size_t kept() const { return tiles_.size(); }
 
@@ -44,7 +44,7 @@ class WayTiles {
     QPointF anchor;
     [[nodiscard]] bool same_as(const Look& other) const;
   };
-  void make(const WayRuns& way, const QRect& seen);
+  void make(const PathIndex& way, const QRect& seen);
 
   Look look_;
   std::map<Index, std::vector<std::uint8_t>> tiles_;  ///< covers of their pixels; empty: no ink

@@ -20,20 +20,20 @@ QSize size_within(QSize preferred, QSize available) {
   return preferred.boundedTo(available - kFrame);
 }
 
-void open_at_size(QWidget& window, QSize preferred) {
+void resize_to_fit_screen(QWidget& window, QSize preferred) {
   const QScreen* screen = window.screen();
   const bool real = screen != nullptr && QGuiApplication::platformName() != "offscreen";
   window.resize(real ? size_within(preferred, screen->availableSize()) : preferred);
 }
 
-WindowMemory::WindowMemory(QWidget& window, QString app)
+WindowGeometryStore::WindowGeometryStore(QWidget& window, QString app)
     : QObject(&window), window_(window), app_(std::move(app)) {
   const QByteArray stored = QSettings("Adore", app_).value(kGeometry).toByteArray();
   if (!stored.isEmpty()) window_.restoreGeometry(stored);
   window_.installEventFilter(this);
 }
 
-bool WindowMemory::eventFilter(QObject* object, QEvent* event) {
+bool WindowGeometryStore::eventFilter(QObject* object, QEvent* event) {
   if (object == &window_ && event->type() == QEvent::Close)
     QSettings("Adore", app_).setValue(kGeometry, window_.saveGeometry());
   return false;

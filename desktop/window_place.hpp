@@ -14,14 +14,14 @@ namespace adore::desktop {
 
 /// Resizes a window to `preferred`, or to the size that fits its screen. The offscreen platform has
 /// no screen: there it is `preferred`.
-void open_at_size(QWidget& window, QSize preferred);
+void resize_to_fit_screen(QWidget& window, QSize preferred);
 
 /// Restores the size and position of a main window from its last use, and stores them when it is
 /// closed. Exists as long as the window.
-class WindowMemory : public QObject {
+class WindowGeometryStore : public QObject {
  public:
   /// @param app name of the settings, e.g. "agore"
-  WindowMemory(QWidget& window, QString app);
+  WindowGeometryStore(QWidget& window, QString app);
   bool eventFilter(QObject* object, QEvent* event) override;
 
  private:

@@ -15,21 +15,21 @@ std::string joined(const std::vector<std::string>& words) {
   return out;
 }
 
-std::vector<std::string> option_names(const CommandText& command) {
+std::vector<std::string> option_names(const CommandDescription& command) {
   std::vector<std::string> out;
-  for (const OptionText& option : command.options)
+  for (const OptionDescription& option : command.options)
     if (!option.positional) out.insert(out.end(), option.names.begin(), option.names.end());
   return out;
 }
 
-std::vector<std::string> command_names(const CommandText& program) {
+std::vector<std::string> command_names(const CommandDescription& program) {
   std::vector<std::string> out;
-  for (const CommandText& command : program.commands) out.push_back(command.name);
+  for (const CommandDescription& command : program.commands) out.push_back(command.name);
   return out;
 }
 
-const OptionText* first_positional(const CommandText& command) {
-  for (const OptionText& option : command.options)
+const OptionDescription* first_positional(const CommandDescription& command) {
+  for (const OptionDescription& option : command.options)
     if (option.positional) return &option;
   return nullptr;
 }
@@ -48,7 +48,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 // bash
 
-std::string bash_action(const OptionText& option) {
+std::string bash_action(const OptionDescription& option) {
   switch (option.kind) {
     case ValueKind::Words:
       return fmt::format("_{{0}}_words \"{}\"", joined(option.words));
@@ -64,9 +64,9 @@ std::string bash_action(const OptionText& option) {
   return "COMPREPLY=()";
 }
 
-std::string bash_cases(const CommandText& command, const std::string& self) {
+std::string bash_cases(const CommandDescription& command, const std::string& self) {
   std::string out = "      case \"$prev\" in\n";
-  for (const OptionText& option : command.options) {
+  for (const OptionDescription& option : command.options) {
     if (option.positional || option.value.empty()) continue;
     std::string names;
     for (const std::string& name : option.names) names += (names.empty() ? "" : "|") + name;
@@ -76,7 +76,7 @@ std::string bash_cases(const CommandText& command, const std::string& self) {
   out += "      esac\n";
   out += fmt::format("      if [[ $cur == -* ]]; then _{}_words \"{}\"; return; fi\n", self,
                      joined(option_names(command)));
-  if (const OptionText* positional = first_positional(command))
+  if (const OptionDescription* positional = first_positional(command))
     out += fmt::format("      {}\n", replaced(bash_action(*positional), "{0}", self));
   return out;
 }
@@ -90,7 +90,7 @@ std::string zsh_text(const std::string& text) {
   return replaced(out, "'", "'\\''");
 }
 
-std::string zsh_action(const OptionText& option) {
+std::string zsh_action(const OptionDescription& option) {
   switch (option.kind) {
     case ValueKind::Words: {
       std::vector<std::string> words = option.words;
@@ -113,9 +113,9 @@ std::string zsh_action(const OptionText& option) {
   return fmt::format(":{}: ", zsh_text(option.value));
 }
 
-std::string zsh_arguments(const CommandText& command, const std::string& indent) {
+std::string zsh_arguments(const CommandDescription& command, const std::string& indent) {
   std::string out = indent + "_arguments -s";
-  for (const OptionText& option : command.options) {
+  for (const OptionDescription& option : command.options) {
     if (option.positional) {
       out += fmt::format(" \\\n{}  '{}{}'", indent, option.many ? "*" : "1",
                          option.kind == ValueKind::None ? std::string(": : ") : zsh_action(option));
@@ -134,10 +134,10 @@ std::string fish_text(const std::string& text) {
   return replaced(replaced(text, "\\", "\\\\"), "'", "\\'");
 }
 
-std::string fish_options(const CommandText& command, const std::string& program,
+std::string fish_options(const CommandDescription& command, const std::string& program,
                          const std::string& condition) {
   std::string out;
-  for (const OptionText& option : command.options) {
+  for (const OptionDescription& option : command.options) {
     std::string line = fmt::format("complete -c {}{}", program,
                                    condition.empty() ? "" : " -n '" + condition + "'");
     std::string action;
@@ -159,10 +159,10 @@ std::string fish_options(const CommandText& command, const std::string& program,
   return out;
 }
 
-nlohmann::ordered_json json_of(const CommandText& command) {
+nlohmann::ordered_json json_of(const CommandDescription& command) {
   nlohmann::ordered_json out{{"name", command.name}, {"help", command.help}};
   out["options"] = nlohmann::ordered_json::array();
-  for (const OptionText& option : command.options) {
+  for (const OptionDescription& option : command.options) {
     nlohmann::ordered_json one{
         {"names", option.names}, {"positional", option.positional}, {"value", option.value},
         {"help", option.help},   {"default", option.default_value}, {"required", option.required},
@@ -171,13 +171,13 @@ nlohmann::ordered_json json_of(const CommandText& command) {
     out["options"].push_back(std::move(one));
   }
   out["commands"] = nlohmann::ordered_json::array();
-  for (const CommandText& one : command.commands) out["commands"].push_back(json_of(one));
+  for (const CommandDescription& one : command.commands) out["commands"].push_back(json_of(one));
   return out;
 }
 
 }  // namespace
 
-std::string bash_completion(const CommandText& program) {
+std::string bash_completion(const CommandDescription& program) {
   const std::string self = identifier(program.name);
   std::string out = fmt::format(
       "# bash completion of {0}\n"
@@ -202,7 +202,7 @@ std::string bash_completion(const CommandText& program) {
         names);
   }
   out += "  case \"$command\" in\n";
-  for (const CommandText& command : program.commands)
+  for (const CommandDescription& command : program.commands)
     out += fmt::format("    {})\n{}      ;;\n", command.name, bash_cases(command, self));
   out += "    *)\n" + bash_cases(program, self);
   if (!program.commands.empty())
@@ -210,7 +210,7 @@ std::string bash_completion(const CommandText& program) {
   return out + fmt::format("      ;;\n  esac\n}}\ncomplete -F _{} {}\n", self, program.name);
 }
 
-std::string zsh_completion(const CommandText& program) {
+std::string zsh_completion(const CommandDescription& program) {
   const std::string self = identifier(program.name);
   std::string out = fmt::format("#compdef {}\n_{}() {{\n", program.name, self);
   if (program.commands.empty())
@@ -219,28 +219,30 @@ std::string zsh_completion(const CommandText& program) {
   std::string arguments = zsh_arguments(program, "  ");
   arguments.insert(arguments.size() - 1, " \\\n    '1: :->command' '*:: :->arguments'");
   out += arguments + "  case $state in\n    command)\n      local -a commands=(\n";
-  for (const CommandText& command : program.commands)
+  for (const CommandDescription& command : program.commands)
     out += fmt::format("        '{}:{}'\n", command.name, zsh_text(command.help));
   out += "      )\n      _describe command commands ;;\n    arguments)\n      case $line[1] in\n";
-  for (const CommandText& command : program.commands)
+  for (const CommandDescription& command : program.commands)
     out += fmt::format("        {})\n{}          ;;\n", command.name,
                        zsh_arguments(command, "          "));
   return out + fmt::format("      esac ;;\n  esac\n}}\n_{} \"$@\"\n", self);
 }
 
-std::string fish_completion(const CommandText& program) {
+std::string fish_completion(const CommandDescription& program) {
   std::string out = fmt::format("# fish completion of {}\n", program.name);
   if (program.commands.empty()) return out + fish_options(program, program.name, "");
   out += fmt::format("complete -c {} -f\n", program.name);
-  for (const CommandText& command : program.commands)
+  for (const CommandDescription& command : program.commands)
     out += fmt::format("complete -c {} -n __fish_use_subcommand -a {} -d '{}'\n", program.name,
                        command.name, fish_text(command.help));
   out += fish_options(program, program.name, "__fish_use_subcommand");
-  for (const CommandText& command : program.commands)
+  for (const CommandDescription& command : program.commands)
     out += fish_options(command, program.name, "__fish_seen_subcommand_from " + command.name);
   return out;
 }
 
-std::string tree_json(const CommandText& program) { return dump_json(json_of(program), 2) + "\n"; }
+std::string command_tree_json(const CommandDescription& program) {
+  return dump_json(json_of(program), 2) + "\n";
+}
 
 }  // namespace adore::command_line

@@ -8,11 +8,11 @@
 namespace adore::command_line {
 namespace {
 
-std::string value_of(const OptionText& option) {
+std::string value_of(const OptionDescription& option) {
   return option.value.empty() ? std::string() : option.value + (option.many ? " ..." : "");
 }
 
-std::string names_of(const OptionText& option) {
+std::string names_of(const OptionDescription& option) {
   std::string out;
   for (const std::string& name : option.names) out += (out.empty() ? "" : ", ") + name;
   if (!option.positional && !option.value.empty()) out += " " + option.value;
@@ -20,7 +20,7 @@ std::string names_of(const OptionText& option) {
   return out;
 }
 
-std::string help_of(const OptionText& option) {
+std::string help_of(const OptionDescription& option) {
   std::string out = help_with_choices(option);
   if (!option.default_value.empty()) out += fmt::format(" (default: {})", option.default_value);
   return out;
@@ -39,14 +39,14 @@ std::string entries(const std::vector<std::pair<std::string, std::string>>& rows
     out += std::string(kMargin, ' ') + name;
     out += name.size() + kMargin + 2 > column ? "\n" + std::string(column, ' ')
                                               : std::string(column - kMargin - name.size(), ' ');
-    out += wrapped(text, width, column) + "\n";
+    out += wrap_text(text, width, column) + "\n";
   }
   return out;
 }
 
 }  // namespace
 
-std::string help_with_choices(const OptionText& option) {
+std::string help_with_choices(const OptionDescription& option) {
   constexpr std::size_t kMaxListedChoices = 12;
   if (option.words.empty() || option.words.size() > kMaxListedChoices) return option.help;
   std::string out = option.help;
@@ -55,28 +55,29 @@ std::string help_with_choices(const OptionText& option) {
   return out;
 }
 
-std::string usage_line(const CommandText& command, const std::string& path) {
+std::string usage_line(const CommandDescription& command, const std::string& path) {
   std::string out = path;
   if (!command.commands.empty()) return out + " COMMAND ...";
-  for (const OptionText& option : command.options) {
+  for (const OptionDescription& option : command.options) {
     if (!option.positional) continue;
     const std::string name = option.names.front() + (option.many ? " ..." : "");
     out += option.required ? " " + name : " [" + name + "]";
   }
-  for (const OptionText& option : command.options)
+  for (const OptionDescription& option : command.options)
     if (!option.positional && option.required)
       out += fmt::format(" {} {}", option.names.back(), value_of(option));
   return out + " [options]";
 }
 
-std::string help_text(const CommandText& command, const std::string& path, std::size_t width) {
+std::string help_text(const CommandDescription& command, const std::string& path,
+                      std::size_t width) {
   const std::size_t columns = std::clamp<std::size_t>(width, 40, 110);
-  std::string out = wrapped(command.help, columns, 0) + "\n\n";
+  std::string out = wrap_text(command.help, columns, 0) + "\n\n";
   out += "Usage: " + usage_line(command, path) + "\n";
   std::vector<std::pair<std::string, std::string>> positionals, options, commands;
-  for (const OptionText& option : command.options)
+  for (const OptionDescription& option : command.options)
     (option.positional ? positionals : options).emplace_back(names_of(option), help_of(option));
-  for (const CommandText& one : command.commands) commands.emplace_back(one.name, one.help);
+  for (const CommandDescription& one : command.commands) commands.emplace_back(one.name, one.help);
   if (!positionals.empty()) out += "\n" + entries(positionals, columns);
   if (!commands.empty()) out += "\nCommands\n" + entries(commands, columns);
   if (!options.empty()) out += "\nOptions\n" + entries(options, columns);

@@ -31,7 +31,7 @@ std::string upper(std::string text) {
   return text;
 }
 
-std::string option_entry(const OptionText& option) {
+std::string option_entry(const OptionDescription& option) {
   std::string names;
   for (const std::string& name : option.names)
     names += fmt::format("{}\\fB{}\\fR", names.empty() ? "" : ", ", roff(name));
@@ -44,20 +44,20 @@ std::string option_entry(const OptionText& option) {
   return fmt::format(".TP\n{}\n{}\n", names, help);
 }
 
-std::string options_of(const CommandText& command) {
+std::string options_of(const CommandDescription& command) {
   std::string out;
-  for (const OptionText& option : command.options) out += option_entry(option);
+  for (const OptionDescription& option : command.options) out += option_entry(option);
   return out;
 }
 
-std::string footer_of(const CommandText& command) {
+std::string footer_of(const CommandDescription& command) {
   return command.footer.empty() ? std::string()
                                 : fmt::format(".PP\n.nf\n{}\n.fi\n", roff(command.footer));
 }
 
 }  // namespace
 
-std::string manual_page(const CommandText& program, const std::string& version) {
+std::string manual_page(const CommandDescription& program, const std::string& version) {
   const std::size_t colon = program.help.find(": ");
   const std::string first = program.help.substr(colon == std::string::npos ? 0 : colon + 2);
   std::string out = fmt::format(".TH {} 1 \"\" \"{}\" \"Adore\"\n", upper(program.name), version);
@@ -67,7 +67,7 @@ std::string manual_page(const CommandText& program, const std::string& version) 
   out += fmt::format(".SH DESCRIPTION\n{}\n", roff(program.help));
   out += ".SH OPTIONS\n" + options_of(program);
   if (!program.commands.empty()) out += ".SH COMMANDS\n";
-  for (const CommandText& command : program.commands) {
+  for (const CommandDescription& command : program.commands) {
     out += fmt::format(".SS {}\n{}\n.PP\n.B {}\n", roff(program.name + " " + command.name),
                        roff(command.help),
                        roff(usage_line(command, program.name + " " + command.name)));

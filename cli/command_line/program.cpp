@@ -17,11 +17,11 @@ namespace {
 void print(std::FILE* stream, const std::string& text) { print_text(stream, text); }
 
 std::string completion(const CLI::App& program, const std::string& shell) {
-  const CommandText tree = describe(program);
+  const CommandDescription tree = describe(program);
   if (shell == "bash") return bash_completion(tree);
   if (shell == "zsh") return zsh_completion(tree);
   if (shell == "fish") return fish_completion(tree);
-  return tree_json(tree);
+  return command_tree_json(tree);
 }
 
 std::string help(const CLI::App& program, int stream) {

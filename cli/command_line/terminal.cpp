@@ -13,11 +13,11 @@ std::size_t columns(int stream) noexcept {
   if (ioctl(stream, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
   const char* text = std::getenv("COLUMNS");
   const long given = text == nullptr ? 0 : std::strtol(text, nullptr, 10);
-  constexpr long kMost = 1000;
-  return given > 0 && given < kMost ? static_cast<std::size_t>(given) : 80;
+  constexpr long kMaxColumns = 1000;
+  return given > 0 && given < kMaxColumns ? static_cast<std::size_t>(given) : 80;
 }
 
-std::string wrapped(const std::string& text, std::size_t width, std::size_t indent) {
+std::string wrap_text(const std::string& text, std::size_t width, std::size_t indent) {
   std::string out;
   const std::string margin(indent, ' ');
   std::size_t column = 0, at = 0;

@@ -13,6 +13,6 @@ namespace adore::command_line {
 [[nodiscard]] std::size_t columns(int stream) noexcept;
 
 /// The text wrapped between words to lines of at most `width` columns, all but the first indented.
-[[nodiscard]] std::string wrapped(const std::string& text, std::size_t width, std::size_t indent);
+[[nodiscard]] std::string wrap_text(const std::string& text, std::size_t width, std::size_t indent);
 
 }  // namespace adore::command_line

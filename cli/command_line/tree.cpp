@@ -24,7 +24,7 @@ std::string joined(const std::vector<std::string>& words) {
   return out;
 }
 
-ValueKind kind_of(const CLI::Option& option, const OptionText& text) {
+ValueKind kind_of(const CLI::Option& option, const OptionDescription& text) {
   if (text.value.empty()) return ValueKind::None;
   if (!text.words.empty()) return ValueKind::Words;
   const std::string& type = text.value;
@@ -35,8 +35,8 @@ ValueKind kind_of(const CLI::Option& option, const OptionText& text) {
   return type == "NUMBER" || type == "N" ? ValueKind::Number : ValueKind::Text;
 }
 
-OptionText describe(const CLI::Option& option) {
-  OptionText out;
+OptionDescription describe(const CLI::Option& option) {
+  OptionDescription out;
   out.positional = option.get_positional();
   if (out.positional) {
     out.names = {option.get_name(true, false)};
@@ -68,8 +68,8 @@ bool is_number(const std::string& text, double least) {
 
 }  // namespace
 
-CommandText describe(const CLI::App& app) {
-  CommandText out;
+CommandDescription describe(const CLI::App& app) {
+  CommandDescription out;
   out.name = app.get_name();
   out.help = app.get_description();
   out.footer = app.get_footer();
@@ -96,7 +96,7 @@ CLI::Option* one_of(CLI::Option* option, std::vector<std::string> words) {
   return option;
 }
 
-CLI::Option* offer(CLI::Option* option, std::vector<std::string> words) {
+CLI::Option* suggest_values(CLI::Option* option, std::vector<std::string> words) {
   words_of()[option] = std::move(words);
   return option;
 }

@@ -12,7 +12,7 @@ namespace adore::command_line {
 /// Kind of the value of an option, for completion.
 enum class ValueKind : unsigned char { None, Text, Number, File, Folder, Words };
 
-struct OptionText {
+struct OptionDescription {
   std::vector<std::string> names;  ///< "--out", "-h"; of a positional its one name: "deck"
   std::string value;               ///< "FILE"; empty: a flag
   std::string help;
@@ -22,21 +22,21 @@ struct OptionText {
   bool positional = false, required = false, many = false;
 };
 
-struct CommandText {
+struct CommandDescription {
   std::string name, help, footer;
-  std::vector<OptionText> options;  ///< positionals first
-  std::vector<CommandText> commands;
+  std::vector<OptionDescription> options;  ///< positionals first
+  std::vector<CommandDescription> commands;
 };
 
 /// Hidden options and commands (of an empty group) are left out.
-[[nodiscard]] CommandText describe(const CLI::App& app);
+[[nodiscard]] CommandDescription describe(const CLI::App& app);
 
 /// Accepts only these values; other values are rejected with the nearest match. Help lists the
 /// values, and the shells complete them.
 CLI::Option* one_of(CLI::Option* option, std::vector<std::string> words);
 
 /// Completions for an option that accepts other values, too: "pitchDia=".
-CLI::Option* offer(CLI::Option* option, std::vector<std::string> words);
+CLI::Option* suggest_values(CLI::Option* option, std::vector<std::string> words);
 
 /// A whole number, or a number, of at least `least`; refused otherwise.
 CLI::Option* at_least(CLI::Option* option, double least);

@@ -35,15 +35,15 @@ std::string after_colon(const CLI::ParseError& error) {
   return colon == std::string::npos ? text : text.substr(colon + 2);
 }
 
-std::vector<std::string> option_names(const CommandText& command) {
+std::vector<std::string> option_names(const CommandDescription& command) {
   std::vector<std::string> out;
-  for (const OptionText& option : command.options)
+  for (const OptionDescription& option : command.options)
     if (!option.positional) out.insert(out.end(), option.names.begin(), option.names.end());
   return out;
 }
 
-const OptionText* option_named(const CommandText& command, const std::string& name) {
-  for (const OptionText& option : command.options)
+const OptionDescription* option_named(const CommandDescription& command, const std::string& name) {
+  for (const OptionDescription& option : command.options)
     if (std::find(option.names.begin(), option.names.end(), name) != option.names.end())
       return &option;
   return nullptr;
@@ -66,7 +66,8 @@ std::string unknown_command(const CLI::App& program, const std::vector<std::stri
   return "the command is missing";
 }
 
-std::string surplus(const CLI::App& app, const CommandText& command, const std::string& path) {
+std::string surplus(const CLI::App& app, const CommandDescription& command,
+                    const std::string& path) {
   std::vector<std::string> rest = app.remaining(true);
   for (const CLI::App* above = app.get_parent(); above != nullptr; above = above->get_parent())
     for (const std::string& word : above->remaining(false)) rest.push_back(word);
@@ -88,14 +89,14 @@ std::string surplus(const CLI::App& app, const CommandText& command, const std::
             "\"{}\" has no option before it; write --set (or --opt) before each name=value", one);
   }
   std::string takes;
-  for (const OptionText& option : command.options)
+  for (const OptionDescription& option : command.options)
     if (option.positional)
       takes += (takes.empty() ? "" : " and ") + ("one " + option.names.front());
   return fmt::format("\"{}\" is one argument too many; `{}` takes {}", word, path,
                      takes.empty() ? "none" : takes);
 }
 
-std::string what_to_give(const OptionText* option) {
+std::string what_to_give(const OptionDescription* option) {
   if (option == nullptr) return "a value";
   if (!option->words.empty() && option->words.size() <= 12) {
     std::string list;
@@ -110,7 +111,7 @@ std::string what_to_give(const OptionText* option) {
 std::string sentence(const CLI::App& program, const CLI::ParseError& error,
                      const std::vector<std::string>& arguments) {
   const CLI::App& app = current(program);
-  const CommandText command = describe(app);
+  const CommandDescription command = describe(app);
   const std::string path = path_of(app);
   // For surplus arguments the library stores the command name instead of the kind of error.
   const std::string kind =
@@ -120,7 +121,7 @@ std::string sentence(const CLI::App& program, const CLI::ParseError& error,
   if (kind == "ExtrasError") return surplus(app, command, path);
   if (kind == "RequiredError") {
     const std::string name = name_in(error, "");
-    const OptionText* option = option_named(command, name);
+    const OptionDescription* option = option_named(command, name);
     return fmt::format("`{}` needs {}: {}", path, name,
                        option == nullptr ? "it is missing" : option->help);
   }
@@ -128,20 +129,20 @@ std::string sentence(const CLI::App& program, const CLI::ParseError& error,
     std::string name = name_in(error, "");
     // For a flag with a value the library gives the name without its dashes.
     if (option_named(command, name) == nullptr) name = "--" + name;
-    const OptionText* option = option_named(command, name);
+    const OptionDescription* option = option_named(command, name);
     if (after_colon(error).find("Most") != std::string::npos)
       return fmt::format("{} was given more than once; give it once", name);
     if (option != nullptr && option->value.empty())
-      return fmt::format("{} takes no value; write it alone", name);
+      return fmt::format("{} takes no value. Remove the value", name);
     return fmt::format("{} needs a value; give {}", name, what_to_give(option));
   }
   if (kind == "ConversionError") {
     const std::string before = "Could not convert: ";
     const bool known = std::string(error.what()).compare(0, before.size(), before) == 0;
     const std::string name = name_in(error, known ? before : "");
-    const OptionText* option = option_named(command, name);
+    const OptionDescription* option = option_named(command, name);
     if (option != nullptr && option->value.empty())
-      return fmt::format("{} takes no value; write it alone", name);
+      return fmt::format("{} takes no value. Remove the value", name);
     const std::string text = error.what();
     const std::size_t at = text.find(" = ");
     return fmt::format("{}{}: invalid value; give {}", name,

@@ -10,6 +10,7 @@
 #include "cli/pictures/report.hpp"
 #include "cli/progress.hpp"
 #include "desktop/bootstrap.hpp"
+#include "desktop/figure.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/lubricant_pages.hpp"
 #include "desktop/page_export.hpp"
@@ -22,6 +23,10 @@ namespace {
 
 void print_files(const std::vector<std::filesystem::path>& files) {
   for (const auto& file : files) print("{}\n", file.string());
+}
+
+desktop::Figure figure_of(const PlotRequest& request) {
+  return {request.width, request.height, request.letters, request.font, request.gray};
 }
 
 void plot_lubricant(const PlotRequest& request) {
@@ -39,10 +44,14 @@ void plot_lubricant(const PlotRequest& request) {
   std::vector<std::filesystem::path> files;
   for (std::size_t n = 0; n < pages.size(); ++n) {
     if (request.page > 0 && static_cast<std::size_t>(request.page) != n + 1) continue;
-    scene.setPage(std::move(pages[n]));
     files.push_back(folder / fmt::format("lubricant-{:02}-{}.{}", request.lubricant,
                                          desktop::kLubricantPages[n], request.format));
-    desktop::save_page(scene, files.back(), {kWidth, kHeight});
+    if (const desktop::Figure figure = figure_of(request); figure.is_for_print()) {
+      desktop::save_figure(pages[n], files.back(), figure, desktop::Replace::OwnPictures);
+      continue;
+    }
+    scene.setPage(std::move(pages[n]));
+    desktop::save_page(scene, files.back(), {kWidth, kHeight}, desktop::Replace::OwnPictures);
   }
   if (files.empty())
     throw InputError(
@@ -58,10 +67,13 @@ void plot(const PlotRequest& request) {
   options.page = request.page;
   options.range = request.range;
   options.dark = request.dark;
+  options.format = request.format;
+  options.figure = figure_of(request);
   options.progress = make_count_progress("file", request.progress);
   options.tell = [](const std::string& sentence) { print(stderr, "adore: note: {}\n", sentence); };
   if (request.abscissa == "time") options.view.abscissa = adrplot::Abscissa::Time;
-  adrplot::set_domain(options.view, request.domain, request.curve, request.scale, request.rows);
+  adrplot::parse_domain_options(options.view, request.domain, request.curve, request.scale,
+                                request.rows, request.band, request.orders_of);
   print_files(adrplot::render_plots({request.files.begin(), request.files.end()}, options));
 }
 
@@ -69,14 +81,14 @@ void animate(const AnimateRequest& request) {
   desktop::ensure_headless_application();
   agore::RenderOptions render;
   const std::string race = request.race.empty() ? "inner" : request.race;
-  render.view.view = agore::view_named(request.view, race);
+  render.view.view = agore::parse_view(request.view, race);
   render.view.element = request.element;
   render.view.flange_race = request.race == "outer" ? 0 : 1;
-  render.view.colour = agore::colour_named(request.colour);
-  render.view.scale = agore::scale_named(request.scale);
+  render.view.colour = agore::parse_color_quantity(request.colour);
+  render.view.scale = agore::parse_color_scale(request.scale);
   render.view.contacts = request.contacts;
   render.view.trails = request.trails;
-  render.view.beside = agore::views_beside(request.beside, race);
+  render.view.beside = agore::parse_additional_views(request.beside, race);
   render.view.yaw = request.yaw;
   render.view.elevation = request.elevation;
   render.view.dark = request.dark;
@@ -117,7 +129,7 @@ void animate(const AnimateRequest& request) {
 
 PictureActions drawing_actions() { return {plot, animate, draw_gallery, draw_report}; }
 
-void draw_accuracy(const std::filesystem::path& table, const std::filesystem::path& picture) {
+void draw_accuracy_chart(const std::filesystem::path& table, const std::filesystem::path& picture) {
   std::vector<desktop::ChartPage> pages = adrplot::accuracy_pages(table);
   if (pages.front().x.empty())
     throw InputError(fmt::format("{} contains no completed run", table.string()));

@@ -11,6 +11,6 @@ namespace adore::cli {
 [[nodiscard]] PictureActions drawing_actions();
 
 /// Draws error against computing time of an ACCURACY.csv as a PNG. @throws InputError
-void draw_accuracy(const std::filesystem::path& table, const std::filesystem::path& picture);
+void draw_accuracy_chart(const std::filesystem::path& table, const std::filesystem::path& picture);
 
 }  // namespace adore::cli

@@ -19,8 +19,8 @@
 #include "desktop/text_faults.hpp"
 #include "results/run_findings.hpp"
 #include "results/run_folder.hpp"
-#include "runs/passing_folder.hpp"
 #include "runs/run.hpp"
+#include "runs/temporary_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -77,7 +77,7 @@ class Gallery {
       options.dark = dark_;
       if (!agore::why_not(options.view, animation).empty()) return;
       const WritePath path(folder_, "view-" + name + ".png");
-      desktop::save_image(desktop::in_mixed_colours(desktop::with_findings(
+      desktop::save_image(desktop::dither_colors(desktop::image_with_findings(
                               {size_.width, size_.height}, findings, dark_,
                               [&](QSize size) {
                                 return picture.image(size, static_cast<std::size_t>(frame - 1),
@@ -130,17 +130,16 @@ class Gallery {
     scene_.setPage(document.build(number, options));
     const WritePath path(folder_, fmt::format("{}-page-{:02}{}.png",
                                               document.path.filename().string(), number, ending));
-    desktop::save_image(
-        desktop::in_few_colours(
-            desktop::with_findings(
-                {size_.width, size_.height}, results::run_findings(document.path), dark_,
-                [&](QSize size) {
-                  scene_.setPageSize(QSizeF(size));
-                  return scene_.image(size);
-                },
-                adrplot::page_concerns(title, document.subject)),
-            kColoursOfPages),
-        path);
+    desktop::save_image(desktop::reduce_colors(desktop::image_with_findings(
+                                                   {size_.width, size_.height},
+                                                   results::run_findings(document.path), dark_,
+                                                   [&](QSize size) {
+                                                     scene_.setPageSize(QSizeF(size));
+                                                     return scene_.image(size);
+                                                   },
+                                                   adrplot::page_concerns(title, document.subject)),
+                                               kColoursOfPages),
+                        path);
     for (const std::string& fault : desktop::text_faults(scene_))
       print(stderr, "adore: note: {}: {}\n", path.path().string(), fault);
     list_.emplace_back(path.name(),
@@ -165,7 +164,7 @@ void make_run(const std::string& deck, const fs::path& folder) {
 
 /// Drawable parts of a run.
 void draw_run(Gallery& gallery, const fs::path& run) {
-  const results::RunFolder files = results::run_folder(run);
+  const results::PlottableFiles files = results::run_folder(run);
   bool any = !files.plots.empty();
   for (const fs::path& file : files.plots) gallery.pages(file);
   if (files.animation)
@@ -187,7 +186,7 @@ void draw_gallery(const GalleryRequest& request) {
   desktop::make_folder(out);
   const WriteFolder place(out);
   std::vector<std::pair<std::string, fs::path>> runs;
-  const runs::PassingFolder temporary;
+  const runs::TemporaryFolder temporary;
   constexpr std::array<const char*, 9> kExamples{"ball",
                                                  "cylindrical",
                                                  "spherical",

@@ -21,13 +21,13 @@ int main(int argc, char** argv) {
     auto table = std::make_shared<std::string>(), picture = std::make_shared<std::string>();
     chart->add_option("table", *table, "ACCURACY.json")->required();
     chart->add_option("picture", *picture, "PNG file to write")->required();
-    chart->callback([=] { adore::cli::draw_accuracy(*table, *picture); });
+    chart->callback([=] { adore::cli::draw_accuracy_chart(*table, *picture); });
     CLI::App* study = app->add_subcommand("study-charts", "curves, maps and bars of a study");
     study->add_option("charts", *table, "CHARTS.json")->required();
     study->add_option("folder", *picture, "folder of the PNG files")->required();
     auto quiet = std::make_shared<bool>(false);
     study->add_flag("--quiet", *quiet, "do not print file names");
-    study->callback([=] { adore::cli::draw_study(*table, *picture, *quiet); });
+    study->callback([=] { adore::cli::draw_study_charts(*table, *picture, *quiet); });
     return adore::command_line::parse(*app, argc, argv).value_or(0);
   });
 }

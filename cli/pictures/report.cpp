@@ -34,7 +34,7 @@ std::string comparison(const std::vector<ReportRun>& runs) {
   std::vector<std::string> header{"result"}, ids;
   std::vector<std::vector<std::string>> rows;
   for (const ReportRun& run : runs) {
-    header.push_back(html_text(run.name));
+    header.push_back(escape_html(run.name));
     for (const ReportRun::Value& value : run.values) {
       auto at = std::ranges::find(ids, value.id);
       if (at == ids.end()) {
@@ -79,8 +79,8 @@ void remove_date(QByteArray& pdf) {
   if (to > from) pdf.replace(from, to - from, QByteArray(to - from, ' '));
 }
 
-QByteArray pdf_of(const std::string& html, const std::vector<ReportRun>& runs,
-                  const std::string& title) {
+QByteArray render_pdf(const std::string& html, const std::vector<ReportRun>& runs,
+                      const std::string& title) {
   QTextDocument document;
   document.setDefaultFont(QFont("DejaVu Sans", 9));  // headings are multiples of a size in points
   for (const ReportRun& run : runs)
@@ -119,11 +119,11 @@ void draw_report(const ReportRequest& request) {
   QHashSeed::setDeterministicGlobalSeed();  // the order of the fonts in the PDF
   desktop::ensure_headless_application();
   if (request.print_template) {
-    print("{}", usual_report_template());
+    print("{}", default_report_template());
     return;
   }
   const std::string text =
-      request.file.empty() ? usual_report_template() : read_text_file(request.file);
+      request.file.empty() ? default_report_template() : read_text_file(request.file);
   const auto progress = make_count_progress("run", request.progress);
   std::vector<ReportRun> runs;
   for (const std::string& folder : request.runs) {
@@ -136,14 +136,14 @@ void draw_report(const ReportRequest& request) {
   std::vector<ReportParts> parts;
   for (const ReportRun& run : runs) parts.push_back(run.parts);
   const std::string html =
-      fill_report(text, {{"title", html_text(title)}, {"comparison", comparison(runs)}}, parts);
+      fill_report(text, {{"title", escape_html(title)}, {"comparison", comparison(runs)}}, parts);
   desktop::make_folder(request.out);
   const WriteFolder folder((fs::path(request.out)));
   const WritePath page(folder, "report.html"), paper(folder, "report.pdf");
   check_own_report(page);
   check_writable_file(paper);
   write_file_atomically(page, with_pictures(html, runs));
-  const QByteArray pdf = pdf_of(html, runs, title);
+  const QByteArray pdf = render_pdf(html, runs, title);
   write_file_atomically(paper, desktop::text_of(pdf));
   print("{}\n{}\n", page.path().string(), paper.path().string());
 }

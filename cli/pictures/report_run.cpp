@@ -36,7 +36,7 @@ constexpr std::array<std::string_view, 6> kMainPages{
     "Race interactions 1", "Race interactions 2",   "Overall power loss",
     "Load around",         "Contact loads, angles", "Contact ellipses and groove"};
 
-std::string paragraph(std::string_view text) { return "<p>" + html_text(text) + "</p>\n"; }
+std::string paragraph(std::string_view text) { return "<p>" + escape_html(text) + "</p>\n"; }
 
 std::string number(double value) {
   if (std::isnan(value)) return "not computed";
@@ -47,7 +47,7 @@ std::string number(double value) {
 /// A number, or the word that stands for one ("infinite").
 std::string number_text(const Json& value) {
   if (value.is_number()) return number(value.get<double>());
-  return value.is_string() ? html_text(value.get<std::string>()) : "not computed";
+  return value.is_string() ? escape_html(value.get<std::string>()) : "not computed";
 }
 
 std::string text_of(const Json& object, const char* name) {
@@ -66,10 +66,10 @@ Json object_of(const Json& run, const char* name) {
 }
 
 std::string label_of(const results::KeyResultSpec& spec, const std::string& id, bool motion) {
-  if (spec.id.empty()) return html_text(id);
+  if (spec.id.empty()) return escape_html(id);
   std::string label(results::label_of(spec, motion));
   if (!spec.part.empty()) label += fmt::format(", {}", spec.part);
-  return html_text(label);
+  return escape_html(label);
 }
 
 std::string unit_of(const results::KeyResultSpec& spec) {
@@ -104,8 +104,8 @@ void add_findings(ReportRun& run, const std::vector<Finding>& findings) {
                               : each.least ? "at least " + number(*each.least)
                                            : "";
     rows.push_back({fmt::format("<span class=\"{0}\">{0}</span>", severity),
-                    html_text(each.message + (each.remedy.empty() ? "" : "; " + each.remedy)),
-                    each.measured ? number(*each.measured) : "", limit, html_text(each.unit)});
+                    escape_html(each.message + (each.remedy.empty() ? "" : "; " + each.remedy)),
+                    each.measured ? number(*each.measured) : "", limit, escape_html(each.unit)});
   }
   run.parts["findings"] = rows.empty()
                               ? paragraph("No warnings and no notes.")
@@ -139,14 +139,14 @@ void add_deck(ReportRun& run, const fs::path& folder, const Json& json) {
 void add_effects(ReportRun& run, const Json& json) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& effect : object_of(json, "plan").value("effects", Json::array()))
-    rows.push_back({html_text(text_of(effect, "name")), effect.value("on", false) ? "on" : "off",
-                    html_text(text_of(effect, "because"))});
+    rows.push_back({escape_html(text_of(effect, "name")), effect.value("on", false) ? "on" : "off",
+                    escape_html(text_of(effect, "because"))});
   run.parts["effects"] = rows.empty() ? paragraph("The file lists no effects.")
                                       : html_table({"effect", "", "reason"}, rows);
 }
 
 /// 0 for what rounding left of a zero: below 1e-12 of the largest value of the column.
-double without_rounding(const results::StaticColumn& column, std::size_t row) {
+double zero_rounding_noise(const results::StaticColumn& column, std::size_t row) {
   double largest = 0.0;
   for (const double value : column.values)
     if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
@@ -177,10 +177,10 @@ void add_elements(ReportRun& run, const fs::path& run_json, const Json& json) {
       const results::StaticColumn& column = elements->columns[c];
       const std::string_view unit = results::unit_name(*column.unit, tables.units);
       header.push_back(
-          html_text(unit == "-" ? column.name : fmt::format("{} [{}]", column.name, unit)));
+          escape_html(unit == "-" ? column.name : fmt::format("{} [{}]", column.name, unit)));
       for (std::size_t e = 0; e < rows.size() && e < column.values.size(); ++e)
         rows[e].push_back(
-            number(results::from_si(without_rounding(column, e), *column.unit, tables.units)));
+            number(results::from_si(zero_rounding_noise(column, e), *column.unit, tables.units)));
     }
     text += html_table(header, rows, std::vector<bool>(header.size(), true));
   }
@@ -189,13 +189,13 @@ void add_elements(ReportRun& run, const fs::path& run_json, const Json& json) {
 void add_provenance(ReportRun& run, const Json& json) {
   std::vector<std::vector<std::string>> rows;
   const auto row = [&](const char* label, const std::string& value) {
-    if (!value.empty()) rows.push_back({label, html_text(value)});
+    if (!value.empty()) rows.push_back({label, escape_html(value)});
   };
   row("program", text_of(json, "program"));
   row("compiler", text_of(object_of(json, "build"), "compiler"));
   row("instruction set", text_of(object_of(json, "arithmetic"), "instruction set of the contacts"));
   row("deck", text_of(json, "deck"));
-  row("digest of the request", text_of(json, "request"));
+  row("checksum of deck and options", text_of(json, "request"));
   row("integrator", text_of(json, "integrator"));
   row("tolerance", text_of(json, "tolerance"));
   const Json sums = object_of(object_of(json, "measured"), "checksums");
@@ -204,8 +204,8 @@ void add_provenance(ReportRun& run, const Json& json) {
   run.parts["provenance"] = html_table({"", ""}, rows);
   rows.clear();
   for (const Json& used : json.value("defaults_used", Json::array()))
-    rows.push_back({html_text(text_of(used, "record")), html_text(text_of(used, "variable")),
-                    html_text(text_of(used, "value") + " " + text_of(used, "unit"))});
+    rows.push_back({escape_html(text_of(used, "record")), escape_html(text_of(used, "variable")),
+                    escape_html(text_of(used, "value") + " " + text_of(used, "unit"))});
   if (!rows.empty())
     run.parts["provenance"] += paragraph("Values that the deck leaves to their defaults:") +
                                html_table({"record", "variable", "default"}, rows);
@@ -267,7 +267,7 @@ class Pictures {
     const std::string name = fmt::format("run-{}-picture-{}", number_, run_.pictures.size() + 1);
     run_.parts[part] += fmt::format(
         "<p><img src=\"{}\" width=\"{}\" alt=\"{}\"></p>\n<p class=\"caption\">{}</p>\n", name,
-        kPrintedWidth, html_text(caption), html_text(caption));
+        kPrintedWidth, escape_html(caption), escape_html(caption));
     run_.pictures.push_back({name, std::move(image)});
   }
 
@@ -283,7 +283,7 @@ ReportRun report_of(const fs::path& folder, const Json& json, std::size_t number
   ReportRun run;
   const std::string id = text_of(json, "run");
   run.name = id.empty() ? fs::weakly_canonical(folder).filename().string() : id;
-  run.parts["run"] = html_text(run.name);
+  run.parts["run"] = escape_html(run.name);
   std::string status =
       text_of(json, "status") == "done"
           ? "The run is complete."
@@ -292,7 +292,7 @@ ReportRun report_of(const fs::path& folder, const Json& json, std::size_t number
     status += fmt::format(" Span: {} s (revolutions: {}; stored steps: {}).",
                           number_text(json.value("time [s]", Json())),
                           number_text(json.value("revolutions", Json())), text_of(json, "steps"));
-  run.parts["status"] = html_text(status);
+  run.parts["status"] = escape_html(status);
   const std::vector<Finding> findings = results::run_findings(folder);
   add_findings(run, findings);
   add_deck(run, folder, json);
@@ -302,7 +302,7 @@ ReportRun report_of(const fs::path& folder, const Json& json, std::size_t number
   add_provenance(run, json);
   run.parts["charts"] = run.parts["stills"] = "";
   Pictures pictures(run, number, findings);
-  const results::RunFolder files = results::run_folder(folder);
+  const results::PlottableFiles files = results::run_folder(folder);
   for (const fs::path& plot : files.plots) pictures.charts(plot, charts);
   if (json.contains("quasi_static")) pictures.charts(folder / "RUN.json", charts);
   if (files.animation) pictures.stills(*files.animation);
@@ -315,7 +315,7 @@ ReportRun report_of(const fs::path& folder, const Json& json, std::size_t number
 
 }  // namespace
 
-std::string html_text(std::string_view text) {
+std::string escape_html(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()))
       .toHtmlEscaped()
       .toStdString();

@@ -35,7 +35,7 @@ struct ReportRun {
                                    ReportCharts charts);
 
 /// Text as HTML.
-[[nodiscard]] std::string html_text(std::string_view text);
+[[nodiscard]] std::string escape_html(std::string_view text);
 /// A table; cells are HTML, numbers (`numeric`) are right-aligned. "" without rows.
 [[nodiscard]] std::string html_table(const std::vector<std::string>& header,
                                      const std::vector<std::vector<std::string>>& rows,

@@ -26,7 +26,7 @@ std::string fill(std::string_view text, const ReportParts& parts) {
       std::vector<std::string> known;
       for (const auto& [each, html] : parts) known.push_back(each);
       throw InputError(
-          fmt::format("the template asks for {{{{{}}}}}, which is not known here. Known: {}", name,
+          fmt::format("the template contains the unknown name {{{{{}}}}}. Known names: {}", name,
                       fmt::join(known, ", ")));
     }
     out += part->second;
@@ -36,7 +36,7 @@ std::string fill(std::string_view text, const ReportParts& parts) {
 
 }  // namespace
 
-std::string usual_report_template() {
+std::string default_report_template() {
   const QResource file(":/adore/report/template.html");
   if (!file.isValid()) throw InternalError("the template of reports is missing");
   return file.uncompressedData().toStdString();

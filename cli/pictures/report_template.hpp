@@ -12,7 +12,7 @@ namespace adore::cli {
 using ReportParts = std::map<std::string, std::string, std::less<>>;  ///< HTML by name
 
 /// The template that `adore report` uses without --template.
-[[nodiscard]] std::string usual_report_template();
+[[nodiscard]] std::string default_report_template();
 
 /// @param of_all parts outside of {{#runs}}; inside they are known, too
 /// @param of_runs parts of each run; all have the same names

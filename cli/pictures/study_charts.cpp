@@ -9,8 +9,8 @@
 
 namespace adore::cli {
 
-void draw_study(const std::filesystem::path& charts, const std::filesystem::path& folder,
-                bool quiet) {
+void draw_study_charts(const std::filesystem::path& charts, const std::filesystem::path& folder,
+                       bool quiet) {
   const std::vector<desktop::StudyChart> list = desktop::read_study_charts(charts);
   desktop::ensure_headless_application();
   // NAME.study itself must not be a link.

@@ -52,16 +52,17 @@ std::vector<double> spacer_shifts(const Assembly& assembly) {
 std::vector<double> positions(const Assembly& assembly, const std::vector<double>& widths) {
   std::vector<double> out;
   if (assembly.rows.front().position) {
-    for (const RowPlace& row : assembly.rows) out.push_back(*row.position);
+    for (const RowPlacement& row : assembly.rows) out.push_back(*row.position);
     return out;
   }
   double at = 0.0;
   for (std::size_t k = 0; k < widths.size(); ++k) {
     if (!(widths[k] > 0.0))
-      throw InputError(fmt::format(
-          "row {}: its deck has no width of the inner ring, so the position is not known. Enter "
-          "\"position\" in each row of ASSEMBLY.json",
-          k + 1));
+      throw InputError(
+          fmt::format("row {}: the deck does not contain the width of the inner ring, so the "
+                      "position is unknown. Enter "
+                      "\"position\" in each row of ASSEMBLY.json",
+                      k + 1));
     if (k > 0) at += 0.5 * (widths[k - 1] + widths[k]);
     if (k > 0 && !assembly.spacers.empty()) at += assembly.spacers[k - 1].outer;
     out.push_back(at);

@@ -19,7 +19,7 @@ namespace adore::assembly {
 
 inline constexpr std::size_t kMaxRows = 4;
 
-struct RowPlace {
+struct RowPlacement {
   std::string deck;                ///< path from the folder of the assembly: deck or its folder
   int orientation = 1;             ///< +1, -1
   std::optional<double> position;  ///< X of the middle of the row [m]; empty: rows side by side
@@ -51,9 +51,9 @@ struct Preload {
 
 struct Assembly {
   std::string name;
-  std::string arrangement;      ///< one of arrangement_names()
-  std::vector<RowPlace> rows;   ///< in order along X
-  std::vector<Spacer> spacers;  ///< one less than rows, or none
+  std::string arrangement;         ///< one of arrangement_names()
+  std::vector<RowPlacement> rows;  ///< in order along X
+  std::vector<Spacer> spacers;     ///< one less than rows, or none
   Preload preload;
   std::array<double, 5> load{};  ///< of the shaft on the set: x, y, z, about y, about z [N, N m]
   double load_position = 0.0;    ///< X at which the forces act [m]

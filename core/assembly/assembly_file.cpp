@@ -44,7 +44,7 @@ double quantity(const JsonMembers& in, std::string_view name, const nlohmann::js
       in.reject(fmt::format("{} = \"{:.40}\": {}{}{}", name, text, problem.message,
                             problem.remedy.empty() ? "" : "; ", problem.remedy));
   } else {
-    in.reject(fmt::format("{} must be a number [{}] or a text with a unit", name, unit.si));
+    in.reject(fmt::format("{} must be a number [{}] or a string with a unit", name, unit.si));
   }
   if (!(out >= bounds.least && out <= bounds.most))
     in.reject(fmt::format("{} = {:g} {}: out of range; enter {:g} to {:g} {}", name, out, unit.si,
@@ -69,8 +69,8 @@ std::string deck_name(JsonMembers& in) {
   return out;
 }
 
-RowPlace row_of(JsonMembers& in, bool custom) {
-  RowPlace out;
+RowPlacement row_of(JsonMembers& in, bool custom) {
+  RowPlacement out;
   out.deck = deck_name(in);
   if (in.find("position") != nullptr)
     out.position = quantity(in, "position", unit::kLength, {-kFarthest, kFarthest});
@@ -161,7 +161,7 @@ void read_load(JsonMembers& in, Assembly& out) {
 void check_order(const JsonMembers& in, const Assembly& out) {
   const auto given = static_cast<std::size_t>(
       std::count_if(out.rows.begin(), out.rows.end(),
-                    [](const RowPlace& row) { return row.position.has_value(); }));
+                    [](const RowPlacement& row) { return row.position.has_value(); }));
   if (given != 0 && given != out.rows.size())
     in.reject("rows: position is missing in some rows. Enter it in all rows or in none");
   for (std::size_t k = 1; k < out.rows.size() && given > 0; ++k)
@@ -173,7 +173,8 @@ void check_order(const JsonMembers& in, const Assembly& out) {
 }
 
 std::string text_in(double value, const deck::UnitPair& unit, std::string_view wanted) {
-  return fmt::format("{} {}", deck::number_in(value, unit, deck::UnitSystem::SI, wanted), wanted);
+  return fmt::format("{} {}", deck::number_in_unit(value, unit, deck::UnitSystem::SI, wanted),
+                     wanted);
 }
 
 Json preload_json(const Preload& preload) {
@@ -229,7 +230,7 @@ Assembly read_assembly(std::string_view json, std::string_view name) {
     return JsonMembers(*value, fmt::format("{}, {}", name, member));
   };
   if (auto preload = object("preload")) out.preload = preload_of(*preload);
-  const auto opposed = std::any_of(out.rows.begin(), out.rows.end(), [&](const RowPlace& row) {
+  const auto opposed = std::any_of(out.rows.begin(), out.rows.end(), [&](const RowPlacement& row) {
     return row.orientation != out.rows.front().orientation;
   });
   if (out.preload.kind != PreloadKind::None && !opposed)
@@ -253,7 +254,7 @@ std::string assembly_text(const Assembly& assembly) {
   out["name"] = assembly.name;
   out["arrangement"] = assembly.arrangement;
   out["rows"] = Json::array();
-  for (const RowPlace& row : assembly.rows) {
+  for (const RowPlacement& row : assembly.rows) {
     Json one;
     one["deck"] = row.deck;
     if (assembly.arrangement == "custom") one["orientation"] = row.orientation > 0 ? "+" : "-";

@@ -1,5 +1,6 @@
 #include "assembly/assembly_report.hpp"
 
+#include "base/constants.hpp"
 #include "base/counted.hpp"
 #include "listing/report.hpp"
 
@@ -17,8 +18,6 @@ namespace {
 
 namespace unit = results::unit;
 using Json = nlohmann::ordered_json;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 double find_result(const results::KeyResults& list, std::string_view id) {
   for (const results::KeyResult& one : list)
@@ -81,10 +80,10 @@ void add_preload(const AssemblyResult& result, std::vector<std::string>& out) {
     out.emplace_back(
         "unloading force: not computed, because no row is loaded without external load");
   for (const Unloading& one : result.unloading)
-    out.push_back(fmt::format(
-        "unloading, without speed: an axial force of {} along x takes all load from row {} "
-        "(shaft displacement {:.4g} µm)",
-        force_text(one.force), one.row + 1, 1e6 * one.displacement));
+    out.push_back(
+        fmt::format("unloading force at rest: an axial force of {} along x unloads row {} (shaft "
+                    "displacement {:.4g} µm)",
+                    force_text(one.force), one.row + 1, 1e6 * one.displacement));
 }
 
 void add_lives(const AssemblyResult& result, std::vector<std::string>& out) {
@@ -209,14 +208,14 @@ std::vector<std::string> result_lines(const AssemblyResult& result) {
   return out;
 }
 
-std::string listing_of(const AssemblyResult& result) {
+std::string assembly_listing(const AssemblyResult& result) {
   listing::Report page(result.assembly.name, results::UnitSystem::SI);
   page.new_page("SET OF BEARING ROWS");
   page.text(headline(result));
   page.text(
       "Frame of the set: x along the shaft, z radial upward. The shaft pushes the inner ring of a "
       "+ "
-      "row to +x and that of a - row to -x. Axial loads of rows are positive when they press the "
+      "row to +x and that of a - row to -x. The axial load of a row is positive if it loads the "
       "row.");
   page.heading("Rows");
   print_table(page, rows_table(result), "row", 0,
@@ -238,18 +237,18 @@ std::string listing_of(const AssemblyResult& result) {
               {"about y", &unit::kCoupledStiffness},
               {"about z", &unit::kCoupledStiffness}},
              matrix_rows(result.loaded.state.stiffness));
-  page.text("Moments over displacements are in N.m/m, moments over rotations in N.m/rad.");
+  page.text("Moments per displacement are in N.m/m, moments per rotation in N.m/rad.");
   if (result.opposed) {
     page.new_page("PRELOAD AND UNLOADING");
     std::vector<std::string> lines;
     add_preload(result, lines);
     for (const std::string& line : lines) page.text(line);
-    page.heading("Axial force over displacement of the shaft from the unloaded set");
+    page.heading("Axial force versus displacement of the shaft from the unloaded set");
     std::vector<std::string> titles{"shift", "force", "stiffness"};
     for (std::size_t k = 0; k < result.rows.size(); ++k)
       titles.push_back(fmt::format("row {}", k + 1));
     print_table(page, curve_table(result), "point", 0, titles);
-    page.heading("Preload over axial offset of the set, unmounted");
+    page.heading("Preload versus axial offset of the set, unmounted");
     print_table(page, preload_table(result), "point", 0, {"offset", "preload", "stiffness"});
   }
   if (!result.findings.empty()) {

@@ -14,7 +14,7 @@ namespace adore::assembly {
 /// A table of the rows and one line each for displacement, stiffness, preload, unloading and lives.
 [[nodiscard]] std::vector<std::string> result_lines(const AssemblyResult& result);
 /// PRINT.txt of the set.
-[[nodiscard]] std::string listing_of(const AssemblyResult& result);
+[[nodiscard]] std::string assembly_listing(const AssemblyResult& result);
 /// "assembly" of RUN.json: arrangement, rows, stiffness matrices, preload, unloading.
 [[nodiscard]] nlohmann::ordered_json result_json(const AssemblyResult& result);
 /// "quasi_static" of RUN.json: tables "rows", "axial force", "preload".

@@ -6,8 +6,8 @@ namespace adore::assembly {
 namespace {
 
 struct Pair {
-  RowSet set;
-  SetState unloaded;
+  BearingSet set;
+  BearingSetState unloaded;
 };
 
 Pair pair_of(const runs::Prepared& row, double preload) {
@@ -21,7 +21,7 @@ Pair pair_of(const runs::Prepared& row, double preload) {
     out.set.rows.push_back(
         {RowModel(row, RowCondition::Mounted), orientation, orientation > 0 ? -half : half, 0.0});
   set_offsets(out.set, assembly, offset_for_force(out.set, assembly, preload));
-  out.unloaded = solve_set(out.set, std::array<double, 5>{}).state;
+  out.unloaded = solve_bearing_set(out.set, std::array<double, 5>{}).state;
   return out;
 }
 
@@ -33,7 +33,7 @@ DuplexPair duplex_pair(const runs::Prepared& row, double preload) {
   return {total_offset(pair.set), K(0, 0), K(2, 2)};
 }
 
-std::optional<double> duplex_unloading(const runs::Prepared& row, double preload) {
+std::optional<double> duplex_unloading_force(const runs::Prepared& row, double preload) {
   const Pair pair = pair_of(row, preload);
   for (const Unloading& one : unloading_forces(pair.set, pair.unloaded, [] {}))
     if (one.force > 0.0) return one.force;

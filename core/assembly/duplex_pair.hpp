@@ -16,6 +16,7 @@ struct DuplexPair {
 /// @param preload axial load of each row [N] @throws SolverError
 [[nodiscard]] DuplexPair duplex_pair(const runs::Prepared& row, double preload);
 /// Axial force that unloads one row of the pair [N]; empty: none was found.
-[[nodiscard]] std::optional<double> duplex_unloading(const runs::Prepared& row, double preload);
+[[nodiscard]] std::optional<double> duplex_unloading_force(const runs::Prepared& row,
+                                                           double preload);
 
 }  // namespace adore::assembly

@@ -3,7 +3,7 @@
 #include "assembly/assembly_file.hpp"
 #include "base/errors.hpp"
 #include "base/write_folder.hpp"
-#include "deck/keep_text.hpp"
+#include "deck/deck_text_with_comments.hpp"
 #include "runs/deck_request.hpp"
 
 #include <fmt/format.h>
@@ -18,12 +18,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<const char*, 5> kLoads{"appLoadX", "appLoadY", "appLoadZ", "appMomY",
-                                            "appMomZ"};
+constexpr std::array<const char*, 5> kLoadVariables{"appLoadX", "appLoadY", "appLoadZ", "appMomY",
+                                                    "appMomZ"};
 
 void reject_loads(const std::vector<std::pair<std::string, std::string>>& sets) {
   for (const auto& [name, value] : sets)
-    if (std::find(kLoads.begin(), kLoads.end(), name) != kLoads.end())
+    if (std::find(kLoadVariables.begin(), kLoadVariables.end(), name) != kLoadVariables.end())
       throw InputError(
           fmt::format("{} = {:.40}: loads belong to the set, not to its rows. Enter them as "
                       "\"load\" in ASSEMBLY.json",
@@ -32,8 +32,8 @@ void reject_loads(const std::vector<std::pair<std::string, std::string>>& sets) 
 
 }  // namespace
 
-std::string row_deck(const std::string& text,
-                     const std::vector<std::pair<std::string, std::string>>& sets) {
+std::string make_row_deck(const std::string& text,
+                          const std::vector<std::pair<std::string, std::string>>& sets) {
   runs::DeckRequest request;
   request.text = text;
   request.deck = "deck of a row";
@@ -43,12 +43,12 @@ std::string row_deck(const std::string& text,
   const deck::Deck given = runs::load_deck(request).deck;
   if (given.integer("mode") >= 0) request.sets.emplace_back("mode", "-1");
   if (given.integer("kStif") > 0) request.sets.emplace_back("kStif", "0");
-  for (const char* load : kLoads)
+  for (const char* load : kLoadVariables)
     if (given.has(load) && given.si(load) != 0.0) request.sets.emplace_back(load, "0");
   return request.sets.empty() ? text : deck::with_deck(text, runs::load_deck(request).deck).text;
 }
 
-Assembly named_assembly(const std::string& arrangement) {
+Assembly assembly_from_arrangement(const std::string& arrangement) {
   const std::vector<int> signs = orientations(arrangement);
   if (signs.empty()) {
     std::vector<std::string> names = arrangement_names();
@@ -60,7 +60,7 @@ Assembly named_assembly(const std::string& arrangement) {
   out.name = arrangement + " set";
   out.arrangement = arrangement;
   for (std::size_t k = 0; k < signs.size(); ++k) {
-    RowPlace row;
+    RowPlacement row;
     row.deck = fmt::format("row-{}", k + 1);
     row.orientation = signs[k];
     out.rows.push_back(std::move(row));
@@ -69,7 +69,7 @@ Assembly named_assembly(const std::string& arrangement) {
 }
 
 std::vector<fs::path> write_assembly(const fs::path& folder, const Assembly& assembly,
-                                     const std::vector<RowText>& rows) {
+                                     const std::vector<RowDeckText>& rows) {
   demand(rows.size() == assembly.rows.size(), "one deck for each row");
   std::vector<std::pair<fs::path, std::string>> files{{kFileName, assembly_text(assembly)}};
   for (std::size_t k = 0; k < rows.size(); ++k) {

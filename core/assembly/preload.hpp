@@ -21,16 +21,16 @@
 namespace adore::assembly {
 
 /// Both orientations are there.
-[[nodiscard]] bool is_opposed(const RowSet& set);
+[[nodiscard]] bool has_opposed_rows(const BearingSet& set);
 /// Offsets of rows and spacers of the assembly, and `more` as half of it at each row.
-void set_offsets(RowSet& set, const Assembly& assembly, double more);
-/// Offset of the set [m]. @pre is_opposed()
-[[nodiscard]] double total_offset(const RowSet& set);
-/// @pre is_opposed()
-[[nodiscard]] double preload_force(const RowSet& set, const SetState& state);
+void set_offsets(BearingSet& set, const Assembly& assembly, double more);
+/// Offset of the set [m]. @pre has_opposed_rows()
+[[nodiscard]] double total_offset(const BearingSet& set);
+/// @pre has_opposed_rows()
+[[nodiscard]] double preload_force(const BearingSet& set, const BearingSetState& state);
 
 /// `more` of set_offsets() for this preload [m]. @throws SolverError
-[[nodiscard]] double offset_for_force(RowSet set, const Assembly& assembly, double force);
+[[nodiscard]] double offset_for_force(BearingSet set, const Assembly& assembly, double force);
 
 struct Unloading {
   std::size_t row = 0;        ///< from 0
@@ -40,19 +40,22 @@ struct Unloading {
 /// Of each row that is loaded in the unloaded set and that an axial force unloads.
 /// @pre rows that are not in operation
 /// @param poll called between solutions; may throw
-[[nodiscard]] std::vector<Unloading> unloading_forces(const RowSet& set, const SetState& unloaded,
+[[nodiscard]] std::vector<Unloading> unloading_forces(const BearingSet& set,
+                                                      const BearingSetState& unloaded,
                                                       const std::function<void()>& poll);
 
-struct CurvePoint {
+struct AxialCurvePoint {
   double displacement = 0.0;     ///< of the shaft from the unloaded set [m]
   double force = 0.0;            ///< external, along X [N]
   double stiffness = 0.0;        ///< d force / d displacement, all other directions held [N/m]
   std::vector<double> row_load;  ///< axial load of each row, along its own +x [N]
 };
 /// Force over displacement, a quarter beyond the unloading of the first row to either side.
-[[nodiscard]] std::vector<CurvePoint> axial_curve(const RowSet& set, const SetState& unloaded,
-                                                  const std::vector<Unloading>& unloading,
-                                                  int points, const std::function<void()>& poll);
+[[nodiscard]] std::vector<AxialCurvePoint> axial_curve(const BearingSet& set,
+                                                       const BearingSetState& unloaded,
+                                                       const std::vector<Unloading>& unloading,
+                                                       int points,
+                                                       const std::function<void()>& poll);
 
 struct PreloadPoint {
   double offset = 0.0;     ///< of the set [m]
@@ -60,7 +63,7 @@ struct PreloadPoint {
   double stiffness = 0.0;  ///< axial, of the unloaded set [N/m]
 };
 /// Preload over offset, from touching rows to 1.5 times the offset of the set.
-[[nodiscard]] std::vector<PreloadPoint> preload_curve(const RowSet& set, int points,
+[[nodiscard]] std::vector<PreloadPoint> preload_curve(const BearingSet& set, int points,
                                                       const std::function<void()>& poll);
 
 }  // namespace adore::assembly

@@ -82,7 +82,7 @@ RowState state_of(const statics::RollerSolution& solution, const Vec5& own) {
 }
 
 std::variant<statics::BallModel, statics::RollerModel> model_of(
-    const bearing::Bearing& bearing, const statics::StaticsOptions& balls,
+    const bearing::Bearing& bearing, const statics::BallStaticsOptions& balls,
     const statics::RollerOptions& rollers) {
   if (bearing.rollers()) return statics::make_roller_model(bearing, rollers);
   return statics::make_ball_model(bearing, balls);
@@ -92,7 +92,7 @@ std::variant<statics::BallModel, statics::RollerModel> model_of(
 
 RowModel::RowModel(const runs::Prepared& prepared, RowCondition condition)
     : bearing_(condition == RowCondition::Unmounted ? prepared.as_built : prepared.bearing),
-      ball_options_(runs::ball_options(prepared)),
+      ball_options_(runs::ball_statics_options(prepared)),
       roller_options_(prepared.options.rollers) {
   if (condition != RowCondition::Operation) {
     bearing_.speed = {};
@@ -104,8 +104,8 @@ RowModel::RowModel(const runs::Prepared& prepared, RowCondition condition)
   bearing_.constraints.displacement = {};
   bearing_.constraints.displacement_given.fill(true);
   model_ = model_of(bearing_, ball_options_, roller_options_);
-  friction_ = bearing_.rollers() ? statics::has_friction_balance(bearing_, roller_options_)
-                                 : statics::has_friction_balance(bearing_, ball_options_);
+  includes_friction_ = bearing_.rollers() ? statics::has_friction_balance(bearing_, roller_options_)
+                                          : statics::has_friction_balance(bearing_, ball_options_);
 }
 
 RowState RowModel::at(const Vec5& own) const {
@@ -114,14 +114,14 @@ RowState RowModel::at(const Vec5& own) const {
   if (bearing.rollers())
     return state_of(statics::solve_roller_statics(bearing, roller_options_), own);
   statics::FrictionBalance balance;
-  return state_of(statics::solve_balls(bearing, ball_options_, {}, balance), own);
+  return state_of(statics::solve_balls_with_friction(bearing, ball_options_, {}, balance), own);
 }
 
 RowModel RowModel::without_friction() const {
   RowModel out = *this;
   out.ball_options_.friction_balance = false;
   out.roller_options_.friction_balance = false;
-  out.friction_ = false;
+  out.includes_friction_ = false;
   return out;
 }
 
@@ -143,7 +143,7 @@ double RowModel::reference_stiffness(double load) const {
                     model_);
 }
 
-double RowModel::reference_point() const {
+double RowModel::inner_reference_x() const {
   const auto* balls = std::get_if<statics::BallModel>(&model_);
   return balls == nullptr ? 0.0 : balls->groove.centre_x[1];
 }

@@ -49,9 +49,9 @@ class RowModel {
   /// Of one contact under that load [N/m].
   [[nodiscard]] double reference_stiffness(double load) const;
   /// x of the inner race's reference point at zero displacement [m].
-  [[nodiscard]] double reference_point() const;
+  [[nodiscard]] double inner_reference_x() const;
   /// Friction enters the equilibrium: it is exact to about 1e-6 of the loads only.
-  [[nodiscard]] bool has_friction() const noexcept { return friction_; }
+  [[nodiscard]] bool has_friction() const noexcept { return includes_friction_; }
   /// The same row with the equilibrium without friction, which takes a tenth of the time.
   [[nodiscard]] RowModel without_friction() const;
   [[nodiscard]] bool rollers() const noexcept { return bearing_.rollers() != nullptr; }
@@ -59,10 +59,10 @@ class RowModel {
 
  private:
   bearing::Bearing bearing_;
-  statics::StaticsOptions ball_options_;
+  statics::BallStaticsOptions ball_options_;
   statics::RollerOptions roller_options_;
   std::variant<statics::BallModel, statics::RollerModel> model_;
-  bool friction_ = false;
+  bool includes_friction_ = false;
 };
 
 }  // namespace adore::assembly

@@ -121,8 +121,8 @@ AssemblyOutcome run_assembly(const AssemblyRunRequest& request, std::stop_token 
     run.files.emplace_back(name);
     out.files.push_back(out.folder / name);
   }
-  write_file_atomically(WritePath(made.folder(), "PRINT.txt"), listing_of(out.result));
-  run.sums.push_back(results::sum_of_file(out.folder / "PRINT.txt"));
+  write_file_atomically(WritePath(made.folder(), "PRINT.txt"), assembly_listing(out.result));
+  run.sums.push_back(results::file_checksum(out.folder / "PRINT.txt"));
   results::write_run_json(run, WritePath(made.folder(), "RUN.json"));
   nlohmann::ordered_json members;
   members["assembly"] = result_json(out.result);
@@ -159,8 +159,9 @@ AssemblyCheck check_assembly(const AssemblyRequest& request, std::stop_token sto
   for (std::size_t k = 0; k < assembly.rows.size(); ++k) try {
       runs::DeckRequest row = row_request(request, assembly, k);
       const deck::Deck deck = runs::load_deck(row).deck;
-      check_row(deck, k);
-      const auto held = solved ? solved->rows[k].changes : held_sets(Vec5::Zero(), deck.units());
+      check_row_deck(deck, k);
+      const auto held = solved ? solved->rows[k].changes
+                               : prescribed_displacement_sets(Vec5::Zero(), deck.units());
       row.sets.insert(row.sets.end(), held.begin(), held.end());
       add_prefixed(out, runs::check(row, stop).issues, k, solved.has_value());
     } catch (const InputError& error) {

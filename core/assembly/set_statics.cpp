@@ -31,8 +31,8 @@ Vec5 mirror(int orientation) {
   return (Vec5() << s, 1.0, 1.0, s, s).finished();
 }
 
-double lever(const SetRow& row) {
-  return row.position + row.orientation * row.model.reference_point();
+double lever(const BearingSetRow& row) {
+  return row.position + row.orientation * row.model.inner_reference_x();
 }
 
 /// Adds the moment L a × F of the forces to y and z.
@@ -53,7 +53,7 @@ struct Placed {
   Row5 force_by_q;
 };
 
-Placed place(const SetRow& row, const Vec5& q, double shift) {
+Placed place(const BearingSetRow& row, const Vec5& q, double shift) {
   const ShaftAxis axis(q);
   const double L = lever(row);
   const Vec5 D = mirror(row.orientation);
@@ -82,12 +82,12 @@ Placed place(const SetRow& row, const Vec5& q, double shift) {
   return out;
 }
 
-bool has_friction(const RowSet& set) {
+bool has_friction(const BearingSet& set) {
   return std::any_of(set.rows.begin(), set.rows.end(),
-                     [](const SetRow& row) { return row.model.has_friction(); });
+                     [](const BearingSetRow& row) { return row.model.has_friction(); });
 }
 
-bool is_elastic(const RowSet& set) {
+bool is_elastic(const BearingSet& set) {
   return std::any_of(set.compliance.begin(), set.compliance.end(),
                      [](double c) { return c > 0.0; });
 }
@@ -98,7 +98,7 @@ struct Spacers {
   Eigen::MatrixXd by_shift, by_q;
 };
 
-Spacers spacers(const RowSet& set, const std::vector<Placed>& rows) {
+Spacers spacers(const BearingSet& set, const std::vector<Placed>& rows) {
   const auto n = static_cast<Eigen::Index>(rows.size()) - 1;
   Spacers out{Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, 5)};
   for (Eigen::Index k = 0; k < n; ++k) {
@@ -118,7 +118,7 @@ Spacers spacers(const RowSet& set, const std::vector<Placed>& rows) {
 
 /// Rows at q; with elastic spacers their shifts are found by Newton steps, halved while the
 /// residual grows.
-bool place_all(const RowSet& set, const Vec5& q, std::vector<double> shifts,
+bool place_all(const BearingSet& set, const Vec5& q, std::vector<double> shifts,
                std::vector<Placed>& rows, Eigen::MatrixXd& shift_by_q) {
   const auto evaluate = [&](const std::vector<double>& e) {
     std::vector<Placed> out;
@@ -156,21 +156,22 @@ bool place_all(const RowSet& set, const Vec5& q, std::vector<double> shifts,
 }
 
 /// Start of the search with friction: the equilibrium without it, or the first guess.
-Vec5 start_without_friction(const RowSet& set, const statics::RaceTask& task, const Vec5& start) {
-  RowSet plain = set;
-  for (SetRow& row : plain.rows) row.model = row.model.without_friction();
-  SetState state;
+Vec5 start_without_friction(const BearingSet& set, const statics::RaceLoadCase& task,
+                            const Vec5& start) {
+  BearingSet plain = set;
+  for (BearingSetRow& row : plain.rows) row.model = row.model.without_friction();
+  BearingSetState state;
   state.q = start;
-  return statics::solve_race_surely(plain, task, state, 1e-6).converged ? state.q : start;
+  return statics::solve_race_with_fallback(plain, task, state, 1e-6).converged ? state.q : start;
 }
 
 }  // namespace
 
-statics::RaceScales race_scales(const RowSet& set) {
+statics::RaceScales race_scales(const BearingSet& set) {
   statics::RaceScales out;
   out.lever = 0.0;
   double first = 0.0, last = 0.0, offset = 0.0;
-  for (const SetRow& row : set.rows) {
+  for (const BearingSetRow& row : set.rows) {
     const statics::RaceScales own = row.model.scales();
     out.lever = std::max(out.lever, own.lever);
     out.longest_step =
@@ -187,13 +188,15 @@ statics::RaceScales race_scales(const RowSet& set) {
   return out;
 }
 
-double reference_stiffness(const RowSet& set, double load) {
+double reference_stiffness(const BearingSet& set, double load) {
   double out = 0.0;
-  for (const SetRow& row : set.rows) out = std::max(out, row.model.reference_stiffness(load));
+  for (const BearingSetRow& row : set.rows)
+    out = std::max(out, row.model.reference_stiffness(load));
   return out;
 }
 
-bool update_race(const RowSet& set, const Vec5& q, SetState& state, double /*accuracy*/) {
+bool update_race(const BearingSet& set, const Vec5& q, BearingSetState& state,
+                 double /*accuracy*/) {
   std::vector<double> shifts(set.rows.size(), 0.0);
   for (std::size_t k = 0; k < state.elements.size(); ++k) shifts[k] = state.elements[k].shift;
   std::vector<Placed> rows;
@@ -219,16 +222,18 @@ bool update_race(const RowSet& set, const Vec5& q, SetState& state, double /*acc
   return true;
 }
 
-Vec5 load_in_set(const SetRow& row, const RowState& state) {
+Vec5 row_load_in_set_frame(const BearingSetRow& row, const RowState& state) {
   return mirror(row.orientation).cwiseProduct(state.load);
 }
 
-SetSolution solve_set(const RowSet& set, const statics::RaceTask& task, const Vec5& start) {
+BearingSetSolution solve_bearing_set(const BearingSet& set, const statics::RaceLoadCase& task,
+                                     const Vec5& start) {
   const bool friction = has_friction(set);
   const double target = friction ? 1e-7 : 1e-11;
-  SetSolution out;
+  BearingSetSolution out;
   out.state.q = friction ? start_without_friction(set, task, start) : start;
-  const statics::RaceSolve solve = statics::solve_race_surely(set, task, out.state, target);
+  const statics::RaceSolveResult solve =
+      statics::solve_race_with_fallback(set, task, out.state, target);
   out.iterations = solve.iterations;
   out.residual = solve.residual;
   const double enough = friction ? 1e-4 : 1e-9;
@@ -242,22 +247,23 @@ SetSolution solve_set(const RowSet& set, const statics::RaceTask& task, const Ve
     throw SolverError(fmt::format(
         "equilibrium of the set: under {} Newton's iteration {}{}. Reduce the load, or increase "
         "the preload",
-        loads, statics::how_far(solve),
-        solve.element_failed ? ", because an element of a row lost its equilibrium" : ""));
+        loads, statics::solve_failure_text(solve),
+        solve.element_failed ? ", because an element of a row has no equilibrium" : ""));
   }
   std::array<double, 5> q{};
   for (std::size_t k = 0; k < 5; ++k) q[k] = out.state.q(static_cast<Eigen::Index>(k));
-  out.notes = statics::held_notes(solve.held, q);
+  out.notes = statics::unsupported_direction_notes(solve.held, q);
   const double k_ref = reference_stiffness(set, std::max(out.state.largest_contact, 1e-300));
   if (const auto mode = statics::unstable_mode(race_scales(set), task, out.state.stiffness, k_ref))
     out.notes.push_back(statics::instability_note(mode, {}));
   return out;
 }
 
-SetSolution solve_set(const RowSet& set, const std::array<double, 5>& load, const Vec5& start) {
-  statics::RaceTask task;
+BearingSetSolution solve_bearing_set(const BearingSet& set, const std::array<double, 5>& load,
+                                     const Vec5& start) {
+  statics::RaceLoadCase task;
   for (std::size_t k = 0; k < 5; ++k) task.load(static_cast<Eigen::Index>(k)) = load[k];
-  return solve_set(set, task, start);
+  return solve_bearing_set(set, task, start);
 }
 
 }  // namespace adore::assembly

@@ -24,45 +24,47 @@
 /// Limits: shaft, housing and rings are rigid; radially, rings do not move by spacers.
 namespace adore::assembly {
 
-struct SetRow {
+struct BearingSetRow {
   RowModel model;
   int orientation = 1;
   double position = 0.0;  ///< X of the middle of the row [m]
   double offset = 0.0;    ///< g [m]
 };
 
-struct RowSet {
-  std::vector<SetRow> rows;
+struct BearingSet {
+  std::vector<BearingSetRow> rows;
   std::vector<double> compliance;  ///< c_k [m/N], one less than rows, or empty: rigid
 };
 
-using SetState = statics::RaceState<RowState>;
+using BearingSetState = statics::RaceState<RowState>;
 
 // Functions of an element set for race_equilibrium.hpp.
-[[nodiscard]] statics::RaceScales race_scales(const RowSet& set);
-[[nodiscard]] double reference_stiffness(const RowSet& set, double load);
-[[nodiscard]] inline bool is_conservative(const RowSet&) { return false; }
-[[nodiscard]] inline double first_accuracy(const RowSet&) { return 0.0; }
-[[nodiscard]] bool update_race(const RowSet& set, const Vec5& q, SetState& state,
+[[nodiscard]] statics::RaceScales race_scales(const BearingSet& set);
+[[nodiscard]] double reference_stiffness(const BearingSet& set, double load);
+[[nodiscard]] inline bool is_conservative(const BearingSet&) { return false; }
+[[nodiscard]] inline double initial_accuracy(const BearingSet&) { return 0.0; }
+[[nodiscard]] bool update_race(const BearingSet& set, const Vec5& q, BearingSetState& state,
                                double accuracy = 0.0);
 
-struct SetSolution {
-  SetState state;                  ///< elements are the rows; load and stiffness at X = 0
-  std::vector<std::string> notes;  ///< directions without support, instability
+struct BearingSetSolution {
+  BearingSetState state;       ///< elements are the rows; load and stiffness at X = 0
+  std::vector<Finding> notes;  ///< directions without support, instability
   int iterations = 0;
   double residual = 0.0;  ///< of the forces over the load
 };
 
 /// Displacement or load of each direction given. @param start first guess of q
 /// @throws SolverError naming the load and the cause
-[[nodiscard]] SetSolution solve_set(const RowSet& set, const statics::RaceTask& task,
-                                    const Vec5& start = Vec5::Zero());
+[[nodiscard]] BearingSetSolution solve_bearing_set(const BearingSet& set,
+                                                   const statics::RaceLoadCase& task,
+                                                   const Vec5& start = Vec5::Zero());
 /// Under this load at X = 0.
-[[nodiscard]] SetSolution solve_set(const RowSet& set, const std::array<double, 5>& load,
-                                    const Vec5& start = Vec5::Zero());
+[[nodiscard]] BearingSetSolution solve_bearing_set(const BearingSet& set,
+                                                   const std::array<double, 5>& load,
+                                                   const Vec5& start = Vec5::Zero());
 
 /// Load of the shaft on row k, frame of the set, about the reference point of its inner race.
-[[nodiscard]] Vec5 load_in_set(const SetRow& row, const RowState& state);
+[[nodiscard]] Vec5 row_load_in_set_frame(const BearingSetRow& row, const RowState& state);
 /// Axial load that presses the row: along its own +x [N].
 [[nodiscard]] inline double axial_load(const RowState& state) { return state.load(0); }
 

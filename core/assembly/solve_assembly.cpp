@@ -51,14 +51,14 @@ runs::Prepared prepare_row(const AssemblyRequest& request, const Assembly& assem
                            const std::stop_token& stop) {
   runs::DeckRequest row = row_request(request, assembly, k);
   const deck::Deck deck = runs::load_deck(row).deck;
-  check_row(deck, k);
-  row.changes = held_sets(Vec5::Zero(), deck.units());
+  check_row_deck(deck, k);
+  row.changes = prescribed_displacement_sets(Vec5::Zero(), deck.units());
   return runs::prepare(row, stop);
 }
 
-RowSet set_of(const std::vector<runs::Prepared>& rows, const Assembly& assembly,
-              const std::vector<double>& at, RowCondition condition) {
-  RowSet out;
+BearingSet set_of(const std::vector<runs::Prepared>& rows, const Assembly& assembly,
+                  const std::vector<double>& at, RowCondition condition) {
+  BearingSet out;
   for (std::size_t k = 0; k < rows.size(); ++k)
     out.rows.push_back({RowModel(rows[k], condition), assembly.rows[k].orientation, at[k], 0.0});
   for (const Spacer& spacer : assembly.spacers) out.compliance.push_back(1.0 / spacer.stiffness);
@@ -76,7 +76,7 @@ std::array<double, 5> load_at_origin(const Assembly& assembly) {
 
 /// The same rows in three conditions.
 struct Sets {
-  RowSet unmounted, mounted, operation;
+  BearingSet unmounted, mounted, operation;
 };
 
 /// The offsets of the rows for the preload of the assembly.
@@ -87,7 +87,7 @@ void preload_sets(const Assembly& assembly, Sets& sets) {
   else if (assembly.preload.kind == PreloadKind::Force)
     more = offset_for_force(assembly.preload.in_operation ? sets.operation : sets.unmounted,
                             assembly, assembly.preload.force);
-  for (RowSet* set : {&sets.unmounted, &sets.mounted, &sets.operation})
+  for (BearingSet* set : {&sets.unmounted, &sets.mounted, &sets.operation})
     set_offsets(*set, assembly, more);
 }
 
@@ -121,7 +121,7 @@ void add_race(AssemblyResult& out) {
       kLoad{"load_x_N", "load_y_N", "load_z_N", "load_about_y_Nm", "load_about_z_Nm"},
       kStiffness{"stiffness_x_N_per_m", "stiffness_y_N_per_m", "stiffness_z_N_per_m",
                  "stiffness_about_y_Nm_per_rad", "stiffness_about_z_Nm_per_rad"};
-  const SetState& at = out.loaded.state;
+  const BearingSetState& at = out.loaded.state;
   for (int k = 0; k < 5; ++k) add(out.set, kDisplacement[static_cast<std::size_t>(k)], at.q(k));
   for (int k = 0; k < 5; ++k) add(out.set, kLoad[static_cast<std::size_t>(k)], at.load(k));
   double load = 0.0, pressure = 0.0;
@@ -138,11 +138,13 @@ void add_race(AssemblyResult& out) {
 void add_preload_results(const Sets& sets, const std::function<void()>& poll, AssemblyResult& out) {
   constexpr std::array<double, 5> kNoLoad{};
   out.offset = total_offset(sets.operation);
-  out.preload_unmounted = preload_force(sets.unmounted, solve_set(sets.unmounted, kNoLoad).state);
-  out.unloaded = solve_set(sets.operation, kNoLoad);
+  out.preload_unmounted =
+      preload_force(sets.unmounted, solve_bearing_set(sets.unmounted, kNoLoad).state);
+  out.unloaded = solve_bearing_set(sets.operation, kNoLoad);
   out.preload_operation = preload_force(sets.operation, out.unloaded.state);
   poll();
-  const SetState mounted = solve_set(sets.mounted, kNoLoad, out.unloaded.state.q).state;
+  const BearingSetState mounted =
+      solve_bearing_set(sets.mounted, kNoLoad, out.unloaded.state.q).state;
   out.unloading = unloading_forces(sets.mounted, mounted, poll);
   out.curve = axial_curve(sets.mounted, mounted, out.unloading, kCurvePoints, poll);
   out.preload = preload_curve(sets.unmounted, kPreloadPoints, poll);
@@ -168,7 +170,7 @@ void add_findings(AssemblyResult& out, const fs::path& file) {
     finding.file = file.string();
     out.findings.push_back(std::move(finding));
   };
-  for (const std::string& note : out.loaded.notes) add_one(finding_of_note(note, "statics."));
+  for (const Finding& note : out.loaded.notes) add_one(note);
   for (std::size_t k = 0; k < out.rows.size(); ++k)
     if (out.rows[k].state.loaded == 0)
       add_one(make_finding("assembly.unloaded_row",
@@ -208,8 +210,8 @@ runs::DeckRequest row_request(const AssemblyRequest& request, const Assembly& as
   return out;
 }
 
-std::vector<std::pair<std::string, std::string>> held_sets(const Vec5& own,
-                                                           deck::UnitSystem system) {
+std::vector<std::pair<std::string, std::string>> prescribed_displacement_sets(
+    const Vec5& own, deck::UnitSystem system) {
   std::vector<std::pair<std::string, std::string>> out;
   for (const char* flag : {"kFS1", "kFS2", "kFS3", "kFS4", "kFS5"}) out.emplace_back(flag, "1");
   constexpr std::array<const char*, 5> kNames{"appDispX", "appDispY", "appDispZ", "appMis12",
@@ -221,7 +223,7 @@ std::vector<std::pair<std::string, std::string>> held_sets(const Vec5& own,
   return out;
 }
 
-void check_row(const deck::Deck& deck, std::size_t k) {
+void check_row_deck(const deck::Deck& deck, std::size_t k) {
   if (deck.integer("mode") >= 0)
     refuse(deck, k, "mode",
            "rows of an assembly are quasi-static; motions of several rows on one "
@@ -257,31 +259,31 @@ AssemblyResult solve_assembly(const AssemblyRequest& request, std::stop_token st
   Sets sets{set_of(prepared, assembly, at, RowCondition::Unmounted),
             set_of(prepared, assembly, at, RowCondition::Mounted),
             set_of(prepared, assembly, at, RowCondition::Operation)};
-  const RowSet& operation = sets.operation;
-  out.opposed = is_opposed(operation);
+  const BearingSet& operation = sets.operation;
+  out.opposed = has_opposed_rows(operation);
   preload_sets(assembly, sets);
   poll();
   if (out.opposed) add_preload_results(sets, poll, out);
   poll();
-  out.loaded = solve_set(operation, load_at_origin(assembly),
-                         out.opposed ? out.unloaded.state.q : Vec5(Vec5::Zero()));
+  out.loaded = solve_bearing_set(operation, load_at_origin(assembly),
+                                 out.opposed ? out.unloaded.state.q : Vec5(Vec5::Zero()));
   for (std::size_t k = 0; k < assembly.rows.size(); ++k) {
-    const SetRow& row = operation.rows[k];
+    const BearingSetRow& row = operation.rows[k];
     RowResult one;
     one.deck = assembly.rows[k].deck;
     one.orientation = row.orientation;
     one.position = row.position;
     one.offset = row.offset;
     one.state = out.loaded.state.elements[k];
-    one.load = load_in_set(row, one.state);
-    one.changes = held_sets(one.state.own, prepared[k].input.deck.units());
+    one.load = row_load_in_set_frame(row, one.state);
+    one.changes = prescribed_displacement_sets(one.state.own, prepared[k].input.deck.units());
     out.rows.push_back(std::move(one));
     solve_row(request, assembly, k, stop, out);
   }
   add_race(out);
   const bool rollers = operation.rows.front().model.rollers();
   if (std::all_of(operation.rows.begin(), operation.rows.end(),
-                  [&](const SetRow& row) { return row.model.rollers() == rollers; }))
+                  [&](const BearingSetRow& row) { return row.model.rollers() == rollers; }))
     add_lives(out, rollers);
   add_sums(out);
   add_preload(out);

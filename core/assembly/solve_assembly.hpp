@@ -39,13 +39,13 @@ struct RowResult {
 struct AssemblyResult {
   Assembly assembly;
   std::vector<RowResult> rows;
-  SetSolution loaded;    ///< under the load of the assembly
-  SetSolution unloaded;  ///< without it, in operation
-  bool opposed = false;  ///< rows of both orientations: preload and offset exist
-  double offset = 0.0;   ///< of the set [m]
+  BearingSetSolution loaded;    ///< under the load of the assembly
+  BearingSetSolution unloaded;  ///< without it, in operation
+  bool opposed = false;         ///< rows of both orientations: preload and offset exist
+  double offset = 0.0;          ///< of the set [m]
   double preload_unmounted = 0.0, preload_operation = 0.0;  ///< [N]
   std::vector<Unloading> unloading;                         ///< mounted
-  std::vector<CurvePoint> curve;                            ///< mounted
+  std::vector<AxialCurvePoint> curve;                       ///< mounted
   std::vector<PreloadPoint> preload;                        ///< unmounted
   results::KeyResults set;        ///< of the set: same names as of a single bearing
   std::vector<Finding> findings;  ///< of all rows ("row 1: ...") and of the set
@@ -63,9 +63,9 @@ inline constexpr int kCurvePoints = 41, kPreloadPoints = 16;
 [[nodiscard]] runs::DeckRequest row_request(const AssemblyRequest& request,
                                             const Assembly& assembly, std::size_t k);
 /// Values of a deck that hold the inner ring at `own` [m, rad], as `system` has them.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> held_sets(const Vec5& own,
-                                                                         deck::UnitSystem system);
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> prescribed_displacement_sets(
+    const Vec5& own, deck::UnitSystem system);
 /// Errors of a row's deck that only an assembly has. @throws InputError
-void check_row(const deck::Deck& deck, std::size_t k);
+void check_row_deck(const deck::Deck& deck, std::size_t k);
 
 }  // namespace adore::assembly

@@ -2,6 +2,6 @@
 
 namespace adore {
 
-bool portable_math_functions() noexcept { return ADORE_PORTABLE_MATH != 0; }
+bool has_portable_math() noexcept { return ADORE_PORTABLE_MATH != 0; }
 
 }  // namespace adore

@@ -33,7 +33,7 @@ std::vector<double> chebyshev_coefficients(const std::vector<double>& values) {
   return coefficients;
 }
 
-std::vector<double> powers_of_chebyshev(const std::vector<double>& coefficients) {
+std::vector<double> chebyshev_to_monomial(const std::vector<double>& coefficients) {
   const std::size_t n = coefficients.size();
   std::vector<double> sum(n, 0.0), last(n, 0.0), now(n, 0.0);  // of T_(k-1) and T_k
   if (n == 0) return sum;

@@ -15,6 +15,6 @@ namespace adore {
 
 /// The same polynomial in powers of x. Well conditioned for a few terms only: the coefficients grow
 /// like 2^n.
-[[nodiscard]] std::vector<double> powers_of_chebyshev(const std::vector<double>& coefficients);
+[[nodiscard]] std::vector<double> chebyshev_to_monomial(const std::vector<double>& coefficients);
 
 }  // namespace adore

@@ -15,8 +15,8 @@ namespace adore {
 }
 
 /// The same of the bytes of numbers.
-[[nodiscard]] inline std::uint64_t sum_of_values(std::span<const double> values,
-                                                 std::uint64_t before) noexcept {
+[[nodiscard]] inline std::uint64_t checksum_of_values(std::span<const double> values,
+                                                      std::uint64_t before) noexcept {
   return checksum({reinterpret_cast<const char*>(values.data()), values.size_bytes()}, before);
 }
 

@@ -15,7 +15,7 @@ std::string duration_text(double seconds) {
                   : fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
 }
 
-std::string turns_text(double turns) {
+std::string revolutions_text(double turns) {
   const std::string number = fmt::format("{:.4g}", turns);
   return number + (number == "1" ? " revolution" : " revolutions");
 }

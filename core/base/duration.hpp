@@ -9,6 +9,6 @@ namespace adore {
 std::string duration_text(double seconds);
 
 /// "1 revolution", "0.48 revolutions": a span of a motion, four digits.
-std::string turns_text(double turns);
+std::string revolutions_text(double turns);
 
 }  // namespace adore

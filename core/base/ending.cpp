@@ -34,7 +34,7 @@ extern "C" void end_now(int) {
 
 }  // namespace
 
-void end_when_interrupted() {
+void exit_on_interrupt() {
   listener = getpid();
   for (const int signal : kSignals) {
     struct sigaction old {
@@ -47,7 +47,7 @@ void end_when_interrupted() {
   hold(SIG_UNBLOCK);
 }
 
-InterruptsWait::InterruptsWait() { hold(SIG_BLOCK); }
-InterruptsWait::~InterruptsWait() { hold(SIG_UNBLOCK); }
+InterruptBlocker::InterruptBlocker() { hold(SIG_BLOCK); }
+InterruptBlocker::~InterruptBlocker() { hold(SIG_UNBLOCK); }
 
 }  // namespace adore

@@ -39,7 +39,7 @@ InputError::InputError(std::vector<Issue> issues)
 
 InputError::InputError(std::string message)
     : std::runtime_error(message),
-      issues_{Issue{Severity::Error, {}, 0, {}, {}, {}, std::move(message), {}}} {}
+      issues_{Issue{Severity::Error, {}, 0, {}, {}, {}, std::move(message), {}, {}}} {}
 
 void demand(bool condition, std::string_view text, std::source_location where) {
   if (condition) return;

@@ -24,6 +24,7 @@ struct Issue {
   std::string message;   ///< the problem, as a clause: "the pitch diameter must be larger than the
                          ///< ball diameter"
   std::string remedy;    ///< the valid range, as a clause: "give a value above 0.0127 m"
+  std::string code;      ///< of the finding (base/finding.hpp); empty: "deck.<severity>"
 
   /// "DATA.txt:12: record 5A, pitchDia = 0.001: <message>; <remedy>"
   [[nodiscard]] std::string text() const;

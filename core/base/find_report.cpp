@@ -76,19 +76,21 @@ std::string solution_line(const FindReport& report, const FindSolution& one) {
   const std::string width =
       one.width > 0.0 ? fmt::format(" (tolerance {})", short_with_unit(one.width, x.unit)) : "";
   switch (one.kind) {
-    case FindKind::Crossing:
+    case FindSolutionKind::Crossing:
       return fmt::format("{}{}: {}", at, width, value);
-    case FindKind::Touch:
-      return fmt::format("{}{}: {}. The result touches the target and turns", at, width, value);
-    case FindKind::Extremum:
-      return fmt::format("{}{}: {}{}", at, width, value,
-                         one.from_bound || one.to_bound
-                             ? fmt::format(". This is the {} bound: the result may go on beyond it",
-                                           one.from_bound ? "lower" : "upper")
-                         : one.from_failure || one.to_failure
-                             ? std::string(". It is next to a point that could not be computed")
-                             : std::string());
-    case FindKind::Range:
+    case FindSolutionKind::Touch:
+      return fmt::format("{}{}: {}. The result touches the target without crossing it", at, width,
+                         value);
+    case FindSolutionKind::Extremum:
+      return fmt::format(
+          "{}{}: {}{}", at, width, value,
+          one.from_bound || one.to_bound
+              ? fmt::format(". This is the {} bound; a value beyond it may be better",
+                            one.from_bound ? "lower" : "upper")
+          : one.from_failure || one.to_failure
+              ? std::string(". The next point could not be computed")
+              : std::string());
+    case FindSolutionKind::Range:
       break;
   }
   return fmt::format("{}{}: {}. The target is met from {}{} to {}{}", at, width, value,
@@ -102,7 +104,7 @@ Json number(double value) {
   return std::isnan(value) ? Json() : Json(value > 0.0 ? "inf" : "-inf");
 }
 
-const char* kind_word(FindKind kind) {
+const char* kind_word(FindSolutionKind kind) {
   constexpr std::array<const char*, 4> words{"crossing", "touch", "range", "extremum"};
   return words.at(static_cast<std::size_t>(kind));
 }
@@ -115,12 +117,12 @@ Json solution_json(const FindSolution& one) {
   const auto end = [](bool bound, bool failure) {
     return bound ? "bound" : failure ? "not computed" : "solution";
   };
-  if (one.kind == FindKind::Range) {
+  if (one.kind == FindSolutionKind::Range) {
     out["from"] = one.from;
     out["to"] = one.to;
     out["from_end"] = end(one.from_bound, one.from_failure);
     out["to_end"] = end(one.to_bound, one.to_failure);
-  } else if (one.kind == FindKind::Extremum) {
+  } else if (one.kind == FindSolutionKind::Extremum) {
     out["at_bound"] = one.from_bound || one.to_bound;
   }
   return out;
@@ -187,8 +189,8 @@ FindTarget parse_target(std::string_view text) {
   return out;
 }
 
-std::string unknown_name(std::string_view kind, std::string_view name,
-                         const std::vector<std::string>& known) {
+std::string unknown_name_message(std::string_view kind, std::string_view name,
+                                 const std::vector<std::string>& known) {
   constexpr std::size_t kSuggestions = 3;
   std::vector<std::pair<std::size_t, std::string>> near;
   for (const std::string& one : known) {
@@ -208,7 +210,7 @@ std::string unknown_name(std::string_view kind, std::string_view name,
                      near.empty() ? "Choose one of" : "Did you mean", list);
 }
 
-std::string_view answer_word(FindAnswer answer) {
+std::string_view answer_keyword(FindAnswer answer) {
   constexpr std::array<std::string_view, 6> words{"one",        "not_monotonic", "many",
                                                   "everywhere", "none",          "not_computed"};
   return words.at(static_cast<std::size_t>(answer));
@@ -253,10 +255,10 @@ std::vector<std::string> answer_lines(const FindReport& report) {
       break;
     case FindAnswer::NotMonotonic:
       out.push_back(solution_line(report, outcome.solutions.front()) + ".");
-      out.push_back(fmt::format(
-          "One solution was found, but the result is not monotonic. A pair of solutions between "
-          "two of the {} computed points cannot be excluded.",
-          outcome.samples.size()));
+      out.push_back(
+          fmt::format("One solution was found, but the result is not monotonic. There may be two "
+                      "more solutions between two of the {} computed points.",
+                      outcome.samples.size()));
       break;
     case FindAnswer::Many:
       out.push_back(fmt::format("{} solutions:", outcome.solutions.size()));
@@ -284,8 +286,8 @@ std::vector<std::string> answer_lines(const FindReport& report) {
     constexpr std::size_t kListed = 5;
     for (std::size_t k = 0; k < std::min(outcome.turns.size(), kListed); ++k)
       list += fmt::format("{}{:.6g}", k == 0 ? "" : ", ", outcome.turns[k]);
-    out.push_back(fmt::format("{} is not monotonic: it turns near {} = {}{}{}.", y.name, x.name,
-                              list, outcome.turns.size() > kListed ? " ..." : "",
+    out.push_back(fmt::format("{} is not monotonic: it has an extremum near {} = {}{}{}.", y.name,
+                              x.name, list, outcome.turns.size() > kListed ? " ..." : "",
                               x.unit.empty() || x.unit == "-" ? "" : " " + x.unit));
   }
   for (const FindJump& jump : outcome.jumps)
@@ -300,7 +302,7 @@ std::vector<std::string> answer_lines(const FindReport& report) {
   return out;
 }
 
-Json find_json(const FindReport& report) {
+Json find_report_json(const FindReport& report) {
   const FindOutcome& outcome = report.outcome;
   Json out{{"source", report.source},
            {"unknown",
@@ -312,7 +314,7 @@ Json find_json(const FindReport& report) {
             {{"name", report.target.name},
              {"unit", report.target.unit},
              {"relation", relation_word(report.target.relation)}}},
-           {"answer", answer_word(outcome.answer)}};
+           {"answer", answer_keyword(outcome.answer)}};
   if (report.target.relation != Relation::Least && report.target.relation != Relation::Largest)
     out["target"]["value"] = report.target.value;
   if (outcome.solutions.size() == 1) {

@@ -31,8 +31,8 @@ struct FindTarget {
 [[nodiscard]] std::pair<double, double> parse_bounds(std::string_view what, std::string_view text);
 
 /// Message for an unknown name: "there is no result X; did you mean Y?", or all names.
-[[nodiscard]] std::string unknown_name(std::string_view kind, std::string_view name,
-                                       const std::vector<std::string>& known);
+[[nodiscard]] std::string unknown_name_message(std::string_view kind, std::string_view name,
+                                               const std::vector<std::string>& known);
 
 struct FindReport {
   std::string source;  ///< deck or calculator
@@ -42,7 +42,7 @@ struct FindReport {
 };
 
 /// "one", "not_monotonic", "many", "everywhere", "none", "not_computed"
-[[nodiscard]] std::string_view answer_word(FindAnswer answer);
+[[nodiscard]] std::string_view answer_keyword(FindAnswer answer);
 /// 0 one solution, 1 none, 3 not computed, 4 many or everywhere, 5 not monotonic
 [[nodiscard]] int answer_exit_code(FindAnswer answer);
 
@@ -52,6 +52,6 @@ struct FindReport {
 [[nodiscard]] std::vector<std::string> answer_lines(const FindReport& report);
 /// The key "solution" exists only with one solution, "solutions" only with more, "best" only with
 /// none.
-[[nodiscard]] nlohmann::ordered_json find_json(const FindReport& report);
+[[nodiscard]] nlohmann::ordered_json find_report_json(const FindReport& report);
 
 }  // namespace adore

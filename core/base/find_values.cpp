@@ -88,9 +88,9 @@ class Search {
 
   void scan() {
     if (!std::isfinite(s_.first) || !std::isfinite(s_.last) || !(s_.first < s_.last))
-      throw InputError(
-          fmt::format("range {:g}:{:g}: the bounds must be finite and rise. Write lower:upper.",
-                      s_.first, s_.last));
+      throw InputError(fmt::format(
+          "range {:g}:{:g}: the bounds must be finite, the lower one first. Write lower:upper.",
+          s_.first, s_.last));
     if (s_.whole) {
       const double low = std::ceil(s_.first), high = std::floor(s_.last);
       if (high - low >= kMaxPoints || high < low)
@@ -165,7 +165,7 @@ class Search {
           [&](const FindSample& p) { return side(p) != one; });
       if (found.ok() && side(found) == one && std::abs(distance(found)) < kTouch * scale &&
           s_.relation == Relation::Equal)
-        out_.solutions.push_back({FindKind::Touch, found.x, found.value,
+        out_.solutions.push_back({FindSolutionKind::Touch, found.x, found.value,
                                   std::sqrt(kTolerance) * (c.x - a.x), found.x, found.x});
     }
     sort();
@@ -182,7 +182,7 @@ class Search {
     const auto k = static_cast<std::size_t>(best - scan.begin());
     const std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, scan.size() - 1);
     FindSolution solution;
-    solution.kind = FindKind::Extremum;
+    solution.kind = FindSolutionKind::Extremum;
     FindSample found = *best;
     if (!s_.whole && scan[before].ok() && scan[after].ok()) {
       // The value is flat there: x is known to the square root of the accuracy of the value.
@@ -380,8 +380,9 @@ class Search {
         const bool left =
             std::abs(end.value_left - s_.target) < std::abs(end.value_right - s_.target);
         const double x = left ? end.left : end.right;
-        out_.solutions.push_back({FindKind::Crossing, x, left ? end.value_left : end.value_right,
-                                  end.right - end.left, x, x});
+        out_.solutions.push_back({FindSolutionKind::Crossing, x,
+                                  left ? end.value_left : end.value_right, end.right - end.left, x,
+                                  x});
       }
     }
     for (const Piece& piece : pieces)
@@ -408,9 +409,9 @@ class Search {
     // An exact hit, not a range.
     const bool single = s_.relation == Relation::Equal && !s_.whole &&
                         out.to - out.from <= 8.0 * tolerance_at(out.x);
-    out.kind = single ? FindKind::Crossing : FindKind::Range;
-    if (s_.whole && out.from == out.to) out.kind = FindKind::Crossing;
-    if (out.kind == FindKind::Crossing) {
+    out.kind = single ? FindSolutionKind::Crossing : FindSolutionKind::Range;
+    if (s_.whole && out.from == out.to) out.kind = FindSolutionKind::Crossing;
+    if (out.kind == FindSolutionKind::Crossing) {
       out.x = 0.5 * (out.from + out.to);
       out.width = std::max(out.width, out.to - out.from);
       out.from = out.to = out.x;

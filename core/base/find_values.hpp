@@ -38,7 +38,7 @@ struct FindSample {
   [[nodiscard]] bool ok() const { return failure.empty(); }
 };
 
-enum class FindKind : unsigned char {
+enum class FindSolutionKind : unsigned char {
   Crossing,  ///< f passes through the target
   Touch,     ///< f touches the target and turns
   Range,     ///< f meets the target, or the condition, in a range of x
@@ -46,7 +46,7 @@ enum class FindKind : unsigned char {
 };
 
 struct FindSolution {
-  FindKind kind = FindKind::Crossing;
+  FindSolutionKind kind = FindSolutionKind::Crossing;
   double x = 0.0;               ///< of a range: the end that is not a bound, the lower one of two
   double value = 0.0;           ///< f(x)
   double width = 0.0;           ///< of the last interval around x: the tolerance reached

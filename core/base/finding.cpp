@@ -32,7 +32,6 @@ std::vector<FindingKind> read_register() {
     one.meaning = entry.at("meaning").get<std::string>();
     one.quantity = entry.value("quantity", std::string());
     one.unit = entry.value("unit", std::string());
-    one.phrase = entry.value("phrase", std::string());
     one.range = entry.value("range", std::string());
     one.field = entry.value("field", std::string());
     one.topic = entry.value("topic", std::string());
@@ -47,7 +46,8 @@ std::vector<FindingKind> read_register() {
   for (const validity::Range& range : validity::ranges()) {
     FindingKind one;
     one.code = "validity." + range.id;
-    one.severity = range.grade == validity::Grade::Note ? Severity::Note : Severity::Warning;
+    one.severity =
+        range.grade == validity::ValidityGrade::Note ? Severity::Note : Severity::Warning;
     one.origin = range.motion_only ? "end" : "statics";
     one.meaning = range.law + " outside its range of validity";
     one.quantity = range.quantity;
@@ -74,6 +74,12 @@ Finding named(const FindingKind& kind, Issue issue) {
   return out;
 }
 
+const FindingKind& kind_of(std::string_view code) {
+  const FindingKind* kind = find_finding_kind(code);
+  if (kind == nullptr) throw InternalError(fmt::format("findings.json has no code \"{}\"", code));
+  return *kind;
+}
+
 bool begins(std::string_view text, std::string_view start) { return text.starts_with(start); }
 
 std::string cell(std::string text) {
@@ -97,16 +103,9 @@ const FindingKind* find_finding_kind(std::string_view code) {
 }
 
 Finding::Finding(Issue issue) {
-  const FindingKind* kind = nullptr;
-  for (const FindingKind& one : finding_kinds())
-    if (!one.phrase.empty() && one.severity == issue.severity && !begins(one.code, "life.") &&
-        issue.message.find(one.phrase) != std::string::npos) {
-      kind = &one;
-      break;
-    }
-  if (kind == nullptr)
-    kind = find_finding_kind("deck." + std::string(severity_word(issue.severity)));
-  *this = named(*kind, std::move(issue));
+  const FindingKind& kind = kind_of(
+      issue.code.empty() ? fmt::format("deck.{}", severity_word(issue.severity)) : issue.code);
+  *this = named(kind, std::move(issue));
 }
 
 Finding& Finding::of(std::string which) {
@@ -117,6 +116,18 @@ Finding& Finding::of(std::string which) {
 Finding& Finding::measure(double number, std::optional<double> most) {
   measured = number;
   limit = most;
+  return *this;
+}
+
+Finding& Finding::measure(std::string what, double number, std::string in_unit,
+                          std::optional<double> most) {
+  quantity = std::move(what);
+  unit = std::move(in_unit);
+  return measure(number, most);
+}
+
+Finding& Finding::at_least(double bound) {
+  least = bound;
   return *this;
 }
 
@@ -137,26 +148,33 @@ Finding finding_of_range(const validity::Finding& left) {
 }
 
 Finding make_finding(std::string_view code, std::string sentence) {
-  const FindingKind* kind = find_finding_kind(code);
-  if (kind == nullptr) throw InternalError(fmt::format("findings.json has no code \"{}\"", code));
+  const FindingKind& kind = kind_of(code);
   Issue issue;
-  issue.severity = kind->severity;
+  issue.severity = kind.severity;
   issue.message = std::move(sentence);
-  return named(*kind, std::move(issue));
+  return named(kind, std::move(issue));
 }
 
-Finding finding_of_note(const std::string& sentence, std::string_view family) {
-  for (const FindingKind& one : finding_kinds())
-    if (!one.phrase.empty() && begins(one.code, family) &&
-        sentence.find(one.phrase) != std::string::npos)
-      return make_finding(one.code, sentence);
-  return make_finding("deck.note", sentence);
+Finding renamed(const Finding& finding, std::string_view code, std::string sentence) {
+  const FindingKind& kind = kind_of(code);
+  Finding out = finding;
+  out.code = kind.code;
+  out.severity = kind.severity;
+  out.message = std::move(sentence);
+  return out;
 }
 
 std::vector<Finding> findings_of(std::vector<Issue> issues) {
   std::vector<Finding> out;
   out.reserve(issues.size());
   for (Issue& issue : issues) out.emplace_back(std::move(issue));
+  return out;
+}
+
+std::vector<std::string> sentences_of(std::span<const Finding> findings) {
+  std::vector<std::string> out;
+  out.reserve(findings.size());
+  for (const Finding& one : findings) out.push_back(one.message);
   return out;
 }
 

@@ -27,11 +27,10 @@ struct FindingKind {
   std::string meaning;   ///< short
   std::string quantity;  ///< empty: none
   std::string unit;      ///< of value and limit; empty: a pure number
-  std::string phrase;  ///< by which sentences of lower modules are recognized; empty: by code only
-  std::string range;   ///< entry of the register of validity; empty: none
-  std::string field;   ///< deck variable to which a click leads; empty: none
-  std::string topic;   ///< "cage", "contact", "film" ...: curves and pages that show it
-  bool quiet = false;  ///< PRINT.txt has it on its page: not repeated in the list of remarks
+  std::string range;     ///< entry of the register of validity; empty: none
+  std::string field;     ///< deck variable to which a click leads; empty: none
+  std::string topic;     ///< "cage", "contact", "film" ...: curves and pages that show it
+  bool quiet = false;    ///< PRINT.txt has it on its page: not repeated in the list of remarks
 };
 
 /// All kinds: the file's, then one for each range of validity.
@@ -39,10 +38,10 @@ struct FindingKind {
 /// nullptr: no such code
 [[nodiscard]] const FindingKind* find_finding_kind(std::string_view code);
 
-/// A remark. Of Issue: severity, sentence (message), remedy, file, line, record, variable and the
-/// given value. Fields that are empty do not apply.
+/// A remark. Of Issue: code, severity, sentence (message), remedy, file, line, record, variable and
+/// the given value. Fields that are empty do not apply. The code is given where the remark is made,
+/// never derived from its sentence.
 struct Finding : Issue {
-  std::string code;
   std::string quantity, unit;
   std::optional<double> measured;      ///< value of the quantity, in `unit`
   std::optional<double> least, limit;  ///< bounds of the quantity, in `unit`
@@ -51,20 +50,25 @@ struct Finding : Issue {
   std::optional<long> step;
 
   Finding() = default;
-  /// A remark of a module below: the code by its phrase, else deck.error, deck.warning, deck.note.
+  /// A remark of a module below; without a code: deck.error, deck.warning or deck.note.
+  /// @throws InternalError when the register does not have its code
   Finding(Issue issue);  // NOLINT(google-explicit-constructor): a remark is a finding
 
   Finding& of(std::string which);
   Finding& measure(double number, std::optional<double> most = std::nullopt);
+  /// Of a code for several quantities.
+  Finding& measure(std::string what, double number, std::string in_unit,
+                   std::optional<double> most = std::nullopt);
+  Finding& at_least(double bound);
   Finding& at(double seconds);
 };
 
 /// A finding of the register. @throws InternalError when the register has no such code
 [[nodiscard]] Finding make_finding(std::string_view code, std::string sentence);
-/// A sentence of a module below, by its phrase among the codes that begin with `family` ("life.");
-/// else deck.note.
-[[nodiscard]] Finding finding_of_note(const std::string& sentence, std::string_view family);
+/// Value, bounds and body of a finding under another code. @throws InternalError
+[[nodiscard]] Finding renamed(const Finding& finding, std::string_view code, std::string sentence);
 [[nodiscard]] std::vector<Finding> findings_of(std::vector<Issue> issues);
+[[nodiscard]] std::vector<std::string> sentences_of(std::span<const Finding> findings);
 /// "validity.<range>", with value, bounds, body and time.
 [[nodiscard]] Finding finding_of_range(const validity::Finding& left);
 

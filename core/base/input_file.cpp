@@ -86,7 +86,7 @@ bool is_plain_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-void refuse_pipe(const fs::path& path) {
+void reject_special_file(const fs::path& path) {
   std::error_code error;
   if (fs::is_other(fs::status(path, error))) refuse(path);
 }

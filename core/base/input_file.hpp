@@ -33,7 +33,7 @@ class InputFile : public std::istream {
 
 /// Lets regular files, folders and missing files pass, which their readers tell apart.
 /// @throws InputError for a pipe, a socket or a device
-void refuse_pipe(const std::filesystem::path& path);
+void reject_special_file(const std::filesystem::path& path);
 
 /// True through links; false for what does not exist, too.
 [[nodiscard]] bool is_plain_file(const std::filesystem::path& path);

@@ -27,9 +27,9 @@ std::optional<InstructionSet> named_instruction_set(std::string_view name) noexc
 InstructionSet choose_instruction_set() noexcept {
   if (const char* request = std::getenv(kRequestVariable)) {
     const auto set = named_instruction_set(request);
-    if (set && instruction_set_available(*set)) return *set;
+    if (set && is_instruction_set_available(*set)) return *set;
   }
-  return *std::find_if(std::begin(kAllSets), std::end(kAllSets), instruction_set_available);
+  return *std::find_if(std::begin(kAllSets), std::end(kAllSets), is_instruction_set_available);
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ InstructionSet chosen_instruction_set() noexcept {
   return set;
 }
 
-bool instruction_set_available(InstructionSet set) noexcept {
+bool is_instruction_set_available(InstructionSet set) noexcept {
 #if defined(__x86_64__)
   if (set == InstructionSet::Avx512) {
     return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
@@ -74,13 +74,13 @@ void check_instruction_set_request() {
                     "avx2 or avx512, or unset it",
                     kRequestVariable, request));
   }
-  if (!instruction_set_available(*set)) {
+  if (!is_instruction_set_available(*set)) {
     throw InputError(
-        fmt::format("the environment variable {} requests {}, which this machine does not support; "
-                    "the best supported one is {}",
+        fmt::format("the environment variable {} requests {}, which this machine does not support. "
+                    "Use at most {}",
                     kRequestVariable, request,
                     instruction_set_name(*std::find_if(std::begin(kAllSets), std::end(kAllSets),
-                                                       instruction_set_available))));
+                                                       is_instruction_set_available))));
   }
 }
 

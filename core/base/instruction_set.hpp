@@ -6,7 +6,7 @@ namespace adore {
 
 enum class InstructionSet : unsigned char { Baseline, Avx2, Avx512 };
 
-[[nodiscard]] bool instruction_set_available(InstructionSet set) noexcept;
+[[nodiscard]] bool is_instruction_set_available(InstructionSet set) noexcept;
 [[nodiscard]] const char* instruction_set_name(InstructionSet set) noexcept;
 
 /// The widest one of the machine, or that of the environment variable ADORE_ISA = baseline, avx2 or

@@ -21,7 +21,7 @@ void JsonMembers::reject(const std::string& problem) const {
 }
 
 const Json* JsonMembers::find(std::string_view name) {
-  known_.emplace(name);
+  queried_names_.emplace(name);
   const auto found = object_->find(name);
   return found == object_->end() ? nullptr : &*found;
 }
@@ -98,8 +98,9 @@ std::vector<JsonMembers> JsonMembers::objects(std::string_view name, std::string
 
 void JsonMembers::finish() const {
   for (const auto& [name, value] : object_->items())
-    if (known_.count(name) == 0)
-      reject(fmt::format("unknown member \"{}\". Use one of {}", name, fmt::join(known_, ", ")));
+    if (queried_names_.count(name) == 0)
+      reject(fmt::format("unknown member \"{}\". Use one of {}", name,
+                         fmt::join(queried_names_, ", ")));
 }
 
 }  // namespace adore

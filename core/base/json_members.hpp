@@ -43,7 +43,7 @@ class JsonMembers {
  private:
   const nlohmann::json* object_;
   std::string where_;
-  std::set<std::string, std::less<>> known_;
+  std::set<std::string, std::less<>> queried_names_;
 };
 
 }  // namespace adore

@@ -7,10 +7,10 @@
 namespace adore::detail {
 
 std::string json_problem(std::string_view text, std::string_view what) {
-  const FileSort sort = sort_of(text.substr(0, kSortBytes));
-  if (const std::string_view name = sort_name(sort);
-      !name.empty() && sort != FileSort::Json && sort != FileSort::RunJson)
-    return "is " + std::string(name) + ", not JSON; " + std::string(sort_use(sort));
+  const AdoreFileType sort = detect_file_type(text.substr(0, kFileTypeBytes));
+  if (const std::string_view name = describe_file_type(sort);
+      !name.empty() && sort != AdoreFileType::Json && sort != AdoreFileType::RunJson)
+    return "is " + std::string(name) + ", not JSON; " + std::string(file_type_usage_hint(sort));
   constexpr std::size_t kLongest = 200;
   // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
   if (const std::size_t bracket = what.find("] "); what.substr(0, 1) == "[")

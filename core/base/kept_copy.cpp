@@ -21,7 +21,7 @@ bool holds(const fs::path& path, std::string_view content) {
 
 }  // namespace
 
-fs::path keep_copy(const fs::path& path, std::string_view content) {
+fs::path write_backup_copy(const fs::path& path, std::string_view content) {
   for (int number = 1;; ++number) {
     fs::path copy = path;
     copy += number == 1 ? ".bak" : ".bak" + std::to_string(number);

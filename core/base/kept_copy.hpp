@@ -10,6 +10,7 @@ namespace adore {
 /// same content. Earlier copies are never replaced.
 /// @return the copy's path
 /// @throws InputError as write_file_atomically()
-std::filesystem::path keep_copy(const std::filesystem::path& path, std::string_view content);
+std::filesystem::path write_backup_copy(const std::filesystem::path& path,
+                                        std::string_view content);
 
 }  // namespace adore

@@ -49,107 +49,107 @@ bool starts_with_label(std::string_view text) {
 
 }  // namespace
 
-FileSort sort_of(std::string_view bytes) {
-  if (bytes.starts_with("\x89HDF")) return FileSort::ResultsH5;
+AdoreFileType detect_file_type(std::string_view bytes) {
+  if (bytes.starts_with("\x89HDF")) return AdoreFileType::ResultsH5;
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   const std::string_view line = bytes.substr(0, bytes.find('\n'));
   const std::string_view rest = bytes.substr(std::min(line.size() + 1, bytes.size()));
   const std::string_view second = rest.substr(0, rest.find('\n'));
-  if (!bytes.empty() && bytes[0] == '\f' && has(line, "Adore")) return FileSort::Listing;
-  if (has(line, "Adore") && has(line, " FINAL: ")) return FileSort::Final;
-  if (has(line, "Adore") && has(line, " MASTER: ")) return FileSort::Master;
+  if (!bytes.empty() && bytes[0] == '\f' && has(line, "Adore")) return AdoreFileType::Listing;
+  if (has(line, "Adore") && has(line, " FINAL: ")) return AdoreFileType::Final;
+  if (has(line, "Adore") && has(line, " MASTER: ")) return AdoreFileType::Master;
   if (line.starts_with("  Adore") || line.starts_with("  ADORE")) {
-    if (has(second, "$")) return FileSort::Plot;
-    if (only_integers(second)) return FileSort::Animation;
+    if (has(second, "$")) return AdoreFileType::Plot;
+    if (only_integers(second)) return AdoreFileType::Animation;
   }
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return FileSort::Unknown;
+  if (first == std::string_view::npos) return AdoreFileType::Unknown;
   if (bytes[first] == '{')
-    return has(bytes, "\"program\": \"Adore") ? FileSort::RunJson : FileSort::Json;
-  if (bytes[first] == '[') return FileSort::Json;
-  if (has(line, ",exit,") && has(line, ",message")) return FileSort::SweepTable;
-  return starts_with_label(bytes.substr(first)) ? FileSort::Deck : FileSort::Unknown;
+    return has(bytes, "\"program\": \"Adore") ? AdoreFileType::RunJson : AdoreFileType::Json;
+  if (bytes[first] == '[') return AdoreFileType::Json;
+  if (has(line, ",exit,") && has(line, ",message")) return AdoreFileType::SweepTable;
+  return starts_with_label(bytes.substr(first)) ? AdoreFileType::Deck : AdoreFileType::Unknown;
 }
 
-FileSort sort_of_file(const std::filesystem::path& path) {
-  return sort_of(first_bytes(path, kSortBytes));
+AdoreFileType read_file_type(const std::filesystem::path& path) {
+  return detect_file_type(first_bytes(path, kFileTypeBytes));
 }
 
-bool is_own_file(const std::filesystem::path& path) {
+bool is_written_by_adore(const std::filesystem::path& path) {
   // The attributes of RESULTS.h5 stand behind its first groups.
   const std::string bytes = first_bytes(path, std::size_t{1} << 18);
   const std::string_view all(bytes), line = all.substr(0, all.find('\n'));
-  switch (sort_of(all.substr(0, kSortBytes))) {
-    case FileSort::Listing:
+  switch (detect_file_type(all.substr(0, kFileTypeBytes))) {
+    case AdoreFileType::Listing:
       return has_version_after(all, "\fAdore ");
-    case FileSort::Plot:
-    case FileSort::Animation:
-    case FileSort::Unknown:  // cut within its first lines
+    case AdoreFileType::Plot:
+    case AdoreFileType::Animation:
+    case AdoreFileType::Unknown:  // cut within its first lines
       return has_version_after(all, "  Adore");
-    case FileSort::Final:
-    case FileSort::Master:
+    case AdoreFileType::Final:
+    case AdoreFileType::Master:
       return has_version_after(all, "Adore ");
-    case FileSort::RunJson:
+    case AdoreFileType::RunJson:
       return all.starts_with("{") && has(all.substr(0, 64), "\"program\": \"Adore ");
-    case FileSort::ResultsH5:
+    case AdoreFileType::ResultsH5:
       return has(all, "Adore ");
-    case FileSort::SweepTable:
+    case AdoreFileType::SweepTable:
       return line.ends_with(",message");
-    case FileSort::Deck:
-    case FileSort::Json:
+    case AdoreFileType::Deck:
+    case AdoreFileType::Json:
       break;
   }
   return false;
 }
 
-std::string_view sort_name(FileSort sort) {
+std::string_view describe_file_type(AdoreFileType sort) {
   switch (sort) {
-    case FileSort::Deck:
+    case AdoreFileType::Deck:
       return "a deck";
-    case FileSort::Listing:
+    case AdoreFileType::Listing:
       return "a listing (PRINT.txt of a run)";
-    case FileSort::Plot:
+    case AdoreFileType::Plot:
       return "a file of plotted channels (SOL1-SOL7 of a run)";
-    case FileSort::Animation:
+    case AdoreFileType::Animation:
       return "an animation file (SOL8 of a run)";
-    case FileSort::Final:
+    case AdoreFileType::Final:
       return "the last state of a run (FINAL)";
-    case FileSort::Master:
+    case AdoreFileType::Master:
       return "the bookkeeping of a run (MASTER)";
-    case FileSort::RunJson:
+    case AdoreFileType::RunJson:
       return "the summary of a run (RUN.json)";
-    case FileSort::ResultsH5:
+    case AdoreFileType::ResultsH5:
       return "an HDF5 file (RESULTS.h5 of a run)";
-    case FileSort::SweepTable:
+    case AdoreFileType::SweepTable:
       return "the table of a sweep (SWEEP.csv)";
-    case FileSort::Json:
+    case AdoreFileType::Json:
       return "a JSON file";
-    case FileSort::Unknown:
+    case AdoreFileType::Unknown:
       break;
   }
   return {};
 }
 
-std::string_view sort_use(FileSort sort) {
+std::string_view file_type_usage_hint(AdoreFileType sort) {
   switch (sort) {
-    case FileSort::Deck:
+    case AdoreFileType::Deck:
       return "`adore check` and `adore run` read this file";
-    case FileSort::Listing:
+    case AdoreFileType::Listing:
       return "read this file with a text viewer such as less";
-    case FileSort::Plot:
+    case AdoreFileType::Plot:
       return "`adore plot`, `adore show` and `adore convert` read this file";
-    case FileSort::Animation:
+    case AdoreFileType::Animation:
       return "`adore animate`, `adore show` and `adore convert` read this file";
-    case FileSort::Final:
-    case FileSort::Master:
-    case FileSort::RunJson:
-    case FileSort::ResultsH5:
+    case AdoreFileType::Final:
+    case AdoreFileType::Master:
+    case AdoreFileType::RunJson:
+    case AdoreFileType::ResultsH5:
       return "`adore show` and `adore convert` read this file";
-    case FileSort::SweepTable:
+    case AdoreFileType::SweepTable:
       return "`adore plot` draws this file";
-    case FileSort::Json:
+    case AdoreFileType::Json:
       return "`adore calc` and `adore validate` read JSON";
-    case FileSort::Unknown:
+    case AdoreFileType::Unknown:
       break;
   }
   return {};

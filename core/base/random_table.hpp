@@ -25,7 +25,7 @@ class RandomTable {
 
   /// Standard normal deviate by Box and Muller, √(-2 ln u) cos 2πv, from words n = 2 (16 row +
   /// column) and n + 1; u in (0, 1], v in [0, 1) are their upper 53 bits. Columns 0 to 15.
-  [[nodiscard]] double normal(std::uint64_t row, std::uint64_t column) const noexcept {
+  [[nodiscard]] double standard_normal(std::uint64_t row, std::uint64_t column) const noexcept {
     constexpr double kUnit = 1.0 / 9007199254740992.0;  // 2^-53
     const std::uint64_t n = 2 * (16 * row + column);
     const double u = static_cast<double>((word(n) >> 11) + 1) * kUnit;

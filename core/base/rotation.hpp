@@ -21,22 +21,23 @@ using Mat3 = Eigen::Matrix3d;
 using Quat = std::array<double, 4>;  ///< (w, x, y, z), body -> parent
 
 /// Passive rotations about one axis, parent components -> turned-frame components.
-[[nodiscard]] inline Mat3 passive_x(double angle) noexcept {
+[[nodiscard]] inline Mat3 passive_rotation_x(double angle) noexcept {
   const double c = std::cos(angle), s = std::sin(angle);
   return (Mat3() << 1, 0, 0, 0, c, s, 0, -s, c).finished();
 }
-[[nodiscard]] inline Mat3 passive_y(double angle) noexcept {
+[[nodiscard]] inline Mat3 passive_rotation_y(double angle) noexcept {
   const double c = std::cos(angle), s = std::sin(angle);
   return (Mat3() << c, 0, -s, 0, 1, 0, s, 0, c).finished();
 }
-[[nodiscard]] inline Mat3 passive_z(double angle) noexcept {
+[[nodiscard]] inline Mat3 passive_rotation_z(double angle) noexcept {
   const double c = std::cos(angle), s = std::sin(angle);
   return (Mat3() << c, s, 0, -s, c, 0, 0, 0, 1).finished();
 }
 
 /// T(η, ξ, λ) = Rz(λ) Ry(ξ) Rx(η), parent -> turned frame. `eta_xi_lambda` in this order [rad].
 [[nodiscard]] inline Mat3 passive_matrix(const Vec3& eta_xi_lambda) noexcept {
-  return passive_z(eta_xi_lambda[2]) * passive_y(eta_xi_lambda[1]) * passive_x(eta_xi_lambda[0]);
+  return passive_rotation_z(eta_xi_lambda[2]) * passive_rotation_y(eta_xi_lambda[1]) *
+         passive_rotation_x(eta_xi_lambda[0]);
 }
 
 /// (η, ξ, λ) of a passive matrix T, in -π..π, |ξ| <= π/2: η = atan2(-T32, T33), ξ = atan2(T31, c),
@@ -75,7 +76,7 @@ using Quat = std::array<double, 4>;  ///< (w, x, y, z), body -> parent
 }
 
 /// Unit quaternion of the same attitude; the identity for the zero quaternion.
-[[nodiscard]] inline Quat normalise(const Quat& q) noexcept {
+[[nodiscard]] inline Quat normalize_quaternion(const Quat& q) noexcept {
   const double n = norm(q);
   if (!(n > 0.0)) return {1.0, 0.0, 0.0, 0.0};
   return {q[0] / n, q[1] / n, q[2] / n, q[3] / n};
@@ -110,7 +111,7 @@ using Quat = std::array<double, 4>;  ///< (w, x, y, z), body -> parent
 
 /// (η, ξ, λ) as angles_from_matrix gives them, of a quaternion that need not be of unit length.
 [[nodiscard]] inline Vec3 angles_from_quaternion(const Quat& q) noexcept {
-  return angles_from_matrix(rotation_matrix(normalise(q)).transpose());
+  return angles_from_matrix(rotation_matrix(normalize_quaternion(q)).transpose());
 }
 
 /// q̇ = ½ q ⊗ (0, ω), ω in body components [rad/s].

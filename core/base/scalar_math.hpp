@@ -8,7 +8,7 @@
 ///
 ///   Mask                     what a comparison of two T gives
 ///   sqrt(x), root(x)         root: for lengths, x >= 0; of vectors the cheap one
-///   root_and_inverse(x, i)   root of 1e-30 <= x <= 1e30, and i = 1/root
+///   sqrt_and_inverse(x, i)   root of 1e-30 <= x <= 1e30, and i = 1/root
 ///   inverse_sqrt(x)          1e-30 <= x <= 1e30
 ///   over(a, x, i)            a/x where i = 1/x is known: rounded once for numbers, a i for vectors
 ///   exp(x), min(a, b), max(a, b), pick(condition, a, b): a where the condition holds
@@ -27,7 +27,7 @@ struct ScalarMath<double> {
   using Mask = bool;
   [[gnu::always_inline]] static double sqrt(double x) { return std::sqrt(x); }
   [[gnu::always_inline]] static double root(double x) { return std::sqrt(std::max(x, 0.0)); }
-  [[gnu::always_inline]] static double root_and_inverse(double x, double& inverse) {
+  [[gnu::always_inline]] static double sqrt_and_inverse(double x, double& inverse) {
     const double result = std::sqrt(x);
     inverse = 1.0 / result;
     return result;

@@ -100,7 +100,7 @@ struct SimdMath {
 
   [[gnu::always_inline]] static V sqrt(V x) { return stdx::sqrt(x); }
   [[gnu::always_inline]] static V root(V x) { return x * inverse_sqrt(stdx::max(x, V(1e-30))); }
-  [[gnu::always_inline]] static V root_and_inverse(V x, V& inverse) {
+  [[gnu::always_inline]] static V sqrt_and_inverse(V x, V& inverse) {
     inverse = inverse_sqrt(x);
     return x * inverse;
   }

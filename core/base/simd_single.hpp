@@ -11,41 +11,48 @@ namespace adore {
 
 /// @param V the vector of doubles of the kernel, so that each instruction set has a separate type
 template <class V>
-struct SimdSingle {
+struct SimdSinglePrecision {
   using F = stdx::rebind_simd_t<float, stdx::resize_simd_t<2 * V::size(), V>>;
   using Mask = typename F::mask_type;
   F v;
 
-  SimdSingle() = default;
-  [[gnu::always_inline]] SimdSingle(double value) : v(static_cast<float>(value)) {}  // NOLINT
-  [[gnu::always_inline]] explicit SimdSingle(const F& from) : v(from) {}
+  SimdSinglePrecision() = default;
+  [[gnu::always_inline]] SimdSinglePrecision(double value)
+      : v(static_cast<float>(value)) {}  // NOLINT
+  [[gnu::always_inline]] explicit SimdSinglePrecision(const F& from) : v(from) {}
 
-  [[gnu::always_inline]] friend SimdSingle operator+(const SimdSingle& a, const SimdSingle& b) {
-    return SimdSingle(F(a.v + b.v));
+  [[gnu::always_inline]] friend SimdSinglePrecision operator+(const SimdSinglePrecision& a,
+                                                              const SimdSinglePrecision& b) {
+    return SimdSinglePrecision(F(a.v + b.v));
   }
-  [[gnu::always_inline]] friend SimdSingle operator-(const SimdSingle& a, const SimdSingle& b) {
-    return SimdSingle(F(a.v - b.v));
+  [[gnu::always_inline]] friend SimdSinglePrecision operator-(const SimdSinglePrecision& a,
+                                                              const SimdSinglePrecision& b) {
+    return SimdSinglePrecision(F(a.v - b.v));
   }
-  [[gnu::always_inline]] friend SimdSingle operator*(const SimdSingle& a, const SimdSingle& b) {
-    return SimdSingle(F(a.v * b.v));
+  [[gnu::always_inline]] friend SimdSinglePrecision operator*(const SimdSinglePrecision& a,
+                                                              const SimdSinglePrecision& b) {
+    return SimdSinglePrecision(F(a.v * b.v));
   }
-  [[gnu::always_inline]] friend SimdSingle operator/(const SimdSingle& a, const SimdSingle& b) {
-    return SimdSingle(F(a.v / b.v));
+  [[gnu::always_inline]] friend SimdSinglePrecision operator/(const SimdSinglePrecision& a,
+                                                              const SimdSinglePrecision& b) {
+    return SimdSinglePrecision(F(a.v / b.v));
   }
-  [[gnu::always_inline]] friend SimdSingle operator-(const SimdSingle& a) {
-    return SimdSingle(F(-a.v));
+  [[gnu::always_inline]] friend SimdSinglePrecision operator-(const SimdSinglePrecision& a) {
+    return SimdSinglePrecision(F(-a.v));
   }
-  [[gnu::always_inline]] friend Mask operator<(const SimdSingle& a, const SimdSingle& b) {
+  [[gnu::always_inline]] friend Mask operator<(const SimdSinglePrecision& a,
+                                               const SimdSinglePrecision& b) {
     return a.v < b.v;
   }
-  [[gnu::always_inline]] friend Mask operator>(const SimdSingle& a, const SimdSingle& b) {
+  [[gnu::always_inline]] friend Mask operator>(const SimdSinglePrecision& a,
+                                               const SimdSinglePrecision& b) {
     return a.v > b.v;
   }
 };
 
 template <class V>
-struct ScalarMath<SimdSingle<V>> {
-  using T = SimdSingle<V>;
+struct ScalarMath<SimdSinglePrecision<V>> {
+  using T = SimdSinglePrecision<V>;
   using F = typename T::F;
   using Mask = typename T::Mask;
   using Bits = stdx::rebind_simd_t<std::int32_t, F>;
@@ -64,7 +71,7 @@ struct ScalarMath<SimdSingle<V>> {
     return T(F(1.0F / stdx::sqrt(x.v)));
 #endif
   }
-  [[gnu::always_inline]] static T root_and_inverse(const T& x, T& inverse) {
+  [[gnu::always_inline]] static T sqrt_and_inverse(const T& x, T& inverse) {
     inverse = inverse_sqrt(x);
     return x * inverse;
   }
@@ -93,7 +100,7 @@ struct ScalarMath<SimdSingle<V>> {
     return (m - 1.0F) * InverseRoots<T>::first(T(F(m + 1.0F))).v;
   }
   /// atanh(z)/z, |z| <= 0.25.
-  [[gnu::always_inline]] static F atanh_over(const F& z) {
+  [[gnu::always_inline]] static F atanh_over_argument(const F& z) {
     const F z2 = z * z;
     F p(1.0F / 9.0F);
     p = p * z2 + 1.0F / 7.0F;
@@ -105,7 +112,7 @@ struct ScalarMath<SimdSingle<V>> {
   [[gnu::always_inline]] static T log(const T& x) {
     F k;
     const F z = log_parts(x.v, k);
-    return T(F(k * 0.693147181F + 2.0F * z * atanh_over(z)));
+    return T(F(k * 0.693147181F + 2.0F * z * atanh_over_argument(z)));
   }
   [[gnu::always_inline]] static T abs(const T& x) { return T(F(stdx::abs(x.v))); }
   [[gnu::always_inline]] static T min(const T& a, const T& b) { return T(F(stdx::min(a.v, b.v))); }
@@ -118,15 +125,15 @@ struct ScalarMath<SimdSingle<V>> {
   [[gnu::always_inline]] static bool any(const Mask& condition) { return stdx::any_of(condition); }
 };
 template <class V>
-struct ScalarLog<SimdSingle<V>> {
-  [[gnu::always_inline]] static SimdSingle<V> log(const SimdSingle<V>& x) {
-    return ScalarMath<SimdSingle<V>>::log(x);
+struct ScalarLog<SimdSinglePrecision<V>> {
+  [[gnu::always_inline]] static SimdSinglePrecision<V> log(const SimdSinglePrecision<V>& x) {
+    return ScalarMath<SimdSinglePrecision<V>>::log(x);
   }
 };
 
 template <class V>
-struct InverseRoots<SimdSingle<V>> {
-  using T = SimdSingle<V>;
+struct InverseRoots<SimdSinglePrecision<V>> {
+  using T = SimdSinglePrecision<V>;
   using F = typename T::F;
   [[gnu::always_inline]] static T first(const T& x) {
 #if defined(__AVX512F__)
@@ -159,8 +166,8 @@ struct InverseRoots<SimdSingle<V>> {
 /// ln(S + √(1 + S²)); below S = 0.25, where that loses digits, atanh(S/√(1 + S²)) by the same
 /// series.
 template <class V>
-struct ScalarAsinh<SimdSingle<V>> {
-  using T = SimdSingle<V>;
+struct ScalarAsinh<SimdSinglePrecision<V>> {
+  using T = SimdSinglePrecision<V>;
   using F = typename T::F;
   [[gnu::always_inline]] static T of(const T& S, const T&, const T& root, const T& inverse) {
     F k;
@@ -171,23 +178,23 @@ struct ScalarAsinh<SimdSingle<V>> {
     stdx::where(small, z) = q;
     stdx::where(small, at) = q;
     stdx::where(small, k) = 0.0F;
-    return T(F(k * 0.693147181F + z * ScalarMath<T>::atanh_over(at)));
+    return T(F(k * 0.693147181F + z * ScalarMath<T>::atanh_over_argument(at)));
   }
 };
 
 template <class V>
-struct ScalarLanes<SimdSingle<V>> {
-  using T = SimdSingle<V>;
+struct ScalarLanes<SimdSinglePrecision<V>> {
+  using T = SimdSinglePrecision<V>;
   [[gnu::always_inline]] static T floor(const T& x) { return T(typename T::F(stdx::floor(x.v))); }
 };
 
 template <class V>
-struct IsSingle<SimdSingle<V>> : std::true_type {};
+struct IsSinglePrecision<SimdSinglePrecision<V>> : std::true_type {};
 
 template <class Abi>
-struct SingleOf<stdx::simd<double, Abi>> {
+struct SinglePrecisionOf<stdx::simd<double, Abi>> {
   using V = stdx::simd<double, Abi>;
-  using Type = SimdSingle<V>;
+  using Type = SimdSinglePrecision<V>;
   using F = typename Type::F;
   [[gnu::always_inline]] static Type pack(const V& a, const V& b) {
 #if defined(__AVX512F__)

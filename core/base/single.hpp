@@ -12,15 +12,15 @@ namespace adore {
 /// Type: of twice as many numbers, with pack(a, b), both(a) and unpack(x, a, b); void: there is
 /// none.
 template <class T>
-struct SingleOf {
+struct SinglePrecisionOf {
   using Type = void;
 };
 template <class T>
-inline constexpr bool kHasSingle = !std::is_void_v<typename SingleOf<T>::Type>;
+inline constexpr bool kHasSingle = !std::is_void_v<typename SinglePrecisionOf<T>::Type>;
 
 /// Is T of single precision?
 template <class T>
-struct IsSingle : std::false_type {};
+struct IsSinglePrecision : std::false_type {};
 
 /// at(tiles, place, f, g): Σ c[4 i + j] f^i g^j, i, j = 0 ... 3, of the 16 floats c of tile
 /// `place`.

@@ -19,7 +19,7 @@ bool is_harmless(unsigned char c) { return (c >= 0x20 && c < 0x7f) || c == '\n' 
 
 }  // namespace
 
-std::string terminal_text(std::string_view text) {
+std::string escape_for_terminal(std::string_view text) {
   std::string out;
   out.reserve(text.size());
   for (std::size_t i = 0; i < text.size();) {
@@ -52,7 +52,7 @@ void print_text(std::FILE* stream, std::string_view text) {
     std::fwrite(text.data(), 1, text.size(), stream);  // close_output() reports errors
     return;
   }
-  const std::string shown = terminal_text(text);
+  const std::string shown = escape_for_terminal(text);
   std::fwrite(shown.data(), 1, shown.size(), stream);
 }
 

@@ -13,9 +13,9 @@ namespace adore {
 
 /// The text with its control characters made visible: "\x1b" for those of one byte, U+FFFD for
 /// those of two (U+0080 to U+009F). Line ends and tabs stay.
-[[nodiscard]] std::string terminal_text(std::string_view text);
+[[nodiscard]] std::string escape_for_terminal(std::string_view text);
 
-/// Writes terminal_text() to a stream.
+/// Writes escape_for_terminal() to a stream.
 void print_text(std::FILE* stream, std::string_view text);
 
 template <class... Args>

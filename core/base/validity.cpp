@@ -14,12 +14,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-Grade grade_of(const std::string& word) {
-  if (word == "note") return Grade::Note;
-  if (word == "warning") return Grade::Warning;
-  if (word == "untrusted") return Grade::Untrusted;
+ValidityGrade grade_of(const std::string& word) {
+  if (word == "note") return ValidityGrade::Note;
+  if (word == "warning") return ValidityGrade::Warning;
+  if (word == "untrusted") return ValidityGrade::Untrusted;
   demand(word == "refused", "validity.json has an unknown severity");
-  return Grade::Refused;
+  return ValidityGrade::Refused;
 }
 
 std::vector<Range> read() {
@@ -92,7 +92,7 @@ std::string Finding::text() const {
   return fmt::format("{}: {}. {}", capitalised(range->law), value_text(*this), range->consequence);
 }
 
-Finding& Watch::finding_of(const Range& range) {
+Finding& RangeMonitor::find_or_add_finding(const Range& range) {
   const auto found = std::find_if(findings_.begin(), findings_.end(),
                                   [&](const Finding& f) { return f.range == &range; });
   if (found != findings_.end()) return *found;
@@ -100,9 +100,9 @@ Finding& Watch::finding_of(const Range& range) {
   return findings_.back();
 }
 
-double Finding::excess() const noexcept { return Watch::excess(value, bounds); }
+double Finding::excess() const noexcept { return RangeMonitor::excess(value, bounds); }
 
-double Watch::excess(double value, const Bounds& bounds) noexcept {
+double RangeMonitor::excess(double value, const Bounds& bounds) noexcept {
   return value > bounds.most ? value - bounds.most : bounds.least - value;
 }
 
@@ -110,7 +110,7 @@ std::vector<std::pair<Severity, std::string>> remarks(std::span<const Finding> f
   std::vector<std::pair<Severity, std::string>> out;
   std::string notes;
   for (const Finding& found : findings) {
-    if (found.range->grade != Grade::Note)
+    if (found.range->grade != ValidityGrade::Note)
       out.emplace_back(Severity::Warning, found.text());
     else
       notes +=

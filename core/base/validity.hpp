@@ -15,7 +15,7 @@
 /// source and consequence; statics, motion, checks, plots and forms read it here.
 namespace adore::validity {
 
-enum class Grade : unsigned char {
+enum class ValidityGrade : unsigned char {
   Note,
   Warning,
   Untrusted,  ///< results are not trusted: exit code 3
@@ -40,7 +40,7 @@ struct Range {
   Bounds bounds;         ///< SI
   std::string bound;     ///< data that has the bounds, when they are not here
   std::string source, consequence;
-  Grade grade = Grade::Warning;
+  ValidityGrade grade = ValidityGrade::Warning;
   bool motion_only = false;
 };
 
@@ -66,7 +66,7 @@ struct Finding {
 };
 
 /// Keeps the worst value of each range. Values within their range cost a comparison.
-class Watch {
+class RangeMonitor {
  public:
   /// @param body gives the name of the body, asked only when the value is the worst so far
   template <class Body>
@@ -74,7 +74,7 @@ class Watch {
              std::optional<Bounds> own = std::nullopt, std::string_view detail = {}) {
     const Bounds& bounds = own ? *own : range.bounds;
     if (bounds.contains(value)) return;
-    Finding& found = finding_of(range);
+    Finding& found = find_or_add_finding(range);
     if (found.instants == 0 || found.time != time) ++found.instants;
     if (found.instants > 1 && !(excess(value, bounds) > found.excess())) return;
     found.value = value;
@@ -86,7 +86,7 @@ class Watch {
   [[nodiscard]] const std::vector<Finding>& findings() const noexcept { return findings_; }
 
  private:
-  Finding& finding_of(const Range& range);
+  Finding& find_or_add_finding(const Range& range);
   friend struct Finding;
   static double excess(double value, const Bounds& bounds) noexcept;
 

@@ -22,8 +22,8 @@ namespace adore {
 }
 
 /// The same of the bytes of numbers.
-[[nodiscard]] inline std::uint64_t word_sum_of_values(std::span<const double> values,
-                                                      std::uint64_t before) noexcept {
+[[nodiscard]] inline std::uint64_t word_checksum_of_values(std::span<const double> values,
+                                                           std::uint64_t before) noexcept {
   return word_checksum({reinterpret_cast<const char*>(values.data()), values.size_bytes()}, before);
 }
 

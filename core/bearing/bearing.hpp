@@ -111,7 +111,7 @@ struct RollerPocketFace {
 };
 
 /// How a cage or a piece of it starts (records 9.6, 9.6.k).
-struct PieceStart {
+struct CageStartState {
   double whirl_ratio = 0.0;          ///< wvRatio
   double speed_ratio = 1.0;          ///< avRatio
   Vec3 start_offset = Vec3::Zero();  ///< cageGcPos [m]
@@ -128,7 +128,7 @@ struct Segmentation {
 };
 
 /// Its sizes are those of the whole, uncut cage.
-struct Cage : PieceStart {
+struct Cage : CageStartState {
   double outer_diameter = 0.0, inner_diameter = 0.0, width = 0.0;  ///< [m]
   double clearance_outer = 0.0,
          clearance_inner = 0.0;  ///< diametral, unguided surfaces and outputs only (N90) [m]
@@ -153,9 +153,9 @@ struct Cage : PieceStart {
   Material material;
   Inertia inertia;  ///< from ideal geometry (contact/cage_inertia) or given; of each piece
   Segmentation segments;
-  std::vector<PieceStart> later_starts;  ///< of the second piece and those behind it
-  [[nodiscard]] const PieceStart& start_of(std::size_t piece) const {
-    return piece == 0 ? *this : later_starts.at(piece - 1);
+  std::vector<CageStartState> later_segment_starts;  ///< of the second piece and those behind it
+  [[nodiscard]] const CageStartState& start_of(std::size_t piece) const {
+    return piece == 0 ? *this : later_segment_starts.at(piece - 1);
   }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "bearing/material.hpp"
 
 #include <array>
@@ -49,7 +50,7 @@ struct ClearanceState {
 };
 
 /// A clearance of the cage.
-struct CagePlay {
+struct CageClearance {
   std::string name;
   double free = 0.0, operating = 0.0;  ///< diametral [m]
 };
@@ -69,10 +70,11 @@ struct OperatingFits {
   ClearanceState free, mounted, operating;  ///< unmounted cold; mounted cold at rest; in operation
   std::array<double, 2> locus_free{}, locus{};  ///< radius of the circle of curvature centers [m]
   double pitch_free = 0.0, pitch = 0.0;         ///< pitch diameter [m]
-  double cage_speed = 0.0;      ///< epicyclic, for the cage's centrifugal growth [rad/s]
-  std::array<Growth, 2> cage;   ///< outside, bore
-  std::vector<CagePlay> plays;  ///< guide lands, unguided surfaces, pockets; empty without cage
-  std::vector<std::string> warnings;  ///< whole sentences
+  double cage_speed = 0.0;     ///< epicyclic, for the cage's centrifugal growth [rad/s]
+  std::array<Growth, 2> cage;  ///< outside, bore
+  std::vector<CageClearance>
+      plays;                      ///< guide lands, unguided surfaces, pockets; empty without cage
+  std::vector<Finding> warnings;  ///< fit.clearance, fit.loose, fit.hoop_stress ...
 };
 
 }  // namespace adore::bearing

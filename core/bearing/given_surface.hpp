@@ -22,22 +22,22 @@ struct SurfaceTable {
   std::vector<double> factor;      ///< grooves of balls: change of the factor f; empty: none [-]
 };
 
-/// A race or an element by a table. The series of GivenRace have least and largest alone; one of
-/// them is no number, so that who does not know tables does not take them for an ideal surface.
-struct GivenSurface : GivenRace {
+/// A race or an element by a table. The series of SurfaceSeries have least and largest alone; one
+/// of them is no number, so that who does not know tables does not take them for an ideal surface.
+struct TabulatedSurface : SurfaceSeries {
   SurfaceTable table;
 
-  explicit GivenSurface(SurfaceTable values) : table(std::move(values)) {
+  explicit TabulatedSurface(SurfaceTable values) : table(std::move(values)) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     radius.pairs = {kNone, kNone};
   }
 };
 
 /// The table of a surface; null: it has series.
-[[nodiscard]] inline const SurfaceTable* table_of(const GivenRace* given) noexcept {
+[[nodiscard]] inline const SurfaceTable* table_of(const SurfaceSeries* given) noexcept {
   if (given == nullptr || given->radius.pairs.empty() || !std::isnan(given->radius.pairs[0]))
     return nullptr;
-  return &static_cast<const GivenSurface*>(given)->table;
+  return &static_cast<const TabulatedSurface*>(given)->table;
 }
 
 }  // namespace adore::bearing

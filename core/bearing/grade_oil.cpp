@@ -104,7 +104,7 @@ GradeOil grade_oil(const GradeOilInput& given) {
     out.index_given = true;
   } else {
     if (given.first_at && std::abs(*given.first_at - kAt40) > 0.01)
-      refuse("has one viscosity at another temperature than 40 °C; give a second viscosity");
+      refuse("has only one viscosity, which is not at 40 °C; give a second viscosity");
     out.index_given = given.viscosity_index.has_value();
     from = kAt40;
     to = kAt100;
@@ -115,8 +115,11 @@ GradeOil grade_oil(const GradeOilInput& given) {
     std::swap(nu1, nu2);
   }
   if (to - from < 10.0)
-    refuse("has viscosities at nearly equal temperatures; 10 K apart is the least");
-  if (!(nu2 < nu1)) refuse("becomes more viscous with temperature; exchange the viscosities");
+    refuse(
+        "has viscosities at nearly equal temperatures. Give temperatures that differ by 10 K or "
+        "more");
+  if (!(nu2 < nu1))
+    refuse("has a viscosity that increases with temperature; exchange the viscosities");
   if (!(nu2 >= kLeast)) refuse("has a viscosity below 2 mm²/s, outside Walther's law");
   out.B = (walther(nu1) - walther(nu2)) / (std::log10(to) - std::log10(from));
   out.A = walther(nu1) + out.B * std::log10(from);

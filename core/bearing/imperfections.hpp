@@ -24,28 +24,28 @@ struct Harmonic {
 };
 
 /// Σ c_n cos nψ + s_n sin nψ, n from 0, as pairs (c_n, s_n); empty: 0.
-struct TurnSeries {
+struct AzimuthSeries {
   std::vector<double> pairs;
   double least = 0.0, largest = 0.0;  ///< over the turn
 };
 
 /// Race surface given by user routine ADRX6.
-struct GivenRace {
-  TurnSeries radius;            ///< [m]
-  TurnSeries taper;             ///< as RaceErrors::taper [rad]
-  TurnSeries curvature_factor;  ///< added to f [-]
+struct SurfaceSeries {
+  AzimuthSeries radius;            ///< [m]
+  AzimuthSeries taper;             ///< as RaceErrors::taper [rad]
+  AzimuthSeries curvature_factor;  ///< added to f [-]
 };
 
 /// Errors of one race over the azimuth ψ of its frame: from its z axis, positive about x (N79).
 /// Their effect on the surface: contact/race_errors.hpp.
 struct RaceErrors {
   enum class Roundness : unsigned char { None, Elliptical, Sinusoidal } roundness = Roundness::None;
-  std::shared_ptr<const GivenRace> given;  ///< in the place of all that follows
-  std::array<double, 3> variation{};       ///< v1, v2, v3: [m, m, rad] elliptical; [m, waves per
-                                           ///< revolution, rad] sinusoidal
-  Harmonic land_offset;                    ///< moves the land towards +x [m]
-  Harmonic taper;                          ///< turns the profile, positive opens towards +x [rad]
-  Harmonic curvature_factor;               ///< added to f [-]
+  std::shared_ptr<const SurfaceSeries> given;  ///< in the place of all that follows
+  std::array<double, 3> variation{};  ///< v1, v2, v3: [m, m, rad] elliptical; [m, waves per
+                                      ///< revolution, rad] sinusoidal
+  Harmonic land_offset;               ///< moves the land towards +x [m]
+  Harmonic taper;                     ///< turns the profile, positive opens towards +x [rad]
+  Harmonic curvature_factor;          ///< added to f [-]
 
   /// All amplitudes are zero.
   [[nodiscard]] bool ideal() const noexcept {
@@ -89,10 +89,10 @@ struct LandErrors {
 };
 
 /// Source of the deviations of the rolling elements (kReGeoImp).
-enum class ElementErrors : unsigned char { None = 0, Random = 1, Listed = 2 };
+enum class ElementErrorSource : unsigned char { None = 0, Random = 1, Listed = 2 };
 
 struct Imperfections {
-  ElementErrors elements = ElementErrors::None;
+  ElementErrorSource elements = ElementErrorSource::None;
   std::uint64_t seed = 0;             ///< of the random table (base/random_table.hpp), Random only
   std::vector<double> ball_diameter;  ///< D_k - D by ball [m]; empty: none
   std::array<RaceErrors, 2> race;     ///< [0] outer, [1] inner

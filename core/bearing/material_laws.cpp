@@ -67,7 +67,7 @@ PropertyEntry parse_property(const Json& material, const std::string& name) {
   return out;
 }
 
-std::map<std::string, MaterialSheet> load() {
+std::map<std::string, MaterialSheet> load_laws() {
   static constexpr std::array kProperties = {"density",
                                              "elastic_modulus",
                                              "poisson_ratio",
@@ -96,7 +96,7 @@ std::map<std::string, MaterialSheet> load() {
 }
 
 const std::map<std::string, MaterialSheet>& sheets() {
-  static const std::map<std::string, MaterialSheet> kSheets = load();
+  static const std::map<std::string, MaterialSheet> kSheets = load_laws();
   return kSheets;
 }
 

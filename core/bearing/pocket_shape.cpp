@@ -9,14 +9,14 @@ namespace adore::bearing {
 namespace {
 
 /// In the order of PocketShape, which is that of kPocType of balls.
-constexpr std::array<std::string_view, 5> kNames{"cylindrical", "spherical", "elongated",
-                                                 "rectangular", "conical"};
+constexpr std::array<std::string_view, 5> kShapeNames{"cylindrical", "spherical", "elongated",
+                                                      "rectangular", "conical"};
 
 }  // namespace
 
 PocketShape pocket_shape(long long code, bool rollers) noexcept {
   if (rollers) return code < 0 ? PocketShape::Cylindrical : PocketShape::Rectangular;
-  const bool known = code >= 0 && code < static_cast<long long>(kNames.size());
+  const bool known = code >= 0 && code < static_cast<long long>(kShapeNames.size());
   return known ? static_cast<PocketShape>(code) : PocketShape::Cylindrical;
 }
 
@@ -33,12 +33,12 @@ int pocket_surfaces(const Cage& cage, bool rollers) noexcept {
 }
 
 std::string_view name_of(PocketShape shape) noexcept {
-  return kNames[static_cast<std::size_t>(shape)];
+  return kShapeNames[static_cast<std::size_t>(shape)];
 }
 
-std::optional<PocketShape> pocket_shape_of(std::string_view name) noexcept {
-  for (std::size_t i = 0; i < kNames.size(); ++i)
-    if (kNames[i] == name) return static_cast<PocketShape>(i);
+std::optional<PocketShape> parse_pocket_shape(std::string_view name) noexcept {
+  for (std::size_t i = 0; i < kShapeNames.size(); ++i)
+    if (kShapeNames[i] == name) return static_cast<PocketShape>(i);
   return std::nullopt;
 }
 

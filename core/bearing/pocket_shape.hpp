@@ -24,6 +24,6 @@ enum class PocketShape : unsigned char { Cylindrical, Spherical, Elongated, Rect
 
 /// "cylindrical" ... "conical", as inputs and listings name it.
 [[nodiscard]] std::string_view name_of(PocketShape shape) noexcept;
-[[nodiscard]] std::optional<PocketShape> pocket_shape_of(std::string_view name) noexcept;
+[[nodiscard]] std::optional<PocketShape> parse_pocket_shape(std::string_view name) noexcept;
 
 }  // namespace adore::bearing

@@ -20,7 +20,7 @@ struct FreeRace {
 };
 
 /// Load that turns (9.3A), see dynamics/excitations.hpp. Outer, inner race.
-struct TurningLoad {
+struct RotatingLoadParameters {
   std::array<double, 2> fraction{};  ///< of the static deflection that turns [-]
   std::array<double, 2> speed{};     ///< [rad/s]
 };
@@ -32,7 +32,7 @@ struct Vibration {
 };
 
 /// Speed ramp of one race (9.4A).
-struct Ramp {
+struct SpeedRampParameters {
   double acceleration = 0.0;      ///< [rad/s²]
   double begin = 0.0, end = 0.0;  ///< [s]
 };
@@ -60,19 +60,21 @@ struct FrameMotion {
 
 struct RaceMotions {
   std::array<std::optional<FreeRace>, 2> free;
-  std::optional<TurningLoad> turning_load;
+  std::optional<RotatingLoadParameters> rotating_load_parameters;
   std::array<std::optional<Vibration>, 2> vibration;
-  std::array<std::optional<Ramp>, 2> ramp;
+  std::array<std::optional<SpeedRampParameters>, 2> ramp;
   std::array<std::optional<SpeedVariation>, 2> variation;
   std::optional<FrameMotion> frame;
 
   /// Does race j (0 outer, 1 inner) move by a law of time in addition to its constant spin?
-  [[nodiscard]] bool excited(int j) const noexcept {
+  [[nodiscard]] bool has_excitation(int j) const noexcept {
     const auto k = static_cast<std::size_t>(j);
-    return turning_load || vibration[k] || ramp[k] || variation[k];
+    return rotating_load_parameters || vibration[k] || ramp[k] || variation[k];
   }
-  [[nodiscard]] bool excited() const noexcept { return excited(0) || excited(1); }
-  [[nodiscard]] bool any_free() const noexcept { return free[0] || free[1]; }
+  [[nodiscard]] bool has_excitation() const noexcept {
+    return has_excitation(0) || has_excitation(1);
+  }
+  [[nodiscard]] bool has_free_motion() const noexcept { return free[0] || free[1]; }
 };
 
 }  // namespace adore::bearing

@@ -12,9 +12,10 @@
 namespace adore::bearing {
 namespace {
 
-constexpr std::array<std::string_view, 5> kNames = {"Normal", "6", "5", "4", "2"};
+constexpr std::array<std::string_view, 5> kClassNames = {"Normal", "6", "5", "4", "2"};
 
-RingTolerance tolerance(const char* part, const char* name, RingClass ring, double nominal) {
+RingTolerance tolerance(const char* part, const char* name, RingToleranceClass ring,
+                        double nominal) {
   const nlohmann::json& table = rating_data("ring_tolerances").at(part);
   const auto column = static_cast<std::size_t>(ring);
   const double size = 1e3 * nominal;
@@ -31,26 +32,26 @@ RingTolerance tolerance(const char* part, const char* name, RingClass ring, doub
       fmt::format("{} {:.6g} mm: tolerance class {} is not available for this size. Enter a size "
                   "from 2.5 mm (classes 4 and 2: bores up to 250 mm, outside diameters up to "
                   "400 mm) or another class.",
-                  name, size, kNames.at(column)));
+                  name, size, kClassNames.at(column)));
 }
 
 }  // namespace
 
-RingClass ring_class(std::string_view name) {
+RingToleranceClass ring_class(std::string_view name) {
   std::string_view plain = name;
   if (plain.size() > 1 && (plain[0] == 'P' || plain[0] == 'p')) plain.remove_prefix(1);
-  if (plain == "0") plain = kNames[0];
-  for (std::size_t k = 0; k < kNames.size(); ++k)
-    if (plain == kNames.at(k)) return static_cast<RingClass>(k);
+  if (plain == "0") plain = kClassNames[0];
+  for (std::size_t k = 0; k < kClassNames.size(); ++k)
+    if (plain == kClassNames.at(k)) return static_cast<RingToleranceClass>(k);
   throw InputError(
       fmt::format("tolerance class {} of a bearing: unknown. Enter Normal, 6, 5, 4 or 2.", name));
 }
 
-RingTolerance bore_tolerance(RingClass ring, double nominal) {
+RingTolerance bore_tolerance(RingToleranceClass ring, double nominal) {
   return tolerance("bore", "bore", ring, nominal);
 }
 
-RingTolerance outside_tolerance(RingClass ring, double nominal) {
+RingTolerance outside_tolerance(RingToleranceClass ring, double nominal) {
   return tolerance("outside", "outside diameter", ring, nominal);
 }
 

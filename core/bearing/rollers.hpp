@@ -40,7 +40,7 @@ struct Flange {
 /// Additional radius of a roller along its axis (routine ADRX5): at most 0, cubics between
 /// places whose slopes are those of the parabola through each place and its neighbors; constant
 /// beyond the ends.
-struct RollerForm {
+struct RollerProfileDeviation {
   std::vector<double> place, more;  ///< s from mid length, growing; [m]
   struct At {
     double more = 0.0, slope = 0.0;
@@ -76,7 +76,7 @@ struct RollerForm {
 /// Deviations of one roller from the nominal one.
 struct RollerDeviation {
   double diameter = 0.0, crown_radius = 0.0, length = 0.0, central_length = 0.0, land_offset = 0.0;
-  std::shared_ptr<const RollerForm> form;  ///< null: none
+  std::shared_ptr<const RollerProfileDeviation> form;  ///< null: none
 };
 
 /// Change of one raceway by fits, temperatures and speeds.
@@ -87,7 +87,7 @@ struct RacewayGrowth {
 
 /// A roller bearing in operation remembers the raceways of the deck and how they grew: sizes that
 /// the races follow from, on the bench, unmounted, cold and at rest.
-struct RollerBench {
+struct UnmountedRollerGeometry {
   double diameter = 0.0, length = 0.0, crown_radius = 0.0, pitch_diameter = 0.0, clearance = 0.0;
   std::array<double, 2> groove_factor{};
   std::array<RacewayGrowth, 2> growth;
@@ -119,7 +119,7 @@ struct RollerGeometry {
   std::vector<RollerDeviation> deviation;  ///< by roller; empty: all nominal
   /// Set in operation: then the sizes above are those of the rollers in operation, and the races
   /// are the bench's, grown (contact/race_growth.hpp).
-  std::optional<RollerBench> bench;
+  std::optional<UnmountedRollerGeometry> bench;
 
   /// Length over which a roller can touch a raceway: without its corners.
   [[nodiscard]] double contact_length() const noexcept {
@@ -140,7 +140,7 @@ struct RollerGeometry {
     return 0.5 * pitch_diameter + (race == 0 ? out : -out);
   }
   /// Itself, or what it was before it was mounted and put to work.
-  [[nodiscard]] RollerGeometry on_bench() const {
+  [[nodiscard]] RollerGeometry unmounted_geometry() const {
     RollerGeometry out = *this;
     if (!bench) return out;
     out.diameter = bench->diameter;

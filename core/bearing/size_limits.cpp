@@ -176,8 +176,7 @@ SizeLimits size_limits(std::string_view tolerance_class, double nominal) {
     refuse(tolerance_class, "not available");
   if (size > kLargestSmall && shaft[0] > 'h')
     refuse(tolerance_class,
-           "available up to 500 mm; d to h, js and holes of these letters go to "
-           "800 mm");
+           "available up to 500 mm (classes d to h and js, D to H and JS: up to 800 mm)");
   if (shaft[0] <= 'h') {
     const double position = shaft_position(shaft[0], grade, size);
     return hole ? limits(-position, tolerance) : limits(position - tolerance, tolerance);

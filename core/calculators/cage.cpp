@@ -21,7 +21,7 @@ namespace {
 using bearing::PocketShape;
 
 std::optional<PocketShape> pocket_shape(const Json& inputs) {
-  return bearing::pocket_shape_of(inputs.at("shape").get<std::string>());
+  return bearing::parse_pocket_shape(inputs.at("shape").get<std::string>());
 }
 
 // ---- cage_pockets
@@ -38,8 +38,8 @@ Json pocket_frame_case(const Json& in) {
   placement.cone_angle = in.value("cageConeAng_deg", 0.0) * kDegree;
   placement.tilt = vec3_or_zero(in, "bPocAngVar_deg") * kDegree;
   const contact::PocketFrame frame = contact::pocket_frame(placement);
-  const auto height = contact::wall_height(get(in, "cageDia1"), get(in, "cageDia2"), dm,
-                                           in.value("bPocThknsVar", 0.0));
+  const auto height = contact::pocket_wall_limits(get(in, "cageDia1"), get(in, "cageDia2"), dm,
+                                                  in.value("bPocThknsVar", 0.0));
   const Vec3 q = frame.cage_to_pocket * (vec3(in.at("element_centre_cage")) - frame.centre);
   return {{"pocket_centre_cage", json(frame.centre)},
           {"cage_to_pocket_matrix", json(frame.cage_to_pocket)},
@@ -92,7 +92,7 @@ Json half_pocket_case(const Json& in) {
                                           get(in, "wall_z_high")};
   const double y_cut =
       get(in, "pocket_centre_radius") * std::tan(0.5 * get(in, "cageAngCut_deg") * kDegree);
-  const contact::WallPoint wall = contact::nearest_wall_half(
+  const contact::WallPoint wall = contact::nearest_half_pocket_wall(
       pocket, vec3(in.at("element_centre_pocket")), r_b, whole(in, "half_side", -1, 1), y_cut);
   return {
       {"gap", wall.gap}, {"contact_point", json(wall.w)}, {"inward_normal", json(Vec3(-wall.m))}};
@@ -202,8 +202,8 @@ Json round_roller_pocket_case(const Json& in) {
   Json gaps = Json::array();
   double least = std::numeric_limits<double>::infinity(), angle = 0.0;
   for (const contact::RollerSlice& slice : roller.slices) {
-    const contact::PocketSlice c =
-        contact::slice_in_round(pocket, roller.q + slice.s * roller.u, roller.u, slice.radius);
+    const contact::PocketSlice c = contact::slice_in_round_pocket(
+        pocket, roller.q + slice.s * roller.u, roller.u, slice.radius);
     gaps.push_back(c.gap);
     if (c.gap >= least) continue;
     least = c.gap;
@@ -242,7 +242,7 @@ contact::LandPair land_pair(const Json& in) {
   contact::LandPair land;
   land.outer = whole(in, "iCageGuide", 0, 2) == 1;
   land.width = get(in, "cageGsWidth");
-  land.centre_x = contact::land_centre(get(in, "cageGsPos"), land.width);
+  land.centre_x = contact::land_center_position(get(in, "cageGsPos"), land.width);
   land.slices = whole(in, "slices", 1, kMostSlices);
   const double cage_radius = 0.5 * get(in, "cageGsDia"), play = 0.5 * get(in, "cageGsCls");
   land.cage = land_profile(cage_radius, whole_or(in, "kCageGsImp", 0, 0, 2), in, "cageGsRadVar");
@@ -259,7 +259,7 @@ Json land_gap_case(const Json& in) {
   contact::LandGap least;
   for (int k = 0; k < land.slices; ++k) {
     const contact::LandGap slice =
-        contact::least_land_gap(land, contact::slice_position(land, k), g, T);
+        contact::min_land_gap(land, contact::slice_position(land, k), g, T);
     gaps.push_back(slice.gap);
     azimuths.push_back(slice.azimuth / kDegree);
     if (k == 0 || slice.gap < least.gap) least = slice;
@@ -293,7 +293,7 @@ Json land_law_case(const Json& in) {
   for (const Json& value : in.at("eccentricities")) {
     const double e = value.get<double>();
     force.push_back(width * contact::land_load_per_length(law, e));
-    slope.push_back(width * contact::land_slope_per_length(law, e));
+    slope.push_back(width * contact::land_stiffness_per_length(law, e));
     energy.push_back(width * contact::land_energy_per_length(law, e));
   }
   return {{"force", force}, {"stiffness", slope}, {"energy", energy}};
@@ -312,7 +312,7 @@ Json land_friction_case(const Json& in) {
   const contact::LandPair land = land_pair(in);
   const Vec3 cage = vec3(in.at("cage_centre")), race = vec3(in.at("race_centre"));
   const contact::LandGap least =
-      contact::least_land_gap(land, land.centre_x, cage - race, Mat3::Identity());
+      contact::min_land_gap(land, land.centre_x, cage - race, Mat3::Identity());
   const Vec3 point = race + least.point;
   const double side =
       land.outer ? -1.0 : 1.0;  // the land pushes the cage inward, or outward off an inner race

@@ -60,7 +60,7 @@ Ordered input_json(const SchemaKind& kind, const SchemaInput& input) {
   return out;
 }
 
-std::string condition_text(const Condition& condition) {
+std::string short_condition_text(const Condition& condition) {
   std::string out;
   for (const auto& [path, values] : condition) {
     std::string list;
@@ -83,7 +83,7 @@ std::string presence_text(const SchemaKind& kind, const SchemaInput& input) {
     out = "default " + dump_json(input.default_value);
   else
     out = "optional";
-  if (!input.only_if.empty()) out += " if " + condition_text(input.only_if);
+  if (!input.only_if.empty()) out += " if " + short_condition_text(input.only_if);
   if (!input.needs.empty()) out += fmt::format(", together with {}", fmt::join(input.needs, ", "));
   return out;
 }
@@ -140,7 +140,7 @@ std::string kind_markdown(const CalculatorInfo& info, const SchemaFamily& family
 
 Json result_units(std::string_view family, const Json& results) {
   Json out = Json::object();
-  const SchemaFamily* schema = schema_of(family);
+  const SchemaFamily* schema = family_schema(family);
   if (schema == nullptr) return out;
   std::set<std::string> present;
   collect_paths(results, "", present);
@@ -151,9 +151,9 @@ Json result_units(std::string_view family, const Json& results) {
 
 Ordered describe_calculator(const CalculatorInfo& info) {
   Ordered out{{"name", info.name}, {"help", info.help}, {"calculations", Ordered::array()}};
-  const SchemaFamily* schema = schema_of(info.family);
+  const SchemaFamily* schema = family_schema(info.family);
   if (schema == nullptr) return out;
-  for (const SchemaKind* kind : kinds_of(*schema, info.kind)) {
+  for (const SchemaKind* kind : calculation_kinds(*schema, info.kind)) {
     Ordered inputs = Ordered::array(), results = Ordered::array();
     for (const SchemaInput& input : kind->inputs) inputs.push_back(input_json(*kind, input));
     for (const std::string& name : kind->results)
@@ -173,9 +173,9 @@ Ordered describe_calculator(const CalculatorInfo& info) {
 
 std::string describe_calculator_text(const CalculatorInfo& info) {
   std::string out = fmt::format("{}: {}\n", info.name, info.help);
-  const SchemaFamily* schema = schema_of(info.family);
+  const SchemaFamily* schema = family_schema(info.family);
   if (schema == nullptr) return out;
-  const std::vector<const SchemaKind*> kinds = kinds_of(*schema, info.kind);
+  const std::vector<const SchemaKind*> kinds = calculation_kinds(*schema, info.kind);
   for (const SchemaKind* kind : kinds) {
     if (info.kind.empty() || kinds.size() > 1) out += fmt::format("\n{}\n", kind->name);
     out += "\ninputs\n";
@@ -197,17 +197,17 @@ std::string calculators_markdown() {
   std::string out =
       "# Calculators\n\n"
       "`adore calc NAME FILE` reads one JSON object of inputs and prints the results with their "
-      "units. If a calculator has several kinds of calculation, it finds the kind from the inputs "
-      "that are given. To name the kind, write `{\"kind\": ..., \"inputs\": {...}}`. Upper and "
+      "units. If a calculator has several kinds of calculation, the inputs determine the kind. To "
+      "select it explicitly, write `{\"kind\": ..., \"inputs\": {...}}`. Upper and "
       "lower case are equal in text inputs such as material codes. Unknown, unused and missing "
       "inputs and values outside their range are errors. Inputs of the type `label` are comments "
       "without effect.\n\n"
       "This page is the output of `adore calc --list --markdown`.\n\n";
   for (const CalculatorInfo& info : calculator_list()) {
     out += fmt::format("## {}\n\n{}\n\n", info.name, info.help);
-    const SchemaFamily* schema = schema_of(info.family);
+    const SchemaFamily* schema = family_schema(info.family);
     if (schema == nullptr) continue;
-    const std::vector<const SchemaKind*> kinds = kinds_of(*schema, info.kind);
+    const std::vector<const SchemaKind*> kinds = calculation_kinds(*schema, info.kind);
     for (const SchemaKind* kind : kinds)
       out += kind_markdown(info, *schema, *kind, info.kind.empty() || kinds.size() > 1);
   }

@@ -125,7 +125,7 @@ class InputCheck {
       if (names.contains(key)) {
         check(item, prefix + key, place);
       } else if (!names_below(family_.inputs, prefix).contains(key)) {
-        report(place, item, "there is no such input", suggest(key, names, "inputs"));
+        report(place, item, "there is no such input", spelling_suggestion(key, names, "inputs"));
       } else if (const SchemaInput* other = find_input(family_.inputs, prefix + key);
                  !(item.is_null() && other != nullptr && other->null_meaning)) {
         report(place, item, fmt::format("not used by {}", kind_.name), "remove it");
@@ -194,7 +194,8 @@ class InputCheck {
 
   static std::string remedy(const SchemaInput& input, const Json& value) {
     if (value.is_string() && input.type == "code")
-      return suggest(value.get<std::string>(), {input.codes.begin(), input.codes.end()}, "codes");
+      return spelling_suggestion(value.get<std::string>(), {input.codes.begin(), input.codes.end()},
+                                 "codes");
     return "give " + input.value_text();
   }
 
@@ -391,7 +392,7 @@ void check_selecting_codes(const std::vector<const SchemaKind*>& kinds, const Sc
     issue.variable = path;
     issue.value = dump_json(*value);
     issue.message = "not one of the codes";
-    issue.remedy = suggest(text, allowed, "codes");
+    issue.remedy = spelling_suggestion(text, allowed, "codes");
     throw InputError(std::vector<Issue>{issue});
   }
 }
@@ -443,9 +444,9 @@ void check_value(const SchemaFamily& family, std::string_view calculator, const 
 }  // namespace
 
 Json check_inputs(std::string_view family, std::string_view adapter_kind, Json the_case) {
-  const SchemaFamily* schema = schema_of(family);
+  const SchemaFamily* schema = family_schema(family);
   if (schema == nullptr) return the_case;
-  std::vector<const SchemaKind*> kinds = kinds_of(*schema, adapter_kind);
+  std::vector<const SchemaKind*> kinds = calculation_kinds(*schema, adapter_kind);
   if (kinds.empty()) return the_case;
   const std::string name = take_kind(the_case, kinds, *schema);
   if (!name.empty()) {
@@ -454,7 +455,7 @@ Json check_inputs(std::string_view family, std::string_view adapter_kind, Json t
     std::erase_if(kinds, [&](const SchemaKind* kind) { return !names_kind(*kind, name); });
     if (kinds.empty())
       throw InputError(fmt::format("kind \"{}\": there is no such kind of calculation; {}", name,
-                                   suggest(name, names, "kinds")));
+                                   spelling_suggestion(name, names, "kinds")));
   }
   Json& inputs = the_case.at("inputs");
   check_selecting_codes(kinds, *schema, inputs);
@@ -468,7 +469,7 @@ void check_results(std::string_view family, std::string_view calculator, const J
   if (results.is_object() && results.contains("error"))
     throw InputError(fmt::format("calculator {}: these inputs have no solution: {}", calculator,
                                  results.value("message", dump_json(results.at("error")))));
-  if (const SchemaFamily* schema = schema_of(family); schema != nullptr)
+  if (const SchemaFamily* schema = family_schema(family); schema != nullptr)
     check_value(*schema, calculator, results, "");
 }
 

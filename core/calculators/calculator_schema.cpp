@@ -72,8 +72,9 @@ SchemaKind read_kind(const std::string& name, const Ordered& row,
       const auto found = own.find(input.name);
       out.inputs.push_back(found == own.end() ? input : found->second);
     }
-  demand(taken.empty(), fmt::format("calculators.json: kind {} takes the undescribed input {}",
-                                    name, taken.empty() ? "" : *taken.begin()));
+  demand(taken.empty(),
+         fmt::format("calculators.json: kind {} uses the input {}, which has no description", name,
+                     taken.empty() ? "" : *taken.begin()));
   return out;
 }
 
@@ -171,21 +172,22 @@ const SchemaInput* SchemaKind::find(std::string_view wanted) const {
   return found == inputs.end() ? nullptr : &*found;
 }
 
-const SchemaFamily* schema_of(std::string_view family) {
+const SchemaFamily* family_schema(std::string_view family) {
   static const std::map<std::string, SchemaFamily, std::less<>> kSchema = read_schema();
   const auto found = kSchema.find(family);
   return found == kSchema.end() ? nullptr : &found->second;
 }
 
-std::vector<const SchemaKind*> kinds_of(const SchemaFamily& family, std::string_view adapter_kind) {
+std::vector<const SchemaKind*> calculation_kinds(const SchemaFamily& family,
+                                                 std::string_view adapter_kind) {
   std::vector<const SchemaKind*> out;
   for (const SchemaKind& kind : family.kinds)
     if (adapter_kind.empty() || kind.runs == adapter_kind) out.push_back(&kind);
   return out;
 }
 
-std::string suggest(std::string_view wrong, const std::set<std::string>& names,
-                    std::string_view plural) {
+std::string spelling_suggestion(std::string_view wrong, const std::set<std::string>& names,
+                                std::string_view plural) {
   std::vector<std::string> near;
   for (const std::string& name : names)
     if (edit_distance(wrong, name) <= std::max<std::size_t>(1, name.size() / 3))

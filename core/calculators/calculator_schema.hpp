@@ -85,14 +85,15 @@ struct SchemaFamily {
 };
 
 /// Null for a family of reference cases that is not described.
-[[nodiscard]] const SchemaFamily* schema_of(std::string_view family);
+[[nodiscard]] const SchemaFamily* family_schema(std::string_view family);
 
 /// Kinds of a calculator: all of its family, or those that its adapter kind runs.
-[[nodiscard]] std::vector<const SchemaKind*> kinds_of(const SchemaFamily& family,
-                                                      std::string_view adapter_kind);
+[[nodiscard]] std::vector<const SchemaKind*> calculation_kinds(const SchemaFamily& family,
+                                                               std::string_view adapter_kind);
 
 /// "did you mean a, b?" for a misspelled name, or all names when none is near.
-[[nodiscard]] std::string suggest(std::string_view wrong, const std::set<std::string>& names,
-                                  std::string_view plural);
+[[nodiscard]] std::string spelling_suggestion(std::string_view wrong,
+                                              const std::set<std::string>& names,
+                                              std::string_view plural);
 
 }  // namespace adore::calculators

@@ -77,7 +77,7 @@ const std::vector<CalculatorInfo>& calculator_list() {
       {"journal-film", "tribology_journalBearing", "",
        "force and torque of a cage on its guide land (short journal bearing)"},
       {"pocket-film", "tribology_pocketFilm", "",
-       "forces of the wedge film and the squeeze film in a cage pocket"},
+       "wedge film and squeeze film forces in a cage pocket"},
       {"churning", "tribology_churning", "",
        "churning drag and torque of rolling elements, rings and discs in a medium"},
       {"pocket-frame", "cage_pockets", "pocket_frame", "center and axes of a cage pocket"},
@@ -110,7 +110,7 @@ const std::vector<CalculatorInfo>& calculator_list() {
       {"load-capacity", "life_lp_capacity", "",
        "Lundberg-Palmgren load capacity of ball and roller races"},
       {"life", "life_stress_models", "",
-       "life of races, rolling elements and bearing from contact loads, with the selected life "
+       "life of races, rolling elements and bearing from contact loads, with a selectable life "
        "model"},
       {"life-factors", "life_factors", "", "STLE and Tallian-type life factors"},
       {"life-statistics", "life_race_bearing", "",
@@ -126,11 +126,11 @@ const std::vector<CalculatorInfo>& calculator_list() {
       {"oscillating-life", "rating_oscillation", "",
        "life of an oscillating bearing and the critical angle of oscillation"},
       {"minimum-load", "rating_minimum_load", "",
-       "least load for rolling without sliding, by a maker's rules"},
+       "minimum load for rolling without sliding (formulas of a bearing manufacturer)"},
       {"size-limits", "rating_size_limits", "",
-       "limits of a shaft or bore by its class (ISO 286) and of bearing rings (ISO 492)"},
+       "limits of size of shafts and bores (ISO 286) and of bearing rings (ISO 492)"},
       {"bearing-fit", "rating_bearing_fit", "",
-       "interference by tolerance classes; clearance after mounting and in operation"},
+       "interference from tolerance classes; clearance after mounting and in operation"},
       {"rigid-body", "motion_frames", "rigid_body", "accelerations of a rigid body"},
   };
   return table;
@@ -207,13 +207,13 @@ nlohmann::json calculate(std::string_view name, const nlohmann::json& input,
     for (const CalculatorInfo& info : table)
       if (info.family == family) members += (members.empty() ? "" : ", ") + std::string(info.name);
     throw InputError(
-        fmt::format("{} is a family of reference cases, and these inputs fit none of its kinds of "
-                    "calculation; add \"kind\", or use one of its calculators: {}",
+        fmt::format("{} is a family of reference cases. The inputs fit none of its kinds of "
+                    "calculation. Add \"kind\", or use one of its calculators: {}",
                     name, members.empty() ? "none" : members));
   }
   if (!result)
     throw InputError(
-        fmt::format("calculator {}: these inputs fit none of its kinds of calculation; {}", name,
+        fmt::format("calculator {}: the inputs fit none of its kinds of calculation; {}", name,
                     see_description(name)));
   check_results(family, name, *result);
   nlohmann::json units = result_units(family, *result);

@@ -33,12 +33,13 @@ std::optional<Json> film_case(const Json& the_case) {
     return both(point_film(inlet, get(in, "Rx"), get(in, "load"), get(in, "k")));
   }
   if (formula == "chittenden") {
-    return both(any_point_film(inlet, get(in, "Re"), get(in, "Rs"), get(in, "load")));
+    return both(chittenden_point_film(inlet, get(in, "Re"), get(in, "Rs"), get(in, "load")));
   }
   if (formula != "line") return std::nullopt;
   const double R = get(in, "R"), load = get(in, "loadPerLength");
-  const FilmThickness dowson = line_film(inlet, R, load), pan = line_film_1989(inlet, R, load);
-  return Json{{"dowson_higginson_1966_min", line_film_1966(inlet, R, load)},
+  const FilmThickness dowson = line_film(inlet, R, load),
+                      pan = pan_hamrock_line_film(inlet, R, load);
+  return Json{{"dowson_higginson_1966_min", dowson_higginson_line_film(inlet, R, load)},
               {"dowson_1968_min", dowson.minimum},
               {"dowson_toyoda_1979_central", dowson.central},
               {"pan_hamrock_1989_min", pan.minimum},
@@ -73,14 +74,14 @@ Json of_lubricant(const Json& in, double p, double T) {
   return {{"mu", oil.base_viscosity(T)},
           {"alpha", oil.base_alpha(T)},
           {"dlnmudT", -oil.base_beta(T)},
-          {"muTraction", oil.pressed_viscosity(p, T)},
-          {"betaTraction", oil.pressed_beta(p, T)},
+          {"muTraction", oil.viscosity_under_pressure(p, T)},
+          {"betaTraction", oil.beta_under_pressure(p, T)},
           {"density", oil.density.at(T)},
           {"specificHeat", oil.specific_heat.at(T)},
           {"conductivity", oil.conductivity.at(T)},
           {"name", oil.name},
           {"provenance", oil.provenance},
-          {"range", beyond_range(pressure_range(oil.code), p)}};
+          {"range", extrapolation_note(pressure_range(oil.code), p)}};
 }
 
 std::optional<Json> viscosity_case(const Json& the_case) {
@@ -108,7 +109,7 @@ std::optional<Json> newton_film_case(const Json& the_case) {
   const double U = get(in, "U"), h = get(in, "h"), K = get(in, "K");
   if (law == "exponential") {
     const FilmShear film =
-        film_between_walls(get(in, "mua"), get(in, "mub"), get(in, "beta"), K, h, U);
+        film_shear_between_walls(get(in, "mua"), get(in, "mub"), get(in, "beta"), K, h, U);
     return Json{{"tau", film.stress},
                 {"dTmid", film.hottest},
                 {"heat", film.stress * U},
@@ -119,8 +120,8 @@ std::optional<Json> newton_film_case(const Json& the_case) {
   const Viscosity viscosity{
       TypeTwoViscosity{get(in, "mu0"), get(in, "alpha"), get(in, "beta"), get(in, "T0")}};
   const double p = get(in, "p");
-  const FilmShear film =
-      film_of_any_viscosity([&](double T) { return viscosity.at(p, T); }, get(in, "T1"), K, h, U);
+  const FilmShear film = film_shear_any_viscosity([&](double T) { return viscosity.at(p, T); },
+                                                  get(in, "T1"), K, h, U);
   return Json{{"tau", film.stress}, {"dTmid", film.hottest}};
 }
 

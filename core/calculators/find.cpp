@@ -99,9 +99,9 @@ std::string unit_of_result(const Json& results, const std::string& path) {
 const SchemaInput* schema_input(std::string_view calculator, const std::string& path) {
   for (const CalculatorInfo& info : calculator_list()) {
     if (info.name != calculator) continue;
-    const SchemaFamily* family = schema_of(info.family);
+    const SchemaFamily* family = family_schema(info.family);
     if (family == nullptr) return nullptr;
-    for (const SchemaKind* kind : kinds_of(*family, info.kind))
+    for (const SchemaKind* kind : calculation_kinds(*family, info.kind))
       if (const SchemaInput* input = kind->find(path)) return input;
   }
   return nullptr;
@@ -136,14 +136,15 @@ FindReport find_in_calculator(std::string_view calculator, const Json& input, Fi
       else
         values[place] = x;
     } catch (const Json::exception&) {
-      throw InputError(fmt::format("unknown {}: the inputs have no place for it.", unknown.name));
+      throw InputError(
+          fmt::format("unknown {}: the inputs do not contain this path.", unknown.name));
     }
     const Json results = calculate(calculator, inputs);
     const auto value = value_of(results, target.name);
     if (!value) {
       std::vector<std::string> names;
       list_numbers(results, "", names);
-      lack = unknown_name("result", target.name, names);
+      lack = unknown_name_message("result", target.name, names);
       throw InputError(*lack);
     }
     if (target.unit.empty()) target.unit = unit_of_result(results, target.name);

@@ -30,10 +30,10 @@ std::optional<Json> journal_case(const Json& the_case) {
 
 std::optional<Json> pocket_case(const Json& the_case) {
   const Json& in = the_case.at("inputs");
-  return Json{{"wedgeLoad", pocket_wedge(get(in, "mu"), get(in, "u"), get(in, "Rx"), get(in, "Ry"),
-                                         get(in, "h"))},
+  return Json{{"wedgeLoad", point_wedge_force(get(in, "mu"), get(in, "u"), get(in, "Rx"),
+                                              get(in, "Ry"), get(in, "h"))},
               {"squeezeForce",
-               sphere_squeeze(get(in, "mu"), get(in, "R"), get(in, "h"), get(in, "hRate"))}};
+               sphere_squeeze_force(get(in, "mu"), get(in, "R"), get(in, "h"), get(in, "hRate"))}};
 }
 
 std::optional<Json> churning_case(const Json& the_case) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/constants.hpp"
 #include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "base/rotation.hpp"
@@ -17,9 +18,9 @@
 /// cases.
 namespace adore::calculators {
 
-inline constexpr double kPi = 3.14159265358979323846;
-inline constexpr double kDegree = kPi / 180.0;
 inline constexpr double kRpm = kPi / 30.0;
+inline constexpr std::array<const char*, 5> kDisplacement{"ux", "uy", "uz", "thy", "thz"};
+inline constexpr std::array<const char*, 5> kLoad{"Fx", "Fy", "Fz", "My", "Mz"};
 
 [[nodiscard]] inline Vec3 vec3(const Json& j) {
   return {j.at(0).get<double>(), j.at(1).get<double>(), j.at(2).get<double>()};
@@ -35,7 +36,7 @@ inline constexpr double kRpm = kPi / 30.0;
   return rows;
 }
 [[nodiscard]] inline Quat quaternion(const Json& j) {
-  return normalise(
+  return normalize_quaternion(
       {j.at(0).get<double>(), j.at(1).get<double>(), j.at(2).get<double>(), j.at(3).get<double>()});
 }
 [[nodiscard]] inline double get(const Json& inputs, const char* key) {
@@ -74,6 +75,11 @@ inline void require_elements_fit(int count, double diameter, double pitch_diamet
 }
 [[nodiscard]] inline std::string kind_of(const Json& the_case) {
   return the_case.value("kind", std::string());
+}
+/// The case's kind or, if it has none, that of its inputs.
+[[nodiscard]] inline std::string kind(const Json& the_case) {
+  const std::string own = kind_of(the_case);
+  return own.empty() ? the_case.at("inputs").value("kind", std::string()) : own;
 }
 
 /// κ(u) of the dynamics families: {"type": "two_slope" or "exponential", A, B, C, um or D}.

@@ -17,18 +17,18 @@
 
 namespace adore::calculators {
 
-Json life_number(double value) {
+Json life_to_json(double value) {
   if (std::isnan(value)) return nullptr;
   return std::isfinite(value) ? Json(value) : Json("inf");
 }
 
-double life_value(const Json& value) {
+double life_from_json(const Json& value) {
   return value.is_string() ? std::numeric_limits<double>::infinity() : value.get<double>();
 }
 
-std::vector<double> life_values(const Json& list) {
+std::vector<double> lives_from_json(const Json& list) {
   std::vector<double> out;
-  for (const Json& entry : list) out.push_back(life_value(entry));
+  for (const Json& entry : list) out.push_back(life_from_json(entry));
   return out;
 }
 
@@ -67,8 +67,8 @@ std::optional<Json> capacity_case(const Json& the_case) {
   }
   g.inner = true;
   const double plain = line ? life::line_capacity(g) : life::point_capacity(g);
-  out["life_ratio"] = life::original_life(plain * fco, 0.5 * plain, line) /
-                      life::original_life(plain, 0.5 * plain, line);
+  out["life_ratio"] = life::lundberg_palmgren_life(plain * fco, 0.5 * plain, line) /
+                      life::lundberg_palmgren_life(plain, 0.5 * plain, line);
   return out;
 }
 
@@ -77,20 +77,21 @@ std::optional<Json> capacity_case(const Json& the_case) {
 std::optional<Json> race_case(const Json& the_case) {
   const Json& in = the_case.at("inputs");
   if (in.contains("L_contacts")) {
-    const std::vector<double> lives = life_values(in["L_contacts"]);
+    const std::vector<double> lives = lives_from_json(in["L_contacts"]);
     const double e = get(in, "e");
-    return Json{{"rotating", life_number(life::race_life(lives, true, e))},
-                {"stationary", life_number(life::race_life(lives, false, e))}};
+    return Json{{"rotating", life_to_json(life::race_life(lives, true, e))},
+                {"stationary", life_to_json(life::race_life(lives, false, e))}};
   }
   if (in.contains("lives"))
-    return Json{{"L", life_number(life::combined_life(
-                          life_values(in["lives"]), life_values(in.at("slopes")), get(in, "S")))}};
+    return Json{
+        {"L", life_to_json(life::combined_life(lives_from_json(in["lives"]),
+                                               lives_from_json(in.at("slopes")), get(in, "S")))}};
   if (in.contains("slope"))
     return Json{{"factor", life::survival_factor(get(in, "S"), get(in, "slope"))}};
   if (!in.contains("Q")) return std::nullopt;
   const bool line = in.at("contact") == "line";
   const double e = get(in, "e");
-  const std::vector<double> Q = life_values(in["Q"]);
+  const std::vector<double> Q = lives_from_json(in["Q"]);
   Json out;
   std::array<double, 2> lives{};
   for (const bool inner : {true, false}) {
@@ -98,15 +99,15 @@ std::optional<Json> race_case(const Json& the_case) {
     const bool rotating = in.at(side + "_rotates").get<bool>();
     const double Q_c = get(in, ("Qc_" + side).c_str());
     std::vector<double> contacts;
-    for (const double load : Q) contacts.push_back(life::original_life(Q_c, load, line));
+    for (const double load : Q) contacts.push_back(life::lundberg_palmgren_life(Q_c, load, line));
     const double L = life::race_life(contacts, rotating, e);
     lives[inner ? 1 : 0] = L;
     out["Qe_" + side] = life::equivalent_load(Q, line, rotating);
-    out["L_" + side] = life_number(L);
+    out["L_" + side] = life_to_json(L);
   }
   const double L10 = life::combined_life(lives, std::array{e, e});
-  out["L10"] = life_number(L10);
-  out["L10_hours_6000rpm"] = life_number(life::life_hours(L10, 6000.0 * kRpm));
+  out["L10"] = life_to_json(L10);
+  out["L10_hours_6000rpm"] = life_to_json(life::life_hours(L10, 6000.0 * kRpm));
   return out;
 }
 
@@ -187,7 +188,7 @@ std::optional<Json> bearing_case(const Json& in) {
   for (int race = 0; race < 2; ++race) {
     life::RaceContacts& out = contacts.race[static_cast<std::size_t>(race)];
     const char* name = race == 1 ? "Qi" : "Qo";
-    for (const double Q : life_values(in.at(name)))
+    for (const double Q : lives_from_json(in.at(name)))
       out.patches.push_back(hertz_patch(g, race, Q, E_star));
     require(out.patches.size() == static_cast<std::size_t>(g.life.count) * contacts.slices,
             fmt::format("{} has {}, but Z = {}. Enter one load for each rolling element.", name,
@@ -218,19 +219,19 @@ std::optional<Json> bearing_case(const Json& in) {
                                           : LifeModel::Harris;
   const life::PartLives& lives = result.state.of(model, life::LifeModification::None);
   const double slope = result.parameters.part[2].slope.value;
-  Json out{{"outer", life_number(lives.part[0])},
-           {"inner", life_number(lives.part[1])},
-           {"elements", life_number(lives.part[2])},
-           {"one_element", life_number(lives.part[2] * std::pow(g.life.count, 1.0 / slope))},
-           {"bearing", life_number(lives.L10)}};
+  Json out{{"outer", life_to_json(lives.part[0])},
+           {"inner", life_to_json(lives.part[1])},
+           {"elements", life_to_json(lives.part[2])},
+           {"one_element", life_to_json(lives.part[2] * std::pow(g.life.count, 1.0 / slope))},
+           {"bearing", life_to_json(lives.L10)}};
   if (model == LifeModel::Original) return out;
   for (std::size_t i = 0; i < 2; ++i) {
     const life::RaceReport& race = result.race[i];
     const std::string side = i == 1 ? "inner" : "outer";
     const double p_c = race.stress_capacity[static_cast<std::size_t>(model) - 1];
-    out["stress_capacity_" + side] = life_number(p_c);
+    out["stress_capacity_" + side] = life_to_json(p_c);
     out["Q_at_capacity_" + side] =
-        life_number(race.Q_max * std::pow(p_c / race.p_max, g.life.line ? 2.0 : 3.0));
+        life_to_json(race.Q_max * std::pow(p_c / race.p_max, g.life.line ? 2.0 : 3.0));
   }
   return out;
 }
@@ -253,7 +254,7 @@ std::optional<Json> stress_case(const Json& the_case) {
     const contact::AxisStress s = contact::axis_stress(1.0 / k, 1.0, 1.0, nu, get(in, "z_over_b"));
     return Json{{"sx", s.minor}, {"sy", s.major}, {"sz", s.depth}};
   }
-  const life::PeakRatios r = life::peak_ratios(k, nu);
+  const life::PeakStressRatios r = life::peak_stress_ratios(k, nu);
   // t of the closed form, from its depth: z0/b = 1/((t+1) sqrt(2t-1)) and τ0 = sqrt(2t-1)/(2t(t+1))
   // give τ0/z0 = (2t-1)/(2t).
   const double t = 0.5 / (1.0 - r.shear_amplitude / r.shear_depth);
@@ -289,7 +290,8 @@ double scaled_ratio(const Json& in) {
   const double factor = get(in, "factor");
   const bool line = contact == "line";
   if (model == "LP")
-    return life::original_life(1.0, factor, line) / life::original_life(1.0, 1.0, line);
+    return life::lundberg_palmgren_life(1.0, factor, line) /
+           life::lundberg_palmgren_life(1.0, 1.0, line);
   if (model == "ISO281")
     return std::pow(factor,
                     -life::iso_load_exponent(contact == "ball" ? life::IsoType::RadialBall
@@ -298,17 +300,17 @@ double scaled_ratio(const Json& in) {
   double pressure = at.patch.p_max;
   ContactPatch patch = at.patch;
   if (scaled == "stress") {
-    patch = life::scaled_to_pressure(patch, pressure * factor, line);
+    patch = life::scale_patch_to_pressure(patch, pressure * factor, line);
   } else if (scaled == "load") {
-    patch =
-        life::scaled_to_pressure(patch, pressure * std::pow(factor, line ? 0.5 : 1.0 / 3.0), line);
+    patch = life::scale_patch_to_pressure(
+        patch, pressure * std::pow(factor, line ? 0.5 : 1.0 / 3.0), line);
   } else {  // the same load on stiffer bodies: p ~ E^(2/3), a, b ~ E^(-1/3); line p ~ √E, b ~ 1/√E
     pressure *= std::pow(factor, line ? 0.5 : 2.0 / 3.0);
     const double size = std::pow(factor, line ? -0.5 : -1.0 / 3.0);
     patch = {patch.Q, line ? patch.a : patch.a * size, patch.b * size, pressure};
   }
   const life::StressLife law = published(model, line);
-  life::PeakCache peaks;
+  life::PeakStressCache peaks;
   return law.life(patch, at.track, at.poisson, peaks) /
          law.life(at.patch, at.track, at.poisson, peaks);
 }
@@ -321,8 +323,9 @@ std::optional<Json> identity_case(const Json& the_case) {
     g.groove_radius = get(in, "f_to") * g.diameter;
     const double to = life::point_capacity(g);
     g.groove_radius = get(in, "f_from") * g.diameter;
-    return Json{{"life_ratio", life::original_life(to, 1.0, false) /
-                                   life::original_life(life::point_capacity(g), 1.0, false)}};
+    return Json{
+        {"life_ratio", life::lundberg_palmgren_life(to, 1.0, false) /
+                           life::lundberg_palmgren_life(life::point_capacity(g), 1.0, false)}};
   }
   if (in.contains("same_conformity")) {
     g.gamma = get(in, "gamma");
@@ -341,15 +344,16 @@ std::optional<Json> identity_case(const Json& the_case) {
     const bool inner = in.at("race") == "inner";
     const ContactPatch patch = hertz_patch(geo, inner ? 1 : 0, get(in, "Q"), E_star);
     const double gamma = geo.life.diameter * std::cos(geo.alpha) / geo.life.pitch_diameter;
-    life::PeakCache peaks;
+    life::PeakStressCache peaks;
     const double L =
         published(in.at("model"), geo.life.line)
-            .life(patch, life::race_track(geo.life.pitch_diameter, gamma, geo.life.count, inner),
+            .life(patch,
+                  life::race_track_loading(geo.life.pitch_diameter, gamma, geo.life.count, inner),
                   0.3, peaks);
     return Json{{"L", L}, {"p0", patch.p_max}};
   }
   if (!in.contains("Q")) return std::nullopt;
-  const std::vector<double> Q = life_values(in["Q"]);
+  const std::vector<double> Q = lives_from_json(in["Q"]);
   return Json{{"Qe_rotating", life::equivalent_load(Q, false, true)},
               {"Qe_stationary", life::equivalent_load(Q, false, false)}};
 }
@@ -387,12 +391,12 @@ std::optional<Json> factor_case(const Json& the_case) {
   if (in.contains("lives")) {
     std::vector<double> basic, modified, slopes;
     for (const auto& [part, value] : in["lives"].items()) {
-      basic.push_back(life_value(value));
+      basic.push_back(life_from_json(value));
       modified.push_back(basic.back() * get(in.at("factors"), part.c_str()));
       slopes.push_back(get(in, "e"));
     }
-    return Json{{"basic", life_number(life::combined_life(basic, slopes))},
-                {"modified", life_number(life::combined_life(modified, slopes))}};
+    return Json{{"basic", life_to_json(life::combined_life(basic, slopes))},
+                {"modified", life_to_json(life::combined_life(modified, slopes))}};
   }
   if (in.contains("Rc")) return Json{{"LF", life::hardness_factor(get(in, "Rc"))}};
   if (in.contains("lam")) return Json{{"LF", life::film_factor(get(in, "lam"))}};
@@ -405,16 +409,16 @@ std::optional<Json> factor_case(const Json& the_case) {
 std::optional<Json> accumulation_case(const Json& the_case) {
   const Json& in = the_case.at("inputs");
   life::DamageSum sum;
-  const std::vector<double> inner = life_values(in.at("L_inner")),
-                            outer = life_values(in.at("L_outer"));
+  const std::vector<double> inner = lives_from_json(in.at("L_inner")),
+                            outer = lives_from_json(in.at("L_outer"));
   for (std::size_t m = 0; m < inner.size(); ++m)
     sum.add(in.at("dt_s").at(m).get<double>(),
             life::damage_rate(in.at("n_rpm").at(m).get<double>() * kRpm,
                               {outer.at(m), inner[m], std::numeric_limits<double>::infinity()}));
   life::DamageParts e{};
   e.fill(get(in, "e"));
-  return Json{{"hours", life_number(sum.life_hours(e))},
-              {"L_mrev", life_number(sum.life_mega_revolutions(e))},
+  return Json{{"hours", life_to_json(sum.life_hours(e))},
+              {"L_mrev", life_to_json(sum.life_mega_revolutions(e))},
               {"damage_outer", sum.damage()[0]},
               {"damage_inner", sum.damage()[1]},
               {"revolutions", sum.revolutions()}};

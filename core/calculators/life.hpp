@@ -13,8 +13,8 @@ namespace adore::calculators {
 [[nodiscard]] std::vector<Adapter> iso_life_adapters();
 
 /// Infinity is the text "inf" in these cases.
-[[nodiscard]] Json life_number(double value);
-[[nodiscard]] double life_value(const Json& value);
-[[nodiscard]] std::vector<double> life_values(const Json& list);
+[[nodiscard]] Json life_to_json(double value);
+[[nodiscard]] double life_from_json(const Json& value);
+[[nodiscard]] std::vector<double> lives_from_json(const Json& list);
 
 }  // namespace adore::calculators

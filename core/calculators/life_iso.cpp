@@ -163,9 +163,9 @@ IsoGeometry reference_geometry(const Json& in, IsoType type) {
   return g;
 }
 
-std::optional<life::IsoCondition> condition(const Json& in) {
+std::optional<life::AisoInput> condition(const Json& in) {
   if (!in.contains("eC")) return std::nullopt;
-  return life::IsoCondition{get(in, "eC"), get(in, "Cu"), get(in, "kappa")};
+  return life::AisoInput{get(in, "eC"), get(in, "Cu"), get(in, "kappa")};
 }
 
 Json roller_reference(const Json& in) {
@@ -187,12 +187,12 @@ Json roller_reference(const Json& in) {
           {"Qce", with.capacity_outer},
           {"qci", with.lamina_capacity_inner},
           {"qce", with.lamina_capacity_outer},
-          {"L10r", life_number(with.L10r)},
+          {"L10r", life_to_json(with.L10r)},
           {"Pref", with.P_ref},
-          {"Lnmr", with.modified ? life_number(*with.modified) : Json(nullptr)},
+          {"Lnmr", with.modified ? life_to_json(*with.modified) : Json(nullptr)},
           {"P_lamina_first", with.lamina_load.front()},
           {"P_lamina_last", with.lamina_load.back()},
-          {"L10r_without_edge_factor", life_number(without.L10r)},
+          {"L10r_without_edge_factor", life_to_json(without.L10r)},
           {"edge_first", life::lamina_edge_factor(1, loads.laminae)},
           {"edge_second", life::lamina_edge_factor(2, loads.laminae)}};
 }
@@ -201,8 +201,8 @@ Json ball_reference(const Json& in) {
   const IsoGeometry g = reference_geometry(in, IsoType::RadialBall);
   std::vector<double> inner, outer;
   if (in.contains("Qi")) {
-    inner = life_values(in["Qi"]);
-    outer = life_values(in.at("Qe"));
+    inner = lives_from_json(in["Qi"]);
+    outer = lives_from_json(in.at("Qe"));
   } else {  // half a circle loaded with Q_max cos^1.5, Q_max = 1
     for (int j = 0; j < g.count; ++j) {
       const double c = std::cos(2.0 * kPi * j / g.count);
@@ -212,10 +212,10 @@ Json ball_reference(const Json& in) {
   }
   const auto r =
       life::iso_reference_life_ball(g, get(in, "C"), inner, outer, true, false, condition(in));
-  Json out{{"Qci", r.capacity_inner}, {"Qce", r.capacity_outer},     {"Qei", r.load_inner},
-           {"Qee", r.load_outer},     {"L10r", life_number(r.L10r)}, {"Pref", r.P_ref}};
+  Json out{{"Qci", r.capacity_inner}, {"Qce", r.capacity_outer},      {"Qei", r.load_inner},
+           {"Qee", r.load_outer},     {"L10r", life_to_json(r.L10r)}, {"Pref", r.P_ref}};
   if (r.modified) {
-    out["Lnmr_S90"] = life_number(*r.modified);
+    out["Lnmr_S90"] = life_to_json(*r.modified);
     out["aISO_kappa1"] = *r.modified / r.L10r;
   }
   if (in.contains("Fr")) out["Pref_over_Fr"] = r.P_ref / get(in, "Fr");

@@ -90,7 +90,7 @@ struct Point {
     inlet = tribology::inlet_oil(oil, c.temperature, c.meniscus);
   }
   [[nodiscard]] tribology::ContactFilm film(double speed, double slip) const {
-    tribology::FilmContact f;
+    tribology::LubricatedContact f;
     f.load = load;
     f.radius = contact.radius;
     f.k = a / b;
@@ -102,7 +102,7 @@ struct Point {
     return tribology::contact_film(inlet, f);
   }
   [[nodiscard]] tribology::TractionLaw law() const {
-    tribology::FilmSurface surface;
+    tribology::RaceFilmInputs surface;
     surface.radius = contact.radius;
     surface.modulus = contact.modulus;
     surface.wall_temperature = contact.temperature;
@@ -149,23 +149,25 @@ std::optional<Json> traction_case(const Json& the_case) {
   c.stress_limit = in.value("stressLimit", true);
   c.recommended = in.value("recommended", false);
   if (in.contains("metal")) c.metal = in.at("metal").get<std::vector<double>>();
-  const LubricatedPoint p = lubricated_point(c, in.at("slip").get<std::vector<double>>());
+  const LubricantContactResult p =
+      solve_lubricant_contact(c, in.at("slip").get<std::vector<double>>());
   const tribology::Lubricant oil = tribology::lubricant_of(lubrication_of(c));
-  return Json{{"kappa", p.traction},
-              {"stressLimitRatio", oil.limiting_ratio(c.temperature)},
-              {"load", p.load},
-              {"halfWidth", p.half_width},
-              {"k", p.ratio},
-              {"mu", p.viscosity},
-              {"alpha", p.alpha},
-              {"hCentral", p.central},
-              {"hMin", p.minimum},
-              {"thermal", p.thermal},
-              {"starvation", p.starvation},
-              {"lambda", p.lambda},
-              {"name", oil.name},
-              {"provenance", oil.provenance},
-              {"range", tribology::beyond_range(tribology::pressure_range(c.code), c.pressure)}};
+  return Json{
+      {"kappa", p.traction},
+      {"stressLimitRatio", oil.limiting_ratio(c.temperature)},
+      {"load", p.load},
+      {"halfWidth", p.half_width},
+      {"k", p.ratio},
+      {"mu", p.viscosity},
+      {"alpha", p.alpha},
+      {"hCentral", p.central},
+      {"hMin", p.minimum},
+      {"thermal", p.thermal},
+      {"starvation", p.starvation},
+      {"lambda", p.lambda},
+      {"name", oil.name},
+      {"provenance", oil.provenance},
+      {"range", tribology::extrapolation_note(tribology::pressure_range(c.code), c.pressure)}};
 }
 
 void add_laws(const LubricantContact& contact, const std::vector<double>& slips,
@@ -173,7 +175,7 @@ void add_laws(const LubricantContact& contact, const std::vector<double>& slips,
   const tribology::Oil oil = tribology::oil_of(contact.code);
   if (oil.codes.size() < 2 || !(contact.speed > 0.0) || !(contact.meniscus > 0.0)) return;
   const Point point(contact);
-  tribology::SpreadContact at;
+  tribology::LawSpreadContact at;
   at.point.load = point.load;
   at.point.peak_pressure = contact.pressure;
   at.point.half_major = point.a;
@@ -192,7 +194,7 @@ void add_laws(const LubricantContact& contact, const std::vector<double>& slips,
               true,
               false,
               {}};
-  for (const tribology::SpreadRow& row : tribology::law_spread(contact.code, at, slips))
+  for (const tribology::LawSpreadRow& row : tribology::law_spread(contact.code, at, slips))
     out.laws.curves.push_back(
         {fmt::format("kTrac {}{}", row.code, row.recommended ? " (recommended)" : ""), slips,
          row.kappa});
@@ -202,11 +204,11 @@ void add_laws(const LubricantContact& contact, const std::vector<double>& slips,
 
 }  // namespace
 
-LubricatedPoint lubricated_point(const LubricantContact& contact,
-                                 const std::vector<double>& slips) {
+LubricantContactResult solve_lubricant_contact(const LubricantContact& contact,
+                                               const std::vector<double>& slips) {
   check(contact);
   const Point point(contact);
-  LubricatedPoint out;
+  LubricantContactResult out;
   out.load = point.load;
   out.half_width = point.b;
   out.ratio = point.a / point.b;
@@ -231,8 +233,8 @@ LubricantCurves lubricant_curves(const LubricantContact& contact) {
   out.name = oil.name;
   out.provenance = oil.provenance;
   if (!contact.user)
-    out.beyond_range =
-        tribology::beyond_range(tribology::pressure_range(contact.code), kLargestPressure);
+    out.extrapolation_note =
+        tribology::extrapolation_note(tribology::pressure_range(contact.code), kLargestPressure);
   out.conditions = fmt::format(
       "{:.0f} K; radius {:.3g} mm along and {:.3g} mm across rolling; {:.2g} GPa and {:g} m/s "
       "unless varied; roughness {:.2g} µm",
@@ -251,8 +253,8 @@ LubricantCurves lubricant_curves(const LubricantContact& contact) {
   for (const double pressure : {0.8e9, 1.2e9, 1.6e9, kLargestPressure}) {
     LubricantContact c = contact;
     c.pressure = pressure;
-    out.traction.curves.push_back(
-        {fmt::format("{:g} GPa", 1e-9 * pressure), slips, lubricated_point(c, slips).traction});
+    out.traction.curves.push_back({fmt::format("{:g} GPa", 1e-9 * pressure), slips,
+                                   solve_lubricant_contact(c, slips).traction});
   }
 
   if (!contact.user) add_laws(contact, slips, out);
@@ -271,7 +273,7 @@ LubricantCurves lubricant_curves(const LubricantContact& contact) {
     for (int i = 0; i < kPoints; ++i) {
       const double p = 1e-9 * kLargestPressure * i / (kPoints - 1);
       viscosity.x.push_back(p);
-      viscosity.y.push_back(oil.pressed_viscosity(1e9 * p, T));
+      viscosity.y.push_back(oil.viscosity_under_pressure(1e9 * p, T));
     }
     LubricantContact c = contact;
     c.temperature = T;

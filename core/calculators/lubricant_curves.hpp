@@ -35,7 +35,7 @@ struct LubricantContact {
   std::vector<double> metal{0.0, 0.1, 0.08, 1.0};
 };
 
-struct LubricatedPoint {
+struct LubricantContactResult {
   double load = 0.0, half_width = 0.0, ratio = 1.0;  ///< [N], b [m], a/b
   double viscosity = 0.0, alpha = 0.0;               ///< of the inlet [Pa s], [1/Pa]
   double central = 0.0, minimum = 0.0;               ///< film at slip 0 [m]
@@ -45,8 +45,8 @@ struct LubricatedPoint {
 };
 /// @param slips [m/s], either sign: traction has that of its slip
 /// @throws InputError for a code, temperature or size that is none
-[[nodiscard]] LubricatedPoint lubricated_point(const LubricantContact& contact,
-                                               const std::vector<double>& slips);
+[[nodiscard]] LubricantContactResult solve_lubricant_contact(const LubricantContact& contact,
+                                                             const std::vector<double>& slips);
 
 struct NamedCurve {
   std::string name;
@@ -66,7 +66,7 @@ struct LubricantCurves {
   /// A film uses the lower limit of the inlet heating factor (thermal_reduction.hpp).
   bool beyond_heating = false;
   /// Of traction and viscosity beyond the measurements (lubricant_range.hpp); empty: within.
-  std::string beyond_range;
+  std::string extrapolation_note;
   CurveChart traction, viscosity, film, lambda;
   /// Traction over slip by each code that describes the same oil, in the middle strip of the
   /// contact; without curves where there is one code.

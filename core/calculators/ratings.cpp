@@ -19,12 +19,12 @@ namespace {
 
 // ---- rating_static
 
-life::StaticType static_type(const std::string& name) {
-  if (name == "deep_groove") return life::StaticType::DeepGroove;
-  if (name == "angular_contact") return life::StaticType::AngularContact;
-  if (name == "cylindrical_roller") return life::StaticType::Cylindrical;
-  if (name == "thrust") return life::StaticType::Thrust;
-  return life::StaticType::SelfAligning;
+life::StaticBearingType static_type(const std::string& name) {
+  if (name == "deep_groove") return life::StaticBearingType::DeepGroove;
+  if (name == "angular_contact") return life::StaticBearingType::AngularContact;
+  if (name == "cylindrical_roller") return life::StaticBearingType::Cylindrical;
+  if (name == "thrust") return life::StaticBearingType::Thrust;
+  return life::StaticBearingType::SelfAligning;
 }
 
 Json thrust_rating(const Json& in) {
@@ -47,7 +47,7 @@ std::optional<Json> static_case(const Json& the_case) {
   const std::string type = in.at("type");
   require(in.contains("alpha_deg") || type == "deep_groove" || type == "cylindrical_roller",
           "alpha_deg is missing: P0 of this type depends on the contact angle. Enter alpha_deg.");
-  life::StaticFactors factors = life::static_factors(
+  life::StaticLoadFactors factors = life::static_factors(
       static_type(type), in.value("alpha_deg", 0.0) * kDegree, whole_or(in, "rows", 1, 1, 2));
   if (in.contains("X0") || in.contains("Y0")) factors.provenance = "given";
   factors.X0 = in.value("X0", factors.X0);
@@ -75,7 +75,7 @@ std::optional<Json> reference_speed_case(const Json& the_case) {
           "B is missing: the seats of a radial bearing need its width. Enter B.");
   std::string origin = "given";
   if (in.contains("series")) {
-    b.friction = life::reference_friction(in.at("series").get<std::string>());
+    b.friction = life::reference_friction_factors(in.at("series").get<std::string>());
     origin = bearing::rating_data("friction_factors").at("source");
   } else {
     b.friction = {get(in, "f0r"), get(in, "f1r")};
@@ -129,9 +129,9 @@ double mean_diameter(const Json& in) {
 double speed_ratio(const Json& in) {
   const double ratio = get(in, "n") / get(in, "n_ref");
   constexpr double kLargest = 2.0;
-  require(
-      ratio <= kLargest,
-      fmt::format("n: it is {:.3g} times the reference speed. The rule is for at most 2.", ratio));
+  require(ratio <= kLargest, fmt::format("n: it is {:.3g} times the reference speed. The rule is "
+                                         "valid up to 2 times the reference speed.",
+                                         ratio));
   return ratio;
 }
 

@@ -9,7 +9,7 @@
 /// tests/reference/rollers_README.md).
 namespace adore::calculators {
 
-[[nodiscard]] inline int side_of(const Json& j) {
+[[nodiscard]] inline int race_from_json(const Json& j) {
   return j.at("side") == "outer" ? bearing::kOuter : bearing::kInner;
 }
 
@@ -33,10 +33,10 @@ namespace adore::calculators {
   return p;
 }
 
-struct RollerPlace {
+struct RollerAxisPose {
   Vec3 centre, axis;
 };
-[[nodiscard]] inline RollerPlace roller_place(const Json& pose) {
+[[nodiscard]] inline RollerAxisPose read_roller_axis_pose(const Json& pose) {
   return {Vec3(get(pose, "x"), 0.0, get(pose, "r")),
           contact::roller_axis(get(pose, "tilt"), get(pose, "skew"))};
 }

@@ -48,7 +48,7 @@ RollerProfile flange_roller(const Json& in) {
 
 Flange flange_of(const Json& j) {
   Flange f;
-  f.side = side_of(j);
+  f.side = race_from_json(j);
   f.at = j.at("at") == "-x" ? -1 : 1;
   f.layback = get(j, "layback");
   f.height = get(j, "height");
@@ -72,7 +72,7 @@ double modulus(const Json& in) {
 struct EndAtFlange {
   FlangeFace face;
   RollerEnd end;
-  RollerPlace place;
+  RollerAxisPose place;
   FlangeContact contact;
 };
 
@@ -80,7 +80,7 @@ EndAtFlange end_at_flange(const Json& in) {
   EndAtFlange e;
   e.face = flange_face(flange_of(in.at("flange")));
   e.end = roller_end(flange_roller(in), whole(in, "end", 1, 2) - 1);
-  e.place = roller_place(in.at("pose"));
+  e.place = read_roller_axis_pose(in.at("pose"));
   e.contact = flange_contact(e.face, e.end, e.place.centre, e.place.axis);
   return e;
 }
@@ -120,8 +120,8 @@ Json corner_case(const Json& in) {
 
 Json play_case(const Json& in) {
   const RollerProfile p = flange_roller(in);
-  const RollerPlace place = roller_place(in.at("pose"));
-  const int side = side_of(in);
+  const RollerAxisPose place = read_roller_axis_pose(in.at("pose"));
+  const int side = race_from_json(in);
   const double R = get(in, "race_radius");
   const double seated = side == bearing::kInner ? R + 0.5 * p.diameter : R - 0.5 * p.diameter;
   Json out;
@@ -199,7 +199,7 @@ TaperedGeometry geometry_of(const Json& in) {
 Json geometry_case(const Json& in) {
   const TaperedGeometry g = geometry_of(in);
   const EndDiameters ends = end_diameters(g, get(in, "dia"), get(in, "length"));
-  const int most = most_rollers(g);
+  const int most = max_roller_count(g);
   return {{"pitch_diameter", g.pitch_diameter},
           {"half_angle", g.half_angle},
           {"axis_angle", g.axis_angle},

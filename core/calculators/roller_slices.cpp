@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "calculators/roller_json.hpp"
 #include "calculators/rollers.hpp"
 #include "contact/line_contact.hpp"
@@ -10,14 +11,11 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <limits>
 
 namespace adore::calculators {
 namespace {
 
 using namespace contact;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bearing::Material elastic(double E, double nu) {
   bearing::Material m;
@@ -78,7 +76,7 @@ Json sliced_case(const Json& the_case) {
   p.length = L;
   if (!logarithmic) p.crown_radius = radius_or_infinity(in.at("crown_radius"));
   const auto drop = [&](double x) {
-    return logarithmic ? logarithmic_drop(x, L, 0.00035 * D) : roller_drop(p, x);
+    return logarithmic ? logarithmic_drop(x, L, 0.00035 * D) : profile_drop(p, x);
   };
   SlicedLine line = sliced_line(p, whole(in, "n_slices", 1, kMostSlices), get(in, "K_line"));
   for (std::size_t k = 0; k < line.x.size(); ++k) line.drop[k] = drop(line.x[k]);
@@ -131,7 +129,7 @@ struct PlacedRace {
 
 PlacedRace placed_race(const Json& j) {
   PlacedRace race;
-  const int side = side_of(j);
+  const int side = race_from_json(j);
   const std::string shape = j.at("shape").get<std::string>();
   if (shape == "cylinder")
     race.surface = cylinder_race(side, get(j, "radius"));
@@ -141,15 +139,15 @@ PlacedRace placed_race(const Json& j) {
     race.surface = groove_race(side, get(j, "groove_radius"), get(j, "groove_x"),
                                get(j, "groove_centre_radius"));
   race.pose.centre = vec3_or_zero(j, "centre");
-  race.pose.axes =
-      passive_y(j.value("rot_y", 0.0)).transpose() * passive_z(j.value("rot_z", 0.0)).transpose();
+  race.pose.axes = passive_rotation_y(j.value("rot_y", 0.0)).transpose() *
+                   passive_rotation_z(j.value("rot_z", 0.0)).transpose();
   return race;
 }
 
 /// Contacts of the case, exact to rounding.
 std::vector<SliceContact> contacts_of(const Json& in, const RollerProfile& p, const Slicing& cut) {
   const PlacedRace race = placed_race(in.at("race"));
-  const RollerPlace place = roller_place(in.at("pose"));
+  const RollerAxisPose place = read_roller_axis_pose(in.at("pose"));
   const auto slices = roller_slices(p, cut);
   std::vector<SliceContact> contacts(slices.size());
   roller_race_contacts(race.surface, race.pose, place.centre, place.axis, slices, contacts);
@@ -203,7 +201,7 @@ Json load_case(const Json& in) {
 Json traction_case(const Json& in) {
   const RollerProfile p = roller_profile(in.at("roller"));
   const Slicing cut = slicing(p, whole(in, "n_slices", 1, kMostSlices));
-  const RollerPlace place = roller_place(in.at("pose"));
+  const RollerAxisPose place = read_roller_axis_pose(in.at("pose"));
   const PlacedRace placed = placed_race(in.at("race"));
   const Json& moving = in.at("kinematics");
   const RigidMotion race = {placed.pose.centre, vec3(moving.at("race_velocity")),
@@ -219,7 +217,7 @@ Json traction_case(const Json& in) {
   for (const SliceContact& c : contacts_of(in, p, cut)) {
     const double Q = slice_load(law, cut.width, c.delta).load;
     const Vec3 slip = contact_slip(race, roller, c.point, c.normal);
-    traction.visit_rounded([&](const auto& per_slip) {
+    traction.visit_regularized([&](const auto& per_slip) {
       add_contact(sum, Q, c.point, c.normal, slip, place.centre, per_slip);
     });
     out["delta"].push_back(c.delta);
@@ -254,7 +252,7 @@ Json race_errors_case(const Json& in) {
                                                   : RaceErrors::Roundness::Sinusoidal;
   errors.variation = {get(j, "rnd1"), get(j, "rnd2"), get(j, "rnd3")};
   require(errors.roundness == RaceErrors::Roundness::Elliptical || errors.variation[1] >= 0.0,
-          "error.rnd2 is below 0, but it is a number of waves per revolution. Enter 0 or more.");
+          "error.rnd2 (waves per revolution) is below 0. Enter 0 or more.");
   errors.land_offset = harmonic("offset");
   errors.taper = harmonic("taper");
   errors.curvature_factor = harmonic("cfac");
@@ -271,7 +269,7 @@ Json race_errors_case(const Json& in) {
     if (!in.contains("roller")) continue;
     const RollerProfile p = roller_profile(in["roller"]);
     const Slicing cut = slicing(p, whole(in, "n_slices", 1, kMostSlices));
-    RaceSurface race = race_with_error(cylinder_race(side_of(in), R), local);
+    RaceSurface race = race_with_error(cylinder_race(race_from_json(in), R), local);
     race.land_width = get(in, "land_width");
     const Vec3 centre(get(in, "x"), 0.0, get(in, "r")), axis = Vec3::UnitX();
     Json delta, widths;

@@ -12,9 +12,6 @@
 namespace adore::calculators {
 namespace {
 
-constexpr std::array<const char*, 5> kDisplacement{"ux", "uy", "uz", "thy", "thz"};
-constexpr std::array<const char*, 5> kLoad{"Fx", "Fy", "Fz", "My", "Mz"};
-
 /// Family D has no axial freedom: ux is held at 0.
 bearing::Bearing cylindrical(const Json& in) {
   bearing::Bearing b;

@@ -20,7 +20,8 @@ using bearing::SizeLimits;
 std::optional<Json> size_limits_case(const Json& the_case) {
   const Json& in = the_case.at("inputs");
   if (in.contains("ring_class")) {
-    const bearing::RingClass ring = bearing::ring_class(in.at("ring_class").get<std::string>());
+    const bearing::RingToleranceClass ring =
+        bearing::ring_class(in.at("ring_class").get<std::string>());
     const RingTolerance bore = bearing::bore_tolerance(ring, get(in, "bore"));
     const RingTolerance outside = bearing::outside_tolerance(ring, get(in, "od"));
     return Json{{"bore_lower", bore.limits.lower},
@@ -37,7 +38,7 @@ std::optional<Json> size_limits_case(const Json& the_case) {
               {"largest", get(in, "nominal") + limits.upper},
               {"smallest", get(in, "nominal") + limits.lower},
               {"provenance",
-               "formulas of ISO 286-1 (seen for grades, recalled for positions); "
+               "formulas of ISO 286-1 (grades: from a public source; positions: from memory); "
                "printed tables can differ by 1 um"}};
 }
 
@@ -56,7 +57,7 @@ Interference without(Interference fit, double smoothing) {
 }
 
 Fits fits_of(const Json& in) {
-  const bearing::RingClass ring =
+  const bearing::RingToleranceClass ring =
       bearing::ring_class(in.value("ring_class", std::string("Normal")));
   const double bore = get(in, "bore"), od = get(in, "od");
   require(od > bore, "od: it must be above the bore. Enter both in meters.");
@@ -128,10 +129,11 @@ std::optional<Json> bearing_fit_case(const Json& the_case) {
   const Json& in = the_case.at("inputs");
   const Fits fits = fits_of(in);
   const auto& [outer, inner] = fits.ring;
-  Json out{{"shaft_fit", fit_json(inner)},
-           {"housing_fit", fit_json(outer)},
-           {"provenance", fits.seen ? "ring tolerances seen, ISO 286 by its formulas"
-                                    : "ring tolerances recalled, ISO 286 by its formulas"}};
+  Json out{
+      {"shaft_fit", fit_json(inner)},
+      {"housing_fit", fit_json(outer)},
+      {"provenance", fits.seen ? "ring tolerances from a public source, ISO 286 by its formulas"
+                               : "ring tolerances from memory, ISO 286 by its formulas"}};
   if (!in.contains("type")) return out;
   const double low = get(in, "clearance_least"), high = get(in, "clearance_most");
   require(high >= low, "clearance_most: it must be at least clearance_least.");

@@ -20,9 +20,6 @@ using statics::Control;
 using statics::Curvature;
 using statics::Orbit;
 
-constexpr std::array<const char*, 5> kDisplacement{"ux", "uy", "uz", "thy", "thz"};
-constexpr std::array<const char*, 5> kLoad{"Fx", "Fy", "Fz", "My", "Mz"};
-
 constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 /// Undefined quantities are NaN in the library and null in the cases.
@@ -141,8 +138,8 @@ bearing::Bearing ball_bearing(const Json& in) {
   return b;
 }
 
-std::optional<statics::StaticsOptions> case_options(const Json& in) {
-  statics::StaticsOptions o;
+std::optional<statics::BallStaticsOptions> case_options(const Json& in) {
+  statics::BallStaticsOptions o;
   o.kinematics = statics::RingKinematics::Linear;
   o.first_azimuth = in.at("geometry").value("psi0_deg", 0.0) * kDegree;
   const Json given = in.value("options", Json::object());
@@ -267,7 +264,7 @@ Json published_ball_bearing(const Json& in) {
           : 1.0;
   bearing.constraints.load[3] *= lever_ratio;
   bearing.constraints.load[4] *= lever_ratio;
-  statics::StaticsOptions options = *case_options(in);
+  statics::BallStaticsOptions options = *case_options(in);
   const auto s = statics::solve_ball_statics(bearing, options);
   return {{"u_radial_um", 1e6 * std::hypot(s.displacement[1], s.displacement[2])},
           {"ux_um", 1e6 * s.displacement[0]},

@@ -19,11 +19,6 @@ namespace {
 
 using namespace thermal;
 
-std::string kind(const Json& the_case) {
-  const std::string own = kind_of(the_case);
-  return own.empty() ? the_case.at("inputs").value("kind", std::string()) : own;
-}
-
 Elastic elastic(const Json& m) { return {get(m, "E"), get(m, "nu"), m.value("rho", 0.0)}; }
 
 // ---- thermal_lame
@@ -54,13 +49,13 @@ Json spin_case(const Json& in) {
   const double a = 0.5 * get(in, "inner_dia"), b = 0.5 * get(in, "outer_dia");
   const Elastic m = elastic(in.at("material"));
   const double w = get(in, "rpm") * kRpm;
-  Json out{{"od_growth", 2.0 * spin_displacement(b, a, b, m, w)}};
+  Json out{{"od_growth", 2.0 * centrifugal_displacement(b, a, b, m, w)}};
   if (a > 0.0) {
-    out["bore_growth"] = 2.0 * spin_displacement(a, a, b, m, w);
-    out["hoop_stress_inner"] = spin_hoop_stress(a, a, b, m, w);
-    out["radial_stress_mid"] = spin_radial_stress(std::sqrt(a * b), a, b, m, w);
+    out["bore_growth"] = 2.0 * centrifugal_displacement(a, a, b, m, w);
+    out["hoop_stress_inner"] = centrifugal_hoop_stress(a, a, b, m, w);
+    out["radial_stress_mid"] = centrifugal_radial_stress(std::sqrt(a * b), a, b, m, w);
   } else {
-    out["hoop_stress_mid"] = spin_hoop_stress(0.5 * b, a, b, m, w);
+    out["hoop_stress_mid"] = centrifugal_hoop_stress(0.5 * b, a, b, m, w);
   }
   return out;
 }
@@ -117,9 +112,9 @@ std::optional<FreeGeometry> free_geometry(const Json& in) {
     balls.diameter = D;
     balls.pitch_diameter = dm;
     balls.groove_factor = {get(in, "f1"), get(in, "f2")};
-    const contact::FreeState free =
-        contact::free_state(D, balls.groove_factor, {}, get(in, "free_contact_angle") * kDegree,
-                            in.value("free_clearance", 0.0));
+    const contact::FreeAngleAndClearance free = contact::free_angle_and_clearance(
+        D, balls.groove_factor, {}, get(in, "free_contact_angle") * kDegree,
+        in.value("free_clearance", 0.0));
     balls.contact_angle = out.contact_angle = free.contact_angle;
     balls.clearance = out.clearance = free.clearance;
     const contact::GrooveGeometry groove = contact::groove_geometry(balls);
@@ -164,8 +159,8 @@ std::optional<Json> assembly_case(const Json& in) {
            {"mounted_pressure_inner", mounted.pressure[1]},
            {"hoop_stress_outer_race", state.race_hoop_stress(0)},
            {"hoop_stress_inner_race", state.race_hoop_stress(1)},
-           {"hoop_stress_housing", state.mate_hoop_stress(0)},
-           {"hoop_stress_shaft", state.mate_hoop_stress(1)},
+           {"hoop_stress_housing", state.mating_part_hoop_stress(0)},
+           {"hoop_stress_shaft", state.mating_part_hoop_stress(1)},
            {"free_diametral_clearance", free->clearance},
            {"mounted_clearance_room", cold},
            {"operating_diametral_clearance", warm},

@@ -16,11 +16,6 @@ namespace {
 
 using namespace thermal;
 
-std::string kind(const Json& the_case) {
-  const std::string own = kind_of(the_case);
-  return own.empty() ? the_case.at("inputs").value("kind", std::string()) : own;
-}
-
 NetworkRing ring(const Json& in) {
   const NetworkRing out{get(in, "r_in"), get(in, "r_out"), get(in, "w"), get(in, "k")};
   require(out.outer > out.inner,
@@ -65,7 +60,7 @@ Json ladder_case(const Json& in) {
   Ladder ladder;
   ladder.rings = rings(in.at("rings"));
   const HeatSources heat = sources(in.at("heat"));
-  ladder.flows = share_out(heat, split(in.at("split")));
+  ladder.flows = split_heat_sources(heat, split(in.at("split")));
   const Json& coolant = in.at("coolant");
   ladder.capacity_flow = get(coolant, "rho") * get(coolant, "cp") * get(coolant, "flow");
   ladder.element_film = get(in, "h_re") * get(in, "area_re");
@@ -93,7 +88,7 @@ Json nodal_case(const Json& in) {
   NodalNetwork network;
   network.rings = rings(in.at("rings"));
   const HeatSources heat = sources(in.at("heat"));
-  network.flows = share_out(heat, split(in.at("split")));
+  network.flows = split_heat_sources(heat, split(in.at("split")));
   network.churning = heat.churning;
   network.capacity_flow = get(in, "mdot_cp");
   network.element_film = get(in, "hA_re");
@@ -104,10 +99,10 @@ Json nodal_case(const Json& in) {
   network.housing = get(fixed, "housing_od");
   network.shaft = get(fixed, "shaft_id");
   network.coolant_in = get(fixed, "coolant_in");
-  const NodalResult result = solve_network(network);
+  const NodalResult result = solve_nodal_network(network);
   return {{"temperatures", temperatures(result.temperature)},
           {"heat",
-           {{"coolant", result.to_coolant},
+           {{"coolant", result.heat_to_coolant},
             {"housing", result.to_housing},
             {"shaft", result.to_shaft},
             {"total", heat.total()}}}};
@@ -150,7 +145,7 @@ Json windows_case(const Json& in) {
 
 Json sequence_case(const Json& in) {
   constexpr int kMostSteps = 1'000'000;
-  StepRules rules;
+  ThermalStepCriteria rules;
   rules.tolerance = get(in, "tol");
   rules.converged = whole(in, "n_converged", 1, kMostSteps);
   rules.divergent = whole(in, "n_divergent", 1, kMostSteps);
@@ -162,7 +157,7 @@ Json sequence_case(const Json& in) {
     if (nodes.size() != temperatures.front().size())
       throw InputError("temperatures: give one list for each step, all of equal length");
   }
-  const StepSequence result = judge_sequence(temperatures, rules);
+  const ThermalStepAssessment result = assess_thermal_steps(temperatures, rules);
   constexpr const char* kNames[] = {"undecided", "stable", "divergent"};
   const auto maybe = [](const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);

@@ -53,16 +53,16 @@ std::optional<Json> hypothetical_traction(const Json& the_case) {
 }
 
 /// Laws of tribology_hertzTraction; nullopt for a kind that is not known.
-std::optional<tribology::PressureLaw> pressure_law(const Json& law) {
+std::optional<tribology::TractionFunction> pressure_law(const Json& law) {
   const std::string kind = law.at("kind");
   if (kind == "newtonianThermal") {
     const tribology::NewtonFilm film{get(law, "h"), get(law, "muStar"), get(law, "alphaStar"),
                                      get(law, "betaStar"), get(law, "K")};
-    return tribology::PressureLaw{[film](double slip, double pressure) {
-                                    return tribology::film_shear_stress(film, slip, pressure) /
-                                           pressure;
-                                  },
-                                  0.0};
+    return tribology::TractionFunction{[film](double slip, double pressure) {
+                                         return tribology::film_shear_stress(film, slip, pressure) /
+                                                pressure;
+                                       },
+                                       0.0};
   }
   TractionCurve curve;
   if (kind == "constant") {
@@ -72,7 +72,7 @@ std::optional<tribology::PressureLaw> pressure_law(const Json& law) {
   } else {
     return std::nullopt;
   }
-  return tribology::PressureLaw{
+  return tribology::TractionFunction{
       [curve](double slip, double) { return tribology::traction_coefficient(curve, slip); },
       curve.form == TractionCurve::Form::TwoSlope ? curve.u0 : 0.0};
 }

@@ -21,7 +21,7 @@
 namespace adore::contact {
 
 /// Σ c_k u^k of K [N m^-1.5] and of a/√δ and b/√δ [m^0.5].
-struct AngleLaw {
+struct HertzAngleLaw {
   static constexpr int kTerms = 10;
   bool follows = false;  ///< otherwise the constants are frozen elsewhere and nothing here is read
   double K[kTerms] = {}, major[kTerms] = {}, minor[kTerms] = {};
@@ -34,31 +34,32 @@ struct PolynomialValue {
 };
 template <class C, class T>
 [[nodiscard, gnu::always_inline]] inline PolynomialValue<T> polynomial_with_slope(
-    const C (&c)[AngleLaw::kTerms], const T& u) {
-  T value = T(c[AngleLaw::kTerms - 1]), slope = T(0.0);
-  for (int k = AngleLaw::kTerms - 2; k >= 0; --k) {
+    const C (&c)[HertzAngleLaw::kTerms], const T& u) {
+  T value = T(c[HertzAngleLaw::kTerms - 1]), slope = T(0.0);
+  for (int k = HertzAngleLaw::kTerms - 2; k >= 0; --k) {
     slope = slope * u + value;
     value = value * u + T(c[k]);
   }
   return {value, slope};
 }
 template <class C, class T>
-[[nodiscard, gnu::always_inline]] inline T polynomial(const C (&c)[AngleLaw::kTerms], const T& u) {
-  T value = T(c[AngleLaw::kTerms - 1]);
-  for (int k = AngleLaw::kTerms - 2; k >= 0; --k) value = value * u + T(c[k]);
+[[nodiscard, gnu::always_inline]] inline T polynomial(const C (&c)[HertzAngleLaw::kTerms],
+                                                      const T& u) {
+  T value = T(c[HertzAngleLaw::kTerms - 1]);
+  for (int k = HertzAngleLaw::kTerms - 2; k >= 0; --k) value = value * u + T(c[k]);
   return value;
 }
 
 /// K, K' and K'' over u.
 template <class T>
-struct AngleStiffness {
+struct AngleDependentHertzConstant {
   T K, slope, bend;
 };
 template <class T>
-[[nodiscard, gnu::always_inline]] inline AngleStiffness<T> angle_stiffness(const AngleLaw& law,
-                                                                           const T& u) noexcept {
-  AngleStiffness<T> s{T(law.K[AngleLaw::kTerms - 1]), T(0.0), T(0.0)};
-  for (int k = AngleLaw::kTerms - 2; k >= 0; --k) {
+[[nodiscard, gnu::always_inline]] inline AngleDependentHertzConstant<T> hertz_constant_at_angle(
+    const HertzAngleLaw& law, const T& u) noexcept {
+  AngleDependentHertzConstant<T> s{T(law.K[HertzAngleLaw::kTerms - 1]), T(0.0), T(0.0)};
+  for (int k = HertzAngleLaw::kTerms - 2; k >= 0; --k) {
     s.bend = s.bend * u + 2.0 * s.slope;
     s.slope = s.slope * u + s.K;
     s.K = s.K * u + T(law.K[k]);
@@ -68,9 +69,9 @@ template <class T>
 
 /// L from the slope K' and δ, √δ, n_k, l.
 template <class S, class T>
-[[nodiscard, gnu::always_inline]] inline T leaning_force(const S& slope, const T& approach,
-                                                         const T& root, const T& n_k,
-                                                         const T& length) {
+[[nodiscard, gnu::always_inline]] inline T angle_gradient_force(const S& slope, const T& approach,
+                                                                const T& root, const T& n_k,
+                                                                const T& length) {
   return -0.4 * slope * approach * approach * root * n_k / length;
 }
 

@@ -21,7 +21,7 @@ namespace adore::contact {
 
 /// Where the ball centre stands in the race.
 template <class T>
-struct GroovePlace {
+struct GrooveCoordinates {
   T axial;      ///< ξ [m]
   T lift;       ///< η [m]
   T distance;   ///< R [m]
@@ -31,15 +31,16 @@ struct GroovePlace {
 /// η is formed from d_r - Rc and a small excess, so that rounding of R does not reach the approach.
 /// @param centre_radius Rc [m], a number or one a lane
 template <class T, class S>
-[[gnu::always_inline]] inline GroovePlace<T> groove_place(const Triple<T>& d, const Triple<T>& k,
-                                                          const S& centre_radius) {
-  GroovePlace<T> place;
+[[gnu::always_inline]] inline GrooveCoordinates<T> groove_coordinates(const Triple<T>& d,
+                                                                      const Triple<T>& k,
+                                                                      const S& centre_radius) {
+  GrooveCoordinates<T> place;
   place.axial = dot(d, k);
   const Triple<T> p{d.x - place.axial * k.x, d.y - place.axial * k.y, d.z - place.axial * k.z};
   const T across = p.x * p.x + p.z * p.z;
   T inverse;
   place.distance =
-      ScalarMath<T>::root_and_inverse(ScalarMath<T>::max(p.y * p.y + across, T(1e-30)), inverse);
+      ScalarMath<T>::sqrt_and_inverse(ScalarMath<T>::max(p.y * p.y + across, T(1e-30)), inverse);
   place.lift = (p.y - centre_radius) + across / (place.distance + p.y);
   place.e = {p.x * inverse, p.y * inverse, p.z * inverse};
   return place;
@@ -47,7 +48,7 @@ template <class T, class S>
 
 /// Approach and normal, from the groove centre.
 template <class T>
-struct GrooveTouch {
+struct BallGrooveContact {
   T length;    ///< l [m]
   T approach;  ///< δ [m], negative when open
   T n_k, n_e;  ///< n on k and e
@@ -55,11 +56,12 @@ struct GrooveTouch {
 
 /// @param offset s = groove radius - ball radius [m], a number or one a lane
 template <class T, class S>
-[[gnu::always_inline]] inline GrooveTouch<T> groove_touch(const T& axial, const T& lift,
-                                                          const S& offset) {
-  GrooveTouch<T> touch;
+[[gnu::always_inline]] inline BallGrooveContact<T> ball_groove_contact(const T& axial,
+                                                                       const T& lift,
+                                                                       const S& offset) {
+  BallGrooveContact<T> touch;
   T inverse;
-  touch.length = ScalarMath<T>::root_and_inverse(
+  touch.length = ScalarMath<T>::sqrt_and_inverse(
       ScalarMath<T>::max(axial * axial + lift * lift, T(1e-30)), inverse);
   touch.approach = touch.length - offset;
   touch.n_k = axial * inverse;
@@ -69,22 +71,23 @@ template <class T, class S>
 
 /// Q from δ > 0 and √δ (or 0 from 0).
 template <class S, class T>
-[[gnu::always_inline]] inline T point_load(const S& K, const T& approach, const T& root) {
+[[gnu::always_inline]] inline T point_contact_load(const S& K, const T& approach, const T& root) {
   return K * approach * root;
 }
 /// V from Q.
 template <class T>
-[[gnu::always_inline]] inline T point_energy(const T& load, const T& approach) {
+[[gnu::always_inline]] inline T point_contact_energy(const T& load, const T& approach) {
   return 0.4 * load * approach;
 }
 
 /// Principal stiffnesses of a closed contact: eigenvalues of ∂²V/∂d² along n, c and t [N/m].
-struct PointStiffness {
+struct PointContactStiffness {
   double normal = 0.0, across = 0.0, around = 0.0;
 };
 /// @param length l; lift_over_distance η/R
-[[nodiscard]] inline PointStiffness point_stiffness(double K, double approach, double load,
-                                                    double length, double lift_over_distance) {
+[[nodiscard]] inline PointContactStiffness point_contact_stiffness(double K, double approach,
+                                                                   double load, double length,
+                                                                   double lift_over_distance) {
   const double across = load / length;
   return {1.5 * K * std::sqrt(approach), across, across * lift_over_distance};
 }

@@ -28,7 +28,7 @@ WallPoint spherical(const BallPocket& pocket, const Vec3& q) noexcept {
     height = inside;
     radius = std::sqrt(std::max(rho * rho - height * height, 0.0));
   }
-  return wall_of_revolution(q, radius, height, r_b);
+  return nearest_revolved_wall_point(q, radius, height, r_b);
 }
 
 WallPoint elongated(const BallPocket& pocket, const Vec3& q) noexcept {
@@ -49,7 +49,7 @@ WallPoint conical(const BallPocket& pocket, const Vec3& q) noexcept {
   const double d = std::hypot(q[0], q[1]);
   const double along = ((d - r1) * dr + (q[2] - pocket.z_low) * dz) / (dr * dr + dz * dz);
   const double t = std::clamp(along, 0.0, 1.0);
-  return wall_of_revolution(q, r1 + t * dr, pocket.z_low + t * dz, r_b);
+  return nearest_revolved_wall_point(q, r1 + t * dr, pocket.z_low + t * dz, r_b);
 }
 
 WallPoints rectangular(const BallPocket& pocket, const Vec3& q, double rotation_sign) noexcept {
@@ -158,7 +158,7 @@ WallPoints nearest_walls(const BallPocket& pocket, const Vec3& q, double rotatio
   return pocket.half == 0 ? whole : of_half(pocket, q, whole);
 }
 
-double half_opening(const BallPocket& pocket) noexcept {
+double cut_opening_half_width(const BallPocket& pocket) noexcept {
   const bool cone = pocket.shape == PocketShape::Conical;
   return std::min(half_width(pocket, pocket.cut, cone ? pocket.z_low : 0.0),
                   half_width(pocket, pocket.cut, cone ? pocket.z_high : 0.0));
@@ -234,7 +234,7 @@ std::array<double, 2> wall_curvatures(const BallPocket& pocket) {
   return {-1.0 / r1, 0.0};
 }
 
-BallPocket with_ball(BallPocket pocket, double growth) noexcept {
+BallPocket pocket_with_ball_growth(BallPocket pocket, double growth) noexcept {
   pocket.ball_diameter += growth;
   pocket.clearance_1 -= growth;
   // Of an elongated pocket the distance of the arc centres.
@@ -242,8 +242,8 @@ BallPocket with_ball(BallPocket pocket, double growth) noexcept {
   return pocket;
 }
 
-WallPoint nearest_wall_half(const CylindricalPocket& pocket, const Vec3& q, double ball_radius,
-                            int half_side, double y_cut) noexcept {
+WallPoint nearest_half_pocket_wall(const CylindricalPocket& pocket, const Vec3& q,
+                                   double ball_radius, int half_side, double y_cut) noexcept {
   const WallPoint full = nearest_wall(pocket, q, ball_radius);
   const double side = half_side < 0 ? -1.0 : 1.0;
   if (side * full.w[1] >= y_cut) return full;
@@ -256,13 +256,14 @@ PocketFrame pocket_frame(const PocketPlacement& placement) noexcept {
   PocketFrame frame;
   frame.centre = placement.pitch_radius * radial_direction(placement.azimuth) +
                  placement.axial_variation * Vec3::UnitX();
-  frame.cage_to_pocket = passive_matrix(placement.tilt) * passive_y(placement.cone_angle) *
-                         passive_x(placement.azimuth);
+  frame.cage_to_pocket = passive_matrix(placement.tilt) * passive_rotation_y(placement.cone_angle) *
+                         passive_rotation_x(placement.azimuth);
   return frame;
 }
 
-std::array<double, 2> wall_height(double outer_diameter, double inner_diameter,
-                                  double pitch_diameter, double thickness_variation) noexcept {
+std::array<double, 2> pocket_wall_limits(double outer_diameter, double inner_diameter,
+                                         double pitch_diameter,
+                                         double thickness_variation) noexcept {
   const double middle = 0.25 * (outer_diameter + inner_diameter) - 0.5 * pitch_diameter;
   const double half = 0.5 * (0.5 * (outer_diameter - inner_diameter) + thickness_variation);
   return {middle - half, middle + half};

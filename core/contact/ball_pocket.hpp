@@ -36,8 +36,9 @@ inline constexpr double kMedialAxisRadius = 2e-6;
 
 /// Nearest wall point of a wall of revolution about z that meets the half plane of q at (radius,
 /// height).
-[[nodiscard]] inline WallPoint wall_of_revolution(const Vec3& q, double radius, double height,
-                                                  double ball_radius) noexcept {
+[[nodiscard]] inline WallPoint nearest_revolved_wall_point(const Vec3& q, double radius,
+                                                           double height,
+                                                           double ball_radius) noexcept {
   const double d = std::sqrt(q[0] * q[0] + q[1] * q[1]);
   const double guarded = std::max(d, kMedialAxisRadius * ball_radius);
   const double ux = q[0] / guarded, uy = q[1] / guarded;
@@ -52,8 +53,8 @@ inline constexpr double kMedialAxisRadius = 2e-6;
 /// Cylindrical pocket: w = (ρ (x, y)/d, clamp(z)); inside the wall height the gap is ρ - r_b - d.
 [[nodiscard]] inline WallPoint nearest_wall(const CylindricalPocket& pocket, const Vec3& q,
                                             double ball_radius) noexcept {
-  return wall_of_revolution(q, pocket.wall_radius, std::clamp(q[2], pocket.z_low, pocket.z_high),
-                            ball_radius);
+  return nearest_revolved_wall_point(q, pocket.wall_radius,
+                                     std::clamp(q[2], pocket.z_low, pocket.z_high), ball_radius);
 }
 
 /// Angle of a contact in the pocket: θ = atan2(m_x, σ m_y) in [0, 2π). σ = sign of the cage's
@@ -104,7 +105,7 @@ struct WallPoints {
 
 /// Half the width along x of the opening that the cut makes of a half pocket, at the height where a
 /// ball in its middle is nearest to the edges [m].
-[[nodiscard]] double half_opening(const BallPocket& pocket) noexcept;
+[[nodiscard]] double cut_opening_half_width(const BallPocket& pocket) noexcept;
 
 /// Wall curvatures [around, along] [1/m], concave negative, of the part nearest to q. Elongated:
 /// flat between the arc centres.
@@ -115,12 +116,13 @@ struct WallPoints {
 /// Cylindrical pocket cut by the plane through the cage axis that segments the cage: the half keeps
 /// the wall with half_side * y >= y_cut (half_side -1: leading half, +1: trailing half). Where the
 /// nearest point of the full circle is cut away, the nearest point is the end of the arc.
-[[nodiscard]] WallPoint nearest_wall_half(const CylindricalPocket& pocket, const Vec3& q,
-                                          double ball_radius, int half_side, double y_cut) noexcept;
+[[nodiscard]] WallPoint nearest_half_pocket_wall(const CylindricalPocket& pocket, const Vec3& q,
+                                                 double ball_radius, int half_side,
+                                                 double y_cut) noexcept;
 
 /// The same pocket with a ball that is `growth` larger [m]: walls stay, so that clearances that are
 /// counted from the ball are smaller.
-[[nodiscard]] BallPocket with_ball(BallPocket pocket, double growth) noexcept;
+[[nodiscard]] BallPocket pocket_with_ball_growth(BallPocket pocket, double growth) noexcept;
 
 /// Where the pocket is in the cage.
 struct PocketPlacement {
@@ -139,8 +141,8 @@ struct PocketFrame {
 
 /// Wall ends in the pocket frame from the cage diameters: middle (d1+d2)/4 - d_m/2, thickness
 /// (d1-d2)/2 + variation.
-[[nodiscard]] std::array<double, 2> wall_height(double outer_diameter, double inner_diameter,
-                                                double pitch_diameter,
-                                                double thickness_variation = 0.0) noexcept;
+[[nodiscard]] std::array<double, 2> pocket_wall_limits(double outer_diameter, double inner_diameter,
+                                                       double pitch_diameter,
+                                                       double thickness_variation = 0.0) noexcept;
 
 }  // namespace adore::contact

@@ -1,5 +1,6 @@
 #include "contact/cage_inertia.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "base/gauss.hpp"
 
@@ -13,7 +14,6 @@ namespace adore::contact {
 namespace {
 
 using bearing::PocketShape;
-constexpr double kPi = 3.14159265358979323846;
 
 /// Volume, first and second moments of a body of unit density.
 struct Moments {
@@ -28,7 +28,7 @@ struct Moments {
   }
   /// The same body turned about x by ψ.
   [[nodiscard]] Moments turned(double psi) const {
-    const Mat3 R = passive_x(psi).transpose();
+    const Mat3 R = passive_rotation_x(psi).transpose();
     return {volume, R * first, R * second * R.transpose()};
   }
 };
@@ -211,7 +211,7 @@ Reach reach_of_void(const PocketSection& section, double x, double y) {
 Moments cone_void(const PocketSection& section, int sign = 0, double cut = 0.0) {
   const CageSolid& s = section.solid;
   const double t = std::tan(s.cone_angle);
-  const Mat3 to_cage = passive_y(s.cone_angle).transpose();
+  const Mat3 to_cage = passive_rotation_y(s.cone_angle).transpose();
   const Vec3 normal = to_cage.col(2), middle(0.0, 0.0, 0.5 * s.pitch_diameter);
   const auto end = [&](const Vec3& p,
                        double radius) {  // where p + z·normal meets the cone of that mid radius
@@ -446,7 +446,7 @@ bearing::Inertia cage_inertia(const bearing::Bearing& bearing) {
     if (bearing.cage->cone_angle != 0.0) {  // principal axes lean in the plane of x and z
       const Mat3& I = result.inertia;
       const double lean = 0.5 * std::atan2(2.0 * I(0, 2), I(0, 0) - I(2, 2));
-      const Mat3 A = passive_y(lean);
+      const Mat3 A = passive_rotation_y(lean);
       inertia.frame = {0.0, lean, 0.0};
       inertia.moments = (A.transpose() * I * A).diagonal();
     }

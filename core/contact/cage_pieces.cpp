@@ -1,12 +1,12 @@
 #include "contact/cage_pieces.hpp"
 
+#include "base/constants.hpp"
+
 #include <cmath>
-#include <numbers>
 
 namespace adore::contact {
 
 CagePieces cage_pieces(const bearing::Cage& cage, const std::vector<double>& azimuths) {
-  constexpr double kPi = std::numbers::pi;
   const bearing::Segmentation& cut = cage.segments;
   const std::size_t count = azimuths.size();
   CagePieces out;
@@ -37,7 +37,7 @@ CagePieces cage_pieces(const bearing::Cage& cage, const std::vector<double>& azi
   return out;
 }
 
-double cut_edge(const bearing::Cage& cage, double pitch_diameter) noexcept {
+double half_pocket_edge(const bearing::Cage& cage, double pitch_diameter) noexcept {
   return 0.5 * pitch_diameter * std::tan(0.5 * cage.segments.cut_angle);
 }
 

@@ -17,7 +17,7 @@
 /// it touches both pieces.
 namespace adore::contact {
 
-struct PlacedPocket {
+struct SegmentPocket {
   std::size_t element = 0;
   int piece = 0;
   double azimuth = 0.0;  ///< of the pocket in the frame of its piece [rad]
@@ -25,10 +25,10 @@ struct PlacedPocket {
 };
 
 struct CagePieces {
-  std::vector<double> middle;         ///< azimuth of each piece [rad]
-  double half_angle = 0.0;            ///< that a piece reaches from its middle, π: the whole [rad]
-  std::vector<PlacedPocket> pockets;  ///< one by element, in their order
-  std::vector<PlacedPocket> last_halves;  ///< one by piece, when the cuts go through pockets
+  std::vector<double> middle;  ///< azimuth of each piece [rad]
+  double half_angle = 0.0;     ///< that a piece reaches from its middle, π: the whole [rad]
+  std::vector<SegmentPocket> pockets;      ///< one by element, in their order
+  std::vector<SegmentPocket> last_halves;  ///< one by piece, when the cuts go through pockets
 };
 
 /// @param azimuths of the elements, evenly spaced [rad]
@@ -36,6 +36,6 @@ struct CagePieces {
                                      const std::vector<double>& azimuths);
 
 /// |y| of the edge of a half pocket in its pocket frame [m].
-[[nodiscard]] double cut_edge(const bearing::Cage& cage, double pitch_diameter) noexcept;
+[[nodiscard]] double half_pocket_edge(const bearing::Cage& cage, double pitch_diameter) noexcept;
 
 }  // namespace adore::contact

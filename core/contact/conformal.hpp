@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/constants.hpp"
 #include "bearing/material.hpp"
 #include "contact/hertz.hpp"
 
@@ -83,7 +84,7 @@ struct LandLaw {
 namespace detail {
 
 /// Twice the half angle of contact, x = 2ψ0 in [0, 2π].
-inline double land_contact_angle(const LandLaw& law, double e) noexcept {
+inline double land_contact_arc(const LandLaw& law, double e) noexcept {
   if (law.clearance <= -e) return 6.283185307179586476925;
   return 2.0 * std::atan2(std::sqrt((e - law.clearance) * (e + law.clearance)), law.clearance);
 }
@@ -110,15 +111,15 @@ inline double land_energy_shape(double x) noexcept {
   constexpr double kFactor = 3 * 3.14159265358979323846 / 32;
   if (eccentricity <= law.clearance || eccentricity <= 0.0) return 0.0;
   return kFactor * law.E_star * eccentricity *
-         detail::x_minus_sin(detail::land_contact_angle(law, eccentricity));
+         detail::x_minus_sin(detail::land_contact_arc(law, eccentricity));
 }
 
 /// d(F/L)/de [Pa]: (3π/32) E* (x + sin x), at most (3π²/32) E* for c >= 0.
-[[nodiscard]] inline double land_slope_per_length(const LandLaw& law,
-                                                  double eccentricity) noexcept {
+[[nodiscard]] inline double land_stiffness_per_length(const LandLaw& law,
+                                                      double eccentricity) noexcept {
   constexpr double kFactor = 3 * 3.14159265358979323846 / 32;
   if (eccentricity <= law.clearance || eccentricity <= 0.0) return 0.0;
-  const double x = detail::land_contact_angle(law, eccentricity);
+  const double x = detail::land_contact_arc(law, eccentricity);
   return kFactor * law.E_star * (x + std::sin(x));
 }
 
@@ -126,12 +127,11 @@ inline double land_energy_shape(double x) noexcept {
 /// contact all around (3π²/32) E* (e² + 2c²).
 [[nodiscard]] inline double land_energy_per_length(const LandLaw& law,
                                                    double eccentricity) noexcept {
-  constexpr double kPi = 3.14159265358979323846;
   const double e = std::max(eccentricity, 0.0), c = law.clearance;
   if (e <= c) return 0.0;
   if (c <= -e) return 3 * kPi * kPi / 32 * law.E_star * (e * e + 2 * c * c);
   return 3 * kPi / 64 * law.E_star * e * e *
-         detail::land_energy_shape(detail::land_contact_angle(law, e));
+         detail::land_energy_shape(detail::land_contact_arc(law, e));
 }
 
 }  // namespace adore::contact

@@ -52,7 +52,8 @@ template <class T, class S>
 }
 
 /// k of a load that goes with a power of the approach, from the load and its energy.
-[[nodiscard]] inline double power_stiffness(double load, double energy, double approach) noexcept {
+[[nodiscard]] inline double power_law_stiffness(double load, double energy,
+                                                double approach) noexcept {
   return load * (load / energy - 1.0 / approach);
 }
 

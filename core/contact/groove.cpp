@@ -81,14 +81,14 @@ GrooveGeometry groove_geometry(const bearing::BallGeometry& balls) {
   return g;
 }
 
-bearing::BallGeometry own_ball(const bearing::BallGeometry& balls, double growth) {
+bearing::BallGeometry geometry_with_ball_growth(const bearing::BallGeometry& balls, double growth) {
   bearing::BallGeometry out = balls;
   out.diameter += growth;
   for (double& factor : out.groove_factor) factor *= balls.diameter / out.diameter;
   return out;
 }
 
-GrooveGeometry groove_of_ball(const GrooveGeometry& nominal, double growth) noexcept {
+GrooveGeometry groove_with_ball_growth(const GrooveGeometry& nominal, double growth) noexcept {
   GrooveGeometry out = nominal;
   out.ball_radius += 0.5 * growth;
   for (double& offset : out.offset) offset -= 0.5 * growth;
@@ -122,9 +122,10 @@ ContactEdges contact_edges(const GrooveGeometry& groove, int race, double angle,
   return edges;
 }
 
-FreeState free_state(double diameter, const std::array<double, 2>& groove_factor,
-                     const std::array<double, 2>& shim, double contact_angle,
-                     double measured_clearance) {
+FreeAngleAndClearance free_angle_and_clearance(double diameter,
+                                               const std::array<double, 2>& groove_factor,
+                                               const std::array<double, 2>& shim,
+                                               double contact_angle, double measured_clearance) {
   for (int race = 0; race < 2; ++race) {
     check_groove_factor(groove_factor[static_cast<std::size_t>(race)], race, kWidest);
   }
@@ -159,16 +160,16 @@ FreeState free_state(double diameter, const std::array<double, 2>& groove_factor
   return {angle, clearance};
 }
 
-std::array<SplitHalf, 2> split_halves(const bearing::BallGeometry& balls,
-                                      const GrooveGeometry& groove, int race) {
+std::array<SplitRaceHalf, 2> split_race_halves(const bearing::BallGeometry& balls,
+                                               const GrooveGeometry& groove, int race) {
   const auto j = static_cast<std::size_t>(race);
   const double shim = balls.shim[j];
   if (!(shim > 0.0)) return {};
   const HertzConstants hertz = hertz_constants(race_curvature(balls, race, 0.0), 1.0);
   const double side = race == bearing::kOuter ? 1.0 : -1.0;
-  SplitHalf half{side, 0.5 * shim, groove.groove_radius[j], 0.0,
-                 hertz.a_hat * std::cbrt(hertz.K)};  // of any modulus
-  SplitHalf other = half;
+  SplitRaceHalf half{side, 0.5 * shim, groove.groove_radius[j], 0.0,
+                     hertz.a_hat * std::cbrt(hertz.K)};  // of any modulus
+  SplitRaceHalf other = half;
   other.side = -side;
   other.shift = side * shim;
   if (groove.centre_x[j] == 0.0) {
@@ -178,8 +179,8 @@ std::array<SplitHalf, 2> split_halves(const bearing::BallGeometry& balls,
   return {half, other};
 }
 
-double split_end_play(const std::array<double, 2>& offset, const std::array<double, 2>& shim,
-                      double contact_angle) {
+double split_race_end_play(const std::array<double, 2>& offset, const std::array<double, 2>& shim,
+                           double contact_angle) {
   const double across = (offset[0] + offset[1]) * std::cos(contact_angle);
   std::array<double, 2> along{offset[0] * std::sin(contact_angle),
                               offset[1] * std::sin(contact_angle)};

@@ -33,10 +33,12 @@ struct GrooveGeometry {
 
 /// The same bearing as one ball sees it that is `growth` larger than the others [m]: grooves stay,
 /// their factors are those over its own diameter. Contact angle, clearance and groove_plane are not
-/// touched: they say where the grooves are, which is what groove_of_ball keeps.
-[[nodiscard]] bearing::BallGeometry own_ball(const bearing::BallGeometry& balls, double growth);
+/// touched: they say where the grooves are, which is what groove_with_ball_growth keeps.
+[[nodiscard]] bearing::BallGeometry geometry_with_ball_growth(const bearing::BallGeometry& balls,
+                                                              double growth);
 /// Grooves of the nominal ball around that ball: radius and offsets are its own.
-[[nodiscard]] GrooveGeometry groove_of_ball(const GrooveGeometry& nominal, double growth) noexcept;
+[[nodiscard]] GrooveGeometry groove_with_ball_growth(const GrooveGeometry& nominal,
+                                                     double growth) noexcept;
 
 /// Relative curvatures at race j for contact angle α: 2/D ± 2 cos α/(d_m ∓ D cos α) rolling (upper
 /// sign inner), 2/D - 1/(f_j D) transverse. For every practical groove the major axis is
@@ -57,25 +59,26 @@ struct ContactEdges {
 /// Free contact angle and clearance of a ball bearing from what the deck gives (N39): cos α0 = 1 -
 /// Pd/(2D(f1+f2-1)); a shim g on a race of factor f gives arch angle asin(g/((2f-1)D)) and Pd =
 /// freeIntCls + (2f-1)D(1 - cos αs). contact_angle > 0 rules.
-struct FreeState {
+struct FreeAngleAndClearance {
   double contact_angle = 0.0;  ///< [rad]
   double clearance = 0.0;      ///< Pd of the circular grooves [m]
 };
 /// @throws InputError when the clearance is larger than the grooves allow.
-[[nodiscard]] FreeState free_state(double diameter, const std::array<double, 2>& groove_factor,
-                                   const std::array<double, 2>& shim, double contact_angle,
-                                   double measured_clearance);
+[[nodiscard]] FreeAngleAndClearance free_angle_and_clearance(
+    double diameter, const std::array<double, 2>& groove_factor, const std::array<double, 2>& shim,
+    double contact_angle, double measured_clearance);
 
 /// Both halves of a race: {} twice where it is not split. P_j is the centre of the half that thrust
 /// along +x loads, halfway between both centres in bearings given by their clearance (centre_x 0).
-[[nodiscard]] std::array<SplitHalf, 2> split_halves(const bearing::BallGeometry& balls,
-                                                    const GrooveGeometry& groove, int race);
+[[nodiscard]] std::array<SplitRaceHalf, 2> split_race_halves(const bearing::BallGeometry& balls,
+                                                             const GrooveGeometry& groove,
+                                                             int race);
 
 /// Axial play of a ball between unloaded races whose curvature centres are A cos α apart radially
 /// [m]: 2 A sin α - Σ g. Where a ball would reach the split of a race before (s sin α < g/2), both
 /// halves of that race touch it and it turns there no further; 0: no play is left.
 /// @param offset s = groove radius - ball radius [m]; shim g [m]
-[[nodiscard]] double split_end_play(const std::array<double, 2>& offset,
-                                    const std::array<double, 2>& shim, double contact_angle);
+[[nodiscard]] double split_race_end_play(const std::array<double, 2>& offset,
+                                         const std::array<double, 2>& shim, double contact_angle);
 
 }  // namespace adore::contact

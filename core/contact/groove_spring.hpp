@@ -9,8 +9,8 @@ namespace adore::contact {
 
 template <class T>
 struct GrooveSpring {
-  GroovePlace<T> place;
-  GrooveTouch<T> touch;            ///< `approach` as it is, negative when open
+  GrooveCoordinates<T> place;
+  BallGrooveContact<T> touch;      ///< `approach` as it is, negative when open
   Triple<T> normal, side, around;  ///< n, c = t × n, t
   T K, load;                       ///< [N m^-1.5], Q [N], 0 when open
   Triple<T> force;                 ///< -∂V/∂d on the ball, 0 when open [N]
@@ -22,11 +22,11 @@ struct GrooveSpring {
 template <class T>
 [[nodiscard, gnu::always_inline]] inline GrooveSpring<T> groove_spring(
     const Triple<T>& d, const Triple<T>& k, double centre_radius, double offset, double frozen_K,
-    const AngleLaw* follow) {
+    const HertzAngleLaw* follow) {
   using M = ScalarMath<T>;
   GrooveSpring<T> s;
-  s.place = groove_place(d, k, centre_radius);
-  s.touch = groove_touch(s.place.axial, s.place.lift, offset);
+  s.place = groove_coordinates(d, k, centre_radius);
+  s.touch = ball_groove_contact(s.place.axial, s.place.lift, offset);
   const Triple<T>& e = s.place.e;
   const T &n_k = s.touch.n_k, &n_e = s.touch.n_e, &l = s.touch.length, &R = s.place.distance;
   s.normal = {n_k * k.x + n_e * e.x, n_k * k.y + n_e * e.y, n_k * k.z + n_e * e.z};
@@ -39,13 +39,13 @@ template <class T>
   s.K = T(frozen_K);
   T lean = T(0.0), coupling = T(0.0), bent = T(0.0);
   if (follow != nullptr) {
-    const AngleStiffness<T> at = angle_stiffness(*follow, n_e);
+    const AngleDependentHertzConstant<T> at = hertz_constant_at_angle(*follow, n_e);
     s.K = at.K;
-    lean = leaning_force(at.slope, depth, root, n_k, l);
+    lean = angle_gradient_force(at.slope, depth, root, n_k, l);
     coupling = at.slope * n_k * rest / l * (1.0 - 0.4 * depth / l);
     bent = 0.4 * (at.bend * n_k * n_k - at.slope * n_e) * rest * depth / (l * l);
   }
-  s.load = point_load(s.K, depth, root);
+  s.load = point_contact_load(s.K, depth, root);
   s.force = lean * s.side - s.load * s.normal;
   const T along = 1.5 * s.K * root, across = s.load / l + bent,
           round = s.load / l * (s.place.lift / R) - lean * n_k / R;

@@ -1,5 +1,6 @@
 #include "contact/guide_land.hpp"
 
+#include "base/constants.hpp"
 #include "base/gauss.hpp"
 #include "contact/race_wave.hpp"
 
@@ -7,8 +8,6 @@
 
 namespace adore::contact {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// One slice of a land at a pose: point and gap over the cage azimuth.
 struct Slice {
@@ -130,7 +129,7 @@ std::array<double, 2> LandProfile::at(double psi) const noexcept {
   return {radius, 0.0};
 }
 
-LandGap least_land_gap(const LandPair& land, double x, const Vec3& g, const Mat3& race_to_cage) {
+LandGap min_land_gap(const LandPair& land, double x, const Vec3& g, const Mat3& race_to_cage) {
   const Slice slice{land, x, g, race_to_cage.transpose()};
   LandGap best;
   bool first = true;

@@ -18,7 +18,7 @@
 namespace adore::contact {
 
 /// Signed land centre from the deck's outer edge position (N91): pos - sign(pos) width/2.
-[[nodiscard]] inline double land_centre(double edge, double width) noexcept {
+[[nodiscard]] inline double land_center_position(double edge, double width) noexcept {
   return edge - std::copysign(0.5 * width, edge);
 }
 
@@ -43,7 +43,7 @@ struct LandProfile {
           errors.variation[1], wave ? errors.variation[2] : 0.0};
 }
 /// Least and largest R(ψ) minus nominal [m].
-[[nodiscard]] inline std::array<double, 2> land_extremes(const LandProfile& land) noexcept {
+[[nodiscard]] inline std::array<double, 2> land_deviation_range(const LandProfile& land) noexcept {
   if (land.kind == LandProfile::Kind::Circle) return {0.0, 0.0};
   if (land.kind == LandProfile::Kind::Wave)
     return {-std::abs(land.variation_1), std::abs(land.variation_1)};
@@ -67,8 +67,8 @@ struct LandGap {
 
 /// Least gap of the slice at axial position x of the cage: grid finer than a quarter wave, then
 /// refined to ~1e-15 m.
-[[nodiscard]] LandGap least_land_gap(const LandPair& land, double x, const Vec3& g,
-                                     const Mat3& race_to_cage);
+[[nodiscard]] LandGap min_land_gap(const LandPair& land, double x, const Vec3& g,
+                                   const Mat3& race_to_cage);
 
 struct LandLoad {
   Vec3 force = Vec3::Zero();   ///< on the cage, race axes [N]

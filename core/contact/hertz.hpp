@@ -52,7 +52,7 @@ struct HertzSensitivity {
 /// Normal load [N] for approach δ [m]. δ <= 0 gives exactly 0 (no tension). C1 at 0. Hot path: no
 /// throw, no allocation.
 [[nodiscard]] inline double hertz_load(double K, double delta) noexcept {
-  return delta > 0.0 ? point_load(K, delta, std::sqrt(delta)) : 0.0;
+  return delta > 0.0 ? point_contact_load(K, delta, std::sqrt(delta)) : 0.0;
 }
 
 }  // namespace adore::contact

@@ -10,7 +10,7 @@
 ///   ∂U_k/∂x = 9/19 Q_k δ_k/w_k w'_k/cos α,   w'_k = ∓1 at the edge at ±x, else 0
 /// pushes the roller off the land along its generator: energy per length of the contact, 0.1 to
 /// 0.3 % of its load, for each edge [derived]. Without it a roller that slides over an edge to and
-/// fro takes energy from nowhere. The place of a slice is slice_place,
+/// fro takes energy from nowhere. The place of a slice is slice_axial_position,
 ///   x_k = x + s_k a_x + σ ρ_k b1_x,  b1_x = -t/m,  t = a_z, f = a_y, m² = 1 - f².
 /// Plain numbers in the meridian frame, for kernels too. SI.
 /// Limit: the force begins at once when the outermost slice reaches the edge; stresses at edges are
@@ -21,14 +21,14 @@ namespace adore::contact {
 /// meridian plane of the roller. It goes with the pose of the roller axis alone, not with the
 /// place where the circle is deepest (second order in the skew) [choice]. x of C on the race axis.
 template <class T>
-[[nodiscard, gnu::always_inline]] inline T slice_place(const RaceSurface& race,
-                                                       const SliceAxes& axes, double x, const T& s,
-                                                       const T& radius) {
+[[nodiscard, gnu::always_inline]] inline T slice_axial_position(const RaceSurface& race,
+                                                                const SliceAxes& axes, double x,
+                                                                const T& s, const T& radius) {
   return x + axes.a.x * s + (race.sigma() * axes.b1.x) * radius;
 }
 
 template <class T>
-struct LandEdge {
+struct LandEdgeForce {
   T force = 0.0;         ///< Σ ∂U_k/∂x_k [N]
   T along = 0.0;         ///< Σ s_k ∂U_k/∂x_k [N m]
   T across = 0.0;        ///< Σ ρ_k ∂U_k/∂x_k [N m]
@@ -47,7 +47,8 @@ struct LandEdge {
   }
 
   /// Adds force and moment about C on the roller, minus the gradient of U. @param r of C
-  void push(const SliceAxes& axes, double sigma, double r, Triple<T>& on, Triple<T>& about) const {
+  void add_to_roller(const SliceAxes& axes, double sigma, double r, Triple<T>& on,
+                     Triple<T>& about) const {
     const double f = axes.a.y, t = axes.a.z, m = std::sqrt(1.0 - f * f);
     // ∂x over the components of a.
     const Triple<T> over{along, (-sigma * t * f / (m * m * m)) * across, (-sigma / m) * across};

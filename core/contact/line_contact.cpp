@@ -1,5 +1,6 @@
 #include "contact/line_contact.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "bearing/bearing.hpp"
 
@@ -7,8 +8,6 @@
 
 namespace adore::contact {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 double compliance(const bearing::Material& m) {
   if (!(std::isfinite(m.elastic_modulus) && m.elastic_modulus > 0.0))

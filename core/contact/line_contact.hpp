@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/constants.hpp"
 #include "base/scalar_math.hpp"
 #include "bearing/material.hpp"
 #include "contact/slice_law.hpp"
@@ -32,7 +33,6 @@ struct LinePressure {
 };
 [[nodiscard]] inline LinePressure line_pressure(double q, double relative_curvature,
                                                 double E_star) noexcept {
-  constexpr double kPi = 3.14159265358979323846;
   if (q <= 0.0) return {};
   return {std::sqrt(4.0 * q / (kPi * relative_curvature * E_star)),
           std::sqrt(q * E_star * relative_curvature / kPi)};
@@ -75,7 +75,7 @@ struct SliceLoad {
 [[nodiscard]] inline SliceLoad slice_load(const PowerLaw& law, double width,
                                           double delta) noexcept {
   if (delta <= 0.0 || width <= 0.0) return {};
-  const double secant = slice_secant(law, width, delta);
+  const double secant = slice_secant_stiffness(law, width, delta);
   return {secant * delta, (10.0 / 9.0) * secant};
 }
 

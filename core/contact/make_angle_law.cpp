@@ -14,20 +14,20 @@ namespace {
 /// Enough that what is cut off, not what is folded over, decides the error.
 constexpr std::size_t kPoints = 32;
 
-void fit(const std::vector<double>& values, double (&out)[AngleLaw::kTerms]) {
+void fit(const std::vector<double>& values, double (&out)[HertzAngleLaw::kTerms]) {
   double largest = 0.0;
   for (const double v : values) largest = std::max(largest, std::abs(v));
   std::vector<double> relative(values);
   for (double& v : relative) v /= largest;
   std::vector<double> series = chebyshev_coefficients(relative);
-  series.resize(AngleLaw::kTerms, 0.0);
-  const std::vector<double> powers = powers_of_chebyshev(series);
+  series.resize(HertzAngleLaw::kTerms, 0.0);
+  const std::vector<double> powers = chebyshev_to_monomial(series);
   for (std::size_t k = 0; k < powers.size(); ++k) out[k] = largest * powers[k];
 }
 
 }  // namespace
 
-AngleLaw make_angle_law(const bearing::BallGeometry& balls, int race, double E_star) {
+HertzAngleLaw make_angle_law(const bearing::BallGeometry& balls, int race, double E_star) {
   const std::vector<double> points = chebyshev_points(kPoints);
   std::vector<double> K, major, minor;
   double kappa = 0.0;
@@ -41,7 +41,7 @@ AngleLaw make_angle_law(const bearing::BallGeometry& balls, int race, double E_s
     major.push_back(h.a_hat * root_of_K);
     minor.push_back(h.b_hat * root_of_K);
   }
-  AngleLaw law;
+  HertzAngleLaw law;
   law.follows = true;
   fit(K, law.K);
   fit(major, law.major);

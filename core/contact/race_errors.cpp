@@ -16,14 +16,14 @@ RaceWave race_wave(const Harmonic& wave) {
   return race_wave(wave.amplitude, wave.waves, wave.phase);
 }
 
-RaceSum race_sum(const bearing::TurnSeries& series) {
+RaceFourierSeries race_sum(const bearing::AzimuthSeries& series) {
   return {series.pairs.data(), static_cast<int>(series.pairs.size() / 2)};
 }
 
 }  // namespace
 
-RaceForm race_form(const RaceErrors& errors, double nominal_radius) {
-  RaceForm form;
+RaceErrorModel make_race_error_model(const RaceErrors& errors, double nominal_radius) {
+  RaceErrorModel form;
   form.nominal_radius = nominal_radius;
   if (errors.given) {
     form.is_summed = true;
@@ -46,7 +46,7 @@ RaceForm race_form(const RaceErrors& errors, double nominal_radius) {
   return form;
 }
 
-void check_whole_waves(const RaceErrors& errors) {
+void check_integer_wave_counts(const RaceErrors& errors) {
   if (errors.given) return;
   const double radius =
       errors.roundness == RaceErrors::Roundness::Sinusoidal ? errors.variation[1] : 0.0;
@@ -55,7 +55,7 @@ void check_whole_waves(const RaceErrors& errors) {
     if (waves != std::round(waves))
       throw InputError(
           fmt::format("a race has {} waves per revolution, so its profile has a step at the end of "
-                      "the last wave; a rotating race needs a whole number of waves",
+                      "the last wave. Give a rotating race a whole number of waves",
                       waves));
 }
 
@@ -86,15 +86,16 @@ RaceSurface race_with_error(const RaceSurface& ideal, const LocalRaceError& erro
 
 WavyRace make_wavy_race(const RaceErrors& errors, const RaceSurface& ideal, double nominal_radius,
                         double crown_radius) {
-  check_whole_waves(errors);
-  WavyRace out{race_form(errors, nominal_radius), ideal, 2.0 * crown_radius, {}, errors.given};
+  check_integer_wave_counts(errors);
+  WavyRace out{
+      make_race_error_model(errors, nominal_radius), ideal, 2.0 * crown_radius, {}, errors.given};
   if (ideal.shape == RaceSurface::Shape::Groove) out.normal = nominal_groove_normal(ideal);
   return out;
 }
 
-WavyRace::Here WavyRace::at(const AzimuthDirection<double>& psi) const noexcept {
+WavyRace::LocalSurface WavyRace::at(const AzimuthDirection<double>& psi) const noexcept {
   const LocalRaceError e = race_error_at(form, psi);
-  Here here{race_with_error(ideal, e, curvature_diameter, normal), {}};
+  LocalSurface here{race_with_error(ideal, e, curvature_diameter, normal), {}};
   const GrooveChange<double> groove = groove_change(e.radius_slope, e.curvature_factor_slope,
                                                     curvature_diameter, normal[0], normal[1]);
   here.slope = {e.radius_slope, -e.taper_slope,       groove.radius,

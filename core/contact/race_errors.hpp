@@ -23,17 +23,17 @@ using bearing::RaceErrors;
 
 /// Ready for evaluation by race_error_at of race_wave.hpp.
 /// @param nominal_radius R: race radius at mid contact, for a groove the radius of its bottom [m]
-[[nodiscard]] RaceForm race_form(const RaceErrors& errors, double nominal_radius);
+[[nodiscard]] RaceErrorModel make_race_error_model(const RaceErrors& errors, double nominal_radius);
 
 /// For races in motion: a wave that does not close has a step where the turn closes, over which no
 /// finite force lifts an element.
 /// @throws InputError naming the number of waves that is not whole
-void check_whole_waves(const RaceErrors& errors);
+void check_integer_wave_counts(const RaceErrors& errors);
 
 /// At an angle; waves of any number.
 [[nodiscard]] inline LocalRaceError race_error_at(const RaceErrors& errors, double nominal_radius,
                                                   double psi) {
-  return race_error_at(race_form(errors, nominal_radius), AzimuthAngle{psi});
+  return race_error_at(make_race_error_model(errors, nominal_radius), AzimuthAngle{psi});
 }
 
 /// The race as it is at one azimuth.
@@ -55,27 +55,27 @@ void check_whole_waves(const RaceErrors& errors);
 }
 
 /// ψ of a meridian frame in a race that turned by an angle beyond its axes.
-[[nodiscard]] inline AzimuthDirection<double> azimuth_in_turned(const MeridianTurn& at,
-                                                                double cosine,
-                                                                double sine) noexcept {
+[[nodiscard]] inline AzimuthDirection<double> azimuth_in_rotated_race(const MeridianRotation& at,
+                                                                      double cosine,
+                                                                      double sine) noexcept {
   return {at.ez * cosine - at.ey * sine, -at.ey * cosine - at.ez * sine};
 }
 
 /// A race for rollers that has errors, in motion.
 struct WavyRace {
-  RaceForm form;
+  RaceErrorModel form;
   RaceSurface ideal;
   double curvature_diameter = 0.0;  ///< 2 R_c [m]
   std::array<double, 2> normal{0.0, 1.0};
-  std::shared_ptr<const bearing::GivenRace> given;  ///< whose numbers the form reads
+  std::shared_ptr<const bearing::SurfaceSeries> given;  ///< whose numbers the form reads
 
-  struct Here {
+  struct LocalSurface {
     RaceSurface surface;
-    RaceSlope slope;
+    RaceAzimuthSlope slope;
   };
-  [[nodiscard]] Here at(const AzimuthDirection<double>& psi) const noexcept;
+  [[nodiscard]] LocalSurface at(const AzimuthDirection<double>& psi) const noexcept;
 };
-/// @param nominal_radius as in race_form; crown_radius R_c [m]
+/// @param nominal_radius as in make_race_error_model; crown_radius R_c [m]
 /// @throws InputError when the waves per turn are not whole numbers
 [[nodiscard]] WavyRace make_wavy_race(const RaceErrors& errors, const RaceSurface& ideal,
                                       double nominal_radius, double crown_radius);

@@ -14,7 +14,7 @@
 namespace adore::contact {
 
 /// Per radian of azimuth.
-struct RaceSlope {
+struct RaceAzimuthSlope {
   double radius = 0.0, angle = 0.0;                                        ///< R', α'; cones
   double groove_radius = 0.0, groove_x = 0.0, groove_centre_radius = 0.0;  ///< grooves
   double land_offset = 0.0;
@@ -23,9 +23,10 @@ struct RaceSlope {
 
 /// @param at depth and directions at X
 template <class T>
-[[nodiscard, gnu::always_inline]] inline T depth_slope(const RaceSurface& race,
-                                                       const RaceSlope& slope, const Triple<T>& X,
-                                                       const SurfaceDepth<T>& at) {
+[[nodiscard, gnu::always_inline]] inline T depth_slope_over_azimuth(const RaceSurface& race,
+                                                                    const RaceAzimuthSlope& slope,
+                                                                    const Triple<T>& X,
+                                                                    const SurfaceDepth<T>& at) {
   if (race.shape == RaceSurface::Shape::Groove) {
     // meridian = (n_r, -n_x e): n_r and n_x are its parts.
     return -at.n.x * slope.groove_x - at.meridian.x * slope.groove_centre_radius -
@@ -46,8 +47,9 @@ template <class T>
 
 /// Of overlap_width (race_surface.hpp) over the land's offset, where the slice touches the land.
 template <class T>
-[[nodiscard, gnu::always_inline]] inline T width_slope(const T& x, const T& width,
-                                                       double land_offset, double land_width) {
+[[nodiscard, gnu::always_inline]] inline T width_slope_over_offset(const T& x, const T& width,
+                                                                   double land_offset,
+                                                                   double land_width) {
   using M = ScalarMath<T>;
   const double high = land_offset + 0.5 * land_width, low = land_offset - 0.5 * land_width;
   const T half = 0.5 * width;

@@ -38,8 +38,9 @@ namespace adore::contact {
 [[nodiscard]] RaceSurface crowned_race(const RaceSurface& cone, double crown_radius, double land);
 
 /// R = pitch diameter/2 ± D/2 ± clearance/4, upper sign outer, clearance diametral [m].
-[[nodiscard]] inline double cylinder_radius(int side, double pitch_diameter, double roller_diameter,
-                                            double clearance) noexcept {
+[[nodiscard]] inline double cylindrical_race_radius(int side, double pitch_diameter,
+                                                    double roller_diameter,
+                                                    double clearance) noexcept {
   const double sigma = side == bearing::kOuter ? 1.0 : -1.0;
   return 0.5 * pitch_diameter + sigma * (0.5 * roller_diameter + 0.25 * clearance);
 }
@@ -51,8 +52,8 @@ struct RacePose {
   Mat3 axes = Mat3::Identity();  ///< A, columns are the race axes in the frame of the roller
   [[nodiscard]] Vec3 point(const Vec3& X) const { return axes.transpose() * (X - centre); }
   [[nodiscard]] Vec3 direction(const Vec3& v) const { return axes.transpose() * v; }
-  [[nodiscard]] Vec3 point_back(const Vec3& X_race) const { return centre + axes * X_race; }
-  [[nodiscard]] Vec3 direction_back(const Vec3& v_race) const { return axes * v_race; }
+  [[nodiscard]] Vec3 point_from_race(const Vec3& X_race) const { return centre + axes * X_race; }
+  [[nodiscard]] Vec3 direction_from_race(const Vec3& v_race) const { return axes * v_race; }
 };
 
 /// Width of a slice on the land of the race, and its derivative over the land coordinate.

@@ -14,7 +14,7 @@
 /// last row in φ it goes on along its tangent. Set-up: setup/surface_table.hpp.
 namespace adore::contact {
 
-struct RaceTable {
+struct SurfaceDeviationTable {
   // Coefficients, row by row of one φ, `around` of them each; null: none.
   const double* height = nullptr;  ///< w, how far the surface recedes from the ball [m]
   const double* factor = nullptr;  ///< change of the groove factor f [-]
@@ -52,11 +52,11 @@ struct TableColumn {
   const int i = static_cast<int>(u);
   return {i - 1, u - i};
 }
-[[nodiscard, gnu::always_inline]] inline int in_turn(int column, int around) {
+[[nodiscard, gnu::always_inline]] inline int wrap_column(int column, int around) {
   return column < 0 ? column + around : column >= around ? column - around : column;
 }
 
-[[nodiscard, gnu::always_inline]] inline TableValue table_value(const RaceTable& table,
+[[nodiscard, gnu::always_inline]] inline TableValue table_value(const SurfaceDeviationTable& table,
                                                                 const double* coefficients,
                                                                 double psi, double phi) {
   const double per_column = table.around / 6.28318530717958647692, per_row = 1.0 / table.step;
@@ -73,7 +73,7 @@ struct TableColumn {
         coefficients + static_cast<long>(m - 1 + i) * static_cast<long>(table.around);
     double value = 0.0, slope = 0.0, bend = 0.0;
     for (int k = 0; k < 4; ++k) {
-      const double c = of_row[in_turn(column.first + k, table.around)];
+      const double c = of_row[wrap_column(column.first + k, table.around)];
       value += a.w[k] * c;
       slope += a.d[k] * c;
       bend += a.dd[k] * c;
@@ -101,7 +101,7 @@ struct TableColumn {
 
 /// Both functions where a ball touches.
 template <class T>
-struct TableTouch {
+struct TableAtContact {
   T height = 0.0, height_psi = 0.0, height_phi = 0.0;
   T factor = 0.0, factor_psi = 0.0, factor_phi = 0.0;
 };
@@ -115,15 +115,15 @@ struct TableLookup {
   [[nodiscard]] static double number(const D& x) {
     return x.v;
   }
-  [[nodiscard, gnu::always_inline]] static TableTouch<T> at(const RaceTable& table,
-                                                            const AzimuthDirection<T>& psi,
-                                                            const T& n_k, const T& n_e) {
+  [[nodiscard, gnu::always_inline]] static TableAtContact<T> at(const SurfaceDeviationTable& table,
+                                                                const AzimuthDirection<T>& psi,
+                                                                const T& n_k, const T& n_e) {
     const double c = number(psi.cosine), s = number(psi.sine);
     const double k = number(n_k), e = table.side * number(n_e);
     const double at_psi = std::atan2(s, c), at_phi = std::atan2(k, e);
     const T turned = c * (psi.sine - s) - s * (psi.cosine - c);
     const T leaned = e * (n_k - k) - k * (table.side * n_e - e);
-    TableTouch<T> out;
+    TableAtContact<T> out;
     const auto take = [&](const double* of, T& value, T& over_psi, T& over_phi)
         __attribute__((always_inline)) {
       if (of == nullptr) return;

@@ -22,20 +22,20 @@ struct RaceOval {
 };
 
 template <class T>
-struct WithSlope {
+struct ValueAndSlope {
   T value, slope;  ///< and its derivative over ψ
 };
 
-/// Σ c_n cos nψ + s_n sin nψ, n from 0: pairs (c_n, s_n) of a bearing::TurnSeries that lives
+/// Σ c_n cos nψ + s_n sin nψ, n from 0: pairs (c_n, s_n) of a bearing::AzimuthSeries that lives
 /// longer.
-struct RaceSum {
+struct RaceFourierSeries {
   const double* pairs = nullptr;
   int count = 0;
 };
 /// From the cosine and sine of ψ, by turning on; n rounding errors.
 template <class T>
-[[gnu::always_inline]] inline WithSlope<T> sum_at(const RaceSum& sum, const T& cosine,
-                                                  const T& sine) {
+[[gnu::always_inline]] inline ValueAndSlope<T> sum_at(const RaceFourierSeries& sum, const T& cosine,
+                                                      const T& sine) {
   T c = 1.0, s = 0.0, value = sum.pairs[0], slope = 0.0;
   for (int n = 1; n < sum.count; ++n) {
     const double along = sum.pairs[2 * n], across = sum.pairs[2 * n + 1];
@@ -50,11 +50,11 @@ template <class T>
 
 /// (sin²t/b² + cos²t/a²)^(-1/2) from the cosine and sine of t.
 template <class T>
-[[gnu::always_inline]] inline WithSlope<T> oval_radius(double along, double across, const T& cosine,
-                                                       const T& sine) {
+[[gnu::always_inline]] inline ValueAndSlope<T> oval_radius(double along, double across,
+                                                           const T& cosine, const T& sine) {
   const T u = across * sine * sine + along * cosine * cosine;
   T R;
-  ScalarMath<T>::root_and_inverse(u, R);
+  ScalarMath<T>::sqrt_and_inverse(u, R);
   return {R, -R * (across - along) * sine * cosine / u};
 }
 
@@ -62,15 +62,15 @@ template <class T>
 struct AzimuthAngle {
   using Number = double;
   double psi = 0.0;
-  [[nodiscard]] WithSlope<double> wave(const RaceWave& w) const {
+  [[nodiscard]] ValueAndSlope<double> wave(const RaceWave& w) const {
     const double angle = w.waves * psi + w.phase;
     return {w.amplitude * std::sin(angle), w.amplitude * w.waves * std::cos(angle)};
   }
-  [[nodiscard]] WithSlope<double> oval(const RaceOval& o) const {
+  [[nodiscard]] ValueAndSlope<double> oval(const RaceOval& o) const {
     const double t = psi - o.phase;
     return oval_radius(o.along, o.across, std::cos(t), std::sin(t));
   }
-  [[nodiscard]] WithSlope<double> sum(const RaceSum& s) const {
+  [[nodiscard]] ValueAndSlope<double> sum(const RaceFourierSeries& s) const {
     return sum_at(s, std::cos(psi), std::sin(psi));
   }
 };
@@ -81,7 +81,7 @@ template <class T>
 struct AzimuthDirection {
   using Number = T;
   T cosine, sine;
-  [[nodiscard, gnu::always_inline]] WithSlope<T> wave(const RaceWave& w) const {
+  [[nodiscard, gnu::always_inline]] ValueAndSlope<T> wave(const RaceWave& w) const {
     T c = w.cos_phase, s = w.sin_phase, power_c = cosine, power_s = sine;
     if (w.waves < 0.0) power_s = -power_s;
     for (auto n = static_cast<unsigned>(w.waves < 0.0 ? -w.waves : w.waves); n != 0; n >>= 1) {
@@ -96,24 +96,24 @@ struct AzimuthDirection {
     }
     return {w.amplitude * s, (w.amplitude * w.waves) * c};
   }
-  [[nodiscard, gnu::always_inline]] WithSlope<T> oval(const RaceOval& o) const {
+  [[nodiscard, gnu::always_inline]] ValueAndSlope<T> oval(const RaceOval& o) const {
     return oval_radius(o.along, o.across, cosine * o.cos_phase + sine * o.sin_phase,
                        sine * o.cos_phase - cosine * o.sin_phase);
   }
-  [[nodiscard, gnu::always_inline]] WithSlope<T> sum(const RaceSum& s) const {
+  [[nodiscard, gnu::always_inline]] ValueAndSlope<T> sum(const RaceFourierSeries& s) const {
     return sum_at(s, cosine, sine);
   }
 };
 
 /// Errors of one race, ready for evaluation. Its radius follows the oval, or the wave; of a race
 /// that is summed, radius, taper and curvature factor follow their sums.
-struct RaceForm {
+struct RaceErrorModel {
   double nominal_radius = 0.0;  ///< R [m]
   bool is_oval = false;
   RaceOval oval;
   RaceWave radius, land_offset, taper, curvature_factor;
   bool is_summed = false;
-  RaceSum radius_sum, taper_sum, curvature_sum;
+  RaceFourierSeries radius_sum, taper_sum, curvature_sum;
 };
 
 /// Values at one azimuth, with their derivatives over it.
@@ -130,19 +130,19 @@ using LocalRaceError = LocalRaceErrorOf<double>;
 
 template <class Azimuth>
 [[nodiscard, gnu::always_inline]] inline LocalRaceErrorOf<typename Azimuth::Number> race_error_at(
-    const RaceForm& form, const Azimuth& azimuth) {
+    const RaceErrorModel& form, const Azimuth& azimuth) {
   using T = typename Azimuth::Number;
   LocalRaceErrorOf<T> e;
   const auto take = [&](const RaceWave& wave, T& value, T& slope) {
     if (wave.amplitude == 0.0) return;
-    const WithSlope<T> at = azimuth.wave(wave);
+    const ValueAndSlope<T> at = azimuth.wave(wave);
     value = at.value;
     slope = at.slope;
   };
   if (form.is_summed) {
-    const auto add_up = [&](const RaceSum& sum, T& value, T& slope) {
+    const auto add_up = [&](const RaceFourierSeries& sum, T& value, T& slope) {
       if (sum.count == 0) return;
-      const WithSlope<T> at = azimuth.sum(sum);
+      const ValueAndSlope<T> at = azimuth.sum(sum);
       value = at.value;
       slope = at.slope;
     };
@@ -152,7 +152,7 @@ template <class Azimuth>
     return e;
   }
   if (form.is_oval) {
-    const WithSlope<T> outline = azimuth.oval(form.oval);
+    const ValueAndSlope<T> outline = azimuth.oval(form.oval);
     e.radius = outline.value - form.nominal_radius;
     e.radius_slope = outline.slope;
   } else {

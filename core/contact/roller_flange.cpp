@@ -1,5 +1,6 @@
 #include "contact/roller_flange.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "base/root.hpp"
 
@@ -7,16 +8,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace adore::contact {
 namespace {
 
 using Mode = FlangeContact::Mode;
 using Surface = FlangeContact::Surface;
-
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A two-component vector of the meridian plane of X as a vector of three.
 Vec3 in_meridian_of(const Vec3& X, double x, double r) {
@@ -430,17 +427,18 @@ FlangeContact flange_contact(const FlangeFace& face, const RollerEnd& end, const
   return contact_of(face, PlacedEnd(end, centre, axis), Open::AlongFaceNormal);
 }
 
-FlangeContact flange_overlap(const FlangeFace& face, const RollerEnd& end, const Vec3& centre,
-                             const Vec3& axis) noexcept {
+FlangeContact flange_contact_for_forces(const FlangeFace& face, const RollerEnd& end,
+                                        const Vec3& centre, const Vec3& axis) noexcept {
   return contact_of(face, PlacedEnd(end, centre, axis), Open::Nearest);
 }
 
-double dome_centre_radius(const RollerEnd& end, const Vec3& centre, const Vec3& axis) noexcept {
+double dome_center_axis_distance(const RollerEnd& end, const Vec3& centre,
+                                 const Vec3& axis) noexcept {
   const Vec3 E = centre + end.sign * end.dome_centre * axis;
   return std::hypot(E[1], E[2]);
 }
 
-double flat_root_distance(double length, double r_c, double layback, double play) noexcept {
+double flat_end_root_distance(double length, double r_c, double layback, double play) noexcept {
   return 0.5 * length - r_c + r_c / std::cos(layback) - r_c * std::tan(layback) + 0.5 * play;
 }
 

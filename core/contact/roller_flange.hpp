@@ -36,8 +36,8 @@
 ///
 /// Skew moves the contact on a dome sideways by (R_e - L/2) φ r_X/r_E: 1 mrad can be a millimetre.
 /// r_E -> 0 (dome centre on the bearing axis) is degenerate: sphere and rib fit along an arc; check
-/// with dome_centre_radius. Not unique, so that point and stiffness jump: layback, tilt and skew
-/// all zero at a flat end (face on face; keep γ >= 1 mrad), pure tilt of a flat end towards an
+/// with dome_center_axis_distance. Not unique, so that point and stiffness jump: layback, tilt and
+/// skew all zero at a flat end (face on face; keep γ >= 1 mrad), pure tilt of a flat end towards an
 /// outer lip (two rim points; one is returned). Limits: rigid bodies but for the contact; one
 /// contact per end and flange; stress at lips and edges is not Hertzian.
 namespace adore::contact {
@@ -99,18 +99,19 @@ struct FlangeContact {
 
 /// The same where they overlap; the gap of an open lip is its least distance from the end, which no
 /// motion of the roller's points by less closes. For forces.
-[[nodiscard]] FlangeContact flange_overlap(const FlangeFace& face, const RollerEnd& end,
-                                           const Vec3& centre, const Vec3& axis) noexcept;
+[[nodiscard]] FlangeContact flange_contact_for_forces(const FlangeFace& face, const RollerEnd& end,
+                                                      const Vec3& centre,
+                                                      const Vec3& axis) noexcept;
 
 /// Distance of the dome centre from the race axis [m]; must be positive and not small beside the
 /// roller.
-[[nodiscard]] double dome_centre_radius(const RollerEnd& end, const Vec3& centre,
-                                        const Vec3& axis) noexcept;
+[[nodiscard]] double dome_center_axis_distance(const RollerEnd& end, const Vec3& centre,
+                                               const Vec3& axis) noexcept;
 
 /// |x0| of a flange at which an aligned, flat-ended cylindrical roller, seated on that race, has
 /// half the play: L/2 - r_c + r_c/cos γ - r_c tan γ + play/2 [derived].
-[[nodiscard]] double flat_root_distance(double length, double corner_radius, double layback,
-                                        double play) noexcept;
+[[nodiscard]] double flat_end_root_distance(double length, double corner_radius, double layback,
+                                            double play) noexcept;
 
 /// Puts the root on the raceway generator through `on_raceway` so that an ideal roller (any ends)
 /// in the pose C, a can travel `travel` along the generator until it touches; 0: touches in this

@@ -1,5 +1,6 @@
 #include "contact/roller_inertia.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "base/gauss.hpp"
 
@@ -10,10 +11,8 @@
 namespace adore::contact {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// ∫ρ² ds, ∫sρ² ds, ∫s²ρ² ds, ∫ρ⁴ ds.
-struct Moments {
+struct SectionMoments {
   double square = 0.0, first = 0.0, second = 0.0, fourth = 0.0;
 
   void add(double s, double rho, double ds) {
@@ -32,7 +31,7 @@ void over(double from, double to, const Visit& visit) {
     visit(0.5 * (from + to) + 0.5 * (to - from) * g.node, 0.5 * (to - from) * g.weight);
 }
 
-void add_end(Moments& sum, const RollerEnd& e) {
+void add_end(SectionMoments& sum, const RollerEnd& e) {
   double from_angle = 0.0;  // of the tube normal, where the end face passes into the corner
   if (!e.flat()) {
     const double reach = std::hypot(e.ring - e.dome_centre, e.ring_radius);
@@ -60,7 +59,7 @@ RollerInertia roller_inertia(const RollerProfile& given, double density, bool wi
   RollerProfile profile = given;
   if (!with_corners) profile.corner_radius = {};
   check_roller_profile(profile);
-  Moments sum;
+  SectionMoments sum;
   std::array<double, 4> breaks{};
   for (int end = 0; end < 2; ++end) {
     const RollerEnd e = roller_end(profile, end);

@@ -27,7 +27,7 @@ struct RollerSide {
   double low = 0.0, high = 0.0;  ///< ends [m]
 };
 
-struct PairSlice {
+struct RollerPairSlice {
   double overlap = 0.0;         ///< δ [m]
   double fraction = 0.0;        ///< f
   double fraction_slope = 0.0;  ///< df/dt [1/m]
@@ -38,10 +38,10 @@ struct PairSlice {
 };
 
 /// @param half_slice half the width of the slice [m]
-[[nodiscard]] inline PairSlice pair_slice(const Vec3& p, double radius, double half_slice,
-                                          const RollerSide& other, const Vec3& C,
-                                          const Vec3& a) noexcept {
-  PairSlice out;
+[[nodiscard]] inline RollerPairSlice roller_pair_slice(const Vec3& p, double radius,
+                                                       double half_slice, const RollerSide& other,
+                                                       const Vec3& C, const Vec3& a) noexcept {
+  RollerPairSlice out;
   const Vec3 from = p - C;
   const double t = from.dot(a);
   const double high = std::min(t + half_slice, other.high);

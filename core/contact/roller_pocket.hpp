@@ -78,13 +78,13 @@ struct PocketSlice {
 
 namespace detail {
 /// From the middle of a slice to the surface: m, its part along the roller, and the gap.
-struct Reach {
+struct SliceToSurface {
   Vec3 m;
   double lean, across, gap;
 };
-[[nodiscard, gnu::always_inline]] inline Reach reach(const Vec3& away, const Vec3& u,
-                                                     double radius) noexcept {
-  Reach out;
+[[nodiscard, gnu::always_inline]] inline SliceToSurface reach(const Vec3& away, const Vec3& u,
+                                                              double radius) noexcept {
+  SliceToSurface out;
   const double distance = away.norm();
   out.m = distance > 0.0 ? Vec3(away / distance) : Vec3::Zero();
   out.lean = out.m.dot(u);
@@ -97,8 +97,8 @@ struct FacePoint {
   double along, beside, across;
   Vec3 at;
 };
-[[nodiscard, gnu::always_inline]] inline FacePoint nearest_on(const PocketFace& face,
-                                                              const Vec3& p) noexcept {
+[[nodiscard, gnu::always_inline]] inline FacePoint nearest_point_on_face(const PocketFace& face,
+                                                                         const Vec3& p) noexcept {
   FacePoint out;
   const Vec3 d = p - face.centre;
   out.along = d.dot(face.along);
@@ -110,7 +110,7 @@ struct FacePoint {
 /// @param line along the wall; turning: c, how m turns around it [1/m]
 inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u, double radius,
                   const Vec3& line, double turning) noexcept {
-  const Reach to = reach(w - p, u, radius);
+  const SliceToSurface to = reach(w - p, u, radius);
   out.m = to.m;
   out.gap = to.gap;
   out.point = p + (radius / to.across) * (out.m - to.lean * u);
@@ -123,7 +123,7 @@ inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u,
 /// @param half_slice half its length [m]
 [[nodiscard]] inline PocketSlice slice_at_face(const PocketFace& face, const Vec3& p, const Vec3& u,
                                                double radius, double half_slice) noexcept {
-  const detail::FacePoint w = detail::nearest_on(face, p);
+  const detail::FacePoint w = detail::nearest_point_on_face(face, p);
   PocketSlice out;
   const double turning = w.across == w.beside ? 0.0 : -1.0 / std::max((w.at - p).norm(), 1e-12);
   detail::touch(out, w.at, p, u, radius, face.along, turning);
@@ -145,11 +145,11 @@ inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u,
 /// Its gap alone.
 [[nodiscard, gnu::always_inline]] inline double gap_at_face(const PocketFace& face, const Vec3& p,
                                                             const Vec3& u, double radius) noexcept {
-  return detail::reach(detail::nearest_on(face, p).at - p, u, radius).gap;
+  return detail::reach(detail::nearest_point_on_face(face, p).at - p, u, radius).gap;
 }
 
-[[nodiscard]] inline PocketSlice slice_in_round(const RoundPocket& pocket, const Vec3& p,
-                                                const Vec3& u, double radius) noexcept {
+[[nodiscard]] inline PocketSlice slice_in_round_pocket(const RoundPocket& pocket, const Vec3& p,
+                                                       const Vec3& u, double radius) noexcept {
   const double from_axis = std::max(std::hypot(p[1], p[2]), 1e-12 * pocket.radius);
   // Foot of the normal from the middle of the slice.
   double x =
@@ -203,13 +203,13 @@ inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u,
 /// Flat ends meet the plane all at once when aligned: there their rim is rounded over
 /// kAlignedEnd (sin -> √(sin² + ε²) - ε) [choice].
 inline constexpr double kAlignedEnd = 1e-3;  ///< ε [rad]
-struct EndTouch {
+struct RollerEndContact {
   double gap = 0.0;  ///< negative in contact [m]
   Vec3 out = Vec3::UnitX(), point = Vec3::Zero();
 };
-[[nodiscard]] inline EndTouch end_at_wall(const RollerEnd& end, double wall, const Vec3& q,
-                                          const Vec3& u) noexcept {
-  EndTouch touch;
+[[nodiscard]] inline RollerEndContact end_contact_at_wall(const RollerEnd& end, double wall,
+                                                          const Vec3& q, const Vec3& u) noexcept {
+  RollerEndContact touch;
   touch.out = end.sign * Vec3::UnitX();
   const Vec3 outward = end.sign * u;
   const double cosine = u[0];

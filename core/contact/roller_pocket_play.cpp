@@ -31,11 +31,11 @@ double roller_pocket_play(std::span<const RollerPocketFace> faces, const RollerP
   return 2.0 * least;
 }
 
-double round_pocket_play(const RoundPocket& pocket, const RollerProfile& roller, double lean) {
+double round_pocket_clearance(const RoundPocket& pocket, const RollerProfile& roller, double lean) {
   const Vec3 u(std::cos(lean), 0.0, std::sin(lean));
   double least = std::numeric_limits<double>::infinity();
   for (const RollerSlice& slice : pocket_slices(roller, 41))
-    least = std::min(least, slice_in_round(pocket, slice.s * u, u, slice.radius).gap);
+    least = std::min(least, slice_in_round_pocket(pocket, slice.s * u, u, slice.radius).gap);
   return 2.0 * least;
 }
 

@@ -23,8 +23,8 @@ using bearing::RollerPocketFace;
 
 /// Least diametral play of a roller in the middle of a round pocket whose axis leans against its
 /// own by `lean` in the plane of x and z [rad]. Negative: it does not fit.
-[[nodiscard]] double round_pocket_play(const RoundPocket& pocket, const RollerProfile& roller,
-                                       double lean);
+[[nodiscard]] double round_pocket_clearance(const RoundPocket& pocket, const RollerProfile& roller,
+                                            double lean);
 
 /// The faces of a pocket whose clearance is larger by `clearance` (diametral, record 7.4): each is
 /// moved by half of that along its normal, away from the roller.

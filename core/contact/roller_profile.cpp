@@ -71,7 +71,7 @@ RollerEnd roller_end(const RollerProfile& p, int end) {
   e.sign = end == 0 ? -1 : 1;
   e.vertex = 0.5 * p.length;
   e.corner_radius = p.corner_radius[index];
-  const bool flat = flat_end(p, end);
+  const bool flat = is_flat_end(p, end);
   e.end_radius = flat ? std::numeric_limits<double>::infinity() : p.end_radius[index];
   e.dome_centre = flat ? 0.0 : e.vertex - e.end_radius;
   const double r = e.corner_radius;
@@ -138,7 +138,7 @@ std::vector<RollerSlice> roller_slices(const RollerProfile& profile, const Slici
   return slices;
 }
 
-int suggested_slices(const RollerProfile& profile, double penetration) {
+int suggested_slice_count(const RollerProfile& profile, double penetration) {
   const double whole = effective_length(profile);
   const double contact =
       std::min(std::sqrt(8.0 * profile.crown_radius * std::max(penetration, 0.0)), whole);

@@ -20,9 +20,9 @@
 /// Arc: one circle of radius R_c whose normal at s = 0 makes the angle ν with the radius [choice]:
 ///   ρ = D/2 - R_c cos ν + √(R_c² - (s + R_c sin ν)²); written as the drop from the cone, [derived]
 ///   d = k s² (1 + tan ν (k s + 2 sin ν)/w)/w, w = cos ν + √(1 - (k s + sin ν)²).
-/// Either may have a form of the user's more (bearing::RollerForm), which is taken off d.
-/// Both forms are free of cancellation for any R_c, infinity included (R_c - √(R_c² - e²) loses 2
-/// µm at 1e10 m).
+/// Either may have a form of the user's more (bearing::RollerProfileDeviation), which is taken off
+/// d. Both forms are free of cancellation for any R_c, infinity included (R_c - √(R_c² - e²) loses
+/// 2 µm at 1e10 m).
 namespace adore::contact {
 
 inline constexpr double kFlatEndRadius =
@@ -38,7 +38,7 @@ struct RollerProfile {
   double land_offset = 0.0;               ///< o, crowned only, towards +s [m]
   std::array<double, 2> corner_radius{};  ///< ends 1, 2 [m]
   std::array<double, 2> end_radius{};     ///< R_e of ends 1, 2 [m]; 0 or > kFlatEndRadius: flat
-  std::shared_ptr<const bearing::RollerForm> form;  ///< null: none
+  std::shared_ptr<const bearing::RollerProfileDeviation> form;  ///< null: none
 };
 
 /// d(s) of crown or arc alone [m].
@@ -56,14 +56,14 @@ struct RollerProfile {
 }
 
 /// Drop d(s) below the straight cone [m].
-[[nodiscard]] inline double roller_drop(const RollerProfile& p, double s) noexcept {
+[[nodiscard]] inline double profile_drop(const RollerProfile& p, double s) noexcept {
   const double drop = crown_drop(p, s);
   return p.form ? drop - p.form->at(s).more : drop;
 }
 
 /// ρ(s) [m].
 [[nodiscard]] inline double roller_radius(const RollerProfile& p, double s) noexcept {
-  return 0.5 * p.diameter - s * std::tan(p.half_angle) - roller_drop(p, s);
+  return 0.5 * p.diameter - s * std::tan(p.half_angle) - profile_drop(p, s);
 }
 
 /// dρ/ds of crown or arc alone [-]. Crowned: -tan ν - sign(s - o) k e/√(1 - k²e²); arc: -t/√(1 -
@@ -87,7 +87,7 @@ struct RollerProfile {
   return p.form ? slope + p.form->at(s).slope : slope;
 }
 
-[[nodiscard]] inline bool flat_end(const RollerProfile& p, int end) noexcept {
+[[nodiscard]] inline bool is_flat_end(const RollerProfile& p, int end) noexcept {
   const double radius = p.end_radius[static_cast<std::size_t>(end)];
   return radius == 0.0 || radius > kFlatEndRadius;
 }
@@ -148,7 +148,7 @@ struct RollerSlice {
 /// Number of slices that keeps the load within about 0.1 % [derived, by comparison with the
 /// continuum]: n = 20 L_e/ℓ, ℓ = √(8 R_c δ) <= L_e, but not below 20. Use 31 where nothing is known
 /// [choice].
-[[nodiscard]] int suggested_slices(const RollerProfile& profile, double penetration);
+[[nodiscard]] int suggested_slice_count(const RollerProfile& profile, double penetration);
 
 /// Drop of the logarithmic profile, A ln(1/(1 - (2x/L)²)) [m]; infinite at the ends. A = 0.00035 D
 /// is the usual choice [recalled]. Not a shape of the deck; for comparisons.

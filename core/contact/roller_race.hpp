@@ -82,7 +82,7 @@ struct RollerRaceAction {
   double heat = 0.0, load_slip = 0.0;  ///< [W]
 };
 
-[[nodiscard]] inline RaceSlices view_of(const RollerRaceSlices& slices) noexcept {
+[[nodiscard]] inline RaceSlicesView view_of(const RollerRaceSlices& slices) noexcept {
   return {slices.race,
           slices.law,
           slices.E_star,
@@ -101,8 +101,8 @@ struct RollerRaceAction {
 /// Depth grows by no more than the way, so that a slice about P is no deeper than φ(P) + ρ; along
 /// the roller axis that bound is convex with r (outer race) or with r's part in the meridian plane,
 /// which is no more (inner race), so that it is greatest at an end. Crowns recede from the cone.
-[[nodiscard]] inline bool surely_open(const RaceSlices& slices, double x, double r,
-                                      const Triple<double>& axis) noexcept {
+[[nodiscard]] inline bool is_certainly_open(const RaceSlicesView& slices, double x, double r,
+                                            const Triple<double>& axis) noexcept {
   const RaceSurface& race = slices.race;
   if (race.shape == RaceSurface::Shape::Groove) return false;
   for (int k = 0; k < 2; ++k) {
@@ -118,10 +118,10 @@ struct RollerRaceAction {
 /// A roller as the sums read it, and the way back to the frame of its pose.
 struct RollerInMeridian {
   RollerPose roller;
-  MeridianTurn turn;
+  MeridianRotation turn;
   [[nodiscard]] Vec3 back(const RacePose& pose, const Triple<double>& v) const noexcept {
     const Triple<double> of_race = turn.back(v);
-    return pose.direction_back({of_race.x, of_race.y, of_race.z});
+    return pose.direction_from_race({of_race.x, of_race.y, of_race.z});
   }
 };
 [[nodiscard]] inline RollerInMeridian roller_in_meridian(const RacePose& pose,
@@ -130,7 +130,7 @@ struct RollerInMeridian {
                                                          const RigidMotion& roller) noexcept {
   RollerInMeridian out;
   const Vec3 C = pose.point(centre);
-  out.turn = meridian_turn(C[1], C[2], out.roller.r);
+  out.turn = meridian_rotation(C[1], C[2], out.roller.r);
   const auto into = [&](const Vec3& v) {
     const Vec3 of_race = pose.direction(v);
     return out.turn.into({of_race[0], of_race[1], of_race[2]});

@@ -17,7 +17,7 @@
 namespace adore::contact {
 
 /// One race against rollers of one shape; arrays padded to whole vectors with slices of width 0.
-struct RaceSlices {
+struct RaceSlicesView {
   RaceSurface race;
   PowerLaw law;
   double E_star = 0.0;   ///< for the pressure, which only some laws of traction ask for [Pa]
@@ -32,7 +32,7 @@ struct RaceSlices {
 
 /// What a traction that knows a lubricant's film may know of a slice. SI.
 template <class T>
-struct SlicePlace {
+struct SliceContactState {
   T load_per_length;  ///< Q/w [N/m]
   T peak_pressure;    ///< of the line [Pa]
   T half_width;       ///< b [m]
@@ -53,7 +53,7 @@ struct RollerPose {
   SliceAxes axes;
   Triple<double> velocity{}, omega{};
   Triple<double> spin{};  ///< ω of the roller less that of its orbit, read by films only [rad/s]
-  bool open = false;      ///< surely_open (roller_race.hpp): not computed
+  bool open = false;      ///< is_certainly_open (roller_race.hpp): not computed
 };
 
 template <class T>
@@ -68,15 +68,15 @@ struct RollerRaceSums {
 
 /// A slice that presses, as it is kept until its traction is known.
 template <class T>
-struct KeptSlice {
+struct LoadedSlice {
   T Q;
   Triple<T> n, arm, slip;
   T square;  ///< of the slip
 };
 /// Adds force, moment and heat of a kept slice. @param over_slip κ(s)/s
 template <class T>
-[[gnu::always_inline]] inline void add_kept(RollerRaceSums<T>& sum, const KeptSlice<T>& c,
-                                            const T& over_slip) {
+[[gnu::always_inline]] inline void add_loaded_slice(RollerRaceSums<T>& sum, const LoadedSlice<T>& c,
+                                                    const T& over_slip) {
   const T per_slip = c.Q * over_slip;
   Triple<T> f{-c.Q * c.n.x, -c.Q * c.n.y, -c.Q * c.n.z};
   f = f + per_slip * c.slip;
@@ -96,31 +96,33 @@ struct SliceLanes<double> {
   static double sum(double x) { return x; }
 };
 
-/// @param traction callable (u², pressure) -> κ(s)/s on T, or nullptr: none; or with on(SlicePlace)
-/// -> callable u² -> κ(s)/s; or with keep(KeptSlice, SlicePlace): forces, moments and heat come
-/// later, by add_kept
-/// @param slope RaceSlope of a race with errors at the azimuth of C, or nullptr
+/// @param traction callable (u², pressure) -> κ(s)/s on T, or nullptr: none; or with
+/// on(SliceContactState)
+/// -> callable u² -> κ(s)/s; or with keep(LoadedSlice, SliceContactState): forces, moments and heat
+/// come later, by add_loaded_slice
+/// @param slope RaceAzimuthSlope of a race with errors at the azimuth of C, or nullptr
 template <class T, class Traction, class Slope = std::nullptr_t>
 [[nodiscard, gnu::always_inline]] inline RollerRaceSums<T> roller_race_sums(
-    const RaceSlices& slices, const RollerPose& at, const Traction& traction,
+    const RaceSlicesView& slices, const RollerPose& at, const Traction& traction,
     const Slope& slope = nullptr) noexcept {
   using M = ScalarMath<T>;
   using Lanes = SliceLanes<T>;
   constexpr bool kTraction = !std::is_null_pointer_v<Traction>;
   constexpr bool kWavy = !std::is_null_pointer_v<Slope>;
-  constexpr bool kKeeps = requires(const KeptSlice<T>& slice, const SlicePlace<T>& at) {
+  constexpr bool kKeeps = requires(const LoadedSlice<T>& slice, const SliceContactState<T>& at) {
     traction.keep(slice, at);
   };
   constexpr double kOverPi = 0.31830988618379067154;
   const RaceSurface& surface = slices.race;
   RollerRaceSums<T> sum;
-  LandEdge<T> edge;
+  LandEdgeForce<T> edge;
   T tan_chi = 0.0, last = 0.0;
   for (std::size_t k = 0; k < slices.count; k += Lanes::kSize) {
     const T s = Lanes::read(slices.s + k);
     const T radius = Lanes::read(slices.radius + k);
     T width = Lanes::read(slices.width + k);
-    const SliceDeepest<T> d = deepest_on_slice(surface, at.axes, at.x, at.r, s, radius, tan_chi);
+    const DeepestSlicePoint<T> d =
+        deepest_slice_point(surface, at.axes, at.x, at.r, s, radius, tan_chi);
     // χ changes evenly along the roller: the next slices start from its extrapolation.
     const T found = tan_chi;
     tan_chi = k == 0 ? found : 2.0 * found - last;
@@ -130,18 +132,18 @@ template <class T, class Traction, class Slope = std::nullptr_t>
     const T delta = M::max(d.at.depth, T(0.0));
     T secant = 0.0, elastic = 0.0;
     if (slices.limited) {
-      const T x = land_coordinate(surface, slice_place(surface, at.axes, at.x, s, radius));
+      const T x = land_coordinate(surface, slice_axial_position(surface, at.axes, at.x, s, radius));
       const T whole = width;
       width = overlap_width(x, whole, surface.land_offset, surface.land_width);
-      secant = slice_secant(slices.law, width, delta);
+      secant = slice_secant_stiffness(slices.law, width, delta);
       elastic = secant * delta;
       if (M::any(width < whole)) {
-        const T shift = width_slope(x, whole, surface.land_offset, surface.land_width);
+        const T shift = width_slope_over_offset(x, whole, surface.land_offset, surface.land_width);
         if constexpr (kWavy) widens = shift * slope.land_offset;
         edge.add(elastic, delta, width, -shift, surface.cos_angle, s, radius);
       }
     } else {
-      secant = slice_secant(slices.law, width, delta);
+      secant = slice_secant_stiffness(slices.law, width, delta);
       elastic = secant * delta;
     }
     const Triple<T>& n = d.at.n;
@@ -152,7 +154,7 @@ template <class T, class Traction, class Slope = std::nullptr_t>
     [[maybe_unused]] Triple<T> u{};
     [[maybe_unused]] T along_n = 0.0, rise = 0.0;
     if constexpr (kWavy) {
-      rise = depth_slope(surface, slope, d.X, d.at);
+      rise = depth_slope_over_azimuth(surface, slope, d.X, d.at);
       if (slope.rise != nullptr) rise = rise + Lanes::read(slope.rise + k);
     }
     if (kTraction || slices.damped) {
@@ -179,15 +181,16 @@ template <class T, class Traction, class Slope = std::nullptr_t>
         // Half the race's surface and half the roller's, which both have the orbit's motion too.
         const T speed = 0.5 * dot(slip, d.w) + dot(cross(at.spin, arm), d.w);
         const T half_width = (2.0 * kOverPi) * per_length / M::max(pressure, T(1.0));
-        return SlicePlace<T>{per_length, pressure,        half_width, 1.0 / radius - d.at.A_hoop,
-                             speed,      M::root(square), width,      radius,
-                             d.w,        s * at.axes.a};
+        return SliceContactState<T>{
+            per_length, pressure,        half_width, 1.0 / radius - d.at.A_hoop,
+            speed,      M::root(square), width,      radius,
+            d.w,        s * at.axes.a};
       };
       if constexpr (kKeeps) {
-        traction.keep(KeptSlice<T>{Q, n, arm, slip, square}, place());
+        traction.keep(LoadedSlice<T>{Q, n, arm, slip, square}, place());
       } else {
         T per_slip;
-        if constexpr (requires(const SlicePlace<T>& at) { traction.on(at); })
+        if constexpr (requires(const SliceContactState<T>& at) { traction.on(at); })
           per_slip = Q * traction.on(place())(square);
         else
           per_slip = Q * traction(square, pressure);
@@ -206,7 +209,7 @@ template <class T, class Traction, class Slope = std::nullptr_t>
     if constexpr (kWavy)
       sum.turning += Q * rise + elastic * ((9.0 / 19.0) * delta * widens / M::max(width, T(1e-30)));
   }
-  if (edge.reached) edge.push(at.axes, surface.sigma(), at.r, sum.force, sum.moment);
+  if (edge.reached) edge.add_to_roller(at.axes, surface.sigma(), at.r, sum.force, sum.moment);
   return sum;
 }
 

@@ -88,7 +88,7 @@ struct SliceAxes {
 
 /// Slices at the places where their circles are deepest in the race.
 template <class T>
-struct SliceDeepest {
+struct DeepestSlicePoint {
   T s, radius;
   Triple<T> u, w;  ///< from the roller axis to the point, and across: u_χ
   Triple<T> X;
@@ -100,14 +100,15 @@ struct SliceDeepest {
 /// when a_y = 0.
 /// @param x, r place of C along and from the race axis [m]
 template <class T>
-[[gnu::always_inline]] inline SliceDeepest<T> deepest_on_slice(const RaceSurface& race,
-                                                               const SliceAxes& axes, double x,
-                                                               double r, const T& s,
-                                                               const T& radius, T& tan_chi) {
+[[gnu::always_inline]] inline DeepestSlicePoint<T> deepest_slice_point(const RaceSurface& race,
+                                                                       const SliceAxes& axes,
+                                                                       double x, double r,
+                                                                       const T& s, const T& radius,
+                                                                       T& tan_chi) {
   using M = ScalarMath<T>;
   const double sigma = race.sigma();
   constexpr double kSmallTurn = 1e-8;
-  SliceDeepest<T> d;
+  DeepestSlicePoint<T> d;
   d.s = s;
   d.radius = radius;
   const Triple<T> middle{x + s * axes.a.x, s * axes.a.y, r + s * axes.a.z};
@@ -139,7 +140,7 @@ template <class T>
 }
 
 /// The meridian frame of a point off the race axis: base = race axes.
-struct MeridianTurn {
+struct MeridianRotation {
   double ey = 0.0, ez = 1.0;  ///< z of the frame in the race's axes
   template <class T = double>
   [[nodiscard]] Triple<T> into(const Triple<T>& v) const noexcept {
@@ -150,7 +151,7 @@ struct MeridianTurn {
     return {v.x, v.y * ez + v.z * ey, v.z * ez - v.y * ey};
   }
 };
-[[nodiscard]] inline MeridianTurn meridian_turn(double y, double z, double& r) noexcept {
+[[nodiscard]] inline MeridianRotation meridian_rotation(double y, double z, double& r) noexcept {
   r = std::sqrt(y * y + z * z);
   return {y / r, z / r};
 }

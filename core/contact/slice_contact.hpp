@@ -17,7 +17,7 @@
 ///
 /// Derivatives: δ is a maximum over its circle, so the point may be held: a displacement dC and a
 /// turn dω of the roller about C give
-///   dδ = n·dC + ((X - C) × n)·dω                          (`turning_gradient`)
+///   dδ = n·dC + ((X - C) × n)·dω                          (`rotation_gradient`)
 /// and a race that moves gives the negative, its turn about c with (X - c).
 /// Skew needs no extra term: to second order δ(x) = δ(0) ± x²φ²/(2r), r the radius of the roller's
 /// pitch circle (not of the race): the ends of a skewed roller dig into the outer race (+) and lift
@@ -48,11 +48,11 @@ struct SliceContact {
                                                 const Vec3& axis,
                                                 const RollerSlice& slice) noexcept {
   double r = 0.0, tan_chi = 0.0;
-  const MeridianTurn turn = meridian_turn(centre[1], centre[2], r);
+  const MeridianRotation turn = meridian_rotation(centre[1], centre[2], r);
   const double way = axis[0] < 0.0 ? -1.0 : 1.0;  // s along -a is -s along a
   const Triple<double> a = turn.into(Triple<double>{axis[0], axis[1], axis[2]});
-  const SliceDeepest<double> d = deepest_on_slice(race, slice_axes(way * a.z, way * a.y), centre[0],
-                                                  r, way * slice.s, slice.radius, tan_chi);
+  const DeepestSlicePoint<double> d = deepest_slice_point(
+      race, slice_axes(way * a.z, way * a.y), centre[0], r, way * slice.s, slice.radius, tan_chi);
   const Triple<double> X = turn.back(d.X), n = turn.back(d.at.n);
   return {d.at.depth, {X.x, X.y, X.z}, {n.x, n.y, n.z}};
 }
@@ -66,13 +66,13 @@ inline void roller_race_contacts(const RaceSurface& race, const RacePose& pose, 
   const Vec3 C = pose.point(centre), a = pose.direction(axis);
   for (std::size_t k = 0; k < slices.size(); ++k) {
     const SliceContact c = slice_contact(race, C, a, slices[k]);
-    contacts[k] = {c.delta, pose.point_back(c.point), pose.direction_back(c.normal)};
+    contacts[k] = {c.delta, pose.point_from_race(c.point), pose.direction_from_race(c.normal)};
   }
 }
 
 /// ∂δ/∂ω of a turn of the roller about `about` [m/rad]; ∂δ/∂C is the normal itself.
-[[nodiscard]] inline Vec3 turning_gradient(const SliceContact& contact,
-                                           const Vec3& about) noexcept {
+[[nodiscard]] inline Vec3 rotation_gradient(const SliceContact& contact,
+                                            const Vec3& about) noexcept {
   return (contact.point - about).cross(contact.normal);
 }
 

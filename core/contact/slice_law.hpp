@@ -13,8 +13,8 @@ struct PowerLaw {
 };
 /// Secant stiffness Q/δ for δ >= 0 [N/m]; of numbers or vectors.
 template <class T>
-[[nodiscard, gnu::always_inline]] inline T slice_secant(const PowerLaw& law, const T& width,
-                                                        const T& delta) {
+[[nodiscard, gnu::always_inline]] inline T slice_secant_stiffness(const PowerLaw& law,
+                                                                  const T& width, const T& delta) {
   return law.constant * width * ScalarMath<T>::ninth_root(delta);
 }
 

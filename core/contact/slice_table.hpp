@@ -12,8 +12,8 @@ namespace adore::contact {
 
 /// What each slice has at one azimuth, to arrays of table.across numbers.
 /// @param radius in: of the roller's slices, out: less w_k [m]; rise ∂δ_k/∂ψ [m/rad], may be null
-inline void recede_slices(const bearing::SurfaceTable& table, double psi, double* radius,
-                          double* rise) noexcept {
+inline void apply_table_to_slices(const bearing::SurfaceTable& table, double psi, double* radius,
+                                  double* rise) noexcept {
   const TableColumn column = table_column(table.around, psi);
   const SplineWeights a = spline_weights(column.rest);
   const double per_column = table.around / 6.28318530717958647692;
@@ -21,7 +21,7 @@ inline void recede_slices(const bearing::SurfaceTable& table, double psi, double
     const double* const row = table.height.data() + static_cast<std::ptrdiff_t>(k) * table.around;
     double value = 0.0, slope = 0.0;
     for (int i = 0; i < 4; ++i) {
-      const double c = row[in_turn(column.first + i, table.around)];
+      const double c = row[wrap_column(column.first + i, table.around)];
       value += a.w[i] * c;
       slope += a.d[i] * c;
     }

@@ -16,7 +16,7 @@ SlicedLine sliced_line(const RollerProfile& profile, int count, double line_cons
     const double x = cut.centre(k);
     line.x.push_back(x);
     line.width.push_back(overlap_width(x, cut.width, land_offset, land_width));
-    line.drop.push_back(roller_drop(profile, x));
+    line.drop.push_back(profile_drop(profile, x));
   }
   return line;
 }

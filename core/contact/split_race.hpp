@@ -26,7 +26,7 @@
 /// the edges at the split are not worn.
 namespace adore::contact {
 
-struct SplitHalf {
+struct SplitRaceHalf {
   double side = 0.0;           ///< σ: 1 or -1; 0: the race is not split
   double half_shim = 0.0;      ///< g/2 [m]
   double groove_radius = 0.0;  ///< r [m]
@@ -37,7 +37,7 @@ struct SplitHalf {
 };
 
 template <class T>
-struct SplitShare {
+struct SplitLoadFractions {
   T load;    ///< w
   T energy;  ///< φ
   T turned;  ///< M, along c, of the load Q of the whole contact [N]
@@ -45,10 +45,9 @@ struct SplitShare {
 
 /// @param load Q of the whole contact, elastic; root √δ, 0 when open; length l
 template <class T>
-[[nodiscard, gnu::always_inline]] inline SplitShare<T> split_share(const SplitHalf& half,
-                                                                   const T& load, const T& root,
-                                                                   const T& n_k, const T& n_e,
-                                                                   const T& length) {
+[[nodiscard, gnu::always_inline]] inline SplitLoadFractions<T> split_load_fractions(
+    const SplitRaceHalf& half, const T& load, const T& root, const T& n_k, const T& n_e,
+    const T& length) {
   using M = ScalarMath<T>;
   const T y = (half.groove_radius * half.side) * n_k - half.half_shim;
   const T cut = y / (half.major * M::max(root, T(1e-15)));
@@ -56,7 +55,7 @@ template <class T>
   const T square = t * t;
   const T rest = 1.0 - square;
   const T slope = 0.9375 * rest * rest;
-  SplitShare<T> out;
+  SplitLoadFractions<T> out;
   out.load = 0.5 + 0.25 * t * (3.0 - square);
   out.energy = 0.5 + 0.0625 * t * (15.0 + square * (3.0 * square - 10.0));
   out.turned =

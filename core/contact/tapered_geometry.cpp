@@ -1,5 +1,6 @@
 #include "contact/tapered_geometry.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 
 #include <fmt/format.h>
@@ -8,8 +9,6 @@
 
 namespace adore::contact {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 double groove_radius(double factor, double crown_radius, int race) {
   if (!(factor > 0.5))
@@ -61,8 +60,8 @@ TaperedGeometry tapered_geometry(double D, const std::array<double, 2>& race_ang
   g.pitch_diameter = D * sine / tangent;
   if (g.pitch_diameter > kLargestPitchRatio * D)
     throw InputError(
-        fmt::format("tapered bearing: the half angles {} rad (outer) and {} rad (inner) are so "
-                    "close that the common apex requires a pitch diameter of {} m ({:.0f} roller "
+        fmt::format("tapered bearing: the half angles {} rad (outer) and {} rad (inner) are nearly "
+                    "equal: the common apex requires a pitch diameter of {} m ({:.0f} roller "
                     "diameters). Enter angles with a larger difference (for a pitch diameter dm, "
                     "inner/outer is about (dm - D)/(dm + D)), or use a cylindrical roller bearing",
                     outer, inner, g.pitch_diameter, g.pitch_diameter / D));
@@ -96,7 +95,7 @@ EndDiameters end_diameters(const TaperedGeometry& g, double D, double length) {
   return {D + change, D - change};
 }
 
-int most_rollers(const TaperedGeometry& g) {
+int max_roller_count(const TaperedGeometry& g) {
   return static_cast<int>(
              std::ceil(kPi / std::asin(std::sin(g.half_angle) / std::sin(g.axis_angle)))) -
          1;

@@ -50,7 +50,7 @@ struct EndDiameters {
 
 /// Largest number of cones with a common apex that do not overlap: sin ν < sin β sin(π/Z)
 /// [derived].
-[[nodiscard]] int most_rollers(const TaperedGeometry& g);
+[[nodiscard]] int max_roller_count(const TaperedGeometry& g);
 
 /// The races as surfaces, mid_x at the contacts.
 [[nodiscard]] std::array<RaceSurface, 2> tapered_races(const TaperedGeometry& g);

@@ -1,15 +1,14 @@
 #include "contact/uneven_land.hpp"
 
+#include "base/constants.hpp"
 #include "base/gauss.hpp"
 #include "base/root.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 namespace adore::contact {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kEndOfSpot = 1e-10;  ///< [rad]
 
 /// Waves per turn of a profile, at least those of a circle off centre; an ellipse has two.
@@ -28,7 +27,7 @@ std::array<double, 2> deviation(const LandProfile& land, double psi) noexcept {
 }  // namespace
 
 UnevenLand::UnevenLand(const Shape& shape) : shape_(shape) {
-  const auto of_cage = land_extremes(shape.cage), of_race = land_extremes(shape.race);
+  const auto of_cage = land_deviation_range(shape.cage), of_race = land_deviation_range(shape.race);
   const double most = shape.side > 0.0 ? of_cage[1] - of_race[0] : of_race[1] - of_cage[0];
   reach_ = shape.clearance - most;
   constexpr double kCellsPerWave = 16.0;
@@ -62,7 +61,7 @@ double UnevenLand::extremum(const Place& at, double a, double slope_a, double b,
                       [&](double s) { return overlap(at, s).by_s; });
 }
 
-void UnevenLand::add(const Place& at, double a, double b, Sink& sink) const noexcept {
+void UnevenLand::add(const Place& at, double a, double b, SectionVisitor& sink) const noexcept {
   // Six points: exact to degree 11, and a cell is a sixteenth of a wave.
   constexpr std::array<GaussPoint, 6> kGauss6 = {
       {{-0.93246951420315202781, 0.17132449237917034504},
@@ -72,7 +71,7 @@ void UnevenLand::add(const Place& at, double a, double b, Sink& sink) const noex
        {0.66120938646626451366, 0.36076157304813860757},
        {0.93246951420315202781, 0.17132449237917034504}}};
   const double half = 0.5 * (b - a), middle = 0.5 * (a + b);
-  UnevenPiece piece;
+  ContactSpotSection piece;
   for (const GaussPoint& point : kGauss6) {
     const Overlap here = overlap(at, middle + half * point.node);
     if (here.m <= 0.0) continue;
@@ -87,7 +86,7 @@ void UnevenLand::add(const Place& at, double a, double b, Sink& sink) const noex
 }
 
 void UnevenLand::cell(const Place& at, double a, const Overlap& at_a, double b, const Overlap& at_b,
-                      Sink& sink) const noexcept {
+                      SectionVisitor& sink) const noexcept {
   const bool in_a = at_a.m > 0.0, in_b = at_b.m > 0.0;
   if (in_a != in_b) {
     const double end =
@@ -113,7 +112,7 @@ void UnevenLand::cell(const Place& at, double a, const Overlap& at_a, double b, 
   }
 }
 
-void UnevenLand::walk(const Place& at, Sink& sink) const noexcept {
+void UnevenLand::walk(const Place& at, SectionVisitor& sink) const noexcept {
   const double e = std::hypot(at.e[0], at.e[1]), limit = shape_.half_angle;
   if (reach_ > 0.0 && e <= reach_) return;
   const double width = 2.0 * limit / cells_;
@@ -143,9 +142,9 @@ void UnevenLand::walk(const Place& at, Sink& sink) const noexcept {
   }
 }
 
-UnevenLand::Least UnevenLand::least_gap(const Place& at) const noexcept {
+UnevenLand::MinimumGap UnevenLand::minimum_gap(const Place& at) const noexcept {
   const double limit = shape_.half_angle, width = 2.0 * limit / cells_;
-  Least best{-overlap(at, -limit).m, -limit};
+  MinimumGap best{-overlap(at, -limit).m, -limit};
   const auto offer = [&](double s) {
     const double gap = -overlap(at, s).m;
     if (gap < best.gap) best = {gap, s};

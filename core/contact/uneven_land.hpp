@@ -24,7 +24,7 @@
 namespace adore::contact {
 
 /// One stretch of a spot, at most a sixteenth of a wave long.
-struct UnevenPiece {
+struct ContactSpotSection {
   std::array<double, 2> force{};  ///< on the cage, (y, z) across the race axis [N]
   double turning = 0.0;           ///< T [N m]
   double load = 0.0;              ///< |force| [N]
@@ -50,32 +50,32 @@ class UnevenLand {
   explicit UnevenLand(const Shape& shape);
 
   /// No spot can exist at this eccentricity, whatever the azimuths.
-  [[nodiscard]] bool out_of_reach(double e2) const noexcept {
+  [[nodiscard]] bool is_out_of_reach(double e2) const noexcept {
     return reach_ > 0.0 && e2 <= reach_ * reach_;
   }
-  /// Calls visit(UnevenPiece) for each stretch of contact. No allocation, no throw.
+  /// Calls visit(ContactSpotSection) for each stretch of contact. No allocation, no throw.
   template <class Visit>
   void visit(const Place& at, const Visit& visit) const noexcept {
-    struct Forward final : Sink {
+    struct Forward final : SectionVisitor {
       explicit Forward(const Visit& to) : visit(to) {}
-      void take(const UnevenPiece& piece) noexcept override { visit(piece); }
+      void take(const ContactSpotSection& piece) noexcept override { visit(piece); }
       const Visit& visit;
     } sink(visit);
     walk(at, sink);
   }
-  struct Least {
+  struct MinimumGap {
     double gap = 0.0;  ///< least of -m(s) [m]
     double s = 0.0;    ///< where
   };
-  [[nodiscard]] Least least_gap(const Place& at) const noexcept;
+  [[nodiscard]] MinimumGap minimum_gap(const Place& at) const noexcept;
   [[nodiscard]] const Shape& shape() const noexcept { return shape_; }
 
  private:
-  struct Sink {
-    virtual void take(const UnevenPiece& piece) noexcept = 0;
+  struct SectionVisitor {
+    virtual void take(const ContactSpotSection& piece) noexcept = 0;
 
    protected:
-    ~Sink() = default;
+    ~SectionVisitor() = default;
   };
   /// m, ∂m/∂s and ∂m/∂φ.
   struct Overlap {
@@ -83,10 +83,10 @@ class UnevenLand {
     std::array<double, 2> u{};
   };
   [[nodiscard]] Overlap overlap(const Place& at, double s) const noexcept;
-  void walk(const Place& at, Sink& sink) const noexcept;
+  void walk(const Place& at, SectionVisitor& sink) const noexcept;
   void cell(const Place& at, double a, const Overlap& at_a, double b, const Overlap& at_b,
-            Sink& sink) const noexcept;
-  void add(const Place& at, double a, double b, Sink& sink) const noexcept;
+            SectionVisitor& sink) const noexcept;
+  void add(const Place& at, double a, double b, SectionVisitor& sink) const noexcept;
   [[nodiscard]] double end_of_spot(const Place& at, double out, double m_out, double in,
                                    double m_in) const noexcept;
   [[nodiscard]] double extremum(const Place& at, double a, double slope_a, double b,

@@ -38,32 +38,32 @@ namespace adore::contact {
 /// Over those of the nominal groove, polynomials in (change of f)/(largest change): Hertz's K, and
 /// the half axes of the ellipse at one approach. Coefficients are numbers or one a lane.
 template <class C>
-struct GrooveRatios {
-  static constexpr int kTerms = AngleLaw::kTerms;
+struct HertzConstantRatios {
+  static constexpr int kTerms = HertzAngleLaw::kTerms;
   C stiffness[kTerms]{C(1.0)}, major[kTerms]{C(1.0)}, minor[kTerms]{C(1.0)};
 };
 
 /// Balls that are not round (user routine ADRX5), on one race. h over the unit vector u from the
 /// centre in the body's axes: azimuth about its x axis from its z axis, and latitude asin u_x.
-struct BallForms {
-  const RaceTable* of_ball = nullptr;  ///< by ball, h in `height`; of no row: round
-  const double* attitude = nullptr;    ///< by ball, body axes in base axes, one after the other
+struct BallFormErrors {
+  const SurfaceDeviationTable* of_ball = nullptr;  ///< by ball, h in `height`; of no row: round
+  const double* attitude = nullptr;  ///< by ball, body axes in base axes, one after the other
 };
 
 struct WavyGroove {
-  RaceForm form;
+  RaceErrorModel form;
   double curvature_diameter = 0.0;        ///< D of the nominal ball [m]
   double normal_x = 0.0, normal_r = 1.0;  ///< n of the nominal contact
   bool varying = false;                   ///< the curvature changes
   double per_factor = 0.0;                ///< 1/(largest change of f)
-  GrooveRatios<double> ratios;            ///< of one ball
-  RaceTable table;                        ///< its numbers live longer
-  BallForms* forms = nullptr;             ///< balls that are not round; null: all are
+  HertzConstantRatios<double> ratios;     ///< of one ball
+  SurfaceDeviationTable table;            ///< its numbers live longer
+  BallFormErrors* forms = nullptr;        ///< balls that are not round; null: all are
 };
 
 template <class T>
-struct WavyTouch {
-  GrooveTouch<T> touch;
+struct WavyGrooveContact {
+  BallGrooveContact<T> touch;
   T turn;    ///< D [m/rad]
   T across;  ///< -l ∂(n_e)/∂ψ / n_k, of the angle's change with ψ [m/rad]
   T stiffness = 1.0, log_stiffness_slope = 0.0;  ///< k, k'/k [-, 1/rad]
@@ -75,11 +75,9 @@ struct WavyTouch {
 /// @param ratios of the ball, or of the one in each lane; psi its azimuth in the race; offset s of
 /// the nominal groove [m]
 template <class T, class C, class S>
-[[nodiscard, gnu::always_inline]] inline WavyTouch<T> wavy_touch(const WavyGroove& groove,
-                                                                 const GrooveRatios<C>& ratios,
-                                                                 const AzimuthDirection<T>& psi,
-                                                                 const T& axial, const T& lift,
-                                                                 const S& offset) {
+[[nodiscard, gnu::always_inline]] inline WavyGrooveContact<T> wavy_groove_contact(
+    const WavyGroove& groove, const HertzConstantRatios<C>& ratios, const AzimuthDirection<T>& psi,
+    const T& axial, const T& lift, const S& offset) {
   const LocalRaceErrorOf<T> e = race_error_at(groove.form, psi);
   const auto change_of = [&](const T& radius, const T& factor) {
     return groove_change(radius, factor, groove.curvature_diameter, groove.normal_x,
@@ -87,13 +85,14 @@ template <class T, class C, class S>
   };
   const GrooveChange<T> change = change_of(e.radius, e.curvature_factor);
   const GrooveChange<T> slope = change_of(e.radius_slope, e.curvature_factor_slope);
-  WavyTouch<T> out;
-  out.touch = groove_touch(T(axial - change.x), T(lift - change.centre_radius), offset);
+  WavyGrooveContact<T> out;
+  out.touch = ball_groove_contact(T(axial - change.x), T(lift - change.centre_radius), offset);
   out.touch.approach = out.touch.approach - change.radius;
   out.turn = -out.touch.n_k * slope.x - out.touch.n_e * slope.centre_radius - slope.radius;
   out.across = out.touch.n_k * slope.centre_radius - out.touch.n_e * slope.x;
   if (groove.table.around > 0) {
-    const TableTouch<T> at = TableLookup<T>::at(groove.table, psi, out.touch.n_k, out.touch.n_e);
+    const TableAtContact<T> at =
+        TableLookup<T>::at(groove.table, psi, out.touch.n_k, out.touch.n_e);
     const T per_way = groove.table.side / out.touch.length;
     out.touch.approach = out.touch.approach - at.height;
     out.turn = out.turn - at.height_psi;
@@ -124,9 +123,10 @@ template <class T, class C, class S>
 /// Part of the force on the ball along t.
 /// @param load Q; leaning L of angle_law.hpp, 0 with fixed constants
 template <class T>
-[[nodiscard, gnu::always_inline]] inline T wavy_push(const WavyTouch<T>& at, const T& load,
-                                                     const T& leaning, const T& approach,
-                                                     const T& distance) {
+[[nodiscard, gnu::always_inline]] inline T wavy_tangential_force(const WavyGrooveContact<T>& at,
+                                                                 const T& load, const T& leaning,
+                                                                 const T& approach,
+                                                                 const T& distance) {
   return -(load * (at.turn + 0.4 * approach * at.log_stiffness_slope) + leaning * at.across) /
          distance;
 }
@@ -134,8 +134,9 @@ template <class T>
 /// Part of the force on the ball along c that tables add. @param load Q, elastic that without
 /// damping
 template <class T>
-[[nodiscard, gnu::always_inline]] inline T wavy_lean(const WavyTouch<T>& at, const T& load,
-                                                     const T& elastic, const T& approach) {
+[[nodiscard, gnu::always_inline]] inline T wavy_transverse_force(const WavyGrooveContact<T>& at,
+                                                                 const T& load, const T& elastic,
+                                                                 const T& approach) {
   return -(load * at.lean + 0.4 * approach * elastic * at.log_stiffness_lean);
 }
 
@@ -143,11 +144,11 @@ template <class T>
 struct Lobe {
   double height = 0.0, c = 0.0, t = 0.0;
 };
-[[nodiscard, gnu::always_inline]] inline Lobe lobe_at(const BallForms& forms, std::size_t ball,
+[[nodiscard, gnu::always_inline]] inline Lobe lobe_at(const BallFormErrors& forms, std::size_t ball,
                                                       const Triple<double>& n,
                                                       const Triple<double>& c,
                                                       const Triple<double>& t) {
-  const RaceTable& table = forms.of_ball[ball];
+  const SurfaceDeviationTable& table = forms.of_ball[ball];
   if (table.across == 0) return {};
   const double* const B = forms.attitude + 9 * ball;
   const Triple<double> x{B[0], B[1], B[2]}, y{B[3], B[4], B[5]}, z{B[6], B[7], B[8]};
@@ -166,8 +167,8 @@ struct Lobe {
 
 /// The touch with a lobe of the ball.
 template <class T>
-[[gnu::always_inline]] inline void add_lobe(WavyTouch<T>& touch, const T& height, const T& g_c,
-                                            const T& g_t) {
+[[gnu::always_inline]] inline void add_lobe(WavyGrooveContact<T>& touch, const T& height,
+                                            const T& g_c, const T& g_t) {
   touch.touch.approach = touch.touch.approach + height;
   touch.turn = touch.turn + touch.touch.n_e * g_t;
   touch.lean = touch.lean + g_c / touch.touch.length;

@@ -21,16 +21,19 @@ std::array<double, 3> ratios(const HertzConstants& here, const HertzConstants& n
 
 }  // namespace
 
-GrooveRatios<double> ratios_of_ball(const bearing::BallGeometry& balls, double growth, int race,
-                                    const bearing::RaceErrors& errors, double angle) {
-  GrooveRatios<double> out;
+HertzConstantRatios<double> ratios_with_ball_growth(const bearing::BallGeometry& balls,
+                                                    double growth, int race,
+                                                    const bearing::RaceErrors& errors,
+                                                    double angle) {
+  HertzConstantRatios<double> out;
   const double amplitude = errors.curvature_amplitude();
   if (amplitude == 0.0) return out;
   constexpr std::size_t kPoints = 24;
   const auto constants = [&](double change) {
     bearing::BallGeometry here = balls;
     here.groove_factor[static_cast<std::size_t>(race)] += change;
-    return hertz_constants(race_curvature(own_ball(here, growth), race, angle), 1.0);
+    return hertz_constants(race_curvature(geometry_with_ball_growth(here, growth), race, angle),
+                           1.0);
   };
   const HertzConstants nominal = constants(0.0);
   std::array<std::vector<double>, 3> values;
@@ -41,8 +44,8 @@ GrooveRatios<double> ratios_of_ball(const bearing::BallGeometry& balls, double g
   double* const targets[] = {out.stiffness, out.major, out.minor};
   for (std::size_t q = 0; q < 3; ++q) {
     std::vector<double> series = chebyshev_coefficients(values[q]);
-    series.resize(GrooveRatios<double>::kTerms, 0.0);
-    const std::vector<double> powers = powers_of_chebyshev(series);
+    series.resize(HertzConstantRatios<double>::kTerms, 0.0);
+    const std::vector<double> powers = chebyshev_to_monomial(series);
     // The nominal groove has the ratio 1.
     for (std::size_t k = 0; k < powers.size(); ++k) targets[q][k] = powers[k] / powers[0];
   }
@@ -54,11 +57,12 @@ WavyGroove make_wavy_groove(const bearing::BallGeometry& balls, int race,
   const auto j = static_cast<std::size_t>(race);
   const double sign = race == bearing::kOuter ? 1.0 : -1.0;
   const GrooveGeometry groove = groove_geometry(balls);
-  check_whole_waves(errors);
+  check_integer_wave_counts(errors);
   WavyGroove out;
   const bearing::SurfaceTable* const t = bearing::table_of(errors.given.get());
   if (t == nullptr)
-    out.form = race_form(errors, groove.centre_radius[j] + sign * groove.groove_radius[j]);
+    out.form =
+        make_race_error_model(errors, groove.centre_radius[j] + sign * groove.groove_radius[j]);
   else
     out.table = {t->height.data(),
                  t->factor.empty() ? nullptr : t->factor.data(),
@@ -74,7 +78,7 @@ WavyGroove make_wavy_groove(const bearing::BallGeometry& balls, int race,
   if (amplitude == 0.0) return out;
   out.varying = true;
   out.per_factor = 1.0 / amplitude;
-  out.ratios = ratios_of_ball(balls, 0.0, race, errors, fixed_angle);
+  out.ratios = ratios_with_ball_growth(balls, 0.0, race, errors, fixed_angle);
   return out;
 }
 

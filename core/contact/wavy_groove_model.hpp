@@ -13,8 +13,8 @@ namespace adore::contact {
 [[nodiscard]] WavyGroove make_wavy_groove(const bearing::BallGeometry& balls, int race,
                                           const bearing::RaceErrors& errors, double fixed_angle);
 /// The ratios of a ball that is `growth` larger than the nominal one [m], in that groove.
-[[nodiscard]] GrooveRatios<double> ratios_of_ball(const bearing::BallGeometry& balls, double growth,
-                                                  int race, const bearing::RaceErrors& errors,
-                                                  double fixed_angle);
+[[nodiscard]] HertzConstantRatios<double> ratios_with_ball_growth(
+    const bearing::BallGeometry& balls, double growth, int race, const bearing::RaceErrors& errors,
+    double fixed_angle);
 
 }  // namespace adore::contact

@@ -60,9 +60,9 @@ constexpr std::array<std::string_view, 4> kDesigns = {"NUP", "NU", "NJ", "N"};
 
 /// "05" for 25 mm.
 std::string bore_code(double bore) {
-  constexpr std::array<std::pair<double, std::string_view>, 4> kSmall = {
+  constexpr std::array<std::pair<double, std::string_view>, 4> kSmallBores = {
       {{10.0, "00"}, {12.0, "01"}, {15.0, "02"}, {17.0, "03"}}};
-  for (const auto& [size, code] : kSmall)
+  for (const auto& [size, code] : kSmallBores)
     if (size == bore) return std::string(code);
   if (bore < 10.0) return fmt::format("{}", static_cast<int>(std::lround(bore)));
   return fmt::format("{:02d}", static_cast<int>(std::lround(bore / 5.0)));
@@ -183,7 +183,7 @@ std::optional<CatalogueBearing> find_by_size(std::string_view designation) {
   for (const char c : designation.substr(0, digit))
     if (c != ' ') word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const auto type = std::find_if(kTypes.begin(), kTypes.end(),
-                                 [&](const TypeInfo& info) { return info.word == word; });
+                                 [&](const BearingTypeInfo& info) { return info.word == word; });
   if (type == kTypes.end()) return std::nullopt;
   const auto sizes = sizes_in(designation.substr(digit));
   if (!sizes || sizes->size() != 3)
@@ -195,7 +195,7 @@ std::optional<CatalogueBearing> find_by_size(std::string_view designation) {
   out.designation =
       fmt::format("{} {:g}x{:g}x{:g}", type->word, (*sizes)[0], (*sizes)[1], (*sizes)[2]);
   out.envelope = {(*sizes)[0] * kMm, (*sizes)[1] * kMm, (*sizes)[2] * kMm, (*sizes)[2] * kMm};
-  out.angle = usual_angle(out.type, out.envelope);
+  out.angle = default_contact_angle(out.type, out.envelope);
   if (!(out.envelope.bore > 0.0) || !(out.envelope.outside > out.envelope.bore) ||
       !(out.envelope.width > 0.0) || out.envelope.outside > 10.0 || out.envelope.width > 5.0)
     fail(designation,
@@ -242,7 +242,7 @@ std::optional<CatalogueBearing> find_rig(std::string_view name) {
     const auto length = [&](const char* key) { return rig[key].get<double>() * kMm; };
     CatalogueBearing out;
     out.designation = text;
-    out.type = type_of_word(rig["type"].get<std::string>());
+    out.type = parse_bearing_type(rig["type"].get<std::string>());
     out.envelope = {length("bore"), length("outside"), length("width"), length("width")};
     out.angle = rig["angle"].get<double>();
     out.angle_given = true;
@@ -302,7 +302,7 @@ CatalogueBearing find_bearing(std::string_view designation) {
       // First: the "C3" of "7208 C3" is not an angle.
       std::string group = take_group(suffix);
       if (series.type == BearingType::AngularContact) take_angle(out, suffix, designation);
-      if (has_group(out.type, group))
+      if (has_clearance_group(out.type, group))
         out.clearance = std::move(group);
       else
         suffix += group;
@@ -317,7 +317,7 @@ CatalogueBearing find_bearing(std::string_view designation) {
         return out;
       }
       if (series.type != BearingType::AngularContact)
-        out.angle = usual_angle(series.type, out.envelope);
+        out.angle = default_contact_angle(series.type, out.envelope);
       return out;
     }
     fail(designation,
@@ -343,7 +343,7 @@ std::vector<std::string> catalogue_designations() {
   return out;
 }
 
-std::vector<std::string> rig_names() {
+std::vector<std::string> test_rig_names() {
   std::vector<std::string> out;
   for (const Json& rig : rig_table()["rigs"]) out.push_back(rig["name"].get<std::string>());
   return out;
@@ -351,9 +351,9 @@ std::vector<std::string> rig_names() {
 
 std::vector<CatalogueBearing> catalogue_list(double bore_mm, std::string_view type) {
   const std::optional<BearingType> wanted =
-      type.empty() ? std::nullopt : std::optional<BearingType>(type_of_word(type));
+      type.empty() ? std::nullopt : std::optional<BearingType>(parse_bearing_type(type));
   std::vector<std::string> names = catalogue_designations();
-  for (std::string& rig : rig_names()) names.push_back(std::move(rig));
+  for (std::string& rig : test_rig_names()) names.push_back(std::move(rig));
   std::vector<CatalogueBearing> out;
   for (const std::string& name : names) {
     CatalogueBearing one = find_bearing(name);

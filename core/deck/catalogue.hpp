@@ -27,7 +27,7 @@ struct Envelope {
 };
 
 /// Internal geometry that is published or chosen; 0: not known, estimated.
-struct KnownInside {
+struct KnownInternalGeometry {
   long long count = 0;                               ///< elements per row
   double diameter = 0.0, length = 0.0, pitch = 0.0;  ///< [m]
   double groove_outer = 0.0, groove_inner = 0.0;     ///< groove radius / ball diameter
@@ -44,7 +44,7 @@ struct CatalogueBearing {
   std::string clearance = "CN";  ///< group of ISO 5753-1, of types that have one: "C3"
   bool tapered_bore = false;     ///< "K", of rollers: no deck has it; its groups are others
   std::string left_out;          ///< remaining parts of the designation, "-2RS": not in the deck
-  KnownInside known;             ///< of a test rig, or of a candidate of published facts
+  KnownInternalGeometry known;   ///< of a test rig, or of a candidate of published facts
   std::string design;            ///< of cylindrical roller bearings: NU, N, NJ, NUP
   bool standard = false;         ///< a designation: boundary dimensions of a standard
   bool rig = false;              ///< of the library of public test rigs
@@ -62,23 +62,23 @@ struct CatalogueBearing {
 [[nodiscard]] std::vector<std::string> catalogue_designations();
 
 /// Names of the public test rigs.
-[[nodiscard]] std::vector<std::string> rig_names();
+[[nodiscard]] std::vector<std::string> test_rig_names();
 
 /// Bearings and rigs of the catalogue. @param bore [mm] 0: all; @param type a word ("deep-groove")
 /// or empty: all @throws InputError for an unknown type
 [[nodiscard]] std::vector<CatalogueBearing> catalogue_list(double bore_mm, std::string_view type);
 
 /// "deep-groove", "angular-contact", "cylindrical", "tapered", "spherical"
-[[nodiscard]] std::string_view type_word(BearingType type);
+[[nodiscard]] std::string_view bearing_type_keyword(BearingType type);
 [[nodiscard]] std::string_view type_name(BearingType type);
 /// @throws InputError listing the words
-[[nodiscard]] BearingType type_of_word(std::string_view word);
-[[nodiscard]] const std::vector<std::string>& type_words();
+[[nodiscard]] BearingType parse_bearing_type(std::string_view word);
+[[nodiscard]] const std::vector<std::string>& bearing_type_keywords();
 /// Contact angle that a type has by habit [deg].
-[[nodiscard]] double usual_angle(BearingType type, const Envelope& envelope);
+[[nodiscard]] double default_contact_angle(BearingType type, const Envelope& envelope);
 
 /// A proposal for the inside of a bearing.
-struct InnerGeometry {
+struct ProposedInternalGeometry {
   /// Variables in SI: elements and their number, grooves or lands, clearance, shoulders or flanges.
   std::vector<std::pair<std::string, std::string>> sets;
   std::string reasons;  ///< source of the values, in one sentence
@@ -87,20 +87,20 @@ struct InnerGeometry {
 /// @param tapered_bore of spherical rollers, whose groups are others; unknown for cylindrical ones
 /// @throws InputError when no elements fit between bore and outside, or the group is none of them
 /// @param known replaces what is estimated
-[[nodiscard]] InnerGeometry propose_inner(BearingType type, const Envelope& envelope, double angle,
-                                          std::string_view group = "CN", bool tapered_bore = false,
-                                          const KnownInside& known = {});
+[[nodiscard]] ProposedInternalGeometry propose_internal_geometry(
+    BearingType type, const Envelope& envelope, double angle, std::string_view group = "CN",
+    bool tapered_bore = false, const KnownInternalGeometry& known = {});
 
 /// The same for the bearing of a deck, from its own bore, outside diameter and race widths, in the
 /// deck's units. Contact or cup angles of the deck are kept. @throws InputError for
 /// spherical-tapered bearings, of which no proportions are known, and when nothing fits
-[[nodiscard]] InnerGeometry propose_inner(const Deck& deck);
+[[nodiscard]] ProposedInternalGeometry propose_internal_geometry(const Deck& deck);
 
 /// A complete quasi-static deck in SI units, one record per line; the remarks mark standard values
 /// and estimates. Load and speed are scaled from the example of the type.
 [[nodiscard]] std::string catalogue_deck(const CatalogueBearing& bearing);
 
 /// Sentences for a person: dimensions, inside, and where both come from.
-[[nodiscard]] std::vector<std::string> catalogue_story(const CatalogueBearing& bearing);
+[[nodiscard]] std::vector<std::string> describe_catalogue_bearing(const CatalogueBearing& bearing);
 
 }  // namespace adore::deck

@@ -1,7 +1,7 @@
 #include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "deck/catalogue_parts.hpp"
-#include "deck/keep_text.hpp"
+#include "deck/deck_text_with_comments.hpp"
 #include "deck/remarks.hpp"
 #include "deck/templates.hpp"
 
@@ -15,7 +15,7 @@ namespace adore::deck {
 namespace {
 
 /// Capacity in proportion to that of other bearings of its type: the exponents of ISO 281.
-double capacity(BearingType type, const InnerGeometry& inner) {
+double capacity(BearingType type, const ProposedInternalGeometry& inner) {
   const double count = number(inner, "nRe"), diameter = number(inner, "bReDia");
   const bool ball = type == BearingType::DeepGroove || type == BearingType::AngularContact;
   return ball ? std::pow(count, 2.0 / 3.0) * std::pow(diameter, 1.8)
@@ -35,7 +35,7 @@ std::string read(const Deck& deck, std::string_view name) {
 
 /// Boundary, inside, load and speed of the deck of a type.
 std::vector<std::pair<std::string, std::string>> changes(const CatalogueBearing& bearing,
-                                                         const InnerGeometry& inner,
+                                                         const ProposedInternalGeometry& inner,
                                                          const Deck& example) {
   const Envelope& e = bearing.envelope;
   auto sets = inner.sets;
@@ -49,7 +49,7 @@ std::vector<std::pair<std::string, std::string>> changes(const CatalogueBearing&
   set("hsngOD", e.outside + std::max(0.028, 0.35 * e.outside));
   set("raceWidth1", row ? 0.5 * e.width : e.cup_width);
   set("raceWidth2", row ? 0.5 * e.width : e.width);
-  InnerGeometry there;  // the example's own elements
+  ProposedInternalGeometry there;  // the example's own elements
   there.sets = {{"nRe", fmt::format("{}", example.integer("nRe"))},
                 {"bReDia", read(example, "bReDia")}};
   if (example.has("bReLen")) there.sets.emplace_back("bReLen", read(example, "bReLen"));
@@ -96,11 +96,12 @@ std::vector<std::string> lines_of(const std::string& text) {
 }  // namespace
 
 std::string catalogue_deck(const CatalogueBearing& bearing) {
-  const TypeInfo& info = info_of(bearing.type);
+  const BearingTypeInfo& info = bearing_type_info(bearing.type);
   const std::string text(template_text(info.template_name));
   const Deck example = read_deck_text(text, "example").deck;
-  const InnerGeometry inner = propose_inner(bearing.type, bearing.envelope, bearing.angle,
-                                            bearing.clearance, bearing.tapered_bore, bearing.known);
+  const ProposedInternalGeometry inner =
+      propose_internal_geometry(bearing.type, bearing.envelope, bearing.angle, bearing.clearance,
+                                bearing.tapered_bore, bearing.known);
   Deck deck = example;
   deck.set_all(changes(bearing, inner, example));
   const std::string outside =
@@ -109,7 +110,7 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
                                        bearing.type == BearingType::Tapered ? "ISO 355" : "ISO 15")
                          : std::string("boundary dimensions as given");
   const std::vector<std::string> lines = lines_of(with_deck(text, deck).text);
-  demand(lines.size() == deck.records.size(), "each record of an example deck is on one line");
+  demand(lines.size() == deck.records.size(), "an example deck has a record on more than one line");
   std::string out;
   for (std::size_t r = 0; r < lines.size(); ++r) {
     const std::string& id = deck.records[r].id;
@@ -147,15 +148,15 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
   return out;
 }
 
-std::vector<std::string> catalogue_story(const CatalogueBearing& bearing) {
+std::vector<std::string> describe_catalogue_bearing(const CatalogueBearing& bearing) {
   const Envelope& e = bearing.envelope;
-  const InnerGeometry inner = propose_inner(bearing.type, e, bearing.angle, bearing.clearance,
-                                            bearing.tapered_bore, bearing.known);
+  const ProposedInternalGeometry inner = propose_internal_geometry(
+      bearing.type, e, bearing.angle, bearing.clearance, bearing.tapered_bore, bearing.known);
   std::vector<std::string> out;
   const bool known = bearing.known.diameter > 0.0;
   const double pitch = number(inner, "pitchDia");
   out.push_back(fmt::format("{}, {}: bore {:g} mm, outside diameter {:g} mm, width {:g} mm ({}).",
-                            bearing.designation, info_of(bearing.type).name, e.bore / kMm,
+                            bearing.designation, bearing_type_info(bearing.type).name, e.bore / kMm,
                             e.outside / kMm, e.width / kMm,
                             bearing.rig                            ? "of the rig, some assumed"
                             : !bearing.standard                    ? "as given"

@@ -48,8 +48,8 @@ long long elements_that_fit(double diameter, double pitch, double share) {
 /// Shares of the section (OD - bore) from tests/candidates: 0.29 to 0.30 of the deep groove
 /// bearings for rules, whose balls are in steps of 1/64 in; 0.3175 of the 3xxK sizes (309 to 318)
 /// of the same list, which have no ratings: outside diameters above 2.05 bores + 8 mm (series 03).
-InnerGeometry balls(BearingType type, const Envelope& e, double angle, std::string_view group,
-                    const KnownInside& known) {
+ProposedInternalGeometry balls(BearingType type, const Envelope& e, double angle,
+                               std::string_view group, const KnownInternalGeometry& known) {
   constexpr double kInch64 = 0.0254 / 64.0, kInch32 = 0.0254 / 32.0, kShoulder = 0.54;
   const bool deep = type == BearingType::DeepGroove;
   const double section = e.outside - e.bore;
@@ -71,7 +71,7 @@ InnerGeometry balls(BearingType type, const Envelope& e, double angle, std::stri
   sets.real("bReDia", ball);
   sets.length("pitchDia", pitch);
   sets.real("freeConAng", deep ? 0.0 : angle);
-  sets.length("freeIntCls", deep ? middle_clearance(type, group, e.bore) : 0.0);
+  sets.length("freeIntCls", deep ? clearance_group_mean(type, group, e.bore) : 0.0);
   const double outer = known.groove_outer > 0.0 ? known.groove_outer : deep ? 0.525 : 0.5232;
   const double inner = known.groove_inner > 0.0 ? known.groove_inner : deep ? 0.515 : 0.5232;
   sets.real("raceCurFac1", outer);
@@ -85,14 +85,15 @@ InnerGeometry balls(BearingType type, const Envelope& e, double angle, std::stri
   if (known.diameter > 0.0) return {sets.take(), known.source + "; " + rest};
   return {sets.take(), fmt::format("D = {:.4g} (OD - bore), rounded to 1/{} in; {}; {}", share,
                                    deep && !heavy ? 64 : 32,
-                                   deep ? "as many balls as eccentric filling allows"
+                                   deep ? "largest number of balls for eccentric (Conrad) assembly"
                                         : "balls on 90 % of the pitch circle",
                                    rest)};
 }
 
 /// The proportions of today's bearings with enlarged rollers: rated by ISO 281 they come near the
 /// C of NU205 (28.6 kN), NU209 (69.5 kN) and NU210 (73.5 kN) of makers [recalled high].
-InnerGeometry cylinders(const Envelope& e, std::string_view group, const KnownInside& known) {
+ProposedInternalGeometry cylinders(const Envelope& e, std::string_view group,
+                                   const KnownInternalGeometry& known) {
   const double pitch = known.pitch > 0.0 ? known.pitch : 0.5 * (e.bore + e.outside);
   const double section = e.outside - e.bore;
   const bool light = section < 0.4 * e.bore + 12.5 * kMm;  // series 10
@@ -110,7 +111,7 @@ InnerGeometry cylinders(const Envelope& e, std::string_view group, const KnownIn
   sets.length("bReCorRad1", 0.02 * roller);
   sets.length("bReCorRad2", 0.02 * roller);
   sets.length("pitchDia", pitch);
-  sets.length("freeIntCls", middle_clearance(BearingType::Cylindrical, group, e.bore));
+  sets.length("freeIntCls", clearance_group_mean(BearingType::Cylindrical, group, e.bore));
   sets.length("raceLandLmt1", length);
   sets.length("raceLandLmt2", 1.2 * length);
   sets.length("flngHt11", 0.2 * roller);
@@ -124,7 +125,7 @@ InnerGeometry cylinders(const Envelope& e, std::string_view group, const KnownIn
               "; typical crown and flanges; clearance: " + clearance_reason(group)};
 }
 
-InnerGeometry cones(const Envelope& e, double cup, const KnownInside& known) {
+ProposedInternalGeometry cones(const Envelope& e, double cup, const KnownInternalGeometry& known) {
   const double pitch = known.pitch > 0.0 ? known.pitch : 0.5 * (e.bore + e.outside);
   const double roller =
       known.diameter > 0.0 ? known.diameter : nearest(0.245 * (e.outside - e.bore), 0.1 * kMm);
@@ -155,8 +156,8 @@ InnerGeometry cones(const Envelope& e, double cup, const KnownInside& known) {
                            "; cone angle from the cup angle; typical crown and rib"};
 }
 
-InnerGeometry barrels(const Envelope& e, double angle, std::string_view group, bool tapered_bore,
-                      const KnownInside& known) {
+ProposedInternalGeometry barrels(const Envelope& e, double angle, std::string_view group,
+                                 bool tapered_bore, const KnownInternalGeometry& known) {
   const double pitch = known.pitch > 0.0 ? known.pitch : 0.502 * (e.bore + e.outside);
   const double roller =
       known.diameter > 0.0 ? known.diameter : nearest(0.275 * (e.outside - e.bore), 0.1 * kMm);
@@ -170,7 +171,8 @@ InnerGeometry barrels(const Envelope& e, double angle, std::string_view group, b
   sets.length("bReCorRad1", 0.036 * roller);
   sets.length("bReCorRad2", 0.036 * roller);
   sets.length("pitchDia", pitch);
-  sets.length("freeIntCls", middle_clearance(BearingType::Spherical, group, e.bore, tapered_bore));
+  sets.length("freeIntCls",
+              clearance_group_mean(BearingType::Spherical, group, e.bore, tapered_bore));
   sets.real("raceCurFac1", 0.5133);
   sets.real("raceCurFac2", 0.5133);
   sets.real("freeConAng", std::round(angle * 100.0) / 100.0);
@@ -202,8 +204,10 @@ void propose_cage(std::string_view example_name, const Envelope& e, double diame
 
 }  // namespace
 
-InnerGeometry propose_inner(BearingType type, const Envelope& envelope, double angle,
-                            std::string_view group, bool tapered_bore, const KnownInside& known) {
+ProposedInternalGeometry propose_internal_geometry(BearingType type, const Envelope& envelope,
+                                                   double angle, std::string_view group,
+                                                   bool tapered_bore,
+                                                   const KnownInternalGeometry& known) {
   const double section = envelope.outside - envelope.bore;
   if (!(envelope.bore > 0.0 && section > 0.0 && envelope.width > 0.0))
     throw InputError(fmt::format(
@@ -214,16 +218,17 @@ InnerGeometry propose_inner(BearingType type, const Envelope& envelope, double a
     case BearingType::Cylindrical:
       return cylinders(envelope, group, known);
     case BearingType::Tapered:
-      return cones(envelope, angle > 0.0 ? angle : usual_angle(type, envelope), known);
+      return cones(envelope, angle > 0.0 ? angle : default_contact_angle(type, envelope), known);
     case BearingType::Spherical:
-      return barrels(envelope, angle > 0.0 ? angle : usual_angle(type, envelope), group,
+      return barrels(envelope, angle > 0.0 ? angle : default_contact_angle(type, envelope), group,
                      tapered_bore, known);
     default:
-      return balls(type, envelope, angle > 0.0 ? angle : usual_angle(type, envelope), group, known);
+      return balls(type, envelope, angle > 0.0 ? angle : default_contact_angle(type, envelope),
+                   group, known);
   }
 }
 
-InnerGeometry propose_inner(const Deck& deck) {
+ProposedInternalGeometry propose_internal_geometry(const Deck& deck) {
   const long long kind = deck.integer("kBrg");
   if (kind < 1 || kind > 4)
     throw InputError(
@@ -240,7 +245,7 @@ InnerGeometry propose_inner(const Deck& deck) {
   Envelope envelope{deck.si("brgBore"), deck.si("brgOD"), deck.si("raceWidth2"),
                     deck.si("raceWidth1")};
   if (kind == 3) envelope.width *= 2.0;  // of both rows
-  InnerGeometry out = propose_inner(type, envelope, angle);
+  ProposedInternalGeometry out = propose_internal_geometry(type, envelope, angle);
   if (deck.integer("nCseg") == 1) {
     constexpr std::array<std::string_view, 4> kExamples = {"ball", "cylindrical", "spherical",
                                                            "tapered"};
@@ -255,7 +260,7 @@ InnerGeometry propose_inner(const Deck& deck) {
   std::erase_if(out.sets, [&](const auto& set) { return !deck.has(set.first); });
   if (deck.units() == UnitSystem::SI) return out;
   for (auto& [name, value] : out.sets) {
-    const VariableRef ref = find_present(deck, name);
+    const VariableRef ref = find_present_variable(deck, name);
     if (ref.spec().type == VarType::Real)
       value = fmt::format(
           "{}", convert_value(real(value), ref.spec().unit, UnitSystem::SI, UnitSystem::English));

@@ -20,33 +20,33 @@ const Json& catalogue_table() {
   return json;
 }
 
-const TypeInfo& info_of(BearingType type) {
+const BearingTypeInfo& bearing_type_info(BearingType type) {
   return *std::find_if(kTypes.begin(), kTypes.end(),
-                       [&](const TypeInfo& info) { return info.type == type; });
+                       [&](const BearingTypeInfo& info) { return info.type == type; });
 }
 
-std::string_view type_word(BearingType type) { return info_of(type).word; }
+std::string_view bearing_type_keyword(BearingType type) { return bearing_type_info(type).word; }
 
-std::string_view type_name(BearingType type) { return info_of(type).name; }
+std::string_view type_name(BearingType type) { return bearing_type_info(type).name; }
 
-const std::vector<std::string>& type_words() {
+const std::vector<std::string>& bearing_type_keywords() {
   static const std::vector<std::string> words = [] {
     std::vector<std::string> out;
-    for (const TypeInfo& info : kTypes) out.emplace_back(info.word);
+    for (const BearingTypeInfo& info : kTypes) out.emplace_back(info.word);
     return out;
   }();
   return words;
 }
 
-BearingType type_of_word(std::string_view word) {
-  for (const TypeInfo& info : kTypes)
+BearingType parse_bearing_type(std::string_view word) {
+  for (const BearingTypeInfo& info : kTypes)
     if (info.word == word) return info.type;
   std::string known;
-  for (const std::string& one : type_words()) known += (known.empty() ? "" : ", ") + one;
+  for (const std::string& one : bearing_type_keywords()) known += (known.empty() ? "" : ", ") + one;
   throw InputError(fmt::format("unknown bearing type \"{}\"; the types are {}", word, known));
 }
 
-double usual_angle(BearingType type, const Envelope& envelope) {
+double default_contact_angle(BearingType type, const Envelope& envelope) {
   switch (type) {
     case BearingType::AngularContact:
       return 40.0;
@@ -78,7 +78,7 @@ std::string_view clearance_kind(BearingType type) {
 
 }  // namespace
 
-bool has_group(BearingType type, std::string_view group) {
+bool has_clearance_group(BearingType type, std::string_view group) {
   const std::string_view kind = clearance_kind(type);
   const auto at = std::find(kGroups.begin(), kGroups.end(), group);
   return !kind.empty() && at != kGroups.end() &&
@@ -86,10 +86,11 @@ bool has_group(BearingType type, std::string_view group) {
              catalogue_table()["clearance"][std::string(kind)][0].size();
 }
 
-double middle_clearance(BearingType type, std::string_view group, double bore, bool tapered_bore) {
-  if (!has_group(type, group))
-    throw InputError(
-        fmt::format("there is no clearance group {} for a {}", group, info_of(type).name));
+double clearance_group_mean(BearingType type, std::string_view group, double bore,
+                            bool tapered_bore) {
+  if (!has_clearance_group(type, group))
+    throw InputError(fmt::format("there is no clearance group {} for a {}", group,
+                                 bearing_type_info(type).name));
   const bool of_taper = tapered_bore && type == BearingType::Spherical;  // of others none is known
   const Json& rows = catalogue_table()["clearance"][std::string(clearance_kind(type)) +
                                                     (of_taper ? ", tapered bore" : "")];
@@ -110,7 +111,7 @@ double real(const std::string& text) {
   return value;
 }
 
-double number(const InnerGeometry& inner, std::string_view name) {
+double number(const ProposedInternalGeometry& inner, std::string_view name) {
   for (const auto& [variable, value] : inner.sets)
     if (variable == name) return real(value);
   return 0.0;

@@ -10,22 +10,24 @@
 namespace adore::deck {
 
 bool Checker::is_reported(const RecordData& record, std::string_view variable) const {
-  return reported_.values.count({record.id, record.instance, std::string(variable)}) > 0;
+  return reported_errors_.values.count({record.id, record.instance, std::string(variable)}) > 0;
 }
 
-std::optional<double> Checker::raw(std::string_view name, int instance, int index) const {
+std::optional<double> Checker::value_in_deck_units(std::string_view name, int instance,
+                                                   int index) const {
   const Value* value = find_value(deck_, name, instance, index);
   const double* real = value == nullptr ? nullptr : std::get_if<double>(value);
   return real != nullptr && std::isfinite(*real) ? std::optional(*real) : std::nullopt;
 }
 
 std::optional<double> Checker::si(std::string_view name, int instance, int index) const {
-  return raw(name, instance, index) ? std::optional(deck_.si(name, instance, index)) : std::nullopt;
+  return value_in_deck_units(name, instance, index) ? std::optional(deck_.si(name, instance, index))
+                                                    : std::nullopt;
 }
 
 std::optional<long long> Checker::integer(std::string_view name, int index) const {
   const Value* value = find_value(deck_, name, 1, index);
-  if (value == nullptr || !is_reliable_integer(find_present(deck_, name).spec(), *value))
+  if (value == nullptr || !is_reliable_integer(find_present_variable(deck_, name).spec(), *value))
     return std::nullopt;
   return std::get<long long>(*value);
 }
@@ -49,10 +51,15 @@ void Checker::warning(std::string_view name, std::string message, std::string re
   add(deck_.issue(Severity::Warning, name, std::move(message), std::move(remedy), instance));
 }
 
-std::vector<Issue> check_deck(const Deck& deck, const Reported& reported) {
+void Checker::no_effect(std::string_view name, std::string message, std::string remedy) {
+  warning(name, std::move(message), std::move(remedy));
+  issues_.back().code = "deck.no_effect";
+}
+
+std::vector<Issue> check_deck(const Deck& deck, const ReportedErrors& reported) {
   std::vector<Issue> issues;
   Checker checker(deck, reported, issues);
-  check_layout(checker, reported);
+  check_record_layout(checker, reported);
   check_values(checker);
   check_control(checker);
   check_envelope(checker);
@@ -61,10 +68,10 @@ std::vector<Issue> check_deck(const Deck& deck, const Reported& reported) {
   check_cage(checker);
   check_operation(checker);
   check_extension(checker);
-  check_likely(checker);
+  check_likely_mistakes(checker);
   return issues;
 }
 
-std::vector<Issue> check_deck(const Deck& deck) { return check_deck(deck, Reported{}); }
+std::vector<Issue> check_deck(const Deck& deck) { return check_deck(deck, ReportedErrors{}); }
 
 }  // namespace adore::deck

@@ -125,9 +125,10 @@ void check_cage_body(Checker& c) {
             "choose both cage diameters near the pitch diameter");
   else
     check_cage_between_races(c);
-  const auto cut = c.raw("cageAngCut");
+  const auto cut = c.value_in_deck_units("cageAngCut");
   if (c.is("nCseg", 1) && cut && *cut != 0.0)
-    c.warning("cageAngCut", "a one-piece cage has no cut; the value has no effect", "set it to 0");
+    c.no_effect("cageAngCut", "a one-piece cage has no cut; the value has no effect",
+                "set it to 0");
 }
 
 void check_lands(Checker& c) {
@@ -180,7 +181,7 @@ void check_lands(Checker& c) {
                 "enter a distance of at most half the cage width", land);
   }
   if (!guided && c.is("kGsHydro", 1))
-    c.warning("kGsHydro", "no land is guided by a race; the switch has no effect", "set it to 0");
+    c.no_effect("kGsHydro", "no land is guided by a race; the switch has no effect", "set it to 0");
 }
 
 /// Segments are identical: the same number of elements each, all cut the same way.
@@ -190,7 +191,7 @@ void check_segments(Checker& c) {
   if (!segments || *segments < 2) return;
   for (const std::string_view name : {"kPocHydro", "kGsHydro"})
     if (c.is(name, 1))
-      c.warning(
+      c.no_effect(
           name,
           "hydrodynamic forces are not available for a segmented cage; the switch has no effect",
           "set it to 0");
@@ -232,10 +233,10 @@ void check_segments(Checker& c) {
 void check_cage_start(Checker& c, long long segments) {
   constexpr double kFastestStart = 1.5;  // of the epicyclic speed
   const auto mode = c.integer("mode");
-  const auto outer = c.raw("rpm1"), inner = c.raw("rpm2");
+  const auto outer = c.value_in_deck_units("rpm1"), inner = c.value_in_deck_units("rpm2");
   if (!mode || *mode < 0 || !outer || !inner || (*outer == 0.0 && *inner == 0.0)) return;
   for (int k = 1; k <= segments; ++k) {
-    const auto ratio = c.raw("avRatio", k);
+    const auto ratio = c.value_in_deck_units("avRatio", k);
     if (!ratio || (*ratio > 0.0 && *ratio <= kFastestStart)) continue;
     const std::string_view how = *ratio == 0.0  ? "at rest among orbiting elements"
                                  : *ratio < 0.0 ? "against the orbital motion of the elements"

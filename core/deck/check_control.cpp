@@ -22,14 +22,14 @@ void check_run_mode(Checker& c) {
   const auto mode = c.integer("mode");
   if (mode && *mode < 0) {
     if (c.is("kDCR", 1))
-      c.warning("kDCR", "has no effect: mode is negative, so that nothing moves",
-                "set kDCR to 0 and remove record 2.2");
+      c.no_effect("kDCR", "has no effect: mode is negative, so that nothing moves",
+                  "set kDCR to 0 and remove record 2.2");
     if (c.is("kFnOpt", 1))
-      c.warning("kFnOpt", "has no effect: mode is negative, so that no data files are written",
-                "set kFnOpt to 0 and remove record 2.3");
+      c.no_effect("kFnOpt", "has no effect: mode is negative, so that no data files are written",
+                  "set kFnOpt to 0 and remove record 2.3");
     if (c.is("kIcOpt", 1) || c.is("kIcOpt", -1))
-      c.warning("kIcOpt", "has no effect: mode is negative, so that there is no run to continue",
-                "set kIcOpt to 0");
+      c.no_effect("kIcOpt", "has no effect: mode is negative, so that there is no run to continue",
+                  "set kIcOpt to 0");
   }
   if (c.is("kRaceFlex", 1))
     c.error("kRaceFlex", "a flexible outer race cannot be simulated", "set it to 0");
@@ -37,7 +37,7 @@ void check_run_mode(Checker& c) {
 
 /// Elements are held up to qFac of the largest load: with 1 and more, all of them, always.
 void check_light_loads(Checker& c) {
-  const auto ratio = c.raw("qFac");
+  const auto ratio = c.value_in_deck_units("qFac");
   if (c.is("mode", 0) && ratio && *ratio >= 1.0)
     c.warning("qFac",
               "a value of 1 or more keeps nearly all elements in force balance all the time, as "
@@ -46,9 +46,9 @@ void check_light_loads(Checker& c) {
 }
 
 void check_steps(Checker& c) {
-  const auto smallest = c.raw("stpMin");
-  const auto largest = c.raw("stpMax");
-  const auto first = c.raw("stpInit");
+  const auto smallest = c.value_in_deck_units("stpMin");
+  const auto largest = c.value_in_deck_units("stpMax");
+  const auto first = c.value_in_deck_units("stpInit");
   if (smallest && largest && *smallest > *largest)
     c.error("stpMin",
             fmt::format("the smallest step is larger than the largest step, stpMax = {:.10g}",
@@ -197,19 +197,19 @@ void check_monitored_bodies(Checker& c) {
 /// The spin of balls is a choice; what rollers spin about is their own axis.
 void check_spin_rule(Checker& c) {
   const auto rule = c.integer("kAngVel");
-  const auto angle = c.raw("angVelOrient");
+  const auto angle = c.value_in_deck_units("angVelOrient");
   const auto type = c.integer("kBrg");
   if (!rule || !type) return;
   if (*type != 1 && *rule == 2)
-    c.warning("kAngVel", "has no effect on rollers, which spin about their own axis",
-              "set it to 0 or 1");
+    c.no_effect("kAngVel", "has no effect on rollers, which spin about their own axis",
+                "set it to 0 or 1");
   if (angle && *angle != 0.0 && (*type != 1 || *rule != 2))
-    c.warning("angVelOrient",
-              *type == 1 ? fmt::format("is not used, because kAngVel = {}; only 2 prescribes the "
-                                       "spin axis",
-                                       *rule)
-                         : "has no effect on rollers, which spin about their own axis",
-              *type == 1 ? "set it to 0, or kAngVel to 2" : "set it to 0");
+    c.no_effect("angVelOrient",
+                *type == 1 ? fmt::format("is not used, because kAngVel = {}; only 2 prescribes the "
+                                         "spin axis",
+                                         *rule)
+                           : "has no effect on rollers, which spin about their own axis",
+                *type == 1 ? "set it to 0, or kAngVel to 2" : "set it to 0");
 }
 
 void check_types(Checker& c) {
@@ -219,8 +219,8 @@ void check_types(Checker& c) {
     if (*type == 3)
       c.error(flange, "a spherical roller bearing (kBrg 3) has no flanges", "set it to 0");
     if (*type == 1)
-      c.warning(flange, "a ball bearing (kBrg 1) has no flanges; the flag has no effect",
-                "set it to 0");
+      c.no_effect(flange, "a ball bearing (kBrg 1) has no flanges; the flag has no effect",
+                  "set it to 0");
   }
   const auto elements = c.integer("nRe");
   if (c.is("kReGeoImp", 2) && elements && *elements > 40)
@@ -231,9 +231,9 @@ void check_types(Checker& c) {
   if (c.is("kReGeoImp", 2) && elements)
     for (long long i = *elements + 1; i <= 40; ++i) {
       const std::string name = fmt::format("reDiaVar{}", i);
-      const auto deviation = c.raw(name);
+      const auto deviation = c.value_in_deck_units(name);
       if (deviation && *deviation != 0.0)
-        c.warning(name, "there is no such element; the value has no effect", "set it to 0");
+        c.no_effect(name, "there is no such element; the value has no effect", "set it to 0");
     }
   const auto lubricant = c.integer("kTrac");
   if (lubricant && *lubricant <= 0) {
@@ -245,7 +245,7 @@ void check_types(Checker& c) {
       c.error("kCoolant", fmt::format(kMessage, *lubricant), std::string(kRemedy));
   }
   if (c.is("iTherm", 1) && lubricant && *lubricant != 12)
-    c.warning(
+    c.no_effect(
         "iTherm",
         fmt::format("applies only to kTrac 12, but kTrac is {}; it has no effect", *lubricant),
         "set it to 0");

@@ -6,7 +6,7 @@ namespace adore::deck {
 
 void check_extension(Checker& checker) {
   const Deck& deck = checker.deck();
-  const auto rating = [&](std::string_view name) { return checker.raw(name); };
+  const auto rating = [&](std::string_view name) { return checker.value_in_deck_units(name); };
   const auto C = rating("ratingC"), C0 = rating("ratingC0"), Cu = rating("ratingCu");
   if (Cu && ((C && *Cu >= *C) || (C0 && *Cu >= *C0)))
     checker.error("ratingCu", "is not below the load ratings C and C0",

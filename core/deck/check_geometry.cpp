@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "base/counted.hpp"
 #include "deck/check.hpp"
 
@@ -12,10 +13,10 @@
 namespace adore::deck {
 namespace {
 
-constexpr double kRounding =
+constexpr double kTextRounding =
     1e-9;  // relative; the deck's own rounding must not turn equal into unequal
 
-bool above(double a, double b) { return a > b * (1.0 + kRounding) + 1e-15; }
+bool above(double a, double b) { return a > b * (1.0 + kTextRounding) + 1e-15; }
 
 /// Chord between neighboring element centers on a circle.
 double element_pitch(double circle_diameter, long long count) {
@@ -30,12 +31,12 @@ void check_fit_on_circle(Checker& c, double pitch_diameter, double element_diame
   if (!above(element_diameter, pitch)) return;
   const double fitting =
       std::numbers::pi / std::asin(std::min(1.0, element_diameter / pitch_diameter));
-  c.error(
-      "nRe",
-      fmt::format("{} elements do not fit on the pitch circle: their centers are {} apart, but "
-                  "their diameter is {}",
-                  *count, c.length(pitch), c.length(element_diameter)),
-      "enter at most " + counted(static_cast<long long>(fitting * (1.0 + kRounding)), "element"));
+  c.error("nRe",
+          fmt::format("{} elements do not fit on the pitch circle: their centers are {} apart, but "
+                      "their diameter is {}",
+                      *count, c.length(pitch), c.length(element_diameter)),
+          "enter at most " +
+              counted(static_cast<long long>(fitting * (1.0 + kTextRounding)), "element"));
 }
 
 void check_pitch_circle(Checker& c, double pitch_diameter, double element_diameter) {
@@ -75,8 +76,8 @@ void check_plausible_lengths(Checker& c) {
 void check_angle_and_clearance(Checker& c, double diameter) {
   const auto angle = c.si("freeConAng");
   const auto clearance = c.si("freeIntCls");
-  const auto f1 = c.raw("raceCurFac1");
-  const auto f2 = c.raw("raceCurFac2");
+  const auto f1 = c.value_in_deck_units("raceCurFac1");
+  const auto f2 = c.value_in_deck_units("raceCurFac2");
   if (!angle || !clearance || !f1 || !f2 || *f1 <= 0.5 || *f2 <= 0.5) return;
   const double room =
       2.0 * diameter * (*f1 + *f2 - 1.0);  // clearance at a contact angle of 90 degrees
@@ -107,7 +108,7 @@ void check_angle_and_clearance(Checker& c, double diameter) {
 void check_open_grooves(Checker& c) {
   constexpr double kOpen = 1.0;
   for (const char* name : {"raceCurFac1", "raceCurFac2"}) {
-    const auto factor = c.raw(name);
+    const auto factor = c.value_in_deck_units(name);
     if (factor && *factor >= kOpen)
       c.warning(name,
                 "the groove radius is not below the ball diameter, so that the contact is nearly "
@@ -119,15 +120,15 @@ void check_open_grooves(Checker& c) {
 
 void check_shims(Checker& c, double diameter) {
   for (const int race : {1, 2}) {
-    const auto factor = c.raw(fmt::format("raceCurFac{}", race));
+    const auto factor = c.value_in_deck_units(fmt::format("raceCurFac{}", race));
     const std::string name = fmt::format("shimThickness{}", race);
     const auto shim = c.si(name);
     if (!factor || !shim || *factor <= 0.5) continue;
     const double widest = (2.0 * *factor - 1.0) * diameter;
     if (*shim >= widest && *shim > 0.0)
       c.error(name,
-              fmt::format("a shim this thick leaves no arch: it must be thinner than {}, which is "
-                          "(2 f - 1) D with groove factor f and ball diameter D",
+              fmt::format("the shim is too thick for a split groove: it must be thinner than {}, "
+                          "which is (2 f - 1) D with groove factor f and ball diameter D",
                           c.length(widest)),
               "enter a thinner shim, or 0 for a race that is not split");
   }
@@ -154,7 +155,6 @@ void check_cone_pitch(Checker& c, double pitch, double diameter, double outer, d
   const auto bore = c.si("brgBore");
   const auto outside = c.si("brgOD");
   if (!bore || !outside || *bore >= *outside) return;
-  constexpr double kDegree = std::numbers::pi / 180.0;
   const auto angle = [&](double rad) { return fmt::format("{:.5g} deg", rad / kDegree); };
   const std::string formula = fmt::format(
       "the resulting pitch diameter, bReDia sin(mean angle) / tan(half the "
@@ -210,9 +210,9 @@ void check_flanges(Checker& c) {
     const std::string height = fmt::format("flngHt{}", code);
     const std::string layback = fmt::format("flngAng{}", code);
     const auto h = c.si(height);
-    const auto angle = c.raw(layback);
-    constexpr double kLeast = 1e-6;  // [m]
-    if (h && *h < kLeast)
+    const auto angle = c.value_in_deck_units(layback);
+    constexpr double kMinFlangeHeight = 1e-6;  // [m]
+    if (h && *h < kMinFlangeHeight)
       c.error(height, "the flange has no height and cannot touch a roller",
               "enter a height above 0, " + off);
     if (angle && (*angle < 0.0 || *angle > 89.0))

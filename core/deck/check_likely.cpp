@@ -48,15 +48,16 @@ void check_celsius(Checker& c) {
       others += (others.empty() ? "" : ", ") + std::string(name);
   }
   if (first.empty() || says_cryogenic(c)) return;
-  const double raw = *c.raw(first);
+  const double value_in_deck_units = *c.value_in_deck_units(first);
   const char* scale = english(c) ? "deg F" : "deg C";
-  const double absolute = english(c) ? raw + 459.67 : raw + kFreezingPoint;
+  const double absolute =
+      english(c) ? value_in_deck_units + 459.67 : value_in_deck_units + kFreezingPoint;
   c.warning(first,
-            fmt::format("is {:.0f} deg C, a temperature that only cryogenic bearings have{}",
+            fmt::format("is {:.0f} deg C: plausible only for a cryogenic bearing{}",
                         *c.si(first) - kFreezingPoint,
                         others.empty() ? std::string() : " (also " + others + ")"),
-            fmt::format("temperatures are absolute: for {:g} {} write {:.6g} {}", raw, scale,
-                        absolute, english(c) ? "R" : "K"));
+            fmt::format("temperatures are absolute: for {:g} {} write {:.6g} {}",
+                        value_in_deck_units, scale, absolute, english(c) ? "R" : "K"));
 }
 
 /// @param number the deck's value of the vector's length
@@ -65,7 +66,7 @@ void check_gravity(Checker& c) {
   std::string_view largest;
   double most = 0.0;
   for (const std::string_view name : {"gravityVecX", "gravityVecY", "gravityVecZ"}) {
-    const auto value = c.raw(name);
+    const auto value = c.value_in_deck_units(name);
     if (!value) return;
     square += *value * *value;
     if (std::abs(*value) > most) {
@@ -103,7 +104,7 @@ void check_gravity(Checker& c) {
 /// A contact angle of 0.44 is more likely 25 deg in rad than half a degree.
 void check_radians(Checker& c) {
   for (const std::string_view name : {"freeConAng", "raceTaper1", "raceTaper2"}) {
-    const auto angle = c.raw(name);
+    const auto angle = c.value_in_deck_units(name);
     const double least = name == "freeConAng" ? 0.05 : 0.09, most = 1.5;
     if (!angle || std::abs(*angle) < least || std::abs(*angle) > most) continue;
     c.warning(
@@ -112,7 +113,7 @@ void check_radians(Checker& c) {
         fmt::format("for {:g} rad write {:.6g}", *angle, *angle * 180.0 / 3.14159265358979));
   }
   for (const std::string_view name : {"appMis11", "appMis21", "appMis12", "appMis22"}) {
-    const auto angle = c.raw(name);
+    const auto angle = c.value_in_deck_units(name);
     if (!angle || std::abs(*angle) < 0.1) continue;
     c.warning(name,
               fmt::format("is a misalignment of {:.3g} deg; misalignments are in rad",
@@ -123,7 +124,7 @@ void check_radians(Checker& c) {
 
 /// Room temperature gives the unit system away: 293 in K, 528 in R. True when it was said.
 bool check_unit_system(Checker& c) {
-  const auto room = c.raw("roomTemp");
+  const auto room = c.value_in_deck_units("roomTemp");
   if (!room) return false;
   const bool kelvin = english(c) && *room > 270.0 && *room < 325.0;
   const bool rankine = !english(c) && *room > 490.0 && *room < 580.0;
@@ -152,19 +153,21 @@ void check_loads(Checker& c) {
        {"kFS5", "appMomZ", "appMis22"}}};
   for (const auto& [flag, load, displacement] : kAxes) {
     const auto code = c.integer(flag);
-    const auto value = c.raw(code && *code == 1 ? displacement : load);
+    const auto value = c.value_in_deck_units(code && *code == 1 ? displacement : load);
     if (!code || !value || *value != 0.0) return;
   }
   // Other ways to a load: the outer ring tilted, preload by interference, fits and growth; loads
   // and inertia forces that change in time.
   for (const std::string_view name : {"appMis11", "appMis21"})
-    if (const auto value = c.raw(name); value && *value != 0.0) return;
-  if (const auto clearance = c.raw("freeIntCls"); clearance && *clearance < 0.0) return;
+    if (const auto value = c.value_in_deck_units(name); value && *value != 0.0) return;
+  if (const auto clearance = c.value_in_deck_units("freeIntCls"); clearance && *clearance < 0.0)
+    return;
   for (const std::string_view name : {"raceFit1", "raceFit2"})
-    if (const auto fit = c.raw(name); fit && *fit > 0.0) return;
-  const auto room = c.raw("roomTemp");
+    if (const auto fit = c.value_in_deck_units(name); fit && *fit > 0.0) return;
+  const auto room = c.value_in_deck_units("roomTemp");
   for (const std::string_view name : kTemperatures)
-    if (const auto value = c.raw(name); value && room && name != "baseTemp" && *value != *room)
+    if (const auto value = c.value_in_deck_units(name);
+        value && room && name != "baseTemp" && *value != *room)
       return;
   for (const std::string_view name : {"kVarLoad", "kRotFrame", "kReGeoImp"})
     if (const auto code = c.integer(name); code && *code != 0) return;
@@ -178,7 +181,7 @@ void check_loads(Checker& c) {
 
 /// Races that do not turn against each other roll nothing.
 void check_speeds(Checker& c) {
-  const auto outer = c.raw("rpm1"), inner = c.raw("rpm2");
+  const auto outer = c.value_in_deck_units("rpm1"), inner = c.value_in_deck_units("rpm2");
   if (!outer || !inner || *outer != *inner) return;
   const auto varied = c.integer("kVarSpeed"), table = c.integer("kStif"), mode = c.integer("mode");
   if (!mode || (varied && *varied != 0)) return;
@@ -199,7 +202,7 @@ void check_speeds(Checker& c) {
 
 }  // namespace
 
-void check_likely(Checker& c) {
+void check_likely_mistakes(Checker& c) {
   if (!check_unit_system(c)) check_celsius(c);
   check_gravity(c);
   check_radians(c);

@@ -39,7 +39,7 @@ void check_constraints(Checker& c) {
                                            {"kFS5", "appMomZ", {"kMD31", "kMD32"}}}};
   const auto mode = c.integer("mode");
   for (const auto& [flag, load, free] : kLoads) {
-    const auto value = c.raw(load);
+    const auto value = c.value_in_deck_units(load);
     if (mode && *mode >= 0 && c.is("kDCR", 1) && (c.is(free[0], 0) || c.is(free[1], 0))) continue;
     if (c.is(flag, 1) && value && *value != 0.0)
       c.warning(load, fmt::format("is not used, because {} is 1 (displacement given)", flag),
@@ -49,9 +49,9 @@ void check_constraints(Checker& c) {
 
 void check_times(Checker& c) {
   for (const int race : {1, 2}) {
-    const auto start = c.raw(fmt::format("startTime{}", race));
+    const auto start = c.value_in_deck_units(fmt::format("startTime{}", race));
     const std::string name = fmt::format("endTime{}", race);
-    const auto end = c.raw(name);
+    const auto end = c.value_in_deck_units(name);
     if (start && end && *end < *start)
       c.error(name, fmt::format("the acceleration ends before its start at {:.10g} s", *start),
               "enter a time after the start");
@@ -64,7 +64,7 @@ void check_temperatures(Checker& c) {
     c.warning("roomTemp", fmt::format("a room temperature of {} is unusual", c.temperature(*room)),
               "temperatures are absolute, in K (SI) or R (English)");
   const auto coolant = c.integer("kCoolant");
-  const auto flow = c.raw("cFlowRate");
+  const auto flow = c.value_in_deck_units("cFlowRate");
   if (coolant && *coolant > 0 && flow && *flow == 0.0)
     c.warning("cFlowRate", "the coolant does not flow and removes no heat",
               "enter a flow above 0, or set kCoolant to 0");
@@ -73,7 +73,7 @@ void check_temperatures(Checker& c) {
 /// Rockwell C is a scale for hard steel; elsewhere its conversion is an extrapolation.
 void check_hardness(Checker& c) {
   for (const std::string_view name : {"reH", "raceH1", "raceH2"}) {
-    const auto hardness = c.raw(name);
+    const auto hardness = c.value_in_deck_units(name);
     if (hardness && (*hardness < 20.0 || *hardness > 70.0))
       c.warning(name, "is outside the range of the Rockwell C scale, 20 to 70",
                 "enter the hardness in HRC, not HV or Pa");
@@ -85,7 +85,7 @@ bool not_negative(Checker& c, std::string_view stem, int count) {
   bool good = true;
   for (int k = 1; k <= count; ++k) {
     const std::string name = fmt::format("{}{}", stem, k);
-    const auto value = c.raw(name);
+    const auto value = c.value_in_deck_units(name);
     if (!value || !(*value < 0.0)) continue;
     c.error(name, "a traction coefficient cannot be negative", "enter a value of at least 0");
     good = false;
@@ -97,9 +97,9 @@ bool not_negative(Checker& c, std::string_view stem, int count) {
 /// ends.
 void check_peak(Checker& c, std::string_view stem) {
   const std::string peak_name = fmt::format("{}2", stem);
-  const auto at_zero = c.raw(fmt::format("{}1", stem));
-  const auto peak = c.raw(peak_name);
-  const auto at_infinity = c.raw(fmt::format("{}3", stem));
+  const auto at_zero = c.value_in_deck_units(fmt::format("{}1", stem));
+  const auto peak = c.value_in_deck_units(peak_name);
+  const auto at_infinity = c.value_in_deck_units(fmt::format("{}3", stem));
   if (!at_zero || !peak || !at_infinity) return;
   if (*peak == *at_zero && *peak == *at_infinity) return;  // a constant coefficient
   const bool rises = *peak > *at_zero || (*at_zero == *at_infinity && *peak >= *at_zero);
@@ -115,9 +115,9 @@ void check_peak(Checker& c, std::string_view stem) {
 /// The asymptotic curve decays only when its slope points from the start towards the asymptote.
 void check_asymptote(Checker& c, std::string_view stem) {
   const std::string slope_name = fmt::format("{}3", stem);
-  const auto at_zero = c.raw(fmt::format("{}1", stem));
-  const auto at_infinity = c.raw(fmt::format("{}2", stem));
-  const auto slope = c.raw(slope_name);
+  const auto at_zero = c.value_in_deck_units(fmt::format("{}1", stem));
+  const auto at_infinity = c.value_in_deck_units(fmt::format("{}2", stem));
+  const auto slope = c.value_in_deck_units(slope_name);
   if (!at_zero || !at_infinity || !slope) return;
   const double rise = *at_infinity - *at_zero;
   const bool constant = rise == 0.0 && *slope == 0.0;
@@ -141,7 +141,7 @@ void check_curves(Checker& c) {
   for (const auto& [type, stem] : kCurves) {
     if (c.is(type, 1) && not_negative(c, stem, 3)) check_peak(c, stem);
     if (c.is(type, 2) && not_negative(c, stem, 2)) check_asymptote(c, stem);
-    const auto rate = c.raw(fmt::format("{}3", stem));
+    const auto rate = c.value_in_deck_units(fmt::format("{}3", stem));
     if (c.is(type, -1) && rate && *rate < 0.0)
       c.error(fmt::format("{}3", stem),
               "with a negative coefficient C the traction coefficient grows without limit",

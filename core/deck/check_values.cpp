@@ -24,7 +24,7 @@ Issue record_issue(const Deck& deck, std::string_view id, int line, std::string 
 }
 
 bool names_any(std::string_view condition, const std::set<std::string>& doubtful) {
-  const std::vector<std::string_view> names = names_in(condition);
+  const std::vector<std::string_view> names = variable_names_in(condition);
   return std::any_of(names.begin(), names.end(),
                      [&](std::string_view name) { return doubtful.count(std::string(name)) > 0; });
 }
@@ -107,7 +107,7 @@ class ValueCheck {
                                   : variable_.type == VarType::Real  ? "a number"
                                                                      : "a text in quotes";
     return "enter " +
-           describe_in_range(kind, range_in_deck_units(checker_.deck(), variable_), unit());
+           describe_value_in_range(kind, range_in_deck_units(checker_.deck(), variable_), unit());
   }
 
   [[nodiscard]] std::string_view unit() const {
@@ -118,17 +118,17 @@ class ValueCheck {
     if (!is_valid_code(variable_, value))
       report(Severity::Error, element, fmt::format("{}", value), "this code does not exist",
              suggestion());
-    else if (!in_range(variable_.range, static_cast<double>(value)))
+    else if (!is_in_range(variable_.range, static_cast<double>(value)))
       report(Severity::Error, element, fmt::format("{}", value), "is out of range",
-             "enter " + describe_in_range("a value", variable_.range, {}));
+             "enter " + describe_value_in_range("a value", variable_.range, {}));
   }
 
   void check_real(double value, int element) {
     const Range range = range_in_deck_units(checker_.deck(), variable_);
-    if (in_range(range, value)) return;
+    if (is_in_range(range, value)) return;
     report(Severity::Error, element, format_real(value), "is out of range",
-           "enter " + describe_in_range(std::isfinite(value) ? "a value" : "a finite number", range,
-                                        unit()));
+           "enter " + describe_value_in_range(std::isfinite(value) ? "a value" : "a finite number",
+                                              range, unit()));
   }
 
   void check_text(const std::string& text, int element) {
@@ -153,14 +153,14 @@ class ValueCheck {
 
 }  // namespace
 
-void check_layout(Checker& checker, const Reported& reported) {
+void check_record_layout(Checker& checker, const ReportedErrors& reported) {
   const Deck& deck = checker.deck();
   std::set<std::string> doubtful = doubtful_variables(deck);
   doubtful.insert(reported.doubtful.begin(), reported.doubtful.end());
   std::size_t in_order = 0;  // records of the deck that are where the schema wants them
   for (const RecordSpec& spec : schema()) {
     if (spec.id == "12") continue;
-    const bool required = evaluate(spec.condition, scope_of(deck));
+    const bool required = evaluate(spec.condition, condition_scope(deck));
     const bool known = !names_any(spec.condition, doubtful) && !names_any(spec.repeat, doubtful);
     const int count = is_extension(spec.id) ? (deck.has_record(spec.id) ? 1 : 0)
                       : required            ? repeat_count(deck, spec)

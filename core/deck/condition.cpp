@@ -15,9 +15,10 @@ namespace {
 /// Recursive descent over: or := and ("||" and)*; and := test ("&&" test)*; test := "(" or ")" |
 /// "true" | term (comparison term | "in" "(" integer ("," integer)* ")"); term := integer | name |
 /// max(name) | user().
-class Parser {
+class ConditionParser {
  public:
-  Parser(std::string_view text, const ConditionScope& scope) : text_(text), scope_(scope) {}
+  ConditionParser(std::string_view text, const ConditionScope& scope)
+      : text_(text), scope_(scope) {}
 
   bool parse() {
     const bool value = parse_or();
@@ -140,10 +141,10 @@ class Parser {
 }  // namespace
 
 bool evaluate(std::string_view condition, const ConditionScope& scope) {
-  return Parser(condition, scope).parse();
+  return ConditionParser(condition, scope).parse();
 }
 
-std::vector<std::string_view> names_in(std::string_view condition) {
+std::vector<std::string_view> variable_names_in(std::string_view condition) {
   std::vector<std::string_view> names;
   std::size_t at = 0;
   while (at < condition.size()) {

@@ -21,6 +21,6 @@ struct ConditionScope {
 bool evaluate(std::string_view condition, const ConditionScope& scope);
 
 /// The variables that a condition asks for, each once.
-std::vector<std::string_view> names_in(std::string_view condition);
+std::vector<std::string_view> variable_names_in(std::string_view condition);
 
 }  // namespace adore::deck

@@ -11,7 +11,7 @@ namespace {
 const Value* read_value(const Deck& deck, std::string_view name, int instance, int index) {
   const Value* value = find_value(deck, name, instance, index);
   if (value != nullptr && deck.reads) {
-    const VariableRef ref = find_present(deck, name, instance);
+    const VariableRef ref = find_present_variable(deck, name, instance);
     deck.reads->add(*find_record_data(deck, ref.record->id, instance), ref.position,
                     static_cast<std::size_t>(index) - 1);
   }
@@ -47,8 +47,9 @@ double Deck::real(std::string_view name, int instance, int index) const {
 
 double Deck::si(std::string_view name, int instance, int index) const {
   const double value = real(name, instance, index);
-  const VariableSpec& spec = find_present(*this, name, instance).spec();
-  if (!spec.unitless_when.empty() && evaluate(spec.unitless_when, scope_of(*this))) return value;
+  const VariableSpec& spec = find_present_variable(*this, name, instance).spec();
+  if (!spec.unitless_when.empty() && evaluate(spec.unitless_when, condition_scope(*this)))
+    return value;
   return value * (units() == UnitSystem::English ? spec.unit.en_factor : spec.unit.si_factor);
 }
 
@@ -71,7 +72,7 @@ Issue Deck::issue(Severity severity, std::string_view name, std::string message,
   issue.message = std::move(message);
   issue.remedy = std::move(remedy);
   issue.variable = name;
-  const VariableRef ref = find_present(*this, name, instance);
+  const VariableRef ref = find_present_variable(*this, name, instance);
   if (ref.record == nullptr) return issue;
   const RecordData& data = *find_record_data(*this, ref.record->id, instance);
   issue.record = ref.record->id;

@@ -16,16 +16,16 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestDeck = std::size_t{16} * 1024 * 1024;
-constexpr long kMostLines = 200'000;  ///< a deck has about a hundred, tables of user routines more
+constexpr long kMaxLines = 200'000;  ///< a deck has about a hundred, tables of user routines more
 
 /// A file with control characters is not text; a file with so many lines is not a deck.
 std::optional<Issue> find_no_deck(std::string_view text, const std::string& file_name) {
   const auto count = [&](char c) { return std::count(text.begin(), text.end(), c); };
-  if (const auto lines = std::max(count('\n'), count('\r')); lines > kMostLines) {
+  if (const auto lines = std::max(count('\n'), count('\r')); lines > kMaxLines) {
     Issue issue;
     issue.file = file_name;
     issue.message = fmt::format("the file has {} lines and is not a data deck", lines);
-    issue.remedy = fmt::format("give the deck (DATA.txt); a deck has at most {} lines", kMostLines);
+    issue.remedy = fmt::format("give the deck (DATA.txt); a deck has at most {} lines", kMaxLines);
     return issue;
   }
   int line = 1;
@@ -92,15 +92,15 @@ ReadResult read_deck_text(std::string_view text, std::string file_name) {
     result.issues.push_back(std::move(*wrong));
     return result;
   }
-  return read_records_of(text, std::move(file_name));
+  return read_deck_records(text, std::move(file_name));
 }
 
 ReadResult read_deck(const fs::path& path) {
   const std::string text = read_text(path);
-  const FileSort sort = sort_of(std::string_view(text).substr(0, kSortBytes));
-  if (sort != FileSort::Unknown && sort != FileSort::Deck)
-    fail(path, fmt::format("this is {}, not a deck", sort_name(sort)),
-         fmt::format("give the deck, such as DATA.txt; {}", sort_use(sort)));
+  const AdoreFileType sort = detect_file_type(std::string_view(text).substr(0, kFileTypeBytes));
+  if (sort != AdoreFileType::Unknown && sort != AdoreFileType::Deck)
+    fail(path, fmt::format("this is {}, not a deck", describe_file_type(sort)),
+         fmt::format("give the deck, such as DATA.txt; {}", file_type_usage_hint(sort)));
   if (std::optional<Issue> wrong = find_no_deck(without_marks(text), path.string()))
     throw InputError({*wrong});
   return read_deck_text(text, path.string());

@@ -84,7 +84,7 @@ std::vector<DefaultUsed> defaults_used(const Deck& deck) {
 }
 
 std::vector<Issue> added_defaults(const Deck& before, const Deck& after) {
-  constexpr std::size_t kMostNames = 12;
+  constexpr std::size_t kMaxNames = 12;
   std::vector<Issue> list;
   for (const RecordData& record : after.records) {
     const RecordSpec* spec = find_record(record.id);
@@ -94,7 +94,7 @@ std::vector<Issue> added_defaults(const Deck& before, const Deck& after) {
     std::size_t count = 0;
     for (const RecordData::Element& at : record.defaulted) {
       if (at.variable == 0 || (given != nullptr && contains(*given, at))) continue;
-      if (++count > kMostNames) continue;
+      if (++count > kMaxNames) continue;
       const VariableSpec& variable = spec->variables[at.variable];
       const std::vector<Value>& elements = record.values[at.variable];
       const std::string_view unit = unit_of(variable, after.units());
@@ -103,7 +103,7 @@ std::vector<Issue> added_defaults(const Deck& before, const Deck& after) {
                             value_text(elements[at.element]), unit.empty() ? "" : " ", unit);
     }
     if (count == 0) continue;
-    if (count > kMostNames) values += fmt::format(" and {} more", count - kMostNames);
+    if (count > kMaxNames) values += fmt::format(" and {} more", count - kMaxNames);
     Issue issue;
     issue.severity = Severity::Warning;
     issue.file = after.file;

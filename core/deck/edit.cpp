@@ -4,6 +4,7 @@
 #include "deck/number.hpp"
 #include "deck/orbit_records.hpp"
 #include "deck/quantity.hpp"
+#include "deck/remarks.hpp"
 
 #include <fmt/format.h>
 
@@ -31,12 +32,6 @@ struct Target {
   issue.message = std::move(message);
   issue.remedy = std::move(remedy);
   throw InputError({issue});
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 Target parse_target(std::string_view text) {
@@ -195,7 +190,7 @@ RecordData from_shelf(Deck& deck, std::string_view id, int instance,
 /// with defaults when the deck lacks it. A record that a changed option left over holds nothing.
 const VariableRef* find_or_add(Deck& deck, std::span<const VariableRef> refs, int instance) {
   for (const VariableRef& ref : refs) {
-    if (!evaluate(ref.record->condition, scope_of(deck)) ||
+    if (!evaluate(ref.record->condition, condition_scope(deck)) ||
         instance > repeat_count(deck, *ref.record))
       continue;
     if (deck.has_record(ref.record->id, instance)) return &ref;
@@ -222,7 +217,7 @@ Place locate(Deck& deck, const Target& target, std::string_view name, std::strin
   Place place;
   const bool repeated = std::any_of(refs.begin(), refs.end(), [&](const VariableRef& candidate) {
     return !candidate.record->repeat.empty() &&
-           evaluate(candidate.record->condition, scope_of(deck));
+           evaluate(candidate.record->condition, condition_scope(deck));
   });
   if (repeated && !target.indices.empty()) place.instance = target.indices[0];
   place.ref = find_or_add(deck, refs, place.instance);
@@ -380,7 +375,7 @@ void Deck::complete() {
   std::vector<RecordData> old = std::move(records);
   records.clear();
   for (const RecordSpec& spec : schema()) {
-    if (spec.id == "12" || !evaluate(spec.condition, scope_of(*this))) continue;
+    if (spec.id == "12" || !evaluate(spec.condition, condition_scope(*this))) continue;
     if (is_extension(spec.id)) {  // only as given
       const auto given = std::find_if(
           old.begin(), old.end(), [&](const RecordData& data) { return is_at(data, spec.id, 1); });

@@ -16,7 +16,7 @@ std::string body_name(const Deck& deck, long long number) {
   return segments == 1 ? "cage" : fmt::format("cage segment {}", number - elements);
 }
 
-std::string element_name(const VariableSpec& variable, std::size_t element) {
+std::string array_element_name(const VariableSpec& variable, std::size_t element) {
   constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
   constexpr std::array<std::string_view, 3> kTurns = {"about x", "about y'", "about z''"};
   if (variable.length == "3" && element < 3)

@@ -13,6 +13,6 @@ namespace adore::deck {
 
 /// Name of an array's element (from 0): "x" of a vector, "about y'" of three angles, "land 2";
 /// its number where it has no better one.
-[[nodiscard]] std::string element_name(const VariableSpec& variable, std::size_t element);
+[[nodiscard]] std::string array_element_name(const VariableSpec& variable, std::size_t element);
 
 }  // namespace adore::deck

@@ -11,7 +11,7 @@
 namespace adore::deck {
 namespace {
 
-constexpr int kMostValues = 100'000;
+constexpr int kMaxValues = 100'000;
 
 bool equal_ignoring_case(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
@@ -78,7 +78,7 @@ int count_values(Scanner& scanner) {
     if (token.kind == Token::Kind::Quoted && token.first_in_line) return count;
     double number = 0.0;
     if (token.kind == Token::Kind::Word && parse_real(token.text, number)) return count;
-    count = static_cast<int>(std::min<long long>(kMostValues, count + token.repeat));
+    count = static_cast<int>(std::min<long long>(kMaxValues, count + token.repeat));
   }
 }
 
@@ -95,7 +95,7 @@ std::optional<LabelHint> parse_label(std::string_view text) {
   return std::nullopt;
 }
 
-std::string other_record_named(std::string_view text, const RecordSpec& spec, int instance) {
+std::string conflicting_record_id(std::string_view text, const RecordSpec& spec, int instance) {
   const std::string_view id = id_of(text);
   if (id.empty() || !parse_label(text)) return {};
   for (const bool instances : {false, true})
@@ -105,7 +105,7 @@ std::string other_record_named(std::string_view text, const RecordSpec& spec, in
   return std::string(id);
 }
 
-Labels::Labels(const Scanner& scanner) {
+RecordLabels::RecordLabels(const Scanner& scanner) {
   Scanner reader = scanner;
   for (std::size_t line = 0; line < reader.lines().size(); ++line) {
     const std::string_view text = reader.lines()[line];
@@ -134,14 +134,14 @@ Labels::Labels(const Scanner& scanner) {
   trusted_ = hints >= 3 && 10 * hints >= 6 * labels_.size() && 10 * rising >= 7 * (hints - 1);
 }
 
-const Label* Labels::on_line(std::size_t line) const {
+const Label* RecordLabels::label_on_line(std::size_t line) const {
   const auto found =
       std::lower_bound(labels_.begin(), labels_.end(), line,
                        [](const Label& label, std::size_t wanted) { return label.line < wanted; });
   return found == labels_.end() || found->line != line ? nullptr : &*found;
 }
 
-const Label* Labels::after_line(std::size_t line) const {
+const Label* RecordLabels::first_label_after(std::size_t line) const {
   const auto found =
       std::upper_bound(labels_.begin(), labels_.end(), line,
                        [](std::size_t wanted, const Label& label) { return wanted < label.line; });

@@ -22,8 +22,8 @@ struct LabelHint {
 std::optional<LabelHint> parse_label(std::string_view text);
 
 /// The id in a label that names another record, or another instance, than this one; else empty.
-[[nodiscard]] std::string other_record_named(std::string_view text, const RecordSpec& spec,
-                                             int instance);
+[[nodiscard]] std::string conflicting_record_id(std::string_view text, const RecordSpec& spec,
+                                                int instance);
 
 /// A line that starts with quoted text.
 struct Label {
@@ -34,16 +34,16 @@ struct Label {
       0;  ///< numbers and texts that follow, up to the first word that is neither or the next label
 };
 
-class Labels {
+class RecordLabels {
  public:
-  explicit Labels(const Scanner& scanner);
+  explicit RecordLabels(const Scanner& scanner);
 
   /// Do enough labels name records, in the order of the deck?
   [[nodiscard]] bool trusted() const { return trusted_; }
   /// The label on that line, or nullptr.
-  [[nodiscard]] const Label* on_line(std::size_t line) const;
+  [[nodiscard]] const Label* label_on_line(std::size_t line) const;
   /// The first label below that line, or nullptr.
-  [[nodiscard]] const Label* after_line(std::size_t line) const;
+  [[nodiscard]] const Label* first_label_after(std::size_t line) const;
 
  private:
   std::vector<Label> labels_;  // in order of lines

@@ -11,7 +11,7 @@
 namespace adore::deck {
 namespace {
 
-constexpr long long kMostElements =
+constexpr long long kMaxElements =
     12000;  // of an array or a repeated record: more than any range of the schema allows
 
 /// A count of the schema: a number, or the integer variable that holds it.
@@ -55,14 +55,14 @@ const RecordData* find_record_data(const Deck& deck, std::string_view id, int in
   return found == deck.records.end() ? nullptr : &*found;
 }
 
-VariableRef find_present(const Deck& deck, std::string_view name, int instance) {
+VariableRef find_present_variable(const Deck& deck, std::string_view name, int instance) {
   for (const VariableRef& ref : find_variable(name))
     if (find_record_data(deck, ref.record->id, instance) != nullptr) return ref;
   return {};
 }
 
 const Value* find_value(const Deck& deck, std::string_view name, int instance, int index) {
-  const VariableRef ref = find_present(deck, name, instance);
+  const VariableRef ref = find_present_variable(deck, name, instance);
   if (ref.record == nullptr) return nullptr;
   const RecordData& data = *find_record_data(deck, ref.record->id, instance);
   if (ref.position >= data.values.size()) return nullptr;
@@ -71,7 +71,7 @@ const Value* find_value(const Deck& deck, std::string_view name, int instance, i
   return position < elements.size() ? &elements[position] : nullptr;
 }
 
-ConditionScope scope_of(const Deck& deck) {
+ConditionScope condition_scope(const Deck& deck) {
   ConditionScope scope;
   scope.integer = [&deck](std::string_view name) {
     const Value* value = find_value(deck, name);
@@ -80,7 +80,7 @@ ConditionScope scope_of(const Deck& deck) {
   };
   scope.array = [&deck](std::string_view name) {
     std::vector<long long> items;
-    const VariableRef ref = find_present(deck, name);
+    const VariableRef ref = find_present_variable(deck, name);
     if (ref.record == nullptr) return items;
     const RecordData& data = *find_record_data(deck, ref.record->id);
     if (ref.position >= data.values.size()) return items;
@@ -92,12 +92,12 @@ ConditionScope scope_of(const Deck& deck) {
 }
 
 int array_length(const Deck& deck, const VariableSpec& variable) {
-  return static_cast<int>(std::clamp(count_of(deck, variable.length), 0LL, kMostElements));
+  return static_cast<int>(std::clamp(count_of(deck, variable.length), 0LL, kMaxElements));
 }
 
 int repeat_count(const Deck& deck, const RecordSpec& record) {
   if (record.repeat.empty()) return 1;
-  return static_cast<int>(std::clamp(count_of(deck, record.repeat), 0LL, kMostElements));
+  return static_cast<int>(std::clamp(count_of(deck, record.repeat), 0LL, kMaxElements));
 }
 
 std::string value_text(const Value& value) {
@@ -134,7 +134,7 @@ Range range_in_deck_units(const Deck& deck, const VariableSpec& variable) {
   return range;
 }
 
-bool in_range(const Range& range, double value) {
+bool is_in_range(const Range& range, double value) {
   return std::isfinite(value) && (range.max_exclusive ? value < range.max : value <= range.max) &&
          (range.min_exclusive ? value > range.min : value >= range.min);
 }
@@ -142,7 +142,7 @@ bool in_range(const Range& range, double value) {
 bool is_reliable_integer(const VariableSpec& variable, const Value& value) {
   const long long* integer = std::get_if<long long>(&value);
   return integer != nullptr && is_valid_code(variable, *integer) &&
-         in_range(variable.range, static_cast<double>(*integer));
+         is_in_range(variable.range, static_cast<double>(*integer));
 }
 
 std::string describe_codes(const VariableSpec& variable) {
@@ -175,7 +175,8 @@ std::string describe_range(const Range& range, std::string_view unit) {
   return out;
 }
 
-std::string describe_in_range(std::string_view what, const Range& range, std::string_view unit) {
+std::string describe_value_in_range(std::string_view what, const Range& range,
+                                    std::string_view unit) {
   const std::string text = describe_range(range, unit);
   if (text.empty()) return std::string(what);
   const bool exclusive = text.starts_with("above") || text.starts_with("below");

@@ -21,13 +21,13 @@ const RecordData* find_record_data(const Deck& deck, std::string_view id, int in
 
 /// A declaration of `name` whose record is present (that instance of it), or one with nullptr
 /// record.
-VariableRef find_present(const Deck& deck, std::string_view name, int instance = 1);
+VariableRef find_present_variable(const Deck& deck, std::string_view name, int instance = 1);
 
 /// nullptr when no present record has that element. Not entered in the deck's ReadLog.
 const Value* find_value(const Deck& deck, std::string_view name, int instance = 1, int index = 1);
 
 /// Conditions evaluated on what the deck holds; not entered in the deck's ReadLog.
-ConditionScope scope_of(const Deck& deck);
+ConditionScope condition_scope(const Deck& deck);
 
 /// Number of elements of an array variable; never below 0, and bounded for any deck.
 int array_length(const Deck& deck, const VariableSpec& variable);
@@ -44,7 +44,7 @@ bool is_valid_code(const VariableSpec& variable, long long code);
 /// Smallest and largest valid value in the deck's own unit.
 Range range_in_deck_units(const Deck& deck, const VariableSpec& variable);
 
-bool in_range(const Range& range, double value);
+bool is_in_range(const Range& range, double value);
 
 /// A scalar integer that conditions may rely on: present, a valid code, in range.
 bool is_reliable_integer(const VariableSpec& variable, const Value& value);
@@ -56,7 +56,8 @@ std::string describe_codes(const VariableSpec& variable);
 std::string describe_range(const Range& range, std::string_view unit);
 
 /// "a value from 0 to 4", "a value of at least 0", "a value above 0 m"
-std::string describe_in_range(std::string_view what, const Range& range, std::string_view unit);
+std::string describe_value_in_range(std::string_view what, const Range& range,
+                                    std::string_view unit);
 
 /// Value that complete() writes if the user gave none.
 Value default_value(const VariableSpec& variable);

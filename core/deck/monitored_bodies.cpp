@@ -72,7 +72,7 @@ void write(RecordData& record, std::vector<Value> bodies) {
 
 }  // namespace
 
-bool number_bodies_alike(const Deck& a, const Deck& b) {
+bool have_same_body_numbers(const Deck& a, const Deck& b) {
   const Counts of_a(a), of_b(b);
   return of_a == of_b || of_a.elements < 1 || of_b.elements < 1;
 }
@@ -90,13 +90,13 @@ std::vector<long long> monitored_bodies(const Deck& deck) {
   return out;
 }
 
-void monitor(Deck& deck, const std::vector<long long>& bodies) {
+void set_monitored_bodies(Deck& deck, const std::vector<long long>& bodies) {
   if (RecordData* record = record_of(deck)) write(*record, {bodies.begin(), bodies.end()});
 }
 
-std::vector<Issue> follow_bodies(Deck& deck, const Deck& before) {
+std::vector<Issue> renumber_monitored_bodies(Deck& deck, const Deck& before) {
   RecordData* record = record_of(deck);
-  if (record == nullptr || number_bodies_alike(deck, before)) return {};
+  if (record == nullptr || have_same_body_numbers(deck, before)) return {};
   const Counts old(before), now(deck);
   const std::vector<Value> given = record->values[find_variable(kBodies)[0].position];
   const Kind kinds[] = {
@@ -142,16 +142,16 @@ std::vector<Issue> follow_bodies(Deck& deck, const Deck& before) {
   return notes;
 }
 
-std::vector<Issue> set_all_and_follow(Deck& deck,
-                                      std::span<const std::pair<std::string, std::string>> sets) {
+std::vector<Issue> set_all_and_renumber(Deck& deck,
+                                        std::span<const std::pair<std::string, std::string>> sets) {
   const Deck before = deck;
   deck.set_all(sets);
   const bool named = std::any_of(sets.begin(), sets.end(), [](const auto& set) {
     return std::string_view(set.first).starts_with(kBodies);
   });
   const std::vector<long long> given = monitored_bodies(deck);
-  if (named || number_bodies_alike(deck, before)) return {};
-  std::vector<Issue> notes = follow_bodies(deck, before);
+  if (named || have_same_body_numbers(deck, before)) return {};
+  std::vector<Issue> notes = renumber_monitored_bodies(deck, before);
   const std::vector<long long> now = monitored_bodies(deck);
   if (now == given) return notes;
   std::vector<std::string> names;

@@ -20,7 +20,7 @@ bool any_read(const Deck& deck, const RecordData& record) {
 bool acts_on_records(const Deck& deck, const VariableSpec& option, bool at_default) {
   bool decides = false, brings = false;
   for (const RecordSpec& spec : schema()) {
-    const std::vector<std::string_view> names = names_in(spec.condition);
+    const std::vector<std::string_view> names = variable_names_in(spec.condition);
     if (spec.repeat != option.name &&
         std::find(names.begin(), names.end(), option.name) == names.end())
       continue;

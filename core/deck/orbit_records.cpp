@@ -24,7 +24,7 @@ bool is_orbit_variable(std::string_view name) {
                      [&](const VariableSpec& one) { return one.name == name; });
 }
 
-bool has_orbit_switch(const Deck& deck) {
+bool has_enabled_orbit(const Deck& deck) {
   const Value* const mode = find_value(deck, "mode");
   const RecordData* const options = shelved(deck, kOptions);
   if (mode == nullptr || *mode != Value(-1LL) || options == nullptr) return false;
@@ -38,7 +38,7 @@ bool has_orbit_switch(const Deck& deck) {
 
 std::vector<RecordData> orbit_records(const Deck& deck) {
   const RecordData* const orbit = shelved(deck, kOrbit);
-  if (orbit == nullptr || !has_orbit_switch(deck)) return {};
+  if (orbit == nullptr || !has_enabled_orbit(deck)) return {};
   return {*shelved(deck, kOptions), *orbit};
 }
 

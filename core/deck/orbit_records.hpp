@@ -14,7 +14,7 @@ namespace adore::deck {
 [[nodiscard]] bool is_orbit_variable(std::string_view name);
 
 /// Does the shelf of a deck of mode -1 have record 3.4 with kRotFrame = 1?
-[[nodiscard]] bool has_orbit_switch(const Deck& deck);
+[[nodiscard]] bool has_enabled_orbit(const Deck& deck);
 
 /// Of a deck of mode -1 whose orbit acts: records 3.4 and 9.5 from its shelf; else empty.
 [[nodiscard]] std::vector<RecordData> orbit_records(const Deck& deck);

@@ -75,10 +75,10 @@ constexpr std::array kWords = {
     Word{"F", {unit::kRankine, kKelvin, kIceF}},
     Word{"rad", {1.0, kRad}},
     Word{"mrad", {1e-3, kRad}},
-    Word{"deg", {unit::kDegree, kRad}},
-    Word{"\u00b0", {unit::kDegree, kRad}},
-    Word{"arcmin", {unit::kDegree / 60.0, kRad}},
-    Word{"rev", {2.0 * unit::kPi, kRad}},
+    Word{"deg", {kDegree, kRad}},
+    Word{"\u00b0", {kDegree, kRad}},
+    Word{"arcmin", {kDegree / 60.0, kRad}},
+    Word{"rev", {2.0 * kPi, kRad}},
     Word{"rpm", {unit::kRpm, kTurning}},
     Word{"Hz", {1.0, kHertz}},
     Word{"kHz", {1e3, kHertz}},
@@ -149,9 +149,9 @@ struct Failure {
 }
 
 /// Recursive descent: sum := product {+- product}, product := factor {*/ factor} [unit] ...
-class Parser {
+class QuantityParser {
  public:
-  explicit Parser(std::string_view text) : text_(text) {}
+  explicit QuantityParser(std::string_view text) : text_(text) {}
 
   Amount whole() {
     Amount out = sum(0);
@@ -333,7 +333,7 @@ class Parser {
 std::optional<Unit> unit_of(const UnitPair& pair) {
   for (const std::string_view none : {"", "-", "cycle/rev", "HRC"})
     if (pair.si == none) return std::nullopt;
-  return pair.si == "1/K" ? power(*word("K"), -1) : Parser(pair.si).unit_alone();
+  return pair.si == "1/K" ? power(*word("K"), -1) : QuantityParser(pair.si).unit_alone();
 }
 
 double factor_of(const UnitPair& pair, UnitSystem system) {
@@ -369,7 +369,7 @@ constexpr std::array kUsual = {
 NumberProblem parse_quantity(std::string_view text, const UnitPair& unit, UnitSystem system,
                              double& value) {
   try {
-    const Amount amount = Parser(text).whole();
+    const Amount amount = QuantityParser(text).whole();
     const std::optional<Unit> wanted = unit_of(unit);
     if (amount.unit) {
       const Dimension dimension = wanted ? wanted->dimension : kPureNumber;
@@ -396,9 +396,9 @@ std::span<const std::string_view> usual_units(const UnitPair& unit) {
   return {};
 }
 
-std::string number_in(double value, const UnitPair& unit, UnitSystem system,
-                      std::string_view wanted) {
-  const Unit to = Parser(wanted).unit_alone();
+std::string number_in_unit(double value, const UnitPair& unit, UnitSystem system,
+                           std::string_view wanted) {
+  const Unit to = QuantityParser(wanted).unit_alone();
   demand(unit_of(unit) && unit_of(unit)->dimension == to.dimension,
          fmt::format("{} is not a unit of {}", wanted, unit.si));
   const double si = value * factor_of(unit, system);

@@ -24,7 +24,7 @@ namespace adore::deck {
 
 /// A deck's value in one of those units, as the shortest text that parse_quantity() takes back to
 /// the same value within 1e-15: "12.7". @throws InternalError for a unit of another dimension.
-[[nodiscard]] std::string number_in(double value, const UnitPair& unit, UnitSystem system,
-                                    std::string_view wanted);
+[[nodiscard]] std::string number_in_unit(double value, const UnitPair& unit, UnitSystem system,
+                                         std::string_view wanted);
 
 }  // namespace adore::deck

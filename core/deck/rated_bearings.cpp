@@ -18,18 +18,18 @@ namespace {
 using Json = nlohmann::json;
 
 struct TypeWords {
-  RatedType type;
+  RatedBearingType type;
   std::string_view word, name;
 };
 constexpr std::array<TypeWords, 6> kTypeWords = {
-    {{RatedType::FourPoint, "four-point", "four-point contact ball bearing"},
-     {RatedType::DoubleAngular, "double-angular", "double-row angular contact ball bearing"},
-     {RatedType::SelfAligning, "self-aligning", "self-aligning ball bearing"},
-     {RatedType::Needle, "needle", "needle roller bearing"},
-     {RatedType::ThrustBall, "thrust-ball", "thrust ball bearing"},
-     {RatedType::ThrustRoller, "thrust-roller", "thrust cylindrical roller bearing"}}};
+    {{RatedBearingType::FourPoint, "four-point", "four-point contact ball bearing"},
+     {RatedBearingType::DoubleAngular, "double-angular", "double-row angular contact ball bearing"},
+     {RatedBearingType::SelfAligning, "self-aligning", "self-aligning ball bearing"},
+     {RatedBearingType::Needle, "needle", "needle roller bearing"},
+     {RatedBearingType::ThrustBall, "thrust-ball", "thrust ball bearing"},
+     {RatedBearingType::ThrustRoller, "thrust-roller", "thrust cylindrical roller bearing"}}};
 
-RatedType type_of(const std::string& word) {
+RatedBearingType type_of(const std::string& word) {
   for (const TypeWords& one : kTypeWords)
     if (one.word == word) return one.type;
   throw InternalError("catalogue.json: unknown type of a rated series: " + word);
@@ -48,9 +48,9 @@ bool is_offered(const Json& series, double bore) {
 
 /// "05" for 25 mm.
 std::string bore_digits(double bore) {
-  constexpr std::array<double, 4> kSmall = {10.0, 12.0, 15.0, 17.0};
-  for (std::size_t k = 0; k < kSmall.size(); ++k)
-    if (kSmall.at(k) == bore) return fmt::format("0{}", k);
+  constexpr std::array<double, 4> kSmallBores = {10.0, 12.0, 15.0, 17.0};
+  for (std::size_t k = 0; k < kSmallBores.size(); ++k)
+    if (kSmallBores.at(k) == bore) return fmt::format("0{}", k);
   return fmt::format("{:02d}", static_cast<int>(std::lround(bore / 5.0)));
 }
 
@@ -74,18 +74,19 @@ RatedBearing bearing_of(const Json& series, const Json& row) {
   out.envelope = {d * kMm, D * kMm, B * kMm, B * kMm};
   out.angle = series.at("angle");
   out.source = series.at("source");
-  out.rows = out.type == RatedType::FourPoint || out.type == RatedType::DoubleAngular ||
-                     out.type == RatedType::SelfAligning
+  out.rows = out.type == RatedBearingType::FourPoint ||
+                     out.type == RatedBearingType::DoubleAngular ||
+                     out.type == RatedBearingType::SelfAligning
                  ? 2
                  : 1;
   double pitch = 0.5 * (d + D), diameter = 0.0;
   switch (out.type) {
-    case RatedType::Needle:
+    case RatedBearingType::Needle:
       diameter = to_step(share * section, kHalf);
       pitch = d + 0.3 * section + diameter;  // inner ring: 0.3 of the section
       out.length = length * B * kMm;
       break;
-    case RatedType::ThrustRoller:
+    case RatedBearingType::ThrustRoller:
       diameter = to_step(share * B, kHalf);
       out.length = 0.5 * length * section * kMm;
       break;
@@ -93,7 +94,7 @@ RatedBearing bearing_of(const Json& series, const Json& row) {
       diameter = to_step(share * section, kInch32);
   }
   // Rows a quarter of the width from the middle.
-  if (out.type == RatedType::SelfAligning)
+  if (out.type == RatedBearingType::SelfAligning)
     out.angle = std::atan(0.25 * B / (0.5 * pitch)) / kDegree;
   out.count = that_fit(diameter, pitch, fill);
   out.diameter = diameter * kMm;
@@ -101,7 +102,7 @@ RatedBearing bearing_of(const Json& series, const Json& row) {
   return out;
 }
 
-std::string squeezed(std::string_view text) {
+std::string letters_and_digits(std::string_view text) {
   std::string out;
   for (const char c : text)
     if (std::isalnum(static_cast<unsigned char>(c)) != 0)
@@ -111,7 +112,7 @@ std::string squeezed(std::string_view text) {
 
 }  // namespace
 
-std::string_view rated_type_name(RatedType type) {
+std::string_view rated_bearing_type_name(RatedBearingType type) {
   return std::find_if(kTypeWords.begin(), kTypeWords.end(),
                       [&](const TypeWords& one) { return one.type == type; })
       ->name;
@@ -126,7 +127,7 @@ std::vector<RatedBearing> rated_bearings() {
 }
 
 std::optional<RatedBearing> find_rated_bearing(std::string_view designation) {
-  const std::string text = squeezed(designation);
+  const std::string text = letters_and_digits(designation);
   for (const Json& series : catalogue_table().at("rated")) {
     const auto& prefix = series.at("prefix").get_ref<const std::string&>();
     if (!text.starts_with(prefix)) continue;

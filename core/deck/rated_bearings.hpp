@@ -11,7 +11,7 @@
 /// ISO 15 and ISO 104 as catalogs print them; the inside is an ESTIMATE (resources/catalogue.json).
 namespace adore::deck {
 
-enum class RatedType : unsigned char {
+enum class RatedBearingType : unsigned char {
   FourPoint,      ///< QJ2, QJ3; rated as two rows
   DoubleAngular,  ///< 32, 33
   SelfAligning,   ///< 12, 13, 22, 23: ball
@@ -22,7 +22,7 @@ enum class RatedType : unsigned char {
 
 struct RatedBearing {
   std::string designation;
-  RatedType type = RatedType::FourPoint;
+  RatedBearingType type = RatedBearingType::FourPoint;
   Envelope envelope;                                 ///< width: height of thrust bearings
   double angle = 0.0;                                ///< contact angle [deg]
   int rows = 1;                                      ///< in the rating
@@ -35,6 +35,6 @@ struct RatedBearing {
 [[nodiscard]] std::optional<RatedBearing> find_rated_bearing(std::string_view designation);
 [[nodiscard]] std::vector<RatedBearing> rated_bearings();
 /// "thrust ball bearing"
-[[nodiscard]] std::string_view rated_type_name(RatedType type);
+[[nodiscard]] std::string_view rated_bearing_type_name(RatedBearingType type);
 
 }  // namespace adore::deck

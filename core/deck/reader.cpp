@@ -19,7 +19,7 @@ namespace {
 
 class Reader {
  public:
-  Reader(const Scanner& scanner, const Labels& labels, bool use_labels, std::string file_name)
+  Reader(const Scanner& scanner, const RecordLabels& labels, bool use_labels, std::string file_name)
       : state_(scanner, labels, use_labels, std::move(file_name)), record_reader_(state_) {}
 
   ReadResult read();
@@ -47,7 +47,7 @@ class Reader {
 };
 
 ReadResult Reader::read() {
-  if (!state_.scanner.start_record()) {
+  if (!state_.scanner.skip_to_record_start()) {
     state_.report(Severity::Error, 0, "", "", "the deck is empty",
                   "start from an example, for instance `adore new ball`");
     return std::move(state_.result);
@@ -75,7 +75,7 @@ ReadResult Reader::read() {
 }
 
 bool Reader::is_doubtful(std::string_view condition) const {
-  const std::vector<std::string_view> names = names_in(condition);
+  const std::vector<std::string_view> names = variable_names_in(condition);
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
     return state_.reported.doubtful.count(std::string(name)) > 0;
   });
@@ -85,7 +85,7 @@ bool Reader::is_doubtful(std::string_view condition) const {
 /// makes that uncertain, only a label can tell.
 void Reader::read_records(std::size_t index) {
   const RecordSpec& spec = schema()[index];
-  const bool required = evaluate(spec.condition, scope_of(state_.deck()));
+  const bool required = evaluate(spec.condition, condition_scope(state_.deck()));
   const bool doubtful = is_doubtful(spec.condition) || is_doubtful(spec.repeat);
   const bool by_label = doubtful && state_.use_labels;
   if (!required && !by_label) return;
@@ -109,7 +109,7 @@ void Reader::read_records(std::size_t index) {
 
 /// Goes to the next line that can be a record. False at the end of the deck.
 bool Reader::find_record_at(std::size_t index, bool certain, Step& step) {
-  while (state_.scanner.start_record()) {
+  while (state_.scanner.skip_to_record_start()) {
     if (pass_over_numbers()) continue;
     step = next_step(index, certain);
     if (step != Step::Skip) return true;
@@ -120,7 +120,7 @@ bool Reader::find_record_at(std::size_t index, bool certain, Step& step) {
 }
 
 Reader::Step Reader::next_step(std::size_t index, bool certain) const {
-  const Label* label = state_.label_here();
+  const Label* label = state_.label_on_current_line();
   const bool hinted = state_.use_labels && label != nullptr && label->hint.has_value();
   if (!certain) {  // only the label identifies this record
     const bool this_one = hinted && label->hint->record == index &&
@@ -130,10 +130,10 @@ Reader::Step Reader::next_step(std::size_t index, bool certain) const {
   if (!hinted || label->hint->record == index) return Step::Read;
   const std::span<const RecordSpec> records = schema();
   const std::size_t hint = label->hint->record;
-  const bool fits = label->values == state_.expected_values(records[index]);
-  const bool fits_hint = label->values == state_.expected_values(records[hint]);
+  const bool fits = label->values == state_.expected_value_count(records[index]);
+  const bool fits_hint = label->values == state_.expected_value_count(records[hint]);
   if (fits && !fits_hint) return Step::Read;  // a wrong label on the right record
-  const Label* next = state_.labels.after_line(label->line);
+  const Label* next = state_.labels.first_label_after(label->line);
   if (hint > index) {
     const bool out_of_order =
         next != nullptr && next->hint && next->hint->record <= hint && records[hint].repeat.empty();
@@ -146,36 +146,36 @@ Reader::Step Reader::next_step(std::size_t index, bool certain) const {
 /// Lines that start with a number where a label is due belong to nothing, unless they hold just
 /// what the record needs. True when some were passed over.
 bool Reader::pass_over_numbers() {
-  constexpr long long kEnough = 20000;
+  constexpr long long kMaxCountedValues = 20000;
   Scanner ahead = state_.scanner;
   const Token first = ahead.next();
   double number = 0.0;
   if (first.kind != Token::Kind::Word || parse_real(first.text, number)) return false;
   long long count = 0;
-  for (Token next = first;
-       next.kind == Token::Kind::Word && !parse_real(next.text, number) && count < kEnough;
+  for (Token next = first; next.kind == Token::Kind::Word && !parse_real(next.text, number) &&
+                           count < kMaxCountedValues;
        next = ahead.next())
-    count += std::min(next.repeat, kEnough);
-  if (count == state_.expected_values(*state_.spec)) return false;
+    count += std::min(next.repeat, kMaxCountedValues);
+  if (count == state_.expected_value_count(*state_.spec)) return false;
   state_.report(Severity::Error, first.line, "recID", first.text,
                 "a record label in quotes is expected here, not a number; either the record above "
                 "has too many values or the label is missing",
                 "remove the extra values or start the record with its label");
   do {
     state_.scanner.go_to_line(state_.scanner.position().line + 1);
-  } while (state_.scanner.start_record() && state_.label_here() == nullptr);
+  } while (state_.scanner.skip_to_record_start() && state_.label_on_current_line() == nullptr);
   return true;
 }
 
 /// Record 3.4 or 9.5 of an orbit in mode -1.
 bool Reader::acts_on_shelf(const RecordSpec& extra) {
-  return (extra.id == "3.4" && has_orbit_switch(state_.deck())) ||
+  return (extra.id == "3.4" && has_enabled_orbit(state_.deck())) ||
          (extra.id == "9.5" && !orbit_records(state_.deck()).empty());
 }
 
 /// An extra record: one that the options do not ask for, or one that was there before.
 void Reader::skip_record() {
-  const Label& label = *state_.label_here();
+  const Label& label = *state_.label_on_current_line();
   const RecordSpec& extra = schema()[label.hint->record];
   const RecordSpec* const expected = std::exchange(state_.spec, &extra);
   const int line = static_cast<int>(label.line) + 1;
@@ -188,7 +188,7 @@ void Reader::skip_record() {
         Severity::Warning, line, "", "",
         "this record is ignored: because of the errors above it is unknown whether it is needed",
         "correct the errors above first");
-  else if (evaluate(extra.condition, scope_of(state_.deck())))
+  else if (evaluate(extra.condition, condition_scope(state_.deck())))
     state_.report(
         Severity::Warning, line, "", "",
         extra.repeat.empty()
@@ -210,7 +210,7 @@ void Reader::skip_record() {
             extra.condition),
         "remove it, or change the options");
   state_.spec = expected;
-  const Label* next = state_.labels.after_line(label.line);
+  const Label* next = state_.labels.first_label_after(label.line);
   state_.scanner.go_to_line(next == nullptr ? state_.scanner.lines().size() : next->line);
 }
 
@@ -218,7 +218,7 @@ void Reader::skip_record() {
 /// report its errors.
 void Reader::shelve(const RecordSpec& extra, int instance) {
   if (instance == 0 && !extra.repeat.empty()) return;  // its label does not identify it
-  const Reported reported = state_.reported;
+  const ReportedErrors reported = state_.reported;
   const std::vector<Issue> issues = state_.result.issues;
   const std::size_t dropped = state_.issues_dropped;
   const std::size_t records = state_.deck().records.size();
@@ -242,7 +242,7 @@ void Reader::note_missing(Step step, bool doubtful) {
     if (variable.type == VarType::Integer)
       state_.reported.doubtful.insert(std::string(variable.name));
   if (step != Step::Missing || doubtful) return;
-  const Label* label = state_.label_here();
+  const Label* label = state_.label_on_current_line();
   state_.report(
       Severity::Error, static_cast<int>(state_.scanner.position().line) + 1, "", "",
       fmt::format("the record ({}) is missing; the next record is '{}'", spec.title, label->text),
@@ -266,9 +266,9 @@ void Reader::report_missing_at_end() {
 
 /// Records X after the last required record. Their labels identify them.
 void Reader::read_extension() {
-  while (state_.scanner.start_record()) {
+  while (state_.scanner.skip_to_record_start()) {
     const std::size_t line = state_.scanner.position().line;
-    const Label* label = state_.labels.on_line(line);
+    const Label* label = state_.labels.label_on_line(line);
     if (label == nullptr || !label->hint || !is_extension(schema()[label->hint->record].id)) break;
     const RecordSpec& spec = schema()[label->hint->record];
     state_.spec = &spec;
@@ -290,10 +290,10 @@ void Reader::read_extension() {
 
 void Reader::keep_user_lines() {
   Scanner& scanner = state_.scanner;
-  while (scanner.start_record() && state_.use_labels && state_.label_here() != nullptr &&
-         state_.label_here()->hint)
+  while (scanner.skip_to_record_start() && state_.use_labels &&
+         state_.label_on_current_line() != nullptr && state_.label_on_current_line()->hint)
     skip_record();
-  if (!scanner.start_record()) return;
+  if (!scanner.skip_to_record_start()) return;
   const std::size_t first = scanner.position().line;
   std::vector<std::string>& kept = state_.deck().user_lines;
   for (std::size_t line = first; line < scanner.lines().size(); ++line)
@@ -318,9 +318,9 @@ bool is_labelled_record(const std::string& line) {
 
 }  // namespace
 
-ReadResult read_records_of(std::string_view text, std::string file_name) {
+ReadResult read_deck_records(std::string_view text, std::string file_name) {
   const Scanner scanner(text);
-  const Labels labels(scanner);
+  const RecordLabels labels(scanner);
   ReadResult plain = Reader(scanner, labels, false, file_name).read();
   // A deck that follows the rules is right, independent of its labels. Otherwise they may show
   // the error.

@@ -13,7 +13,7 @@
 namespace adore::deck {
 namespace {
 
-constexpr std::size_t kMostIssues = 500;
+constexpr std::size_t kMaxIssues = 500;
 
 std::string quote_problem(const Token& token) {
   return token.unterminated ? "the closing quote is missing on this line"
@@ -26,13 +26,13 @@ bool is_bad_quote(const Token& token) {
 
 }  // namespace
 
-ReadState::ReadState(const Scanner& text, const Labels& all_labels, bool follow_labels,
+ReadState::ReadState(const Scanner& text, const RecordLabels& all_labels, bool follow_labels,
                      std::string file_name)
     : scanner(text), labels(all_labels), use_labels(follow_labels) {
   result.deck.file = std::move(file_name);
 }
 
-int ReadState::expected_values(const RecordSpec& of) const {
+int ReadState::expected_value_count(const RecordSpec& of) const {
   int count = 0;
   for (std::size_t i = 1; i < of.variables.size(); ++i)
     count += array_length(result.deck, of.variables[i]);
@@ -40,7 +40,7 @@ int ReadState::expected_values(const RecordSpec& of) const {
 }
 
 void ReadState::add(Issue issue) {
-  if (result.issues.size() < kMostIssues)
+  if (result.issues.size() < kMaxIssues)
     result.issues.push_back(std::move(issue));
   else
     ++issues_dropped;
@@ -64,11 +64,11 @@ void ReadState::report(Severity severity, int line, std::string_view variable, s
 }
 
 void RecordReader::read(const RecordSpec& spec, int instance) {
-  pending_uses_ = 0;
-  ended_ = broken_ = last_word_bad_ = loose_ = false;
-  commas_ = 0;
-  apart_token_ = {};
-  last_line_ = 0;
+  pending_repeats_ = 0;
+  slash_reached_ = broken_ = last_word_was_prose_ = has_blank_separators_ = false;
+  comma_count_ = 0;
+  detached_token_ = {};
+  last_bad_word_line_ = 0;
   RecordData empty;
   empty.id = spec.id;
   empty.instance = instance;
@@ -91,10 +91,10 @@ void RecordReader::read(const RecordSpec& spec, int instance) {
         data.defaulted.push_back({i, k});
     }
   }
-  if (!ended_ && !broken_) warn_about_value_apart();
-  if (!ended_ && !broken_) warn_about_rest();
-  if (!ended_ && !broken_) note_bare_end();
-  note_doubtful(data);
+  if (!slash_reached_ && !broken_) warn_about_detached_value();
+  if (!slash_reached_ && !broken_) warn_about_surplus_values();
+  if (!slash_reached_ && !broken_) note_missing_final_newline();
+  mark_doubtful_integers(data);
 }
 
 /// The label, or a complaint.
@@ -106,7 +106,7 @@ void RecordReader::read_label(RecordData& data) {
   };
   const Scanner::Position start = state_.scanner.position();
   const Token token = state_.scanner.next();
-  if (token.kind == Token::Kind::Slash) ended_ = true;
+  if (token.kind == Token::Kind::Slash) slash_reached_ = true;
   if (token.kind == Token::Kind::Slash || token.kind == Token::Kind::Null)
     return;  // the checks notice
   double number = 0.0;
@@ -122,7 +122,7 @@ void RecordReader::read_label(RecordData& data) {
   if (token.kind == Token::Kind::Word)
     complain(Severity::Warning, token, "the label should be in single quotes",
              fmt::format("write '{}'", token.text));
-  else if (const std::string other = other_record_named(token.text, *state_.spec, data.instance);
+  else if (const std::string other = conflicting_record_id(token.text, *state_.spec, data.instance);
            !other.empty())
     complain(Severity::Warning, token,
              fmt::format("the label names record {}, but the values are read as record {}", other,
@@ -141,23 +141,23 @@ void RecordReader::read_label(RecordData& data) {
 
 /// Is a text at the start of a line the label of a later record, although a text is due?
 bool RecordReader::is_next_label(const Token& token) const {
-  const Label* label = state_.labels.on_line(static_cast<std::size_t>(token.line) - 1);
+  const Label* label = state_.labels.label_on_line(static_cast<std::size_t>(token.line) - 1);
   return state_.use_labels && label != nullptr && label->values > 0 && label->hint &&
          &schema()[label->hint->record] > state_.spec;
 }
 
 /// Makes pending_ a token with uses left. False when there is none and that has been reported.
-bool RecordReader::fetch(const VariableSpec& variable, std::size_t position) {
-  if (pending_uses_ > 0) return true;
+bool RecordReader::fetch_token(const VariableSpec& variable, std::size_t position) {
+  if (pending_repeats_ > 0) return true;
   const Scanner::Position before = state_.scanner.position();
   note_separator(position);
   pending_ = state_.scanner.next();
-  if (apart_ == position && apart_token_.line < 0) apart_token_ = pending_;
+  if (detached_variable_index_ == position && detached_token_.line < 0) detached_token_ = pending_;
   const bool next_record = pending_.kind == Token::Kind::Quoted && pending_.first_in_line &&
                            (variable.type != VarType::String || is_next_label(pending_));
   if (pending_.kind == Token::Kind::End || next_record) {
     if (next_record) state_.scanner.set_position(before);
-    end_short(pending_, position);
+    report_missing_values(pending_, position);
     return false;
   }
   if (pending_.repeat == 0) {
@@ -165,7 +165,7 @@ bool RecordReader::fetch(const VariableSpec& variable, std::size_t position) {
                   "a repeat count of 0 is not valid", "write r*value with r of at least 1");
     return false;
   }
-  pending_uses_ = pending_.repeat;
+  pending_repeats_ = pending_.repeat;
   return true;
 }
 
@@ -173,11 +173,11 @@ bool RecordReader::fetch(const VariableSpec& variable, std::size_t position) {
 bool RecordReader::read_value(const VariableSpec& variable, std::size_t position, Value& value,
                               bool& given) {
   if (!variable.default_value.empty()) value = default_value(variable);
-  if (ended_) return true;  // without a default the checks complain
-  if (broken_ || !fetch(variable, position)) return false;
-  --pending_uses_;
+  if (slash_reached_) return true;  // without a default the checks complain
+  if (broken_ || !fetch_token(variable, position)) return false;
+  --pending_repeats_;
   if (pending_.kind == Token::Kind::Slash) {
-    ended_ = true;
+    slash_reached_ = true;
     return true;
   }
   given = pending_.kind != Token::Kind::Null;
@@ -213,7 +213,7 @@ bool RecordReader::store_number(const VariableSpec& variable, const Token& token
   const NumberProblem problem =
       whole ? parse_integer(token.text, integer) : parse_real(token.text, real);
   if (!problem) {
-    last_word_bad_ = false;
+    last_word_was_prose_ = false;
     if (whole)
       value = integer;
     else
@@ -221,25 +221,25 @@ bool RecordReader::store_number(const VariableSpec& variable, const Token& token
     return true;
   }
   const bool prose = std::isalpha(static_cast<unsigned char>(token.text[0])) != 0;
-  if (prose && last_word_bad_ &&
-      token.line == last_line_) {  // two words in a row: the values are over
+  if (prose && last_word_was_prose_ &&
+      token.line == last_bad_word_line_) {  // two words in a row: the values are over
     broken_ = true;
     return false;
   }
-  last_word_bad_ = prose;
-  last_line_ = token.line;
+  last_word_was_prose_ = prose;
+  last_bad_word_line_ = token.line;
   state_.report(Severity::Error, token.line, variable.name, token.text, problem.message,
                 problem.remedy);
   return false;
 }
 
 /// The values end before variable `position` has its own.
-void RecordReader::end_short(const Token& token, std::size_t position) {
+void RecordReader::report_missing_values(const Token& token, std::size_t position) {
   broken_ = true;
-  constexpr std::size_t kMostNames = 6;
+  constexpr std::size_t kMaxNames = 6;
   const RecordSpec& spec = *state_.spec;
   std::string names;
-  const std::size_t listed = std::min(spec.variables.size(), position + kMostNames);
+  const std::size_t listed = std::min(spec.variables.size(), position + kMaxNames);
   for (std::size_t i = position; i < listed; ++i)
     names += (names.empty() ? "" : ", ") + std::string(spec.variables[i].name);
   if (listed < spec.variables.size())
@@ -251,13 +251,13 @@ void RecordReader::end_short(const Token& token, std::size_t position) {
           : fmt::format(
                 "the record has too few values: no value for {} before the next record '{}'", names,
                 token.text),
-      fmt::format("give {} for record {}", counted(state_.expected_values(spec) + 1, "value"),
+      fmt::format("give {} for record {}", counted(state_.expected_value_count(spec) + 1, "value"),
                   spec.id));
 }
 
 /// A deck that was cut in its last number reads like a whole one; a missing line end gives it away.
-void RecordReader::note_bare_end() {
-  if (!state_.scanner.at_bare_end()) return;
+void RecordReader::note_missing_final_newline() {
+  if (!state_.scanner.is_at_unterminated_end()) return;
   state_.report(
       Severity::Note, state_.deck().records.back().line, "", "",
       "the file ends right after this value, without an end of line, and may be truncated",
@@ -270,26 +270,26 @@ void RecordReader::note_separator(std::size_t position) {
   const std::size_t next = rest.find_first_not_of(" \t");
   if (next == std::string_view::npos) return;
   if (rest[next] == ',') {
-    ++commas_;
-    apart_token_ = {};
+    ++comma_count_;
+    detached_token_ = {};
   } else if (next < 2) {
-    loose_ = true;
-  } else if (apart_token_.text.empty()) {
-    apart_ = position;
-    apart_token_.line = -1;  // the token that comes now
+    has_blank_separators_ = true;
+  } else if (detached_token_.text.empty()) {
+    detached_variable_index_ = position;
+    detached_token_.line = -1;  // the token that comes now
   }
 }
 
 /// Commas between all values, then a gap, a number and prose: "0.018   2 races". The number may
 /// have been meant as part of the comment, and a value be missing.
-void RecordReader::warn_about_value_apart() {
-  if (apart_token_.text.empty() || commas_ < 2 || loose_) return;
+void RecordReader::warn_about_detached_value() {
+  if (detached_token_.text.empty() || comma_count_ < 2 || has_blank_separators_) return;
   const std::string_view rest = state_.scanner.rest_of_line();
   const std::size_t word = rest.find_first_not_of(" \t");
   if (word == std::string_view::npos || std::isalpha(static_cast<unsigned char>(rest[word])) == 0)
     return;
-  state_.report(Severity::Warning, apart_token_.line, state_.spec->variables[apart_].name,
-                apart_token_.text,
+  state_.report(Severity::Warning, detached_token_.line,
+                state_.spec->variables[detached_variable_index_].name, detached_token_.text,
                 "was read as a value, but it is set apart from the others and followed by text, "
                 "like the start of a comment",
                 "put a comma before it if it is a value; otherwise add the missing value");
@@ -297,12 +297,13 @@ void RecordReader::warn_about_value_apart() {
 
 /// Text after the last value is ignored by the rules, but a number after a comma is likely a
 /// mistake.
-void RecordReader::warn_about_rest() {
-  if (pending_uses_ > 0) {
-    state_.report(Severity::Warning, pending_.line, "", "",
-                  fmt::format("a repeat count gives more values than the record has; {} ignored",
-                              pending_uses_ == 1 ? "1 is" : fmt::format("{} are", pending_uses_)),
-                  "lower the repeat count");
+void RecordReader::warn_about_surplus_values() {
+  if (pending_repeats_ > 0) {
+    state_.report(
+        Severity::Warning, pending_.line, "", "",
+        fmt::format("a repeat count gives more values than the record has; {} ignored",
+                    pending_repeats_ == 1 ? "1 is" : fmt::format("{} are", pending_repeats_)),
+        "lower the repeat count");
     return;
   }
   const std::string_view rest = state_.scanner.rest_of_line();
@@ -316,12 +317,12 @@ void RecordReader::warn_about_rest() {
   state_.report(Severity::Warning, static_cast<int>(state_.scanner.position().line) + 1, "",
                 std::string(word),
                 fmt::format("the record has {}; the rest is ignored",
-                            counted(state_.expected_values(*state_.spec) + 1, "value")),
+                            counted(state_.expected_value_count(*state_.spec) + 1, "value")),
                 "remove the extra values, or write a decimal comma as a point");
 }
 
 /// Conditions must not be trusted where they ask for a value that is missing or wrong.
-void RecordReader::note_doubtful(const RecordData& data) {
+void RecordReader::mark_doubtful_integers(const RecordData& data) {
   for (std::size_t i = 0; i < data.values.size(); ++i) {
     const VariableSpec& variable = state_.spec->variables[i];
     for (const Value& value : data.values[i])

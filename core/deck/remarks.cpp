@@ -40,12 +40,6 @@ UnitSystem other(UnitSystem system) {
   return system == UnitSystem::English ? UnitSystem::SI : UnitSystem::English;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// "[N, m]" as "[lbf, in]"; nothing when an entry is not a unit of the system.
 std::optional<std::string> followed(std::string_view list, UnitSystem before) {
   std::string out;
@@ -68,7 +62,7 @@ const std::set<std::string, std::less<>>& own_words() {
       const std::string_view text = template_text(info.name);
       const Scanner scanner(text);
       for (const RecordData& record : read_deck_text(text, "example").deck.records) {
-        const std::string_view remark = end_of(scanner, record).remark;
+        const std::string_view remark = find_record_end(scanner, record).remark;
         out.emplace(trimmed(remark.substr(0, remark.find('['))));
       }
     }
@@ -120,7 +114,7 @@ bool speaks_of(std::string_view remark, UnitSystem system) {
 
 }  // namespace
 
-RecordEnd end_of(const Scanner& start, const RecordData& record) {
+RecordEnd find_record_end(const Scanner& start, const RecordData& record) {
   Scanner scanner = start;
   scanner.go_to_line(static_cast<std::size_t>(record.line) - 1);
   std::size_t values = 0;
@@ -134,19 +128,19 @@ RecordEnd end_of(const Scanner& start, const RecordData& record) {
   return {line, scanner.position().line < scanner.lines().size() ? scanner.rest_of_line() : ""};
 }
 
-bool is_own_remark(std::string_view words) { return own_words().count(trimmed(words)) > 0; }
+bool is_generated_comment(std::string_view words) { return own_words().count(trimmed(words)) > 0; }
 
-FollowedUnits with_units_followed(std::string_view text, UnitSystem before) {
-  FollowedUnits out;
+UpdatedRemarkUnits update_remark_units(std::string_view text, UnitSystem before) {
+  UpdatedRemarkUnits out;
   const Deck deck = read_deck_text(text, "deck").deck;
   const Scanner scanner(text);
   std::vector<std::pair<std::size_t, std::pair<std::size_t, std::string>>> changes;
   for (std::size_t r = 0; r < deck.records.size(); ++r) {
     const RecordData& record = deck.records[r];
     if (record.line == 0) continue;
-    const RecordEnd end = end_of(scanner, record);
+    const RecordEnd end = find_record_end(scanner, record);
     const std::size_t open = end.remark.find('['), close = end.remark.find(']', open);
-    if (close != std::string_view::npos && is_own_remark(end.remark.substr(0, open)))
+    if (close != std::string_view::npos && is_generated_comment(end.remark.substr(0, open)))
       if (auto list = followed(end.remark.substr(open + 1, close - open - 1), before)) {
         const auto at = static_cast<std::size_t>(end.remark.data() - text.data()) + open + 1;
         changes.push_back({at, {close - open - 1, std::move(*list)}});

@@ -37,21 +37,21 @@ class Scanner {
     std::size_t column = 0;
     bool after_value = false;  ///< the next comma is only a separator
   };
-  [[nodiscard]] Position position() const { return at_; }
-  void set_position(const Position& position) { at_ = position; }
+  [[nodiscard]] Position position() const { return read_position_; }
+  void set_position(const Position& position) { read_position_ = position; }
 
   /// Drops the rest of a started line, then skips blank lines. False at the end of the
   /// text.
-  bool start_record();
+  bool skip_to_record_start();
   /// Goes to the first column of a line (0-based).
-  void go_to_line(std::size_t line) { at_ = {line, 0, false}; }
+  void go_to_line(std::size_t line) { read_position_ = {line, 0, false}; }
 
   /// The next token, on following lines if need be.
   Token next();
 
   [[nodiscard]] const std::vector<std::string_view>& lines() const { return *lines_; }
   /// Is the position exactly at the end of a text whose last line has no line end?
-  [[nodiscard]] bool at_bare_end() const;
+  [[nodiscard]] bool is_at_unterminated_end() const;
   /// The rest of the current line.
   [[nodiscard]] std::string_view rest_of_line() const;
 
@@ -62,8 +62,8 @@ class Scanner {
 
   std::shared_ptr<const std::vector<std::string_view>>
       lines_;  ///< copies of the scanner share them
-  Position at_;
-  bool bare_end_ = false;  // the last line has no line end
+  Position read_position_;
+  bool lacks_final_newline_ = false;  // the last line has no line end
 };
 
 bool is_blank_line(std::string_view line);

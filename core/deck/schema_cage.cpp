@@ -19,13 +19,13 @@ RecordSpec cage_options() {
   const auto land_errors = [](std::string_view name, std::string_view what) {
     return choice(
         name, {{"0", "ideal"}, {"1", "elliptical"}, {"2", "sinusoidal"}},
-        keep(fmt::format("Geometry errors of the guide lands of the {}, used when nGL is above 0.",
-                         what)));
+        intern_string(fmt::format(
+            "Geometry errors of the guide lands of the {}, used when nGL is above 0.", what)));
   };
   const auto hydrodynamics = [](std::string_view name, std::string_view where) {
     return choice(
         name, {{"0", "neglect"}, {"1", "include"}},
-        keep(fmt::format(
+        intern_string(fmt::format(
             "Hydrodynamic film forces {}. They are not available with a segmented cage.", where)));
   };
   return record(
@@ -49,12 +49,13 @@ RecordSpec cage_options() {
        land_errors("kCageGsImp", "cage"), land_errors("kRaceGsImp", "race"),
        hydrodynamics("kPocHydro", "in the pockets"),
        hydrodynamics("kGsHydro", "at the guide lands"),
-       with_table(choice("kCageMat",
-                         {{"0", "mild steel"}, {"1", "record 8.5"}, {"2", "user routine ADRX0"}},
-                         "Material of the cage. 0 is mild steel, and 1 takes the properties from "
-                         "the deck. The material table lists the other codes.",
-                         "0"),
-                  "@materials"),
+       with_option_table(
+           choice("kCageMat",
+                  {{"0", "mild steel"}, {"1", "record 8.5"}, {"2", "user routine ADRX0"}},
+                  "Material of the cage. 0 is mild steel, and 1 takes the properties from "
+                  "the deck. The material table lists the other codes.",
+                  "0"),
+           "@materials"),
        choice("kCageIP", {{"0", "from ideal geometry"}, {"1", "record 7.7"}},
               "Source of mass and inertia of the cage.", "0"),
        counted("nGL", between(0, 4),
@@ -92,23 +93,24 @@ RecordSpec cage_geometry() {
 }
 
 RecordSpec guide_lands() {
-  return repeated("7.2.i", "Cage guide land geometry", "nCseg > 0 && nGL > 0", "nGL",
-                  {real("cageGsDia", kLength, kSize, "Diameter of the land on the cage."),
-                   real("cageGsWidth", kLength, kSize, "Width of the land."),
-                   real("cageGsPos", kLength, kAny,
-                        "Axial distance from the cage center to the outer edge of the land; "
-                        "negative on the negative x side."),
-                   real("cageGsCls", kLength, kAny,
-                        "Diametral clearance between the land and the race that guides it.")});
+  return repeated_record(
+      "7.2.i", "Cage guide land geometry", "nCseg > 0 && nGL > 0", "nGL",
+      {real("cageGsDia", kLength, kSize, "Diameter of the land on the cage."),
+       real("cageGsWidth", kLength, kSize, "Width of the land."),
+       real("cageGsPos", kLength, kAny,
+            "Axial distance from the cage center to the outer edge of the land; "
+            "negative on the negative x side."),
+       real("cageGsCls", kLength, kAny,
+            "Diametral clearance between the land and the race that guides it.")});
 }
 
 RecordSpec pocket_surfaces() {
-  RecordSpec spec = repeated("7.3.i", "Roller pocket guide surfaces",
-                             "nCseg > 0 && kBrg > 1 && kPocType > 0", "kPocType", {});
+  RecordSpec spec = repeated_record("7.3.i", "Roller pocket guide surfaces",
+                                    "nCseg > 0 && kBrg > 1 && kPocType > 0", "kPocType", {});
   for (const char axis : {'x', 'y', 'z'})
     spec.variables.push_back(real(
-        keep(fmt::format("bPocGsAng{}", axis - 'x' + 1)), kAngle, kAny,
-        keep(fmt::format(
+        intern_string(fmt::format("bPocGsAng{}", axis - 'x' + 1)), kAngle, kAny,
+        intern_string(fmt::format(
             "Rotation about {} from the pocket frame to the frame of the guide surface.", axis))));
   spec.variables.push_back(
       real("bPocGsCen1", kLength, kAny,
@@ -154,21 +156,23 @@ RecordSpec pocket_errors() {
 RecordSpec land_errors(std::string_view id, std::string_view title, std::string_view condition,
                        std::string_view prefix, std::string_view code, std::string_view where) {
   VariableSpec second =
-      real(keep(fmt::format("{}GsRadVar2", prefix)), kLength, kAny,
-           keep(fmt::format("{0} land: semi-axis along z minus nominal radius ({1} = 1), or number "
-                            "of waves per revolution, without unit ({1} = 2).",
-                            where, code)));
-  second.unitless_when = keep(fmt::format("{} == 2", code));
-  return repeated(id, title, condition, "nGL",
-                  {real(keep(fmt::format("{}GsRadVar1", prefix)), kLength, kAny,
-                        keep(fmt::format("{0} land: semi-axis along y minus nominal radius ({1} = "
-                                         "1), or amplitude of the radius wave ({1} = 2).",
-                                         where, code))),
-                   second,
-                   real(keep(fmt::format("{}GsRadVar3", prefix)), kAngle, kAny,
-                        keep(fmt::format("{0} land: phase of the radius wave ({1} = 2). With {1} = "
-                                         "1 the value is not used; enter 0.",
-                                         where, code)))});
+      real(intern_string(fmt::format("{}GsRadVar2", prefix)), kLength, kAny,
+           intern_string(
+               fmt::format("{0} land: semi-axis along z minus nominal radius ({1} = 1), or number "
+                           "of waves per revolution, without unit ({1} = 2).",
+                           where, code)));
+  second.unitless_when = intern_string(fmt::format("{} == 2", code));
+  return repeated_record(
+      id, title, condition, "nGL",
+      {real(intern_string(fmt::format("{}GsRadVar1", prefix)), kLength, kAny,
+            intern_string(fmt::format("{0} land: semi-axis along y minus nominal radius ({1} = "
+                                      "1), or amplitude of the radius wave ({1} = 2).",
+                                      where, code))),
+       second,
+       real(intern_string(fmt::format("{}GsRadVar3", prefix)), kAngle, kAny,
+            intern_string(fmt::format("{0} land: phase of the radius wave ({1} = 2). With {1} = "
+                                      "1 the value is not used; enter 0.",
+                                      where, code)))});
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 using range::between;
 
-constexpr Range kCount = between(0, range::kInfinity);
+constexpr Range kCount = between(0, kInfinity);
 
 RecordSpec run_mode() {
   return record(
@@ -142,25 +142,26 @@ RecordSpec race_constraints() {
   constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
   for (const auto& [race, race_name] : kRaces)
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
-      spec.variables.push_back(choice(
-          keep(fmt::format("kFD{}{}", axis + 1, race)),
-          {{"0", "race accelerates under the prescribed force"},
-           {"1", "race position from the static solution or from a prescribed motion"}},
-          keep(fmt::format("Translation constraint of the {} race along {}. With 0, the race moves "
-                           "freely under its load.",
-                           race_name, kAxes[axis])),
-          "1"));
+      spec.variables.push_back(
+          choice(intern_string(fmt::format("kFD{}{}", axis + 1, race)),
+                 {{"0", "race accelerates under the prescribed force"},
+                  {"1", "race position from the static solution or from a prescribed motion"}},
+                 intern_string(fmt::format(
+                     "Translation constraint of the {} race along {}. With 0, the race moves "
+                     "freely under its load.",
+                     race_name, kAxes[axis])),
+                 "1"));
   constexpr std::array<std::string_view, 3> kMoments = {"zero", "appMomY", "appMomZ"};
   for (const auto& [race, race_name] : kRaces)
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
       spec.variables.push_back(choice(
-          keep(fmt::format("kMD{}{}", axis + 1, race)),
+          intern_string(fmt::format("kMD{}{}", axis + 1, race)),
           {{"0", "race accelerates under the moments on it"},
            {"1", "fixed speed or prescribed angular acceleration"}},
-          keep(fmt::format("Rotation constraint of the {} race about {}. With 0, the moments on "
-                           "the race change its speed; without ADRX1 the external moment is {}{}.",
-                           race_name, kAxes[axis], axis > 0 && race == 1 ? "minus " : "",
-                           kMoments[axis])),
+          intern_string(fmt::format(
+              "Rotation constraint of the {} race about {}. With 0, the moments on "
+              "the race change its speed; without ADRX1 the external moment is {}{}.",
+              race_name, kAxes[axis], axis > 0 && race == 1 ? "minus " : "", kMoments[axis])),
           "1"));
   return spec;
 }
@@ -175,10 +176,11 @@ RecordSpec file_names() {
             "state (kIcOpt).",
             "FINAL")});
   for (int i = 1; i <= 6; ++i)
-    spec.variables.push_back(text(
-        keep(fmt::format("pltNames{}", i)), 10,
-        keep(fmt::format("Name of the plot file of monitored body {}, at most 10 characters.", i)),
-        keep(fmt::format("SOL{}", i))));
+    spec.variables.push_back(
+        text(intern_string(fmt::format("pltNames{}", i)), 10,
+             intern_string(fmt::format(
+                 "Name of the plot file of monitored body {}, at most 10 characters.", i)),
+             intern_string(fmt::format("SOL{}", i))));
   spec.variables.push_back(text(
       "pltNames7", 10, "Name of the file of power loss and life, at most 10 characters.", "SOL7"));
   spec.variables.push_back(
@@ -195,18 +197,18 @@ RecordSpec run_identification() {
 }
 
 VariableSpec race_imperfection(int race, std::string_view race_name) {
-  return choice(keep(fmt::format("kRaceGeoImp{}", race)),
+  return choice(intern_string(fmt::format("kRaceGeoImp{}", race)),
                 {{"0", "ideal"},
                  {"1", "elliptical roundness, other errors sinusoidal"},
                  {"2", "all errors sinusoidal"},
                  {"3", "user routine ADRX6"}},
-                keep(fmt::format("Geometry errors of the {} race.", race_name)));
+                intern_string(fmt::format("Geometry errors of the {} race.", race_name)));
 }
 
 VariableSpec flange(int side, int race, std::string_view where) {
   return choice(
-      keep(fmt::format("kFlngInd{}{}", side, race)), {{"0", "none"}, {"1", "present"}},
-      keep(fmt::format(
+      intern_string(fmt::format("kFlngInd{}{}", side, race)), {{"0", "none"}, {"1", "present"}},
+      intern_string(fmt::format(
           "Roller guide flange on the {} x side. Ball and spherical roller bearings have none.",
           where)));
 }
@@ -246,21 +248,22 @@ RecordSpec bearing_type() {
 
 VariableSpec static_constraint(std::string_view name, std::string_view direction, bool rotation) {
   if (rotation)
-    return choice(
-        name, {{"0", "moment given"}, {"1", "misalignment given"}},
-        keep(fmt::format("Moment or misalignment {} as input to the static solution.", direction)));
-  return choice(
-      name, {{"0", "force given"}, {"1", "displacement given"}},
-      keep(fmt::format("Force or displacement {} as input to the static solution.", direction)));
+    return choice(name, {{"0", "moment given"}, {"1", "misalignment given"}},
+                  intern_string(fmt::format(
+                      "Moment or misalignment {} as input to the static solution.", direction)));
+  return choice(name, {{"0", "force given"}, {"1", "displacement given"}},
+                intern_string(fmt::format(
+                    "Force or displacement {} as input to the static solution.", direction)));
 }
 
 VariableSpec material(std::string_view name, std::string_view default_material,
                       std::string_view given, std::string_view part) {
-  return with_table(
+  return with_option_table(
       choice(name, {{"0", default_material}, {"1", given}, {"2", "user routine ADRX0"}},
-             keep(fmt::format("Material of the {}. 0 is the usual material, and 1 takes the "
-                              "properties from the deck. The material table lists the other codes.",
-                              part)),
+             intern_string(
+                 fmt::format("Material of the {}. 0 is the usual material, and 1 takes the "
+                             "properties from the deck. The material table lists the other codes.",
+                             part)),
              "0"),
       "@materials");
 }
@@ -281,7 +284,7 @@ RecordSpec statics_and_materials() {
               "friction equilibrium (run option ballFriction)."),
        counted("kStif", between(0, 10000), {{"0", "none"}, {"n", "number of speed points"}},
                "Number of speeds in the table of stiffness against speed; 0 for no table."),
-       with_table(
+       with_option_table(
            choice("kChrn", {}, "Medium that causes churning drag on rolling elements and cage."),
            "@churning"),
        material("kReMat", "AISI 52100 steel", "record 8.1", "rolling elements"),
@@ -336,9 +339,10 @@ RecordSpec time_variation() {
 RecordSpec thermal_options() {
   return record(
       "3.5", "Thermal options", "kTherm > 0",
-      {with_table(choice("kCoolant", {},
-                         "Coolant that carries the heat away; 0 for no circulating coolant."),
-                  "@coolants"),
+      {with_option_table(
+           choice("kCoolant", {},
+                  "Coolant that carries the heat away; 0 for no circulating coolant."),
+           "@coolants"),
        choice("kBaseTemp",
               {{"0", "outer race at housing interface"},
                {"1", "housing outer diameter"},

@@ -21,13 +21,10 @@ using unit::kAngle;
 using unit::kLength;
 using unit::kPure;
 
-constexpr std::string_view kAnyFlange =
-    "(kFlngInd11 > 0 || kFlngInd21 > 0 || kFlngInd12 > 0 || kFlngInd22 > 0)";
-
 VariableSpec roughness(int race, std::string_view name) {
   return real(
-      keep(fmt::format("rmsAspHt{}", race)), kLength, kNotNegative,
-      keep(fmt::format(
+      intern_string(fmt::format("rmsAspHt{}", race)), kLength, kNotNegative,
+      intern_string(fmt::format(
           "Composite rms roughness of rolling element and {} race: square root of the sum of both "
           "squared values. The film parameter is film thickness divided by this value.",
           name)));
@@ -81,9 +78,9 @@ RecordSpec ball_geometry() {
 
 VariableSpec corner_radius(int end, std::string_view where) {
   return real(
-      keep(fmt::format("bReCorRad{}", end)), kLength, kNotNegative,
-      keep(fmt::format("Corner radius of the roller at the {}. It shortens the contact length.",
-                       where)));
+      intern_string(fmt::format("bReCorRad{}", end)), kLength, kNotNegative,
+      intern_string(fmt::format(
+          "Corner radius of the roller at the {}. It shortens the contact length.", where)));
 }
 
 /// Records 5B.2 and 5D.2 are identical.
@@ -91,20 +88,21 @@ std::vector<VariableSpec> straight_raceways() {
   std::vector<VariableSpec> variables;
   for (const auto& [race, name] : {std::pair{1, "outer"}, std::pair{2, "inner"}}) {
     variables.push_back(
-        real(keep(fmt::format("raceLandLmt{}", race)), kLength, kSize,
-             keep(fmt::format("Usable width of the {} raceway along the roller, without undercuts.",
-                              name))));
-    variables.push_back(real(keep(fmt::format("raceCenLen{}", race)), kLength, kNotNegative,
-                             keep(fmt::format("Width of the flat land in the middle of a crowned "
-                                              "{} raceway. It is used only with a crown.",
-                                              name)),
-                             "0"));
+        real(intern_string(fmt::format("raceLandLmt{}", race)), kLength, kSize,
+             intern_string(fmt::format(
+                 "Usable width of the {} raceway along the roller, without undercuts.", name))));
     variables.push_back(
-        real(keep(fmt::format("raceCrn{}", race)), kLength, kNotNegative,
-             keep(fmt::format("Crown radius of the {} raceway on both sides of the flat land; 0 "
-                              "means no crown. The crown curves away from the rollers.",
-                              name)),
+        real(intern_string(fmt::format("raceCenLen{}", race)), kLength, kNotNegative,
+             intern_string(fmt::format("Width of the flat land in the middle of a crowned "
+                                       "{} raceway. It is used only with a crown.",
+                                       name)),
              "0"));
+    variables.push_back(real(intern_string(fmt::format("raceCrn{}", race)), kLength, kNotNegative,
+                             intern_string(fmt::format(
+                                 "Crown radius of the {} raceway on both sides of the flat land; 0 "
+                                 "means no crown. The crown curves away from the rollers.",
+                                 name)),
+                             "0"));
   }
   variables.push_back(roughness(1, "outer"));
   variables.push_back(roughness(2, "inner"));
@@ -133,23 +131,25 @@ VariableSpec central_land() {
 }
 
 VariableSpec roller_groove(int race, std::string_view name) {
-  return real(keep(fmt::format("raceCurFac{}", race)), kPure, kConformity,
-              keep(fmt::format("Groove radius of the {} race divided by twice the crown radius of "
-                               "the roller; above 0.5.",
-                               name)));
+  return real(
+      intern_string(fmt::format("raceCurFac{}", race)), kPure, kConformity,
+      intern_string(fmt::format("Groove radius of the {} race divided by twice the crown radius of "
+                                "the roller; above 0.5.",
+                                name)));
 }
 
 VariableSpec cone_angle(int race, std::string_view name) {
-  return real(keep(fmt::format("raceTaper{}", race)), kAngle, kConeAngle,
-              keep(fmt::format("Half cone angle of the {} race. Both cones have a common apex, and "
-                               "the pitch diameter follows from the two angles.",
-                               name)));
+  return real(intern_string(fmt::format("raceTaper{}", race)), kAngle, kConeAngle,
+              intern_string(
+                  fmt::format("Half cone angle of the {} race. Both cones have a common apex, and "
+                              "the pitch diameter follows from the two angles.",
+                              name)));
 }
 
 VariableSpec end_radius(int end, std::string_view where) {
-  return real(
-      keep(fmt::format("bReEndRad{}", end)), kLength, kNotNegative,
-      keep(fmt::format("Sphere radius of the {} of the roller, which can touch a flange.", where)));
+  return real(intern_string(fmt::format("bReEndRad{}", end)), kLength, kNotNegative,
+              intern_string(fmt::format(
+                  "Sphere radius of the {} of the roller, which can touch a flange.", where)));
 }
 
 RecordSpec cylindrical_roller() {
@@ -208,20 +208,22 @@ RecordSpec flanges() {
                                              {"22", "inner race, positive x side"}}};
   for (const Place& place : kPlaces)
     spec.variables.push_back(
-        real(keep(fmt::format("flngAng{}", place.code)), kAngle, kTilt,
-             keep(fmt::format("Layback angle of the flange on the {}; used when kFlngInd{} is 1.",
-                              place.where, place.code))));
+        real(intern_string(fmt::format("flngAng{}", place.code)), kAngle, kTilt,
+             intern_string(
+                 fmt::format("Layback angle of the flange on the {}; used when kFlngInd{} is 1.",
+                             place.where, place.code))));
   for (const Place& place : kPlaces)
     spec.variables.push_back(
-        real(keep(fmt::format("flngHt{}", place.code)), kLength, kNotNegative,
-             keep(fmt::format("Height of the flange on the {}; used when kFlngInd{} is 1.",
-                              place.where, place.code))));
+        real(intern_string(fmt::format("flngHt{}", place.code)), kLength, kNotNegative,
+             intern_string(fmt::format("Height of the flange on the {}; used when kFlngInd{} is 1.",
+                                       place.where, place.code))));
   for (const auto& [race, name] : {std::pair{1, "outer"}, std::pair{2, "inner"}})
     spec.variables.push_back(
-        real(keep(fmt::format("flngCls{}", race)), kLength, kAny,
-             keep(fmt::format("Total free axial travel of a roller between the two flanges of the "
-                              "{0} race; used if kFlngInd1{1} and kFlngInd2{1} are both 1.",
-                              name, race))));
+        real(intern_string(fmt::format("flngCls{}", race)), kLength, kAny,
+             intern_string(
+                 fmt::format("Total free axial travel of a roller between the two flanges of the "
+                             "{0} race; used if kFlngInd1{1} and kFlngInd2{1} are both 1.",
+                             name, race))));
   return spec;
 }
 

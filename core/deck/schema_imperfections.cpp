@@ -20,7 +20,7 @@ using unit::kWaves;
 
 VariableSpec rms_length(std::string_view name, std::string_view what) {
   return real(name, kLength, kNotNegative,
-              keep(fmt::format("Root-mean-square deviation of {}.", what)));
+              intern_string(fmt::format("Root-mean-square deviation of {}.", what)));
 }
 
 void add_random_errors(std::vector<RecordSpec>& out) {
@@ -45,15 +45,17 @@ void add_listed_diameters(std::vector<RecordSpec>& out) {
   for (int block = 0; block < 4; ++block) {
     const int first = 10 * block + 1;
     RecordSpec spec =
-        record(keep(fmt::format("5G.1D.{}", block + 1)),
-               keep(fmt::format("Listed diameter deviations, elements {} to {}", first, first + 9)),
+        record(intern_string(fmt::format("5G.1D.{}", block + 1)),
+               intern_string(
+                   fmt::format("Listed diameter deviations, elements {} to {}", first, first + 9)),
                "kReGeoImp == 2", {});
     for (int element = first; element < first + 10; ++element)
       spec.variables.push_back(
-          real(keep(fmt::format("reDiaVar{}", element)), kLength, kAny,
-               keep(fmt::format("Diameter of rolling element {} minus the nominal diameter; 0 if "
-                                "there is no such element.",
-                                element))));
+          real(intern_string(fmt::format("reDiaVar{}", element)), kLength, kAny,
+               intern_string(
+                   fmt::format("Diameter of rolling element {} minus the nominal diameter; 0 if "
+                               "there is no such element.",
+                               element))));
     out.push_back(std::move(spec));
   }
 }
@@ -66,26 +68,27 @@ struct RaceNames {
 /// A wave over the circumference, a sin(w theta + phi): amplitude, waves per revolution, phase.
 std::vector<VariableSpec> wave(std::string_view stem, int race, const UnitPair& unit,
                                std::string_view what, Range amplitude = kAny) {
-  const auto name = [&](int i) { return keep(fmt::format("{}{}{}", stem, i, race)); };
+  const auto name = [&](int i) { return intern_string(fmt::format("{}{}{}", stem, i, race)); };
   return {real(name(1), unit, amplitude,
-               keep(fmt::format("Amplitude a of the {}, a sin(w theta + phi).", what))),
+               intern_string(fmt::format("Amplitude a of the {}, a sin(w theta + phi).", what))),
           real(name(2), kWaves, kNotNegative,
-               keep(fmt::format("Number w of waves per revolution of the {}.", what))),
-          real(name(3), kAngle, kAny, keep(fmt::format("Phase phi of the {}.", what)))};
+               intern_string(fmt::format("Number w of waves per revolution of the {}.", what))),
+          real(name(3), kAngle, kAny, intern_string(fmt::format("Phase phi of the {}.", what)))};
 }
 
 std::vector<VariableSpec> roundness(bool elliptical, const RaceNames& race) {
   if (!elliptical)
     return wave("rndVar", race.number, kLength,
-                keep(fmt::format("radius error of the {} race", race.name)));
-  const auto name = [&](int i) { return keep(fmt::format("rndVar{}{}", i, race.number)); };
-  return {
-      real(name(1), kLength, kAny,
-           keep(fmt::format("Semi-major axis minus nominal radius of the {} race.", race.name))),
-      real(name(2), kLength, kAny,
-           keep(fmt::format("Semi-minor axis minus nominal radius of the {} race.", race.name))),
-      real(name(3), kAngle, kAny,
-           "Angle of the major axis from the race-fixed z axis, positive about x.")};
+                intern_string(fmt::format("radius error of the {} race", race.name)));
+  const auto name = [&](int i) { return intern_string(fmt::format("rndVar{}{}", i, race.number)); };
+  return {real(name(1), kLength, kAny,
+               intern_string(
+                   fmt::format("Semi-major axis minus nominal radius of the {} race.", race.name))),
+          real(name(2), kLength, kAny,
+               intern_string(
+                   fmt::format("Semi-minor axis minus nominal radius of the {} race.", race.name))),
+          real(name(3), kAngle, kAny,
+               "Angle of the major axis from the race-fixed z axis, positive about x.")};
 }
 
 void append(std::vector<VariableSpec>& to, std::vector<VariableSpec> more) {
@@ -100,25 +103,27 @@ void add_race_errors(std::vector<RecordSpec>& out, const RaceNames& race, std::s
       const char variant = static_cast<char>('A' + (groove ? 0 : 2) + (elliptical ? 0 : 1));
       std::vector<VariableSpec> variables = roundness(elliptical, race);
       if (groove) {
-        append(variables,
-               wave("cFacVar", race.number, kPure,
-                    keep(fmt::format("error of the curvature factor of the {} race", race.name))));
+        append(variables, wave("cFacVar", race.number, kPure,
+                               intern_string(fmt::format(
+                                   "error of the curvature factor of the {} race", race.name))));
       } else {
-        append(variables,
-               wave("rlOffset", race.number, kLength,
-                    keep(fmt::format("axial offset of the land of the {} race", race.name))));
+        append(
+            variables,
+            wave("rlOffset", race.number, kLength,
+                 intern_string(fmt::format("axial offset of the land of the {} race", race.name))));
         append(variables,
                wave("rlTaper", race.number, kRadian,
-                    keep(fmt::format("taper of the land of the {} race", race.name)), kTaper));
+                    intern_string(fmt::format("taper of the land of the {} race", race.name)),
+                    kTaper));
       }
-      out.push_back(
-          record(keep(fmt::format("5G.2.{}{}", race.number, variant)),
-                 keep(fmt::format("{} race imperfections, {}, {}", title,
-                                  groove ? "ball and spherical types" : "cylindrical and tapered",
-                                  elliptical ? "elliptical" : "sinusoidal")),
-                 keep(fmt::format("kRaceGeoImp{} == {} && kBrg in {}", race.number,
-                                  elliptical ? 1 : 2, groove ? "(1,3,5)" : "(2,4)")),
-                 std::move(variables)));
+      out.push_back(record(
+          intern_string(fmt::format("5G.2.{}{}", race.number, variant)),
+          intern_string(fmt::format("{} race imperfections, {}, {}", title,
+                                    groove ? "ball and spherical types" : "cylindrical and tapered",
+                                    elliptical ? "elliptical" : "sinusoidal")),
+          intern_string(fmt::format("kRaceGeoImp{} == {} && kBrg in {}", race.number,
+                                    elliptical ? 1 : 2, groove ? "(1,3,5)" : "(2,4)")),
+          std::move(variables)));
     }
 }
 

@@ -16,28 +16,27 @@ using unit::kPerSpeed;
 using unit::kPure;
 using unit::kSpeed;
 
-constexpr std::string_view kAnyFlange =
-    "(kFlngInd11 > 0 || kFlngInd21 > 0 || kFlngInd12 > 0 || kFlngInd22 > 0)";
-
 VariableSpec curve_form(std::string_view name, std::string_view pair, std::string_view more = "") {
-  return choice(name,
-                {{"-1", "coefficients A B C D given"},
-                 {"0", "two slopes"},
-                 {"1", "A B C D from four conditions"},
-                 {"2", "asymptote with initial slope"}},
-                keep(fmt::format("Form of the hypothetical traction curve, {}.{}", pair, more)));
+  return choice(
+      name,
+      {{"-1", "coefficients A B C D given"},
+       {"0", "two slopes"},
+       {"1", "A B C D from four conditions"},
+       {"2", "asymptote with initial slope"}},
+      intern_string(fmt::format("Form of the hypothetical traction curve, {}.{}", pair, more)));
 }
 
 VariableSpec curve_source(std::string_view name, std::string_view pair,
                           std::string_view more = "") {
-  return choice(name, {{"-1", "user routine ADRX7"}, {"0", "hypothetical curve"}},
-                keep(fmt::format("Source of the traction coefficient, {}.{}", pair, more)));
+  return choice(
+      name, {{"-1", "user routine ADRX7"}, {"0", "hypothetical curve"}},
+      intern_string(fmt::format("Source of the traction coefficient, {}.{}", pair, more)));
 }
 
 RecordSpec traction_options() {
   return record(
       "10.0", "Traction model options", "true",
-      {with_table(
+      {with_option_table(
            choice("kTrac", {}, "Traction model or lubricant between rolling elements and races."),
            "@lubricants"),
        curve_form(
@@ -57,16 +56,19 @@ RecordSpec traction_options() {
 void add_traction_curves(std::vector<RecordSpec>& out, std::string_view id, std::string_view stem,
                          std::string_view title, std::string_view pair, std::string_view condition,
                          std::string_view type_variable) {
-  const auto name = [&](int i) { return keep(fmt::format("{}{}", stem, i)); };
+  const auto name = [&](int i) { return intern_string(fmt::format("{}{}", stem, i)); };
   const auto add = [&](char variant, int code, std::string_view form,
                        std::vector<VariableSpec> variables) {
     const std::string type = fmt::format("{} == {}", type_variable, code);
-    out.push_back(record(keep(fmt::format("{}{}", id, variant)),
-                         keep(fmt::format("{}, {}", title, form)),
-                         keep(condition.empty() ? type : fmt::format("{} && {}", condition, type)),
-                         std::move(variables)));
+    out.push_back(
+        record(intern_string(fmt::format("{}{}", id, variant)),
+               intern_string(fmt::format("{}, {}", title, form)),
+               intern_string(condition.empty() ? type : fmt::format("{} && {}", condition, type)),
+               std::move(variables)));
   };
-  const auto help = [&](std::string_view text) { return keep(fmt::format("{}, {}.", text, pair)); };
+  const auto help = [&](std::string_view text) {
+    return intern_string(fmt::format("{}, {}.", text, pair));
+  };
   const std::string_view at_rest = help("Traction coefficient at zero slip");
 
   add('A', -1, "coefficients",
@@ -85,9 +87,9 @@ void add_traction_curves(std::vector<RecordSpec>& out, std::string_view id, std:
   add('B', 0, "two slopes",
       {real(name(1), kPure, kAny, at_rest),
        real(name(2), kPerSpeed, kAny,
-            keep(fmt::format("Slope of the curve up to slip speed {}.", name(4)))),
+            intern_string(fmt::format("Slope of the curve up to slip speed {}.", name(4)))),
        real(name(3), kPerSpeed, kAny,
-            keep(fmt::format("Slope of the curve above slip speed {}.", name(4)))),
+            intern_string(fmt::format("Slope of the curve above slip speed {}.", name(4)))),
        real(name(4), kSpeed, kNotNegative, help("Slip speed where the slope changes"))});
   add('C', 1, "four conditions",
       {real(name(1), kPure, kAny, at_rest),
@@ -142,7 +144,8 @@ void add_lubrication_records(std::vector<RecordSpec>& out) {
   out.push_back(record(
       "10.3", "Critical film and starvation", "kTrac > 0",
       {real("reRaceFilm", unit::kLength, kNotNegative,
-            "Film thickness below which the hypothetical curve replaces the lubricant model."),
+            "Film thickness below which the hypothetical traction curve replaces the traction "
+            "model of the lubricant."),
        real("strParam", kPure, kNotNegative,
             "Distance of the oil meniscus from the contact edge divided by the contact half width. "
             "The contact is flooded at 10 or more, and heavily starved at 1 or less.")}));

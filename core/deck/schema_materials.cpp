@@ -18,10 +18,10 @@ enum class Extent : unsigned char { Conduction, Wear, Fatigue };
 std::vector<VariableSpec> material_variables(std::string_view prefix, std::string_view suffix,
                                              std::string_view part, Extent extent) {
   const auto name = [&](std::string_view middle) {
-    return keep(fmt::format("{}{}{}", prefix, middle, suffix));
+    return intern_string(fmt::format("{}{}{}", prefix, middle, suffix));
   };
   const auto of = [&](std::string_view property, std::string_view more = "") {
-    return keep(fmt::format("{} of the {}.{}", property, part, more));
+    return intern_string(fmt::format("{} of the {}.{}", property, part, more));
   };
   std::vector<VariableSpec> variables = {
       real(name("Den"), unit::kDensity, kPositive, of("Density")),
@@ -50,17 +50,19 @@ std::vector<VariableSpec> material_variables(std::string_view prefix, std::strin
 /// Races have the original Lundberg-Palmgren multiplier too; elements do not.
 std::vector<VariableSpec> life_constants(std::string_view suffix, std::string_view part,
                                          std::string_view slope_name) {
-  const auto name = [&](std::string_view stem) { return keep(fmt::format("{}{}", stem, suffix)); };
+  const auto name = [&](std::string_view stem) {
+    return intern_string(fmt::format("{}{}", stem, suffix));
+  };
   const auto multiplier = [&](std::string_view stem, std::string_view model) {
     return real(name(stem), kPure, kNotNegative,
-                keep(fmt::format(
+                intern_string(fmt::format(
                     "Multiplier on the constant of the {} model, {}. 1 keeps the built-in value.",
                     model, part)),
                 "1.0");
   };
   const auto exponent = [&](std::string_view stem, std::string_view what, std::string_view model) {
     return real(name(stem), kPure, kNotNegative,
-                keep(fmt::format(
+                intern_string(fmt::format(
                     "{} exponent of the {} model, {}.{}", what, model, part,
                     what == "Depth"
                         ? " 0 selects the built-in value if the shear stress exponent is also 0."
@@ -79,8 +81,8 @@ std::vector<VariableSpec> life_constants(std::string_view suffix, std::string_vi
   variables.push_back(multiplier("fcIH", kIh));
   variables.push_back(exponent("shExIH", "Shear stress", kIh));
   variables.push_back(exponent("depExIH", "Depth", kIh));
-  variables.push_back(
-      real(slope_name, kPure, kPositive, keep(fmt::format("Weibull slope of the {}.", part))));
+  variables.push_back(real(slope_name, kPure, kPositive,
+                           intern_string(fmt::format("Weibull slope of the {}.", part))));
   return variables;
 }
 
@@ -91,7 +93,8 @@ struct LifeFactorNames {
 std::vector<VariableSpec> life_factors(const LifeFactorNames& names, std::string_view part) {
   const auto factor = [&](std::string_view name, std::string_view what, std::string_view more,
                           std::string_view value = {}) {
-    return real(name, kPure, kNotNegative, keep(fmt::format("{}, {}.{}", what, part, more)), value);
+    return real(name, kPure, kNotNegative,
+                intern_string(fmt::format("{}, {}.{}", what, part, more)), value);
   };
   return {
       factor(names.material, "Tallian material factor",
@@ -112,21 +115,22 @@ std::vector<VariableSpec> life_factors(const LifeFactorNames& names, std::string
 
 RecordSpec race_life_factors(std::string_view id, int race, std::string_view name) {
   const auto with_race = [&](std::string_view stem) {
-    return keep(fmt::format("{}{}", stem, race));
+    return intern_string(fmt::format("{}{}", stem, race));
   };
-  const std::string_view part = keep(fmt::format("{} race", name));
-  RecordSpec spec = record(
-      id, keep(fmt::format("Life modification factors of the {} race", name)),
-      keep(fmt::format("kRaceMat{} == 1", race)),
-      {real(with_race("rmsAspSlope"), kRadian, kNotNegative,
-            keep(fmt::format("Composite rms asperity slope of the {} race contact, for the Tallian "
-                             "factors.",
-                             name))),
-       real(
-           with_race("aspTrac"), kPure, kNotNegative,
-           keep(fmt::format("Asperity traction coefficient of the {} race contact, for the Tallian "
-                            "factors.",
-                            name)))});
+  const std::string_view part = intern_string(fmt::format("{} race", name));
+  RecordSpec spec =
+      record(id, intern_string(fmt::format("Life modification factors of the {} race", name)),
+             intern_string(fmt::format("kRaceMat{} == 1", race)),
+             {real(with_race("rmsAspSlope"), kRadian, kNotNegative,
+                   intern_string(fmt::format(
+                       "Composite rms asperity slope of the {} race contact, for the Tallian "
+                       "factors.",
+                       name))),
+              real(with_race("aspTrac"), kPure, kNotNegative,
+                   intern_string(fmt::format(
+                       "Asperity traction coefficient of the {} race contact, for the Tallian "
+                       "factors.",
+                       name)))});
   const LifeFactorNames names{with_race("facMat"),    with_race("facCont"),
                               with_race("facProc"),   with_race("facMatLF"),
                               with_race("facProcLF"), with_race("hardnessLF")};

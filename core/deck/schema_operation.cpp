@@ -59,14 +59,15 @@ RecordSpec loads() {
   constexpr std::array<std::pair<char, int>, 3> kAxes = {{{'X', 1}, {'Y', 2}, {'Z', 3}}};
   for (const auto& [axis, number] : kAxes)
     spec.variables.push_back(
-        real(keep(fmt::format("appLoad{}", axis)), unit::kForce, range::kLoad,
-             keep(fmt::format("Force that the shaft applies to the inner race along {}, used when "
-                              "kFS{} is 0.",
-                              static_cast<char>(axis - 'A' + 'a'), number))));
+        real(intern_string(fmt::format("appLoad{}", axis)), unit::kForce, range::kLoad,
+             intern_string(
+                 fmt::format("Force that the shaft applies to the inner race along {}, used when "
+                             "kFS{} is 0.",
+                             static_cast<char>(axis - 'A' + 'a'), number))));
   for (const auto& [axis, number] : kAxes)
     spec.variables.push_back(real(
-        keep(fmt::format("appDisp{}", axis)), kLength, range::kShift,
-        keep(fmt::format(
+        intern_string(fmt::format("appDisp{}", axis)), kLength, range::kShift,
+        intern_string(fmt::format(
             "Displacement of the inner race relative to the outer race along {1} when kFS{0} is 1. "
             "When kFS{0} is 0, it is the first guess of the static solution, and 0 selects an "
             "estimate. The displacement is measured from the unmounted bearing at rest and at room "
@@ -112,9 +113,10 @@ RecordSpec temperatures() {
   for (const auto& [name, part] : kParts)
     spec.variables.push_back(
         real(name, kTemperature, range::kHeat,
-             keep(fmt::format("Temperature (absolute) of the {} at the start. Dimensions grow with "
-                              "the difference from room temperature.",
-                              part))));
+             intern_string(
+                 fmt::format("Temperature (absolute) of the {} at the start. Dimensions grow with "
+                             "the difference from room temperature.",
+                             part))));
   return spec;
 }
 
@@ -135,13 +137,13 @@ RecordSpec race_vibration() {
   for (const auto& [race, name] : kRaces)
     for (const char axis : {'x', 'y', 'z'})
       spec.variables.push_back(
-          real(keep(fmt::format("raceVibAmp{}{}", axis - 'x' + 1, race)), kLength, kAny,
-               keep(fmt::format("{} race: amplitude A of the motion A sin(2 pi f t) along {}.",
-                                name, axis))));
+          real(intern_string(fmt::format("raceVibAmp{}{}", axis - 'x' + 1, race)), kLength, kAny,
+               intern_string(fmt::format(
+                   "{} race: amplitude A of the motion A sin(2 pi f t) along {}.", name, axis))));
   for (const auto& [race, name] : kRaces)
-    spec.variables.push_back(real(keep(fmt::format("raceVibFreq{}", race)), unit::kFrequency,
-                                  kNotNegative,
-                                  keep(fmt::format("{} race: frequency f of the motion.", name))));
+    spec.variables.push_back(
+        real(intern_string(fmt::format("raceVibFreq{}", race)), unit::kFrequency, kNotNegative,
+             intern_string(fmt::format("{} race: frequency f of the motion.", name))));
   return spec;
 }
 
@@ -150,24 +152,28 @@ std::vector<VariableSpec> cage_start(std::string_view body) {
                "Largest thickness of the lubricant film in the pockets. The film acts on elements "
                "that are closer than this to the pocket wall."),
           real("wvRatio", kPure, range::kSpeedRatio,
-               keep(fmt::format("Whirl speed of the {} mass center at the start, divided by the "
-                                "angular speed of the {}.",
-                                body, body))),
+               intern_string(
+                   fmt::format("Whirl speed of the {} mass center at the start, divided by the "
+                               "angular speed of the {}.",
+                               body, body))),
           real("avRatio", kPure, range::kSpeedRatio,
-               keep(fmt::format("Angular speed of the {} at the start, divided by the epicyclic "
-                                "speed of the rolling elements.",
-                                body)),
+               intern_string(
+                   fmt::format("Angular speed of the {} at the start, divided by the epicyclic "
+                               "speed of the rolling elements.",
+                               body)),
                ""),
           array(real("cageGcPos", kLength, kAny,
-                     keep(fmt::format("Coordinates x, y, z of the {} at the start, relative to the "
-                                      "center of the pitch circle.",
-                                      body == "segment" ? "point of the segment on the cage axis"
-                                                        : "cage mass center"))),
+                     intern_string(
+                         fmt::format("Coordinates x, y, z of the {} at the start, relative to the "
+                                     "center of the pitch circle.",
+                                     body == "segment" ? "point of the segment on the cage axis"
+                                                       : "cage mass center"))),
                 "3"),
           array(real("cageAngPos", kAngle, kAny,
-                     keep(fmt::format("Three angles of the transformation from the inertial frame "
-                                      "to the frame of the {} at the start.",
-                                      body))),
+                     intern_string(
+                         fmt::format("Three angles of the transformation from the inertial frame "
+                                     "to the frame of the {} at the start.",
+                                     body))),
                 "3")};
 }
 
@@ -206,9 +212,9 @@ void add_operation_records(std::vector<RecordSpec>& out) {
        real("rotLoadFrac2", kPure, kAny,
             "Orbit radius of the inner race divided by the radial deflection between the races."),
        real("rotLoadRpm1", kRotation, kAny,
-            "Rotational speed of the load that the orbit of the outer race produces."),
+            "Rotational speed of the load due to the orbit of the outer race."),
        real("rotLoadRpm2", kRotation, kAny,
-            "Rotational speed of the load that the orbit of the inner race produces.")}));
+            "Rotational speed of the load due to the orbit of the inner race.")}));
   out.push_back(race_vibration());
   out.push_back(record(
       "9.4A", "Constant race acceleration", "mode >= 0 && kVarSpeed == 1",
@@ -242,8 +248,8 @@ void add_operation_records(std::vector<RecordSpec>& out) {
             "Fraction of the inertia load of the inner race that the bearing carries.")}));
   out.push_back(
       record("9.6", "Initial state of a one-piece cage", "nCseg == 1", cage_start("cage")));
-  out.push_back(repeated("9.6.k", "Initial state of each cage segment", "nCseg > 1", "nCseg",
-                         cage_start("segment")));
+  out.push_back(repeated_record("9.6.k", "Initial state of each cage segment", "nCseg > 1", "nCseg",
+                                cage_start("segment")));
   out.push_back(thermal_inputs());
   out.push_back(record(
       "9.8", "Coolant properties", "kTherm > 0 && kCoolant == 2",
@@ -258,9 +264,9 @@ void add_final_records(std::vector<RecordSpec>& out) {
   RecordSpec gravity = record("11", "Gravity", "mode >= 0", {});
   for (const char axis : {'x', 'y', 'z'})
     gravity.variables.push_back(
-        real(keep(fmt::format("gravityVec{}", static_cast<char>(axis - 'a' + 'A'))),
+        real(intern_string(fmt::format("gravityVec{}", static_cast<char>(axis - 'a' + 'A'))),
              unit::kAcceleration, kAny,
-             keep(fmt::format(
+             intern_string(fmt::format(
                  "Gravity acceleration along {}.{}", axis,
                  axis == 'z'
                      ? " A negative value points away from the usual direction of the radial load."

@@ -13,7 +13,7 @@ constexpr double kLargestInteger = 2147483647.0;  // limit of the classic tool
 
 }  // namespace
 
-std::string_view keep(std::string text) {
+std::string_view intern_string(std::string text) {
   static std::deque<std::string>
       kept;  // a deque never moves its elements; filled once, under schema()'s static guard
   return kept.emplace_back(std::move(text));
@@ -81,48 +81,50 @@ VariableSpec array(VariableSpec variable, std::string_view length) {
   return variable;
 }
 
-VariableSpec with_table(VariableSpec variable, std::string_view option_table) {
+VariableSpec with_option_table(VariableSpec variable, std::string_view option_table) {
   variable.option_table = option_table;
   return variable;
 }
 
-RecordSpec repeated(std::string_view id, std::string_view title, std::string_view condition,
-                    std::string_view repeat, std::vector<VariableSpec> variables) {
+RecordSpec repeated_record(std::string_view id, std::string_view title, std::string_view condition,
+                           std::string_view repeat, std::vector<VariableSpec> variables) {
   variables.insert(variables.begin(), record_label());
   return {id, title, condition, repeat, std::move(variables)};
 }
 
 RecordSpec record(std::string_view id, std::string_view title, std::string_view condition,
                   std::vector<VariableSpec> variables) {
-  return repeated(id, title, condition, {}, std::move(variables));
+  return repeated_record(id, title, condition, {}, std::move(variables));
 }
 
 std::vector<VariableSpec> inertia_variables(std::string_view prefix, std::string_view suffix,
                                             std::string_view body, std::string_view frame) {
   const auto name = [&](std::string_view middle) {
-    return keep(fmt::format("{}{}{}", prefix, middle, suffix));
+    return intern_string(fmt::format("{}{}{}", prefix, middle, suffix));
   };
   std::vector<VariableSpec> variables;
   variables.push_back(real(name("Mass"), unit::kMass, range::kPositive,
-                           keep(fmt::format("Mass of the {}.", body))));
+                           intern_string(fmt::format("Mass of the {}.", body))));
   constexpr std::pair<std::string_view, std::string_view> kAxes[] = {
       {"x", "polar x axis"}, {"y", "transverse y axis"}, {"z", "transverse z axis"}};
   for (const auto& [axis, what] : kAxes)
     variables.push_back(
         real(name(fmt::format("MI{}", axis)), unit::kInertia, range::kPositive,
-             keep(fmt::format("Principal moment of inertia of the {} about its {}.", body, what))));
+             intern_string(
+                 fmt::format("Principal moment of inertia of the {} about its {}.", body, what))));
   for (const char axis : {'X', 'Y', 'Z'})
-    variables.push_back(
-        real(name(fmt::format("GeoCen{}", axis)), unit::kLength, range::kAny,
-             keep(fmt::format("{} component of the vector from the mass center to the geometric "
-                              "center of the {}, in {}. Zero for a balanced body.",
-                              axis, body, frame))));
+    variables.push_back(real(name(fmt::format("GeoCen{}", axis)), unit::kLength, range::kAny,
+                             intern_string(fmt::format(
+                                 "{} component of the vector from the mass center to the geometric "
+                                 "center of the {}, in {}. Zero for a balanced body.",
+                                 axis, body, frame))));
   for (const char axis : {'X', 'Y', 'Z'})
     variables.push_back(
         real(name(fmt::format("Frame{}", axis)), unit::kAngle, range::kAny,
-             keep(fmt::format("Rotation angle about {} from the principal axes of inertia to the "
-                              "geometric frame of the {}. Zero when both coincide.",
-                              axis, body))));
+             intern_string(
+                 fmt::format("Rotation angle about {} from the principal axes of inertia to the "
+                             "geometric frame of the {}. Zero when both coincide.",
+                             axis, body))));
   return variables;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/constants.hpp"
 #include "deck/schema.hpp"
 #include "deck/units.hpp"
 
@@ -10,10 +11,9 @@
 namespace adore::deck {
 
 /// Keeps a composed string alive for the whole run and returns a view of it.
-std::string_view keep(std::string text);
+std::string_view intern_string(std::string text);
 
 namespace range {
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr Range kAny{-kInfinity, kInfinity, false};
 inline constexpr Range kPositive{0.0, kInfinity, true};
 inline constexpr Range kNotNegative{0.0, kInfinity, false};
@@ -40,6 +40,10 @@ inline constexpr Range kSpeedRatio{-1e6, 1e6, false};  ///< to another speed
 constexpr Range between(double min, double max) { return {min, max, false}; }
 }  // namespace range
 
+/// Condition: a race has a flange.
+inline constexpr std::string_view kAnyFlange =
+    "(kFlngInd11 > 0 || kFlngInd21 > 0 || kFlngInd12 > 0 || kFlngInd22 > 0)";
+
 VariableSpec record_label();
 VariableSpec text(std::string_view name, int max_length, std::string_view help,
                   std::string_view default_value = {});
@@ -56,14 +60,14 @@ VariableSpec real(std::string_view name, const UnitPair& unit, Range range, std:
                   std::string_view default_value = {});
 /// The same variable as an array; `length` is a number or the name of an integer variable.
 VariableSpec array(VariableSpec variable, std::string_view length);
-VariableSpec with_table(VariableSpec variable, std::string_view option_table);
+VariableSpec with_option_table(VariableSpec variable, std::string_view option_table);
 
 /// A record that occurs once. The record label is put in front of the variables.
 RecordSpec record(std::string_view id, std::string_view title, std::string_view condition,
                   std::vector<VariableSpec> variables);
 /// A record that occurs as often as the integer variable `repeat` says.
-RecordSpec repeated(std::string_view id, std::string_view title, std::string_view condition,
-                    std::string_view repeat, std::vector<VariableSpec> variables);
+RecordSpec repeated_record(std::string_view id, std::string_view title, std::string_view condition,
+                           std::string_view repeat, std::vector<VariableSpec> variables);
 
 /// The ten variables of an inertia record; names are prefix + "Mass" + suffix and so on.
 std::vector<VariableSpec> inertia_variables(std::string_view prefix, std::string_view suffix,

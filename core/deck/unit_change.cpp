@@ -9,12 +9,12 @@
 namespace adore::deck {
 namespace {
 
-constexpr int kShort = 9;        // digits of numbers that people type
-constexpr int kConverted = 12;   // digits of what comes of them
-constexpr int kMostDigits = 15;  // that a double keeps
+constexpr int kTypedDigits = 9;       // digits of numbers that people type
+constexpr int kConvertedDigits = 12;  // digits of what comes of them
+constexpr int kMaxDigits = 15;        // that a double keeps
 
 bool is_pure_number(const Deck& deck, const VariableSpec& variable) {
-  return !variable.unitless_when.empty() && evaluate(variable.unitless_when, scope_of(deck));
+  return !variable.unitless_when.empty() && evaluate(variable.unitless_when, condition_scope(deck));
 }
 
 double factor(const UnitPair& unit, UnitSystem system) {
@@ -44,12 +44,12 @@ double convert_value(double value, const UnitPair& unit, UnitSystem from, UnitSy
   const double exact = value * a / b;
   if (a == b || value == 0.0 || !std::isfinite(exact) || exact == 0.0) return value;
   // A short number whose conversion is `value`: what was typed in the other system.
-  for (int digits = 1; digits <= kShort; ++digits) {
+  for (int digits = 1; digits <= kTypedDigits; ++digits) {
     const double candidate = rounded_to_digits(exact, digits);
-    if (rounded_to_digits(candidate * b / a, kConverted) == value) return candidate;
+    if (rounded_to_digits(candidate * b / a, kConvertedDigits) == value) return candidate;
   }
-  if (has_digits(value, kShort)) return rounded_to_digits(exact, kConverted);
-  for (int digits = kShort + 1; digits <= kMostDigits; ++digits) {
+  if (has_digits(value, kTypedDigits)) return rounded_to_digits(exact, kConvertedDigits);
+  for (int digits = kTypedDigits + 1; digits <= kMaxDigits; ++digits) {
     const double candidate = rounded_to_digits(exact, digits);
     if (candidate * b / a == value) return candidate;
   }

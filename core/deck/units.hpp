@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/constants.hpp"
 #include "deck/schema.hpp"
 
 /// The unit pairs of the deck. Factors follow from the exact definitions: 1 in = 0.0254 m, 1 lbm =
@@ -8,12 +9,10 @@
 /// lbm.in/(lbf.s^2) never appears.
 namespace adore::deck::unit {
 
-inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kInch = 0.0254;
 inline constexpr double kPoundMass = 0.45359237;
 inline constexpr double kPoundForce = 4.4482216152605;
 inline constexpr double kRankine = 5.0 / 9.0;
-inline constexpr double kDegree = kPi / 180.0;
 inline constexpr double kRpm = 2.0 * kPi / 60.0;
 
 inline constexpr UnitPair kNone{"", "", 1.0, 1.0};    ///< codes and strings

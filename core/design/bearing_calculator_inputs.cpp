@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "design/calculator_inputs.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@ namespace adore::design {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr double kDegree = std::numbers::pi / 180.0, kRpm = std::numbers::pi / 30.0;
+constexpr double kRpm = std::numbers::pi / 30.0;
 
 /// Contact angle as made [rad]: of rollers the mean of both races.
 double made_angle(const bearing::Bearing& made) {
@@ -67,8 +68,8 @@ Json iso16281(const runs::Prepared& p) {
   const life::IsoReport& r = iso_of(p, "iso16281");
   if (p.rollers)
     throw InputError(
-        "calculator iso16281 takes a deck with balls; the lamina loads of rollers differ from "
-        "roller to roller, which the calculator does not take");
+        "calculator iso16281 accepts only decks with balls, because rollers have different lamina "
+        "loads");
   Json outer = Json::array(), inner = Json::array();
   for (const statics::StaticBall& ball : p.statics.balls) {
     outer.push_back(ball.Q[0]);
@@ -133,7 +134,7 @@ Json load_capacity(const runs::Prepared& p) {
 Json roller_inertia(const runs::Prepared& p) {
   const bearing::RollerGeometry* rollers = p.as_built.rollers();
   if (rollers == nullptr)
-    throw InputError("calculator roller-inertia takes a deck with rollers; this deck has balls");
+    throw InputError("calculator roller-inertia needs a deck with rollers; this deck has balls");
   return {{"roller", {{"dia", rollers->diameter}, {"length", rollers->length}}},
           {"density", p.as_built.element_material.density}};
 }
@@ -149,12 +150,12 @@ Json clearance(const runs::Prepared& p) {
   const bearing::Bearing& made = p.as_built;
   if (made.mounting.material_laws)
     throw InputError(
-        "calculator clearance has constant expansion coefficients. Set kMatPropMod to 0, or read "
+        "calculator clearance uses constant expansion coefficients. Set kMatPropMod to 0, or see "
         "the clearance in the results of the deck.");
   const bool rollers = made.rollers() != nullptr;
   if (rollers && made.type != bearing::Type::Cylindrical && made.type != bearing::Type::Spherical)
     throw InputError(
-        "calculator clearance takes decks with balls, cylindrical and spherical rollers");
+        "calculator clearance accepts decks with balls, cylindrical rollers or spherical rollers");
   Json in{{"type", !rollers                                  ? "ball"
                    : made.type == bearing::Type::Cylindrical ? "cylindrical_roller"
                                                              : "spherical_roller"},

@@ -1,5 +1,6 @@
 #include "design/bearing_candidates.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "life/iso281.hpp"
 
@@ -13,7 +14,7 @@
 namespace adore::design {
 namespace {
 
-constexpr double kMm = 1e-3, kInch64 = 25.4 / 64.0, kDegree = std::numbers::pi / 180.0;
+constexpr double kMm = 1e-3, kInch64 = 25.4 / 64.0;
 constexpr double kWeightLimit =
     0.07;  // the least with at most 5 candidates in the median of "rules"
 constexpr std::size_t kMaxListed = 12;
@@ -456,7 +457,7 @@ std::string decisive_fact(const std::vector<BearingCandidate>& c) {
       best = &p;
     }
   }
-  if (best == nullptr) return "No single fact separates these candidates.";
+  if (best == nullptr) return "No single further fact would decide between these candidates.";
   std::string values;
   for (std::size_t n = 0; n < c.size(); ++n)
     values += fmt::format("{}{:.4g}{} ({})", n == 0 ? "" : ", ", best->value(c[n]) * best->factor,
@@ -477,7 +478,7 @@ deck::CatalogueBearing bearing_of(const BearingFacts& f, std::vector<Contradicti
   else
     out.designation = "bearing of facts";
   if (!f.type.empty()) {
-    const deck::BearingType type = deck::type_of_word(f.type);
+    const deck::BearingType type = deck::parse_bearing_type(f.type);
     if (named && type != out.type)
       wrong.push_back(
           {fmt::format("designation = {}", f.designation), fmt::format("type = {}", f.type)});
@@ -507,13 +508,14 @@ deck::CatalogueBearing bearing_of(const BearingFacts& f, std::vector<Contradicti
     out.angle = *f.contact_angle;
     out.angle_given = true;
   } else if (!named && out.envelope.outside > out.envelope.bore) {
-    out.angle = deck::usual_angle(out.type, out.envelope);
+    out.angle = deck::default_contact_angle(out.type, out.envelope);
   }
   if (!f.clearance.empty()) {
     out.clearance = f.clearance;
     // Checks that the type has the group.
     if (out.envelope.bore > 0.0)
-      (void)deck::propose_inner(out.type, out.envelope, out.angle, out.clearance, out.tapered_bore);
+      (void)deck::propose_internal_geometry(out.type, out.envelope, out.angle, out.clearance,
+                                            out.tapered_bore);
   }
   if (out.envelope.bore > 0.0 && out.envelope.outside > 0.0 &&
       !(out.envelope.outside > 1.05 * out.envelope.bore))
@@ -565,9 +567,10 @@ void check_bounds(const BearingFacts& f, const deck::CatalogueBearing& b,
     fact_use.push_back(fmt::format(
         "cage = {}: only \"full complement\" has an effect on the candidates.", f.cage));
   if (f.rows.value_or(1) > 1)
-    fact_use.push_back(fmt::format(
-        "The ratings are those of {} rows; the deck has one row: enter its share of the load.",
-        *f.rows));
+    fact_use.push_back(
+        fmt::format("The ratings apply to {} rows together. The deck describes one row: enter the "
+                    "load of one row.",
+                    *f.rows));
   if (!b.left_out.empty())
     fact_use.push_back(fmt::format("Not used of the designation: {}.", b.left_out));
 }
@@ -587,7 +590,8 @@ CandidateReport find_candidates(const BearingFacts& facts) {
     all = twice.find(kAllFacts);
     if (!all.empty())
       out.fact_use.emplace_back(
-          "BSF is read as twice the spin of an element (contacts of a defect).");
+          "BSF is assumed to be twice the spin frequency of an element (a defect strikes both "
+          "races).");
   }
   if (all.empty()) {
     out.contradictions = contradictions_of(search, named_facts(facts));
@@ -607,13 +611,12 @@ CandidateReport find_candidates(const BearingFacts& facts) {
   if (!facts.C && !facts.C0 && !facts.BPFO && !facts.BPFI && !facts.count &&
       !facts.element_diameter)
     out.fact_use.emplace_back(
-        "Only the size is known: the candidates are habits of the type. C and C0, or a fault "
-        "factor, "
-        "would select among them.");
+        "Only the size is known: the candidates are typical designs of this type. Add C and C0, or "
+        "a fault factor, to select among them.");
   return out;
 }
 
-deck::CatalogueBearing chosen_candidate(const CandidateReport& report, int number) {
+deck::CatalogueBearing candidate_bearing(const CandidateReport& report, int number) {
   const auto count = static_cast<int>(report.candidates.size());
   if (number < 1 || number > count)
     throw InputError(count == 0

@@ -69,8 +69,8 @@ struct CandidateReport {
 [[nodiscard]] std::string candidates_text(const CandidateReport& report);
 [[nodiscard]] nlohmann::ordered_json candidates_json(const CandidateReport& report);
 
-/// A bearing for catalogue_deck and catalogue_story. @param number from 1 @throws InputError when
-/// there is no such candidate
-[[nodiscard]] deck::CatalogueBearing chosen_candidate(const CandidateReport& report, int number);
+/// A bearing for catalogue_deck and describe_catalogue_bearing. @param number from 1 @throws
+/// InputError when there is no such candidate
+[[nodiscard]] deck::CatalogueBearing candidate_bearing(const CandidateReport& report, int number);
 
 }  // namespace adore::design

@@ -18,10 +18,10 @@ struct Unit {
   std::string_view name;
   double factor;  ///< to the unit of BearingFacts
 };
-constexpr Unit kLength[] = {{"mm", 1e-3}, {"m", 1.0}, {"um", 1e-6}, {"in", 0.0254}};
-constexpr Unit kForce[] = {{"kN", 1e3}, {"N", 1.0}, {"MN", 1e6}, {"lbf", 4.4482216152605}};
+constexpr Unit kLengthUnits[] = {{"mm", 1e-3}, {"m", 1.0}, {"um", 1e-6}, {"in", 0.0254}};
+constexpr Unit kForceUnits[] = {{"kN", 1e3}, {"N", 1.0}, {"MN", 1e6}, {"lbf", 4.4482216152605}};
 constexpr Unit kMass[] = {{"kg", 1.0}, {"g", 1e-3}, {"lb", 0.45359237}};
-constexpr Unit kAngle[] = {{"deg", 1.0}, {"rad", 180.0 / std::numbers::pi}};
+constexpr Unit kAngleUnits[] = {{"deg", 1.0}, {"rad", 180.0 / std::numbers::pi}};
 constexpr Unit kSpeed[] = {{"rpm", 1.0}, {"1/min", 1.0}, {"rad/s", 30.0 / std::numbers::pi}};
 constexpr double kLargest = 1e9, kSmallest = 1e-9;  // of any quantity in SI
 
@@ -92,21 +92,21 @@ BearingFacts facts_of_json(const nlohmann::json& json, std::string_view name) {
   in.text("clearance", out.clearance);
   in.text("cage", out.cage);
   in.text("source", out.source);
-  in.quantity("bore", kLength, out.bore);
-  in.quantity("outside", kLength, out.outside);
-  in.quantity("width", kLength, out.width);
-  in.quantity("C", kForce, out.C);
-  in.quantity("C0", kForce, out.C0);
-  in.quantity("Cu", kForce, out.Cu);
+  in.quantity("bore", kLengthUnits, out.bore);
+  in.quantity("outside", kLengthUnits, out.outside);
+  in.quantity("width", kLengthUnits, out.width);
+  in.quantity("C", kForceUnits, out.C);
+  in.quantity("C0", kForceUnits, out.C0);
+  in.quantity("Cu", kForceUnits, out.Cu);
   in.number("BPFO", out.BPFO);
   in.number("BPFI", out.BPFI);
   in.number("FTF", out.FTF);
   in.number("BSF", out.BSF);
   in.quantity("mass", kMass, out.mass);
-  in.quantity("element_diameter", kLength, out.element_diameter);
-  in.quantity("element_length", kLength, out.element_length);
-  in.quantity("pitch_diameter", kLength, out.pitch_diameter);
-  in.quantity("contact_angle", kAngle, out.contact_angle);
+  in.quantity("element_diameter", kLengthUnits, out.element_diameter);
+  in.quantity("element_length", kLengthUnits, out.element_length);
+  in.quantity("pitch_diameter", kLengthUnits, out.pitch_diameter);
+  in.quantity("contact_angle", kAngleUnits, out.contact_angle);
   in.quantity("limiting_speed", kSpeed, out.limiting_speed);
   in.integer("count", kMaxCount, out.count);
   in.integer("rows", kMaxRows, out.rows);

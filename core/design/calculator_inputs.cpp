@@ -124,17 +124,15 @@ Json calculator_inputs(const runs::Prepared& p, const std::string& calculator, i
     return out;
   }
   if (calculator == "line-contact") {
-    if (!p.rollers) throw InputError("calculator line-contact takes a deck with rollers");
+    if (!p.rollers) throw InputError("calculator line-contact needs a deck with rollers");
     for (std::size_t j = 0; j < 2; ++j) out[kRaces[j]] = line_of_roller(p, k, j);
     return out;
   }
   if (calculator != "hertz")
-    throw InputError(fmt::format("calculator {} does not take a deck; these do: {}", calculator,
-                                 fmt::join(deck_calculators(), ", ")));
+    throw InputError(fmt::format("calculator {} does not accept a deck. These calculators do: {}",
+                                 calculator, fmt::join(deck_calculators(), ", ")));
   if (p.rollers)
-    throw InputError(
-        "calculator hertz takes a deck with balls; rollers have no single ellipse. Use "
-        "line-contact");
+    throw InputError("calculator hertz needs a deck with balls. Use line-contact for rollers");
   for (std::size_t j = 0; j < 2; ++j) out[kRaces[j]] = hertz_of_ball(p, k, j);
   return out;
 }

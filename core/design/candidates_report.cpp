@@ -41,14 +41,15 @@ std::string candidates_text(const CandidateReport& report) {
           one.C0 / 1e3, one.BPFO, one.BPFI, one.FTF, one.BSF, one.convention);
     const BearingCandidate& first = report.candidates.front();
     out += fmt::format(
-        "ESTIMATES from published facts. C and C0 are those of ISO 281 and ISO 76 for each "
-        "geometry; "
-        "the weight ranks and is not a probability. Spread of candidate 1: D +- {:.2g} mm, BPFO "
+        "ESTIMATES from published facts. C and C0 are computed by ISO 281 and ISO 76 for each "
+        "geometry. The weight is for ranking; it is not a probability. Spread of candidate 1: D +- "
+        "{:.2g} mm, BPFO "
         "+- {:.2g} %.\n",
         first.diameter_spread * 1e3, 100.0 * first.factor_spread);
     if (report.left_out > 0)
-      out += fmt::format("{} further geometries below 7 % of the first weight are not listed.\n",
-                         report.left_out);
+      out += fmt::format(
+          "{} further geometries with less than 7 % of the largest weight are not listed.\n",
+          report.left_out);
     if (!report.decisive.empty()) out += report.decisive + "\n";
   }
   for (const std::string& note : report.fact_use) out += note + "\n";
@@ -82,7 +83,7 @@ nlohmann::ordered_json candidates_json(const CandidateReport& report) {
   if (report.facts.C0) given["C0 [N]"] = *report.facts.C0;
   if (report.facts.Cu) given["Cu [N]"] = *report.facts.Cu;
   return {{"designation", report.bearing.designation},
-          {"type", deck::type_word(report.bearing.type)},
+          {"type", deck::bearing_type_keyword(report.bearing.type)},
           {"bore [m]", report.bearing.envelope.bore},
           {"outside [m]", report.bearing.envelope.outside},
           {"width [m]", report.bearing.envelope.width},

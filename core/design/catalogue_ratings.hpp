@@ -17,6 +17,6 @@ struct CatalogueRatings {
 [[nodiscard]] CatalogueRatings catalogue_ratings(const deck::RatedBearing& bearing);
 
 /// Sentences: dimensions, estimated inside, ratings, and that no deck describes the type.
-[[nodiscard]] std::vector<std::string> ratings_story(const deck::RatedBearing& bearing);
+[[nodiscard]] std::vector<std::string> describe_ratings(const deck::RatedBearing& bearing);
 
 }  // namespace adore::design

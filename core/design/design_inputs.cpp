@@ -88,7 +88,7 @@ std::string input_text(const deck::Deck& deck, const DesignInput& input) {
   if (!usual) return fmt::format("{}", value);
   // Of a deck in other units, whose values have twelve digits, a person wants fewer.
   constexpr std::size_t kMostDigits = 10;
-  const std::string exact = deck::number_in(value, spec.unit, deck.units(), unit);
+  const std::string exact = deck::number_in_unit(value, spec.unit, deck.units(), unit);
   if (exact.size() <= kMostDigits + 1) return exact;
   double number = value;
   const bool read = !deck::parse_real(exact, number);
@@ -129,7 +129,7 @@ std::vector<DesignOil> design_oils(const deck::Deck& deck) {
   return out;
 }
 
-std::optional<std::size_t> design_oil_of(const deck::Deck& deck) {
+std::optional<std::size_t> design_oil_index(const deck::Deck& deck) {
   const std::vector<DesignOil> oils = design_oils(deck);
   const bool by_grade = deck.integer("kTrac") == kByGrade;
   // Record X2 acts on films only with this code.
@@ -143,7 +143,7 @@ std::optional<std::size_t> design_oil_of(const deck::Deck& deck) {
   return static_cast<std::size_t>(found - oils.begin());
 }
 
-deck::Deck with_bearing(const deck::Deck& deck, std::string_view designation, bool keep) {
+deck::Deck replace_bearing(const deck::Deck& deck, std::string_view designation, bool keep) {
   const deck::CatalogueBearing bearing = deck::find_bearing(designation);
   deck::Deck out = deck::read_deck_text(deck::catalogue_deck(bearing), "catalog").deck;
   out.file.clear();
@@ -152,7 +152,7 @@ deck::Deck with_bearing(const deck::Deck& deck, std::string_view designation, bo
   // Loads and speeds that the catalogue proposed for the present bearing are not the user's.
   std::optional<deck::Deck> proposed;
   try {
-    proposed = with_bearing(deck, deck.text("runID"), false);
+    proposed = replace_bearing(deck, deck.text("runID"), false);
   } catch (const InputError&) {
   }
   std::vector<std::pair<std::string, std::string>> sets;

@@ -38,14 +38,14 @@ struct DesignOil {
 [[nodiscard]] std::vector<DesignOil> design_oils(const deck::Deck& deck);
 /// Position in design_oils() of the oil that the deck has; nothing: one that the page does not
 /// offer.
-[[nodiscard]] std::optional<std::size_t> design_oil_of(const deck::Deck& deck);
+[[nodiscard]] std::optional<std::size_t> design_oil_index(const deck::Deck& deck);
 
 /// The deck of another bearing of the catalogue with the operation of this one: loads, speeds,
 /// temperatures and oil stay. Loads that only the example of the catalogue scaled are the new
 /// bearing's: see `keep`.
 /// @param keep operation of `deck`; else that of the catalogue
 /// @throws InputError for an unknown designation
-[[nodiscard]] deck::Deck with_bearing(const deck::Deck& deck, std::string_view designation,
-                                      bool keep);
+[[nodiscard]] deck::Deck replace_bearing(const deck::Deck& deck, std::string_view designation,
+                                         bool keep);
 
 }  // namespace adore::design

@@ -71,7 +71,7 @@ void add_lives(Writer& out, const runs::Prepared& ready) {
   out.add("life_iso16281", "L10rh, ISO/TS 16281", kHours,
           iso && iso->reference ? hours(iso->reference->L10r) : std::nullopt,
           iso && iso->reference ? why("from the loads of all contacts")
-                                : why("the deck has no slices or no ISO geometry"));
+                                : why("the deck has no slices or no geometry for ISO/TS 16281"));
   out.add("life_modified", "Lnmh, with aISO", kHours,
           iso && iso->L_nm ? hours(iso->L_nm) : std::nullopt,
           iso && iso->L_nm ? why("with film and contamination of the run options")
@@ -85,8 +85,8 @@ void add_lives(Writer& out, const runs::Prepared& ready) {
 void add_contacts(Writer& out, const runs::Prepared& ready) {
   out.group("Contacts");
   const bool rollers = ready.rollers.has_value();
-  const listing::StaticSummary all = rollers ? listing::summarise(*ready.rollers, ready.bearing)
-                                             : listing::summarise(ready.statics, ready.bearing);
+  const listing::StaticSummary all = rollers ? listing::summarize(*ready.rollers, ready.bearing)
+                                             : listing::summarize(ready.statics, ready.bearing);
   std::optional<double> safety;
   for (std::size_t j = 0; j < 2; ++j) {
     const listing::RaceSummary& race = all.race[j];
@@ -115,7 +115,7 @@ void add_contacts(Writer& out, const runs::Prepared& ready) {
     }
     std::string note = "no contact has a load";
     if (angle && rollers)
-      note = "of the raceway at mid length of the roller";
+      note = "angle of the raceway at mid-length of the roller";
     else if (angle)
       note = fmt::format("most loaded ball; all: {:.3g} to {:.3g}°",
                          race.least_angle.value * kAngle.factor,
@@ -152,7 +152,7 @@ void add_friction(Writer& out, const runs::Prepared& ready) {
   out.group("Friction torque");
   const statics::FrictionEstimate* f = ready.friction ? &*ready.friction : nullptr;
   const std::string none =
-      f == nullptr ? "the traction routine acts in motion only" : f->why_none();
+      f == nullptr ? "the traction routine is used only in motion" : f->why_none();
   const bool known = f != nullptr && none.empty();
   const auto add = [&](const char* id, const char* label, double power, const std::string& note,
                        const std::string& why_not = {}) {
@@ -196,7 +196,7 @@ void add_stiffness(Writer& out, const runs::Prepared& ready) {
   add("stiffness_radial", "Radial (z)", 2);
 }
 
-void add_frequencies(Writer& out, const runs::Prepared& ready) {
+void add_fault_frequencies(Writer& out, const runs::Prepared& ready) {
   out.group("Defect frequencies");
   const bearing::Bearing& b = ready.bearing;
   double angle = 0.0;
@@ -295,7 +295,7 @@ DesignSummary design_summary(deck::Deck deck, const std::map<std::string, std::s
   add_friction(writer, ready);
   add_films(writer, ready);
   add_stiffness(writer, ready);
-  add_frequencies(writer, ready);
+  add_fault_frequencies(writer, ready);
   add_temperatures(writer, ready);
   out.findings = ready.input.warnings;
   for (Finding& one : runs::solution_notes(ready)) out.findings.push_back(std::move(one));

@@ -45,7 +45,8 @@ std::string lacking(const std::string& id, const results::KeyResults& results, b
   std::string has;
   for (const results::KeyResult& one : results)
     has += fmt::format("{}{}", has.empty() ? "" : ", ", one.of.id);
-  return fmt::format("{}: the equilibrium of this deck does not have this result.{} It has {}.", id,
+  return fmt::format("{}: the equilibrium of this deck does not have this result.{} Available: {}.",
+                     id,
                      quasi_static ? ""
                                   : " Friction and temperatures need a quasi-static deck: set mode "
                                     "to -1.",
@@ -71,7 +72,8 @@ Variable variable_of(const FindRequest& request) {
         if (one.name != "recID") names.emplace_back(one.name);
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
-    std::string text = unknown_name("deck variable or run option", request.unknown.name, names);
+    std::string text =
+        unknown_name_message("deck variable or run option", request.unknown.name, names);
     if (text.size() > 1000)
       text = fmt::format(
           "there is no deck variable or run option \"{}\". `adore schema` lists the variables.",
@@ -80,7 +82,7 @@ Variable variable_of(const FindRequest& request) {
   }
   const deck::VariableSpec& spec = found.front().spec();
   if (spec.type == deck::VarType::String)
-    throw InputError(fmt::format("unknown {}: its value is a text. Choose a variable with numbers.",
+    throw InputError(fmt::format("unknown {}: the value is text. Choose a numeric variable.",
                                  request.unknown.name));
   return {false, spec.type == deck::VarType::Integer, runs::variable_unit(request, bare)};
 }
@@ -117,7 +119,7 @@ FindReport find_in_deck(const FindRequest& request, std::stop_token stop,
   std::vector<std::string> ids;
   for (const FindResultInfo& one : find_results()) ids.push_back(one.id);
   if (std::find(ids.begin(), ids.end(), id) == ids.end())
-    throw InputError(unknown_name("result of the equilibrium", id, ids));
+    throw InputError(unknown_name_message("result of the equilibrium", id, ids));
   out.target.unit = unit_of(results::find_key_result(id));
 
   const runs::LoadedDeck given = runs::load_deck(request);  // its errors are not those of one point
@@ -169,7 +171,7 @@ const std::vector<FindQuestion>& find_questions() {
       {"preload-for-stiffness", "thrust for a radial stiffness [N/m]", "", "appLoadX",
        "stiffness_z_N_per_m", "", "",
        "adore find DATA.txt --question preload-for-stiffness=1e8 --between 10:5000"},
-      {"clearance-for-life", "diametral clearance for a life [hr]; there may be two", "",
+      {"clearance-for-life", "diametral clearance for a life [hr] (up to two solutions)", "",
        "freeIntCls", "life_lp_hours", "", "freeConAng=0",
        "adore find DATA.txt --question clearance-for-life=20000 --between -2e-5:1e-4"},
       {"pivot-speed", "inner race speed at which a ball starts to pivot gyroscopically [rpm]", "",
@@ -203,16 +205,16 @@ const std::vector<FindQuestion>& find_questions() {
   return list;
 }
 
-AskedQuestion parse_question(std::string_view text) {
+ParsedFindQuestion parse_question(std::string_view text) {
   const std::size_t equal = text.find('=');
   const std::string_view name = text.substr(0, std::min(equal, text.size()));
-  AskedQuestion out;
+  ParsedFindQuestion out;
   std::vector<std::string> names;
   for (const FindQuestion& one : find_questions()) {
     names.emplace_back(one.name);
     if (one.name == name) out.question = &one;
   }
-  if (out.question == nullptr) throw InputError(unknown_name("question", name, names));
+  if (out.question == nullptr) throw InputError(unknown_name_message("question", name, names));
   const std::string value(equal == std::string_view::npos ? out.question->value
                                                           : text.substr(equal + 1));
   if (value.empty())

@@ -46,12 +46,12 @@ struct FindQuestion {
 };
 [[nodiscard]] const std::vector<FindQuestion>& find_questions();
 /// Reads "NAME" or "NAME=value" into unknown (without bounds) and target. @throws InputError
-struct AskedQuestion {
+struct ParsedFindQuestion {
   const FindQuestion* question = nullptr;
   FindUnknown unknown;
   FindTarget target;
 };
-[[nodiscard]] AskedQuestion parse_question(std::string_view text);
+[[nodiscard]] ParsedFindQuestion parse_question(std::string_view text);
 /// Adds the sets of the question that the deck of the request has.
 void add_sets(const FindQuestion& question, runs::DeckRequest& request);
 

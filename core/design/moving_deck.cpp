@@ -19,12 +19,12 @@
 namespace adore::design {
 namespace {
 
-constexpr double kMm = 1e3;
+constexpr double kMillimeters = 1e3;
 
 /// Collects the changes; lengths and other quantities in SI.
 class Changes {
  public:
-  Changes(const deck::Deck& deck, MovingDeck& out) : deck_(deck), out_(out) {}
+  Changes(const deck::Deck& deck, DynamicDeckProposal& out) : deck_(deck), out_(out) {}
 
   void code(const std::string& name, long long value) {
     out_.sets.emplace_back(name, fmt::format("{}", value));
@@ -43,7 +43,7 @@ class Changes {
 
  private:
   const deck::Deck& deck_;
-  MovingDeck& out_;
+  DynamicDeckProposal& out_;
 };
 
 /// A cage that has room between the races [m].
@@ -150,7 +150,8 @@ CageProposal propose_cage(const bearing::Bearing& b) {
     *length = rounded(*length);
   if (!(out.outer > out.inner))
     throw InputError(
-        "the races leave no room for a cage between them. Enter the cage in records 7.0 to 7.2");
+        "there is not enough space for a cage between the races. Enter the cage in records 7.0 to "
+        "7.2");
   return out;
 }
 
@@ -176,10 +177,11 @@ void add_cage(Changes& changes, const bearing::Bearing& b) {
   for (const deck::OptionSpec& one : deck::option_table("@materials"))
     if (one.code == fmt::format("{}", cage.material)) material = one.meaning;
   if (cage.material == 0) material = "mild steel";
-  changes.say(fmt::format(
-      "ESTIMATED cage of {}: outer diameter {:.4g} mm, inner diameter {:.4g} mm, width "
-      "{:.4g} mm. Clearance in the pockets {:.3g} mm.",
-      material, cage.outer * kMm, cage.inner * kMm, cage.width * kMm, cage.pocket * kMm));
+  changes.say(
+      fmt::format("ESTIMATED cage of {}: outer diameter {:.4g} mm, inner diameter {:.4g} mm, width "
+                  "{:.4g} mm. Clearance in the pockets {:.3g} mm.",
+                  material, cage.outer * kMillimeters, cage.inner * kMillimeters,
+                  cage.width * kMillimeters, cage.pocket * kMillimeters));
   if (cage.guide > 0) {
     const double diameter = cage.guide == 1 ? cage.outer : cage.inner;
     const double clearance = cage.guide == 1 ? cage.to_outer_race : cage.to_inner_race;
@@ -197,7 +199,7 @@ void add_cage(Changes& changes, const bearing::Bearing& b) {
     }
     changes.say(
         fmt::format("Two lands guide the cage at the {} race with a clearance of {:.3g} mm.",
-                    cage.guide == 1 ? "outer" : "inner", clearance * kMm));
+                    cage.guide == 1 ? "outer" : "inner", clearance * kMillimeters));
   } else {
     changes.say("The rollers guide the cage; it has no lands.");
   }
@@ -238,8 +240,8 @@ void add_friction(Changes& changes, const deck::Deck& deck, const bearing::Beari
   changes.number("reRaceTC3", 0.04);
   changes.si("reRaceTC4", 0.5);
   changes.say(
-      "ESTIMATED friction between elements and races: 0.06 at a slip of 0.5 m/s, 0.04 far "
-      "beyond; the deck has no friction.");
+      "ESTIMATED friction between elements and races: 0.06 at a slip of 0.5 m/s, 0.04 at much "
+      "higher slip; the deck specifies no friction.");
 }
 
 void add_gravity(Changes& changes, const deck::Deck& deck) {
@@ -276,10 +278,10 @@ void add_outputs(Changes& changes, const deck::Deck& deck, bool own_cage) {
 void add_run(Changes& changes, const runs::RunScales& scales) {
   constexpr double kStep = 1.7;    // of the classical Runge-Kutta method, below its stability limit
   constexpr long kMostSteps = 20;  // times the expected number
-  const double end = kMovingRevolutions / scales.turns_per_second;
+  const double end = kDynamicDeckRevolutions / scales.turns_per_second;
   const double length = std::ceil(end / scales.time);
   const long steps = static_cast<long>(length / kStep);
-  const long between = std::max(1L, steps / kMovingPictures);
+  const long between = std::max(1L, steps / kDynamicDeckStoredSteps);
   changes.code("mode", 0);
   changes.code("intMet", 41);
   changes.code("nStps", between);
@@ -293,18 +295,19 @@ void add_run(Changes& changes, const runs::RunScales& scales) {
   changes.say(
       fmt::format("Mode 0: every body moves for {} ({:.3g} ms), about {} "
                   "stored pictures. Both races keep the position of the static solution.",
-                  counted(fmt::format("{:.3g}", kMovingRevolutions), "revolution"), end * 1e3,
+                  counted(fmt::format("{:.3g}", kDynamicDeckRevolutions), "revolution"), end * 1e3,
                   steps / between));
 }
 
 }  // namespace
 
-MovingDeck moving_deck(const deck::Deck& deck, const std::map<std::string, std::string>& options) {
+DynamicDeckProposal propose_dynamic_deck(const deck::Deck& deck,
+                                         const std::map<std::string, std::string>& options) {
   if (deck.real("rpm1") == deck.real("rpm2"))
     throw InputError("the races do not rotate relative to each other. Enter a speed (rpm2)");
   const bearing::Bearing bearing = setup::build_bearing(deck);
   const bool own_cage = deck.integer("nCseg") > 0;
-  MovingDeck out;
+  DynamicDeckProposal out;
   Changes changes(deck, out);
   if (own_cage)
     changes.say("The deck keeps its cage.");
@@ -315,7 +318,7 @@ MovingDeck moving_deck(const deck::Deck& deck, const std::map<std::string, std::
   add_outputs(changes, deck, own_cage);
   changes.code("kStif", 0);
   deck::Deck moving = deck;
-  MovingDeck draft = out;
+  DynamicDeckProposal draft = out;
   Changes first(deck, draft);
   add_run(first, {1.0, 1.0});  // any times: only the scale is wanted
   moving.set_all(draft.sets);

@@ -22,19 +22,19 @@
 /// lands 0.06, contacts with the races 0.06 at most where the deck has none.
 namespace adore::design {
 
-struct MovingDeck {
+struct DynamicDeckProposal {
   /// What changes, as for Deck::set_all(), in units of the deck.
   std::vector<std::pair<std::string, std::string>> sets;
   std::vector<std::string> assumptions;  ///< a sentence each, for the user before the change
 };
 
-inline constexpr double kMovingRevolutions = 3.2;  ///< of the inner race against the outer one
-inline constexpr long kMovingPictures = 400;       ///< stored steps, about
+inline constexpr double kDynamicDeckRevolutions = 3.2;  ///< of the inner race against the outer one
+inline constexpr long kDynamicDeckStoredSteps = 400;    ///< stored steps, about
 
 /// Solves the equilibrium for the time scale.
 /// @param deck without errors @param options run options as given
 /// @throws InputError when the races do not rotate or a cage has no room; SolverError
-[[nodiscard]] MovingDeck moving_deck(const deck::Deck& deck,
-                                     const std::map<std::string, std::string>& options = {});
+[[nodiscard]] DynamicDeckProposal propose_dynamic_deck(
+    const deck::Deck& deck, const std::map<std::string, std::string>& options = {});
 
 }  // namespace adore::design

@@ -51,7 +51,7 @@ bool any_flange(const deck::Deck& deck) {
 View view_for_options(std::string_view variable) {
   if (one_of(variable,
              {"nRe", "nCseg", "kRaceGeoImp1", "kRaceGeoImp2", "kPltElemInd", "kNumPltElem"}))
-    return View::SideView;
+    return View::AdditionalView;
   if (starts(variable, "kFlngInd")) return View::Flange;
   if (variable == "kReGeoImp") return View::Element;
   if (starts(variable, "kFS") || one_of(variable, {"kVarLoad", "kVarSpeed", "kRotFrame"}))
@@ -66,7 +66,7 @@ View view_for_cage(std::string_view record, std::string_view variable) {
   if (one_of(record, {"7.3.i", "7.4"}) || starts(variable, "bPoc") ||
       one_of(variable, {"kPocType", "kCagePocImp", "kPocHydro"}))
     return View::Pocket;
-  if (record == "7.0.1" || variable == "cageAngCut") return View::SideView;
+  if (record == "7.0.1" || variable == "cageAngCut") return View::AdditionalView;
   if (record == "7.0" && variable.empty()) return View::Pocket;
   return View::CrossSection;
 }
@@ -80,7 +80,7 @@ std::string_view title_of(View view) {
 }
 
 std::vector<View> views_of(const deck::Deck& deck) {
-  std::vector<View> out = {View::CrossSection, View::SideView, View::Element};
+  std::vector<View> out = {View::CrossSection, View::AdditionalView, View::Element};
   if (deck.integer("nCseg") > 0) out.push_back(View::Pocket);
   if (deck.integer("nCseg") > 0 && deck.integer("nGL") > 0) out.push_back(View::Lands);
   if (any_flange(deck)) out.push_back(View::Flange);
@@ -100,7 +100,7 @@ Drawing draw(View view, const deck::Deck& deck) {
   return out;
 }
 
-View view_for(std::string_view record, std::string_view variable) {
+View view_of_variable(std::string_view record, std::string_view variable) {
   if (starts(record, "10.")) {
     const bool curve = one_of(record.substr(0, 4), {"10.0", "10.1", "10.2", "10.5"});
     return curve ? View::Traction : View::CrossSection;
@@ -110,14 +110,14 @@ View view_for(std::string_view record, std::string_view variable) {
   if (starts(record, "7.")) return view_for_cage(record, variable);
   if (record == "5F") return View::Flange;
   if (starts(record, "5G.1")) return View::Element;
-  if (starts(record, "5G.2")) return View::SideView;
+  if (starts(record, "5G.2")) return View::AdditionalView;
   if (starts(record, "5") && record != "5A" && starts(variable, "bRe")) return View::Element;
   if (one_of(record, {"5B.1", "5D.1", "5C", "5E"}) && variable.empty()) return View::Element;
   if (record == "6.1") return View::Element;
   if (record == "2.2" || one_of(record, {"9.1.1", "9.1.2", "9.2"}) || starts(record, "9.3") ||
       starts(record, "9.4") || starts(record, "9.5"))
     return View::Loads;
-  if (starts(record, "9.6")) return View::SideView;
+  if (starts(record, "9.6")) return View::AdditionalView;
   return View::CrossSection;
 }
 
@@ -155,7 +155,7 @@ std::vector<Part> parts_of(std::string_view record, std::string_view variable) {
 
 std::string label_of(const deck::Deck& deck, std::string_view variable, int instance, int index) {
   std::string out(variable);
-  const deck::VariableRef ref = deck::find_present(deck, variable, instance);
+  const deck::VariableRef ref = deck::find_present_variable(deck, variable, instance);
   if (ref.record == nullptr) return out;
   if (!ref.record->repeat.empty()) out += fmt::format("[{}]", instance);
   if (ref.spec().length != "1") out += fmt::format("[{}]", index);
@@ -165,8 +165,8 @@ std::string label_of(const deck::Deck& deck, std::string_view variable, int inst
   if (text.empty()) return out;
   out += " = " + text;
   const deck::VariableSpec& spec = ref.spec();
-  const bool pure =
-      !spec.unitless_when.empty() && deck::evaluate(spec.unitless_when, deck::scope_of(deck));
+  const bool pure = !spec.unitless_when.empty() &&
+                    deck::evaluate(spec.unitless_when, deck::condition_scope(deck));
   const std::string_view unit =
       deck.units() == deck::UnitSystem::English ? spec.unit.en : spec.unit.si;
   if (!pure && !unit.empty() && unit != "-") out += fmt::format(" {}", unit);

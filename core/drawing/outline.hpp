@@ -15,14 +15,14 @@
 namespace adore::drawing {
 
 enum class View : unsigned char {
-  CrossSection,  ///< meridian half section to scale
-  SideView,      ///< along the axis, elements at their azimuths, loads as arrows
-  Element,       ///< ball, or roller with its exaggerated profile
-  Pocket,        ///< cage pocket with the element in it
-  Lands,         ///< guide lands of the cage, clearances exaggerated
-  Flange,        ///< race flanges and the roller ends that they guide
-  Traction,      ///< traction coefficient over slip of every pair that the deck describes
-  Loads          ///< base frame with loads, moments, misalignments and speeds
+  CrossSection,    ///< meridian half section to scale
+  AdditionalView,  ///< along the axis, elements at their azimuths, loads as arrows
+  Element,         ///< ball, or roller with its exaggerated profile
+  Pocket,          ///< cage pocket with the element in it
+  Lands,           ///< guide lands of the cage, clearances exaggerated
+  Flange,          ///< race flanges and the roller ends that they guide
+  Traction,        ///< traction coefficient over slip of every pair that the deck describes
+  Loads            ///< base frame with loads, moments, misalignments and speeds
 };
 [[nodiscard]] std::string_view title_of(View view);
 
@@ -137,7 +137,7 @@ struct Drawing {
 
 /// The view that a variable belongs to; of a whole record when the variable is empty. It may be
 /// none of views_of(): then the cross-section is meant.
-[[nodiscard]] View view_for(std::string_view record, std::string_view variable);
+[[nodiscard]] View view_of_variable(std::string_view record, std::string_view variable);
 /// The bodies that a variable speaks of without a measure: materials, temperatures, masses.
 [[nodiscard]] std::vector<Part> parts_of(std::string_view record, std::string_view variable);
 /// "raceTemp1 = 293.15 K": the value in the deck; the name alone when it has none.

@@ -21,7 +21,7 @@ void draw_ball(const Deck& deck, const OutlineModel& m, Pane& pane) {
   ball.style = Shape::Style::Body;
   ball.name = "ball";
   ball.circles.push_back({{0.0, 0.0}, r});
-  Measures put(deck, pane);
+  DimensionCollector put(deck, pane);
   for (const int race : {0, 1}) {
     const auto j = static_cast<std::size_t>(race);
     const double sigma = race == 0 ? 1.0 : -1.0, groove = m.groove.groove_radius[j];
@@ -77,7 +77,7 @@ void draw_roller(const Deck& deck, const OutlineModel& m, Pane& pane) {
     pane.shapes.push_back(shape_of(Part::Element, Shape::Style::Strong, "crown",
                                    surface(left, right), {"bReCrn", "reCrnVar"}));
   }
-  Measures put(deck, pane);
+  DimensionCollector put(deck, pane);
   const double widest = std::max(contact::roller_radius(p, left), r);
   put.upright("bReDia", -r, r, 0.0, {0.0, -r}, {0.0, r});
   put.across("bReLen", -half, half, -widest - 1.5 * step, {-half, 0.0}, {half, 0.0});
@@ -116,7 +116,7 @@ Pane profile_pane(const Deck& deck, const OutlineModel& m) {
   constexpr int kParts = 120;
   for (int i = 0; i <= kParts; ++i) {
     const double s = left + (right - left) * i / kParts;
-    const double drop = contact::roller_drop(p, s);
+    const double drop = contact::profile_drop(p, s);
     deepest = std::max(deepest, drop);
     path.push_back({s, -drop});
   }
@@ -125,13 +125,13 @@ Pane profile_pane(const Deck& deck, const OutlineModel& m) {
                {"drop", english ? "10⁻³ in" : "µm", english ? 25.4e-6 : 1e-6, low, -0.25 * low}};
   pane.shapes.push_back(shape_of(Part::Curve, Shape::Style::Line, "profile", std::move(path),
                                  {"bReCrn", "reCrnVar", "bReLen"}));
-  Measures put(deck, pane);
+  DimensionCollector put(deck, pane);
   if (p.kind == contact::RollerProfile::Kind::Crowned && p.central_length > 0.0) {
     const double land = 0.5 * std::min(p.central_length, p.length);
     put.across("bReCenLen", -land, land, -0.1 * low, {-land, 0.0}, {land, 0.0});
   }
   put.leader("bReCrn", {0.2 * right, 0.55 * low},
-             {0.85 * right, -contact::roller_drop(p, 0.85 * right)});
+             {0.85 * right, -contact::profile_drop(p, 0.85 * right)});
   return pane;
 }
 
@@ -142,7 +142,7 @@ Shape pocket_hole(const OutlineModel& m, double z, Shape::Style style) {
   hole.style = style;
   hole.name = "pocket";
   hole.shows = {"kPocType", "bPocCls1", "bPocCls2"};
-  const double around = pocket_half_around(m, z), axial = pocket_half_axial(m, z);
+  const double around = pocket_half_circumferential(m, z), axial = pocket_half_axial(m, z);
   if (m.rollers || m.cage->pocket == PocketShape::Rectangular) {
     Path path = rectangle(-around, -axial, around, axial);
     path.push_back(path.front());
@@ -164,7 +164,8 @@ Pane pocket_from_outside(const Deck& deck, const OutlineModel& m, Point push) {
   pane.title = "Pocket seen from outside (bearing axis points up), to scale";
   const double top = 0.5 * (cage.outer_diameter - m.pitch),
                low = 0.5 * (cage.inner_diameter - m.pitch);
-  const double around = std::max(pocket_half_around(m, 0.0), pocket_half_around(m, top));
+  const double around =
+      std::max(pocket_half_circumferential(m, 0.0), pocket_half_circumferential(m, top));
   const double room = m.count > 1 ? std::numbers::pi * m.pitch / m.count : 2.0 * around;
   const double half = 0.5 * cage.width, wide = std::clamp(room, 1.15 * around, 1.6 * around);
   Shape wall = pocket_hole(m, 0.0, Shape::Style::Cut);
@@ -188,10 +189,10 @@ Pane pocket_from_outside(const Deck& deck, const OutlineModel& m, Point push) {
     element.circles.push_back({push, 0.5 * m.diameter});
   }
   pane.shapes.push_back(std::move(element));
-  Measures put(deck, pane);
+  DimensionCollector put(deck, pane);
   const double r = 0.5 * m.diameter, step = 0.12 * m.diameter;
   const double axial = pocket_half_axial(m, 0.0);
-  const double edge = pocket_half_around(m, 0.0);
+  const double edge = pocket_half_circumferential(m, 0.0);
   put.across("bReDia", push.x - r, push.x + r, 0.0, {push.x - r, 0.0}, {push.x + r, 0.0});
   if (cage.pocket == PocketShape::Elongated) {
     put.upright("bPocCls1", push.y + r, axial, 0.0, {0.0, push.y + r}, {0.0, axial});
@@ -227,7 +228,7 @@ Pane pocket_across(const Deck& deck, const OutlineModel& m, Point push) {
     Path wall;
     for (int i = 0; i <= kParts; ++i) {
       const double z = low + (top - low) * i / kParts;
-      wall.push_back({side * pocket_half_around(m, z), z});
+      wall.push_back({side * pocket_half_circumferential(m, z), z});
       widest = std::max(widest, std::abs(wall.back().x));
     }
     const double back = side * std::max(1.4 * widest, 0.7 * m.diameter);
@@ -244,7 +245,7 @@ Pane pocket_across(const Deck& deck, const OutlineModel& m, Point push) {
   pane.shapes.push_back(std::move(element));
   pane.shapes.push_back(shape_of(Part::Construction, Shape::Style::Dashed, "pitch circle",
                                  {{-1.4 * widest, 0.0}, {1.4 * widest, 0.0}}));
-  Measures put(deck, pane);
+  DimensionCollector put(deck, pane);
   put.note("bPocThknsVar", {1.2 * widest, top + 0.15 * m.diameter}, {1.2 * widest, top});
   for (const char* name : {"bPocAngVar1", "bPocAngVar2", "bPocAngVar3", "bPocCenVar2"})
     put.note(name, {-0.8 * widest, top + 0.2 * m.diameter}, {0.0, 0.0});
@@ -302,7 +303,7 @@ Drawing draw_pocket(const Deck& deck) {
   if (!m.cage) throw InputError(m.remarks.back());
   Drawing out;
   // The element is at one wall, so that the whole clearance shows at the other.
-  const double wall = pocket_half_around(m, 0.0) - 0.5 * m.diameter;
+  const double wall = pocket_half_circumferential(m, 0.0) - 0.5 * m.diameter;
   const Point push{-std::max(wall, 0.0),
                    m.rollers ? 0.0
                              : -std::max(m.cage->pocket == PocketShape::Elongated ||

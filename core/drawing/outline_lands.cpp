@@ -44,7 +44,7 @@ void add_land(const Deck& deck, const OutlineCage& cage, std::size_t index, doub
                                  fmt::format("land {} of the cage", i), {{left, y}, {right, y}},
                                  {"cageGsDia", "cageGsWidth", "cageGsPos", "cageGsRadVar1",
                                   "cageGsRadVar2", "cageGsRadVar3"}));
-  Measures put(deck, pane);
+  DimensionCollector put(deck, pane);
   const double step = 0.3 * thick;
   if (land.guide != GuideLand::Guide::None) {
     const double race = y + sigma * 0.5 * factor * land.clearance;
@@ -116,7 +116,7 @@ void add_round_lands(const Deck& deck, const OutlineCage& cage, Drawing& out) {
     for (int k = 0; k <= kParts; ++k) {
       const double psi = kTurn * k / kParts;
       const double r = base + factor * (ring.profile.at(psi)[0] - ring.profile.radius);
-      const Point p = at_azimuth(r, psi);
+      const Point p = point_at_azimuth(r, psi);
       path.push_back({p.x + aside, p.y});
     }
     shape.paths.push_back(std::move(path));
@@ -127,7 +127,7 @@ void add_round_lands(const Deck& deck, const OutlineCage& cage, Drawing& out) {
     ideal.name = "ideal land";
     ideal.circles.push_back({{aside, 0.0}, base});
     pane.shapes.push_back(std::move(ideal));
-    Measures put(deck, pane);
+    DimensionCollector put(deck, pane);
     for (int k = 1; k <= 3; ++k)
       put.note(fmt::format("{}GsRadVar{}", stem, k), {aside, 0.0},
                {aside - 0.7071 * base, 0.7071 * base}, ring.land);

@@ -61,8 +61,8 @@ void demand_number(const Deck& deck, const std::string& name) {
     refuse(deck, name, "no value yet", "enter a value to see the drawing");
 }
 
-/// Variables that build_rollers() reads in addition to needed(): crowns of raceways, and the
-/// flanges that the deck has.
+/// Variables that build_roller_geometry() reads in addition to needed(): crowns of raceways, and
+/// the flanges that the deck has.
 void demand_rollers(const Deck& deck, Type type) {
   if (type == Type::Cylindrical || type == Type::Tapered)
     for (const char* race : {"1", "2"}) {
@@ -92,7 +92,7 @@ void check_pitch(const Deck& deck, const OutlineModel& m) {
 
 void read_rollers(const Deck& deck, OutlineModel& m) {
   demand_rollers(deck, m.type);
-  m.rollers = setup::build_rollers(deck);
+  m.rollers = setup::build_roller_geometry(deck);
   m.pitch = m.rollers->pitch_diameter;
   m.length = m.rollers->length;
   m.angle = m.rollers->axis_angle;
@@ -104,8 +104,8 @@ void read_rollers(const Deck& deck, OutlineModel& m) {
   m.races = statics::race_surfaces(b);
   if (!m.rollers->has_flange(0) && !m.rollers->has_flange(1)) return;
   try {
-    m.flanges = statics::flange_pairs(m.type, *m.rollers, {kEffectiveModulus, kEffectiveModulus},
-                                      m.profile);
+    m.flanges = statics::flange_end_pairs(m.type, *m.rollers,
+                                          {kEffectiveModulus, kEffectiveModulus}, m.profile);
   } catch (const std::exception& error) {
     m.remarks.push_back(fmt::format("Flanges are not drawn: {}.", error.what()));
   }
@@ -130,9 +130,10 @@ void read_envelope(const Deck& deck, OutlineModel& m) {
     m.ring_width[j] = value_or_zero(deck, j == 0 ? "raceWidth1" : "raceWidth2");
     if (m.ring_width[j] > 0.0 && m.ring_width[j] < 50.0 * m.diameter) continue;
     m.ring_width[j] = 1.2 * m.length;
-    m.remarks.push_back(fmt::format(
-        "raceWidth{} has no plausible value. The ring is drawn with 1.2 times the element length.",
-        j + 1));
+    m.remarks.push_back(
+        fmt::format("raceWidth{} has an implausible value. The ring is drawn 1.2 times as wide as "
+                    "the element is long.",
+                    j + 1));
   }
   const double shaft = 0.5 * value_or_zero(deck, "shftID");
   m.shaft_bore = shaft > 0.0 && shaft < m.ring_radius[1] ? shaft : 0.0;
@@ -197,7 +198,7 @@ OutlineModel outline_model(const Deck& deck) {
       if (!(deck.si(factor) > 0.5) || deck.si(factor) > 10.0)
         refuse(deck, factor, "not a possible groove factor",
                "enter a value above 0.5 and up to 10");
-    m.balls = setup::build_balls(deck);
+    m.balls = setup::build_ball_geometry(deck);
     m.balls->groove_plane.reset();  // drawn where the balls touch, for any origin of displacements
     m.groove = contact::groove_geometry(*m.balls);
     m.length = m.diameter;

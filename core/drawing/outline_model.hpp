@@ -36,7 +36,7 @@ struct OutlineModel {
   std::optional<bearing::RollerGeometry> rollers;  ///< the rest is theirs
   contact::RollerProfile profile;
   std::array<contact::RaceSurface, 2> races;
-  std::vector<statics::FlangePair> flanges;
+  std::vector<statics::FlangeEndPair> flanges;
   std::array<double, 2> ring_radius{};  ///< outside of the outer, bore of the inner ring
   std::array<double, 2> ring_width{};
   double shaft_bore = 0.0, housing = 0.0;  ///< radii; 0: not given

@@ -74,7 +74,7 @@ Raceway roller_raceway(const OutlineModel& m, int race) {
   Raceway out{{}, -half, half};
   double first = -half, last = half;
   Path left_flange, right_flange;
-  for (const statics::FlangePair& pair : m.flanges) {
+  for (const statics::FlangeEndPair& pair : m.flanges) {
     if (pair.race != race) continue;
     const contact::FlangeFace& f = pair.face;
     const Point root{f.root_x, f.root_r};
@@ -165,7 +165,7 @@ Path rectangle(double left, double bottom, double right, double top) {
   return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
 
-Point at_azimuth(double radius, double azimuth) {
+Point point_at_azimuth(double radius, double azimuth) {
   return {-radius * std::sin(azimuth), radius * std::cos(azimuth)};
 }
 
@@ -245,7 +245,7 @@ double pocket_half_axial(const OutlineModel& m, double z) {
   return std::max(axial_half(m, z), kSmallestPocket * m.diameter);
 }
 
-double pocket_half_around(const OutlineModel& m, double z) {
+double pocket_half_circumferential(const OutlineModel& m, double z) {
   return std::max(around_half(m, z), kSmallestPocket * m.diameter);
 }
 
@@ -287,7 +287,7 @@ std::vector<Shape> cage_section(const OutlineModel& m) {
   return out;
 }
 
-void Measures::add(Dimension d, std::string_view variable, int instance, int index) {
+void DimensionCollector::add(Dimension d, std::string_view variable, int instance, int index) {
   d.variable = variable;
   d.instance = instance;
   d.index = index;
@@ -295,8 +295,8 @@ void Measures::add(Dimension d, std::string_view variable, int instance, int ind
   pane_.dimensions.push_back(std::move(d));
 }
 
-void Measures::across(std::string_view variable, double x1, double x2, double y, Point edge1,
-                      Point edge2, int instance, int index) {
+void DimensionCollector::across(std::string_view variable, double x1, double x2, double y,
+                                Point edge1, Point edge2, int instance, int index) {
   Dimension d;
   d.from = {x1, y};
   d.to = {x2, y};
@@ -305,8 +305,8 @@ void Measures::across(std::string_view variable, double x1, double x2, double y,
   add(std::move(d), variable, instance, index);
 }
 
-void Measures::upright(std::string_view variable, double y1, double y2, double x, Point edge1,
-                       Point edge2, int instance, int index) {
+void DimensionCollector::upright(std::string_view variable, double y1, double y2, double x,
+                                 Point edge1, Point edge2, int instance, int index) {
   Dimension d;
   d.from = {x, y1};
   d.to = {x, y2};
@@ -315,7 +315,8 @@ void Measures::upright(std::string_view variable, double y1, double y2, double x
   add(std::move(d), variable, instance, index);
 }
 
-void Measures::half_diameter(std::string_view variable, double radius, double x, double body) {
+void DimensionCollector::half_diameter(std::string_view variable, double radius, double x,
+                                       double body) {
   Dimension d;
   d.from = {x, 0.0};
   d.to = {x, radius};
@@ -325,19 +326,21 @@ void Measures::half_diameter(std::string_view variable, double radius, double x,
   add(std::move(d), variable, 1, 1);
 }
 
-void Measures::between(std::string_view variable, Point from, Point to, int instance, int index) {
+void DimensionCollector::between(std::string_view variable, Point from, Point to, int instance,
+                                 int index) {
   Dimension d;
   d.from = d.from_edge = from;
   d.to = d.to_edge = to;
   add(std::move(d), variable, instance, index);
 }
 
-void Measures::radius(std::string_view variable, Point centre, Point on_arc) {
+void DimensionCollector::radius(std::string_view variable, Point centre, Point on_arc) {
   leader(variable, centre, on_arc);
   pane_.dimensions.back().kind = Dimension::Kind::Radius;
 }
 
-void Measures::leader(std::string_view variable, Point from, Point to, int instance, int index) {
+void DimensionCollector::leader(std::string_view variable, Point from, Point to, int instance,
+                                int index) {
   Dimension d;
   d.kind = Dimension::Kind::Leader;
   d.from = d.from_edge = from;
@@ -345,13 +348,14 @@ void Measures::leader(std::string_view variable, Point from, Point to, int insta
   add(std::move(d), variable, instance, index);
 }
 
-void Measures::note(std::string_view variable, Point from, Point to, int instance, int index) {
+void DimensionCollector::note(std::string_view variable, Point from, Point to, int instance,
+                              int index) {
   leader(variable, from, to, instance, index);
   pane_.dimensions.back().minor = true;
 }
 
-void Measures::angle(std::string_view variable, Point centre, Point from, Point to, int instance,
-                     int index) {
+void DimensionCollector::angle(std::string_view variable, Point centre, Point from, Point to,
+                               int instance, int index) {
   Dimension d;
   d.kind = Dimension::Kind::Angle;
   d.centre = centre;

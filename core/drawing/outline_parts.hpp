@@ -14,7 +14,7 @@ inline constexpr double kTurn = 2.0 * std::numbers::pi;
 void append(Path& path, const Path& more);
 [[nodiscard]] Path rectangle(double left, double bottom, double right, double top);
 /// Position at azimuth θ in the side view: y = -r sin θ, z = r cos θ.
-[[nodiscard]] Point at_azimuth(double radius, double azimuth);
+[[nodiscard]] Point point_at_azimuth(double radius, double azimuth);
 
 /// One closed outline of a part; `shows` are the variables that it stands for.
 [[nodiscard]] Shape shape_of(Part part, Shape::Style style, std::string name, Path path,
@@ -31,12 +31,12 @@ void append(Path& path, const Path& more);
 /// Half size of the pocket along the cage axis at height z over the pitch circle, and along its
 /// circumference.
 [[nodiscard]] double pocket_half_axial(const OutlineModel& model, double z);
-[[nodiscard]] double pocket_half_around(const OutlineModel& model, double z);
+[[nodiscard]] double pocket_half_circumferential(const OutlineModel& model, double z);
 
 /// Collects the dimensions of a pane.
-class Measures {
+class DimensionCollector {
  public:
-  Measures(const deck::Deck& deck, Pane& pane) : deck_(deck), pane_(pane) {}
+  DimensionCollector(const deck::Deck& deck, Pane& pane) : deck_(deck), pane_(pane) {}
   /// Between two values of x, drawn at height y; the edges are where the body is.
   void across(std::string_view variable, double x1, double x2, double y, Point edge1, Point edge2,
               int instance = 1, int index = 1);

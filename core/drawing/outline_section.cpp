@@ -91,7 +91,7 @@ void add_contact_line(const OutlineModel& m, Pane& pane) {
                {offset(centre, -a * d.y, a * d.x), offset(centre, a * d.y, -a * d.x)}));
 }
 
-void measure_envelope(const OutlineModel& m, Measures& put, double reach, double step) {
+void measure_envelope(const OutlineModel& m, DimensionCollector& put, double reach, double step) {
   const double bore = m.ring_radius[1], outside = m.ring_radius[0];
   put.half_diameter("brgBore", bore, -reach - step, -reach);
   put.half_diameter("brgOD", outside, reach + step, reach);
@@ -105,7 +105,7 @@ void measure_envelope(const OutlineModel& m, Measures& put, double reach, double
   put.leader("raceFit2", {0.5 * w2, bore - 1.5 * step}, {0.5 * w2, bore});
 }
 
-void measure_balls(const OutlineModel& m, Measures& put, double reach, double step) {
+void measure_balls(const OutlineModel& m, DimensionCollector& put, double reach, double step) {
   const Point centre{0.0, m.pitch_radius()};
   const double r = 0.5 * m.diameter;
   put.across("bReDia", -r, r, centre.y, {-r, centre.y}, {r, centre.y});
@@ -134,7 +134,7 @@ void measure_balls(const OutlineModel& m, Measures& put, double reach, double st
   }
 }
 
-void measure_rollers(const OutlineModel& m, Measures& put, double step) {
+void measure_rollers(const OutlineModel& m, DimensionCollector& put, double step) {
   const Point centre{0.0, m.pitch_radius()};
   const Point across = contact_direction(m, 0), axis{across.y, -across.x};
   const double r = 0.5 * m.diameter, half = 0.5 * m.length;
@@ -165,7 +165,7 @@ void measure_rollers(const OutlineModel& m, Measures& put, double step) {
   }
 }
 
-void measure_cage(const Deck& deck, const OutlineModel& m, Measures& put, double reach,
+void measure_cage(const Deck& deck, const OutlineModel& m, DimensionCollector& put, double reach,
                   double step) {
   if (!m.cage) return;
   const OutlineCage& cage = *m.cage;
@@ -184,7 +184,8 @@ void measure_cage(const Deck& deck, const OutlineModel& m, Measures& put, double
   put.angle("cageConeAng", end, {end.x - cage.width, end.y}, {-half, cage.outer_radius(-half)});
 }
 
-void measure_flange(const OutlineModel& m, const statics::FlangePair& pair, Measures& put) {
+void measure_flange(const OutlineModel& m, const statics::FlangeEndPair& pair,
+                    DimensionCollector& put) {
   const auto race = static_cast<std::size_t>(pair.race), side = static_cast<std::size_t>(pair.side);
   const std::string code = fmt::format("{}{}", pair.side + 1, pair.race + 1);
   const contact::FlangeFace& f = pair.face;
@@ -207,12 +208,12 @@ void measure_flange(const OutlineModel& m, const statics::FlangePair& pair, Meas
 }
 
 /// The flange and the roller's corner before it, as large as they go.
-Pane flange_pane(const Deck& deck, const OutlineModel& m, const statics::FlangePair& pair) {
+Pane flange_pane(const Deck& deck, const OutlineModel& m, const statics::FlangeEndPair& pair) {
   Pane pane;
   pane.title = fmt::format("Flange {}{}: {} race, {} side, to scale", pair.side + 1, pair.race + 1,
                            pair.race == 0 ? "outer" : "inner", pair.side == 0 ? "-x" : "+x");
   add_bodies(m, pane);
-  Measures put(deck, pane);
+  DimensionCollector put(deck, pane);
   measure_flange(m, pair, put);
   const contact::FlangeFace& f = pair.face;
   const double half = 1.1 * f.reach;
@@ -232,7 +233,7 @@ Drawing draw_cross_section(const Deck& deck) {
   add_contact_line(m, pane);
   const double reach = reach_of(m);
   const double step = 0.045 * std::max(m.housing, m.ring_radius[0]);
-  Measures put(deck, pane);
+  DimensionCollector put(deck, pane);
   measure_envelope(m, put, reach, step);
   put.half_diameter("pitchDia", m.pitch_radius(), -reach - step, 0.0);
   if (m.balls)
@@ -263,9 +264,9 @@ Drawing draw_flanges(const Deck& deck) {
   const double step = 0.06 * m.diameter;
   // Two flanges can be enlarged separately; more are measured in place.
   const bool closer = m.flanges.size() <= 2;
-  Measures put(deck, pane);
+  DimensionCollector put(deck, pane);
   double half = 0.62 * m.length;
-  for (const statics::FlangePair& pair : m.flanges) {
+  for (const statics::FlangeEndPair& pair : m.flanges) {
     half = std::max(half, std::abs(pair.face.root_x) + 3.0 * step);
     if (!closer) measure_flange(m, pair, put);
   }
@@ -274,7 +275,7 @@ Drawing draw_flanges(const Deck& deck) {
   out.remarks = m.remarks;
   out.panes.push_back(std::move(pane));
   if (closer)
-    for (const statics::FlangePair& pair : m.flanges)
+    for (const statics::FlangeEndPair& pair : m.flanges)
       out.panes.push_back(flange_pane(deck, m, pair));
   return out;
 }

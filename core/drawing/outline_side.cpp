@@ -32,10 +32,10 @@ Path bar(const OutlineCage& cage, std::array<double, 2> outer, std::array<double
   Path path;
   for (int i = 0; i <= kParts; ++i)
     path.push_back(
-        at_azimuth(0.5 * cage.outer_diameter, outer[0] + (outer[1] - outer[0]) * i / kParts));
+        point_at_azimuth(0.5 * cage.outer_diameter, outer[0] + (outer[1] - outer[0]) * i / kParts));
   for (int i = kParts; i >= 0; --i)
     path.push_back(
-        at_azimuth(0.5 * cage.inner_diameter, inner[0] + (inner[1] - inner[0]) * i / kParts));
+        point_at_azimuth(0.5 * cage.inner_diameter, inner[0] + (inner[1] - inner[0]) * i / kParts));
   return path;
 }
 
@@ -58,7 +58,8 @@ void add_cage(const Deck& deck, const OutlineModel& m, Drawing& out, Pane& pane)
   shape.name = "cage";
   const double top = 0.5 * (cage.outer_diameter - m.pitch),
                low = 0.5 * (cage.inner_diameter - m.pitch);
-  const double half_top = pocket_half_around(m, top), half_low = pocket_half_around(m, low);
+  const double half_top = pocket_half_circumferential(m, top),
+               half_low = pocket_half_circumferential(m, low);
   const double spacing = kTurn / m.count;
   const std::vector<int> cuts = cut_bars(deck, cage.segments);
   const double at_top = std::asin(std::min(half_top / (0.5 * cage.outer_diameter), 1.0));
@@ -104,7 +105,7 @@ void add_elements(const Deck& deck, const OutlineModel& m, Drawing& out, Pane& p
     shape.part = Part::Element;
     shape.style = Shape::Style::Body;
     shape.name = fmt::format("element {}", k + 1);
-    const Point at = at_azimuth(m.pitch_radius(), kTurn * k / m.count);
+    const Point at = point_at_azimuth(m.pitch_radius(), kTurn * k / m.count);
     shape.circles.push_back({at, 0.5 * m.diameter});
     shape.shows = {"nRe"};
     if (std::find(stored.begin(), stored.end(), k + 1) != stored.end())
@@ -213,7 +214,7 @@ Path askew_circle(double x, double radius) {
   Path path;
   constexpr int kParts = 96;
   for (int i = 0; i < kParts; ++i) {
-    const Point p = at_azimuth(radius, kTurn * i / kParts);
+    const Point p = point_at_azimuth(radius, kTurn * i / kParts);
     path.push_back(seen_askew(x, p.x, p.y));
   }
   path.push_back(path.front());
@@ -241,9 +242,9 @@ Drawing draw_side_view(const Deck& deck) {
   add_cage(deck, m, out, pane);
   pane.shapes.push_back(circles(Part::Construction, Shape::Style::Dashed, "pitch circle",
                                 {m.pitch_radius()}, {"pitchDia"}));
-  Measures put(deck, pane);
+  DimensionCollector put(deck, pane);
   const auto diameter = [&](const char* name, double r, double azimuth) {
-    const Point a = at_azimuth(r, azimuth);
+    const Point a = point_at_azimuth(r, azimuth);
     put.between(name, {-a.x, -a.y}, a);
   };
   diameter("pitchDia", m.pitch_radius(), 0.9);
@@ -256,13 +257,13 @@ Drawing draw_side_view(const Deck& deck) {
       const double at = kTurn * (std::abs(static_cast<double>(deck.integer("lSeg", 1))) - 1.5) /
                         std::max(m.count, 1);
       put.angle("cageAngCut", {0.0, 0.0},
-                at_azimuth(0.5 * m.cage->outer_diameter, at - 0.5 * m.cage->cut),
-                at_azimuth(0.5 * m.cage->outer_diameter, at + 0.5 * m.cage->cut));
+                point_at_azimuth(0.5 * m.cage->outer_diameter, at - 0.5 * m.cage->cut),
+                point_at_azimuth(0.5 * m.cage->outer_diameter, at + 0.5 * m.cage->cut));
     }
   }
   if (m.count > 1) {
     const double r = 0.5 * (m.raceway(0) + outside);
-    put.angle("nRe", {0.0, 0.0}, at_azimuth(r, kTurn / m.count), at_azimuth(r, 0.0));
+    put.angle("nRe", {0.0, 0.0}, point_at_azimuth(r, kTurn / m.count), point_at_azimuth(r, 0.0));
   }
   Actions act(deck, pane, &seen_from_x, m.pitch_radius());
   add_actions(deck, act, outside, false);

@@ -43,7 +43,7 @@ double range_of(const Curve& c) {
 void measure(const Deck& deck, const Curve& c, double range, Pane& pane) {
   const std::string stem = c.pair->stem;
   const auto at = [&](double u) { return Point{u, tribology::traction_coefficient(c.law, u)}; };
-  Measures put(deck, pane);
+  DimensionCollector put(deck, pane);
   const Point start = at(0.0), far = at(range);
   const double height = std::max(at(0.2 * range).y, at(range).y);
   put.leader(stem + "1", {0.22 * range, start.y + 0.12 * height}, start);
@@ -140,8 +140,8 @@ Drawing draw_traction(const Deck& deck) {
                {"traction coefficient", "", 1.0, low, 1.12 * top}};
   if (deck.integer("kTrac") > 0)
     out.remarks.emplace_back(
-        "Element-race contacts use the lubricant model of kTrac. The curve for element and race "
-        "applies only where the film is thinner than reRaceFilm.");
+        "Only contacts with a film thinner than reRaceFilm follow this curve. All others follow "
+        "the lubricant model of kTrac.");
   out.panes.push_back(std::move(pane));
   return out;
 }

@@ -21,17 +21,17 @@ namespace adore::dynamics {
 class BalancedRace {
  public:
   /// @param free directions whose load is given
-  BalancedRace(const Vec3& load, const std::array<bool, 3>& free) : load_(load), free_(free) {}
+  BalancedRace(const Vec3& load, const std::array<bool, 3>& free) : load_(load), free_axes_(free) {}
 
   /// The radial load must be given along y and z.
-  void turn_load(double share, double speed) noexcept {
-    share_ = share;
-    turn_speed_ = speed;
+  void set_rotating_load(double share, double speed) noexcept {
+    rotating_load_fraction_ = share;
+    rotating_load_speed_ = speed;
   }
   /// Load of routine ADRX1 of the user and its rate at this time [N, N/s].
   void add_load(const Vec3& load, const Vec3& rate) noexcept {
     user_load_ = load;
-    user_rate_ = rate;
+    user_load_rate_ = rate;
   }
   /// Sets the load of this time.
   void set_time(double t) noexcept;
@@ -45,16 +45,17 @@ class BalancedRace {
   /// R in the free directions [N].
   [[nodiscard]] Vec3 residual(const Vec3& of_elements) const noexcept;
   [[nodiscard]] Vec3 load() const noexcept { return load_ + user_load_; }
-  [[nodiscard]] const std::array<bool, 3>& free() const noexcept { return free_; }
+  [[nodiscard]] const std::array<bool, 3>& free() const noexcept { return free_axes_; }
 
  private:
   Vec3 load_, load_at_start_ = load_, load_rate_ = Vec3::Zero();
-  Vec3 user_load_ = Vec3::Zero(), user_rate_ = Vec3::Zero();
-  double share_ = 0.0, turn_speed_ = 0.0;  ///< of the load that turns [rad/s]
-  std::array<bool, 3> free_;
-  Mat3 stiffness_ = Mat3::Zero();  ///< K in the free directions
-  Mat3 stiff_ = Mat3::Zero();      ///< projection on the directions in which K has stiffness
-  Mat3 mobility_ = Mat3::Zero();   ///< (K/λ + C)⁻¹ in those
+  Vec3 user_load_ = Vec3::Zero(), user_load_rate_ = Vec3::Zero();
+  double rotating_load_fraction_ = 0.0,
+         rotating_load_speed_ = 0.0;  ///< of the load that turns [rad/s]
+  std::array<bool, 3> free_axes_;
+  Mat3 stiffness_ = Mat3::Zero();         ///< K in the free directions
+  Mat3 stiff_projection_ = Mat3::Zero();  ///< projection on the directions in which K has stiffness
+  Mat3 mobility_ = Mat3::Zero();          ///< (K/λ + C)⁻¹ in those
   Vec3 velocity_ = Vec3::Zero();
   double rate_ = 0.0;  ///< λ [1/s]
 };

@@ -10,7 +10,7 @@ namespace adore::dynamics {
 
 /// Race and ball as rigid bodies. S: a number, or of lanes that differ one a lane.
 template <class T, class S = double>
-struct RacePairMotion {
+struct BallRaceMotion {
   contact::Triple<T> race_velocity;  ///< of P_j [m/s]
   contact::Triple<T> tilt;           ///< angular velocity of the race across its axis [rad/s]
   S race_speed = 0.0;                ///< Ω about its axis [rad/s]
@@ -31,9 +31,9 @@ struct RacePairMotion {
 /// [m/s]
 template <class T, class S>
 [[gnu::always_inline]] inline tribology::EllipseMotion<T> ellipse_motion(
-    const RacePairMotion<T, S>& m, const contact::Triple<T>& d, const contact::Triple<T>& k,
-    const contact::Triple<T>& t, const contact::GroovePlace<T>& place,
-    const contact::GrooveTouch<T>& touch, T& approach_rate) {
+    const BallRaceMotion<T, S>& m, const contact::Triple<T>& d, const contact::Triple<T>& k,
+    const contact::Triple<T>& t, const contact::GrooveCoordinates<T>& place,
+    const contact::BallGrooveContact<T>& touch, T& approach_rate) {
   using contact::dot;
   contact::Triple<T> w = m.race_velocity - m.ball_velocity;
   contact::Triple<T> omega = m.ball_omega;

@@ -10,11 +10,11 @@
 namespace adore::dynamics {
 
 struct BallSpringsInput {
-  double centre[3], axis[3];        ///< P_j and the axis of the race, base axes
-  double centre_radius, offset, K;  ///< as groove_spring() has them
-  const contact::AngleLaw* follow;  ///< null: K is that of every angle
-  std::size_t n;                    ///< number of held balls, at least 1
-  const std::size_t* ball;          ///< their numbers in what follows
+  double centre[3], axis[3];             ///< P_j and the axis of the race, base axes
+  double centre_radius, offset, K;       ///< as groove_spring() has them
+  const contact::HertzAngleLaw* follow;  ///< null: K is that of every angle
+  std::size_t n;                         ///< number of held balls, at least 1
+  const std::size_t* ball;               ///< their numbers in what follows
   const double *x, *r, *sin_theta, *cos_theta;
 };
 

@@ -36,7 +36,7 @@ GrooveContact ConstrainedBall::contact_with(int race, const RacePose& pose,
   using adore::contact::Triple;
   const auto j = static_cast<std::size_t>(race);
   if (half_[j][0].is_split()) return split_contact(race, pose, at);
-  if (Vec3 per_turn; wavy_[j] != nullptr) return wavy_contact(race, pose, at, per_turn);
+  if (Vec3 per_turn; wavy_grooves_[j] != nullptr) return wavy_contact(race, pose, at, per_turn);
   const Triple<double> k{pose.axis[0], pose.axis[1], pose.axis[2]};
   const Triple<double> d{at[0] - pose.centre[0], at[1] - pose.centre[1], -pose.centre[2]};
   const auto s = adore::contact::groove_spring(d, k, groove_.centre_radius[j], groove_.offset[j],
@@ -52,7 +52,7 @@ GrooveContact ConstrainedBall::contact_with(int race, const RacePose& pose,
       s.touch.length;
   if (!(c.approach > 0.0)) return c;
   c.load = s.load;
-  c.energy = adore::contact::point_energy(c.load, c.approach);
+  c.energy = adore::contact::point_contact_energy(c.load, c.approach);
   c.angle = adore::contact::contact_angle(race, s.touch.n_k, s.touch.n_e);
   c.force = vector(s.force);
   c.stiffness << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
@@ -71,20 +71,21 @@ GrooveContact ConstrainedBall::wavy_contact(int race, const RacePose& pose, cons
   const Triple<D> d{D::variable(at[0] - pose.centre[0], 0), D::variable(at[1] - pose.centre[1], 1),
                     D::variable(-pose.centre[2], 2)};
   const Triple<D> zero = fixed(pose.zero) + D::variable(0.0, 3) * fixed(pose.axis.cross(pose.zero));
-  const auto place = con::groove_place(d, k, groove_.centre_radius[j]);
-  con::WavyTouch<D> wavy =
-      con::wavy_touch(*wavy_[j], wavy_[j]->ratios, con::azimuth_in_race(k, place.e, zero),
-                      place.axial, place.lift, groove_.offset[j]);
-  const con::GrooveTouch<D>& touch = wavy.touch;
+  const auto place = con::groove_coordinates(d, k, groove_.centre_radius[j]);
+  con::WavyGrooveContact<D> wavy = con::wavy_groove_contact(
+      *wavy_grooves_[j], wavy_grooves_[j]->ratios, con::azimuth_in_race(k, place.e, zero),
+      place.axial, place.lift, groove_.offset[j]);
+  const con::BallGrooveContact<D>& touch = wavy.touch;
   const Triple<D> t = cross(k, place.e);
   const Triple<D> n = touch.n_k * k + touch.n_e * place.e;
-  if (wavy_[j]->forms != nullptr) {
+  if (wavy_grooves_[j]->forms != nullptr) {
     const auto base = [&](const Triple<D>& v) {
       const Vec3 out = pose.to_base * Vec3(v.x.v, v.y.v, v.z.v);
       return Triple<double>{out[0], out[1], out[2]};
     };
     const Triple<D> c_axis = cross(t, n);
-    const con::Lobe lobe = con::lobe_at(*wavy_[j]->forms, number_, base(n), base(c_axis), base(t));
+    const con::Lobe lobe =
+        con::lobe_at(*wavy_grooves_[j]->forms, ball_index_, base(n), base(c_axis), base(t));
     // To first order in the direction; how g turns is left out of the stiffness.
     const auto along = [&](const Triple<D>& axis) {
       const Triple<D> fixed_axis{D(axis.x.v), D(axis.y.v), D(axis.z.v)};
@@ -113,14 +114,14 @@ GrooveContact ConstrainedBall::wavy_contact(int race, const RacePose& pose, cons
   const D root = statics::square_root(touch.approach);
   con::PolynomialValue<D> K{D(K_[j]), D(0.0)};
   if (law_[j].follows) K = con::polynomial_with_slope(law_[j].K, touch.n_e);
-  const D load = con::point_load(K.value * wavy.stiffness, touch.approach, root);
-  const D across =
-      con::leaning_force(K.slope * wavy.stiffness, touch.approach, root, touch.n_k, touch.length);
-  const D push = con::wavy_push(wavy, load, across, touch.approach, place.distance);
+  const D load = con::point_contact_load(K.value * wavy.stiffness, touch.approach, root);
+  const D across = con::angle_gradient_force(K.slope * wavy.stiffness, touch.approach, root,
+                                             touch.n_k, touch.length);
+  const D push = con::wavy_tangential_force(wavy, load, across, touch.approach, place.distance);
   c.load = load.v;
-  c.energy = con::point_energy(c.load, c.approach);
+  c.energy = con::point_contact_energy(c.load, c.approach);
   c.angle = con::contact_angle(race, touch.n_k.v, touch.n_e.v);
-  const D lean = con::wavy_lean(wavy, load, load, touch.approach);
+  const D lean = con::wavy_transverse_force(wavy, load, load, touch.approach);
   const Triple<D> force = push * t - load * n + (across + lean) * cross(t, n);
   split(force, c.force, c.stiffness, per_turn);
   c.stiffness *= -1.0;
@@ -138,7 +139,7 @@ GrooveContact ConstrainedBall::split_contact(int race, const RacePose& pose,
   const Triple<D> k = fixed(pose.axis);
   const Triple<D> d{D::variable(at[0] - pose.centre[0], 0), D::variable(at[1] - pose.centre[1], 1),
                     D::variable(-pose.centre[2], 2)};
-  const auto place = con::groove_place(d, k, groove_.centre_radius[j]);
+  const auto place = con::groove_coordinates(d, k, groove_.centre_radius[j]);
   const Triple<D> t = cross(k, place.e);
   const auto fill = [](const Triple<D>& v, Vec3& value, Mat3& over_place) {
     const std::array<const D*, 3> parts{&v.x, &v.y, &v.z};
@@ -151,10 +152,10 @@ GrooveContact ConstrainedBall::split_contact(int race, const RacePose& pose,
   };
   std::array<GrooveContact, 2> both;
   for (std::size_t h = 0; h < 2; ++h) {
-    const con::SplitHalf& half = half_[j][h];
+    const con::SplitRaceHalf& half = half_[j][h];
     GrooveContact& c = both[h];
-    const con::GrooveTouch<D> touch =
-        con::groove_touch(D(place.axial - half.shift), place.lift, groove_.offset[j]);
+    const con::BallGrooveContact<D> touch =
+        con::ball_groove_contact(D(place.axial - half.shift), place.lift, groove_.offset[j]);
     const Triple<D> n = touch.n_k * k + touch.n_e * place.e;
     c.approach = touch.approach.v;
     fill(n, c.normal, c.bending);
@@ -162,13 +163,14 @@ GrooveContact ConstrainedBall::split_contact(int race, const RacePose& pose,
     const D root = statics::square_root(touch.approach);
     con::PolynomialValue<D> K{D(K_[j]), D(0.0)};
     if (law_[j].follows) K = con::polynomial_with_slope(law_[j].K, touch.n_e);
-    const D load = con::point_load(K.value, touch.approach, root);
-    const auto share = con::split_share(half, load, root, touch.n_k, touch.n_e, touch.length);
-    const D across =
-        share.energy * con::leaning_force(K.slope, touch.approach, root, touch.n_k, touch.length) +
-        share.turned;
+    const D load = con::point_contact_load(K.value, touch.approach, root);
+    const auto share =
+        con::split_load_fractions(half, load, root, touch.n_k, touch.n_e, touch.length);
+    const D across = share.energy * con::angle_gradient_force(K.slope, touch.approach, root,
+                                                              touch.n_k, touch.length) +
+                     share.turned;
     c.load = share.load.v * load.v;
-    c.energy = share.energy.v * con::point_energy(load.v, c.approach);
+    c.energy = share.energy.v * con::point_contact_energy(load.v, c.approach);
     c.angle = con::contact_angle(race, touch.n_k.v, touch.n_e.v);
     fill(across * cross(t, n) - (share.load * load) * n, c.force, c.stiffness);
     c.stiffness *= -1.0;
@@ -183,7 +185,7 @@ GrooveContact ConstrainedBall::split_contact(int race, const RacePose& pose,
   return out;
 }
 
-double ConstrainedBall::speed_of(const Orbit& orbit, double r) const noexcept {
+double ConstrainedBall::orbital_speed_at(const Orbit& orbit, double r) const noexcept {
   return orbit.kept == Orbit::Kept::Speed ? orbit.value : orbit.value / (mass_ * r * r);
 }
 
@@ -202,7 +204,7 @@ BallBalance ConstrainedBall::evaluate(const std::array<RacePose, 2>& races, doub
     stiffness += b.contact[j].stiffness;
     b.potential += b.contact[j].energy;
   }
-  b.speed = speed_of(orbit, b.r);
+  b.speed = orbital_speed_at(orbit, b.r);
   const double centrifugal = mass_ * b.r * b.speed * b.speed;
   b.residual = contact_force.head<2>() + force + Vec2(0.0, centrifugal);
   b.stiffness = stiffness.topLeftCorner<2, 2>();
@@ -224,8 +226,8 @@ BallBalance ConstrainedBall::evaluate(const std::array<RacePose, 2>& races, doub
 
 /// Outer contact with approach 0 and no axial normal component: l(p) = s, n_x(p) = 0 by Newton. On
 /// an untilted race x is that of the groove's center plane.
-Vec2 ConstrainedBall::idle_place(const RacePose& race, double theta,
-                                 const Vec2& guess) const noexcept {
+Vec2 ConstrainedBall::unloaded_position(const RacePose& race, double theta,
+                                        const Vec2& guess) const noexcept {
   const Mat3 frame = azimuth_frame(theta);
   const RacePose outer = in_frame(frame, race);
   Vec2 place(outer.centre[0], outer.centre[1] + groove_.centre_radius[0] + groove_.offset[0]);
@@ -251,7 +253,7 @@ BallBalance ConstrainedBall::solve(const std::array<RacePose, 2>& races, double 
                                    const Vec2& guess) const noexcept {
   BallBalance b;
   if (orbit.value == 0.0 && force.isZero(0.0)) {
-    const Vec2 bottom = idle_place(races[0], theta, guess);
+    const Vec2 bottom = unloaded_position(races[0], theta, guess);
     b = evaluate(races, theta, orbit, force, bottom);
     b.solved = !(b.contact[1].load > 0.0);
     if (b.solved) return b;
@@ -300,10 +302,10 @@ BallSensitivity sensitivity(const BallBalance& balance, double theta) noexcept {
           inverse * balance.contact[1].stiffness.topRows<2>() * azimuth_frame(theta)};
 }
 
-HeldSwitch hold(const ConstrainedBall& ball, const std::array<RacePose, 2>& races, double theta,
-                const Orbit& orbit, const Vec2& force, const Vec2& place,
-                const Vec2& rates) noexcept {
-  HeldSwitch result;
+QuasiStaticTransition hold(const ConstrainedBall& ball, const std::array<RacePose, 2>& races,
+                           double theta, const Orbit& orbit, const Vec2& force, const Vec2& place,
+                           const Vec2& rates) noexcept {
+  QuasiStaticTransition result;
   result.energy_before = 0.5 * ball.mass() * rates.squaredNorm() +
                          ball.evaluate(races, theta, orbit, force, place).potential;
   result.after = ball.solve(races, theta, orbit, force, place);

@@ -77,18 +77,18 @@ class ConstrainedBall {
   /// @param K Hertz constants [N m^-1.5], outer and inner; where `law` follows the contact angle,
   /// of a scale only
   ConstrainedBall(const contact::GrooveGeometry& groove, const std::array<double, 2>& K,
-                  double mass, const std::array<contact::AngleLaw, 2>& law = {}) noexcept
+                  double mass, const std::array<contact::HertzAngleLaw, 2>& law = {}) noexcept
       : groove_(groove), K_(K), law_(law), mass_(mass) {}
 
   /// @param wavy imperfections of the races, null: none; outlive this
   /// @param number of the ball, where balls are not round
-  void set_wavy(const std::array<const contact::WavyGroove*, 2>& wavy,
-                std::size_t number = 0) noexcept {
-    wavy_ = wavy;
-    number_ = number;
+  void set_wavy_grooves(const std::array<const contact::WavyGroove*, 2>& wavy,
+                        std::size_t number = 0) noexcept {
+    wavy_grooves_ = wavy;
+    ball_index_ = number;
   }
   /// @param half of split races, by race
-  void set_split(const std::array<std::array<contact::SplitHalf, 2>, 2>& half) noexcept {
+  void set_split_halves(const std::array<std::array<contact::SplitRaceHalf, 2>, 2>& half) noexcept {
     half_ = half;
   }
   [[nodiscard]] double mass() const noexcept { return mass_; }
@@ -126,17 +126,17 @@ class ConstrainedBall {
                                   const Vec2& guess) const noexcept;
 
  private:
-  [[nodiscard]] Vec2 idle_place(const RacePose& outer, double theta,
-                                const Vec2& guess) const noexcept;
-  [[nodiscard]] double speed_of(const Orbit& orbit, double r) const noexcept;
+  [[nodiscard]] Vec2 unloaded_position(const RacePose& outer, double theta,
+                                       const Vec2& guess) const noexcept;
+  [[nodiscard]] double orbital_speed_at(const Orbit& orbit, double r) const noexcept;
 
   contact::GrooveGeometry groove_;
   std::array<double, 2> K_;
-  std::array<contact::AngleLaw, 2> law_;
+  std::array<contact::HertzAngleLaw, 2> law_;
   double mass_;
-  std::array<const contact::WavyGroove*, 2> wavy_{};
-  std::size_t number_ = 0;
-  std::array<std::array<contact::SplitHalf, 2>, 2> half_{};
+  std::array<const contact::WavyGroove*, 2> wavy_grooves_{};
+  std::size_t ball_index_ = 0;
+  std::array<std::array<contact::SplitRaceHalf, 2>, 2> half_{};
 };
 
 /// Derivatives of the solved (x, r); each column or vector is -(∂G/∂(x,r))⁻¹ ∂G/∂(...). Directions
@@ -157,21 +157,22 @@ struct BallSensitivity {
 }
 
 /// A ball becomes held: L stays, (x, r) go to balance, ẋ and ṙ are dropped.
-struct HeldSwitch {
+struct QuasiStaticTransition {
   BallBalance after;           ///< its potential is the energy after
   double energy_before = 0.0;  ///< ½m(ẋ² + ṙ²) + L²/(2mr²) + Σ V - F·(x, r) [J]
   double jump = 0.0;           ///< after - before, to be booked [J]
 };
 /// @param orbit keeps the momentum
-[[nodiscard]] HeldSwitch hold(const ConstrainedBall& ball, const std::array<RacePose, 2>& races,
-                              double theta, const Orbit& orbit, const Vec2& force,
-                              const Vec2& place, const Vec2& rates) noexcept;
+[[nodiscard]] QuasiStaticTransition hold(const ConstrainedBall& ball,
+                                         const std::array<RacePose, 2>& races, double theta,
+                                         const Orbit& orbit, const Vec2& force, const Vec2& place,
+                                         const Vec2& rates) noexcept;
 
 /// Light-load balance with hysteresis (record 2.1): held from `threshold` down, released above
 /// kReleaseRatio × threshold; between the two nothing changes. threshold <= 0: never held.
 inline constexpr double kReleaseRatio = 1.1;
-[[nodiscard]] constexpr bool held_next(bool held, double largest_load, double threshold,
-                                       double release_ratio = kReleaseRatio) noexcept {
+[[nodiscard]] constexpr bool is_quasi_static_next(bool held, double largest_load, double threshold,
+                                                  double release_ratio = kReleaseRatio) noexcept {
   if (!(threshold > 0.0)) return false;
   return held ? largest_load <= release_ratio * threshold : largest_load <= threshold;
 }

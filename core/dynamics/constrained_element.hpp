@@ -19,7 +19,7 @@
 namespace adore::dynamics {
 
 /// Given accelerations.
-struct ElementHold {
+struct ElementConstraints {
   bool x = false, r = false, theta = false;  ///< of P
   bool spin = false;                         ///< of ω_x
   bool tilt = false;                         ///< of ω_r and ω_θ
@@ -34,6 +34,6 @@ struct ElementRates {
 /// From what acts on element i now (Evaluation::actions), its attitude and its rates.
 [[nodiscard]] ElementRates constrained_element(const Evaluation& e, std::size_t i,
                                                const ElementMass& body,
-                                               const ElementHold& hold) noexcept;
+                                               const ElementConstraints& hold) noexcept;
 
 }  // namespace adore::dynamics

@@ -14,7 +14,7 @@ Slice SceneBuilder::state(std::string name, std::string_view unit, int count, Sc
   return slice;
 }
 
-Slice SceneBuilder::states_of_elements(std::string name, std::string_view unit, ScaleKind kind) {
+Slice SceneBuilder::add_element_states(std::string name, std::string_view unit, ScaleKind kind) {
   const Slice slice = state(std::move(name), unit, bearing.element_count(), kind, 0);
   for (int i = 0; i < slice.count; ++i) out_.owner[static_cast<std::size_t>(slice.first + i)] = i;
   return slice;
@@ -49,15 +49,15 @@ void SceneBuilder::momentum(int& index, std::string name, Momentum which, const 
   integral(index, std::move(name), angular ? "N m s" : "N s", rate, 3);
 }
 
-void SceneBuilder::border_body(BodyId id, const BorderBody& body, Slice rows) {
+void SceneBuilder::add_border_body(BodyId id, const BorderBody& body, Slice rows) {
   demand(rows.first >= 0 && rows.count > 0 &&
              rows.first + rows.count <= static_cast<int>(out_.owner.size()),
-         "a body of the border has no states");
+         "a body in the border of the Jacobian has no states");
   for (int k = rows.first; k < rows.first + rows.count; ++k)
     demand(out_.owner[static_cast<std::size_t>(k)] == kBorder,
-           "a state of a body of the border belongs to an element");
+           "a state of a body in the border of the Jacobian belongs to an element");
   for (const Assembly::Border& other : out_.border)
-    demand(!(other.id == id), "a body is in the border twice");
+    demand(!(other.id == id), "a body is in the border of the Jacobian twice");
   out_.border.push_back({id, &body, rows});
 }
 
@@ -67,7 +67,7 @@ bool SceneBuilder::races_move() const {
 }
 
 void SceneBuilder::add_block(Phase phase, std::unique_ptr<EffectBlock> block, std::string_view cost,
-                             Partners partners) {
+                             CoupledBodies partners) {
   out_.blocks.push_back({phase, std::move(block), out_.cost.entry(cost), std::move(partners)});
 }
 

@@ -64,14 +64,14 @@ class BorderBody {
   /// Adds to `row`, one value for each state component of this body, what a contact of element i
   /// adds to the rates of this body; force and moment (about the element's center) are those on the
   /// element [N, N m], base frame.
-  virtual void add_share(const Evaluation& e, std::size_t i, const Vec3& force, const Vec3& moment,
-                         double* row) const noexcept = 0;
+  virtual void add_rate_contribution(const Evaluation& e, std::size_t i, const Vec3& force,
+                                     const Vec3& moment, double* row) const noexcept = 0;
 };
 
 /// Contacts of elements not with races: estimates for elements in balance (held_elements.hpp).
-class ElementSupport {
+class NonRaceContacts {
  public:
-  virtual ~ElementSupport() = default;
+  virtual ~NonRaceContacts() = default;
   /// Adds -∂F/∂(place) of its normal forces on element i, (x, r, θ) directions [N/m].
   virtual void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept = 0;
   /// Adds the friction force on element i over the slip speed, (x, r) directions [N s/m]. The force
@@ -85,26 +85,26 @@ class ElementSupport {
 /// element's partner with the opposite sign. A block that couples an element with two bodies is
 /// declared as two.
 /// Prescribed partners, and partners outside the scene, count as none.
-class Partners {
+class CoupledBodies {
  public:
-  Partners() = default;  ///< with none
+  CoupledBodies() = default;  ///< with none
   /// All elements with one body.
-  Partners(BodyId body) : of_(1, body) {}  // NOLINT(google-explicit-constructor)
+  CoupledBodies(BodyId body) : partners_(1, body) {}  // NOLINT(google-explicit-constructor)
   /// Each element with its own.
-  explicit Partners(std::vector<BodyId> of_element) : of_(std::move(of_element)) {}
+  explicit CoupledBodies(std::vector<BodyId> of_element) : partners_(std::move(of_element)) {}
   [[nodiscard]] const BodyId* of(std::size_t element) const {
-    if (of_.empty()) return nullptr;
-    return of_.size() == 1 ? of_.data() : &of_.at(element);
+    if (partners_.empty()) return nullptr;
+    return partners_.size() == 1 ? partners_.data() : &partners_.at(element);
   }
 
  private:
-  std::vector<BodyId> of_;
+  std::vector<BodyId> partners_;
 };
 
 /// Requests of an effect to the whole system between two steps.
-class BetweenSteps {
+class BetweenStepsAccess {
  public:
-  virtual ~BetweenSteps() = default;
+  virtual ~BetweenStepsAccess() = default;
   /// @throws SolverError when the state is not valid
   virtual const Evaluation& evaluate(double t, std::span<const double> y) = 0;
   [[nodiscard]] virtual bool is_valid(double t, std::span<const double> y) noexcept = 0;
@@ -154,7 +154,7 @@ class SceneEffect {
   /// (Evaluation::y, elements) may be gone. No allocation but the first time.
   virtual void look(const Evaluation& e, Look& out) const { (void)e, (void)out; }
   /// Replacement of an integral that is too expensive, with its error; empty: none.
-  [[nodiscard]] virtual std::string stated() const { return {}; }
+  [[nodiscard]] virtual std::string approximation_note() const { return {}; }
   /// Adds its contacts to System::quadrature_error.
   virtual void add_quadrature_error(const Evaluation& e, scene::QuadratureError& error) const {
     (void)e, (void)error;
@@ -169,7 +169,7 @@ class SceneEffect {
   }
 
   /// Changes of the model that may happen between steps only; true when y changed.
-  virtual bool between_steps(double t, std::span<double> y, BetweenSteps& scene) {
+  virtual bool between_steps(double t, std::span<double> y, BetweenStepsAccess& scene) {
     return (void)t, (void)y, (void)scene, false;
   }
   /// The fast part of the motion alone (System::rhs_stiff): all `size` rates. One effect of a
@@ -202,7 +202,7 @@ struct Assembly {
     Phase phase;
     std::unique_ptr<EffectBlock> block;
     int entry;  ///< of the cost ledger
-    Partners partners;
+    CoupledBodies partners;
   };
   /// A body in the border of the arrow.
   struct Border {
@@ -223,7 +223,7 @@ struct Assembly {
   bool neighbours_meet = false;
   std::vector<Block> blocks;
   std::vector<Border> border;
-  std::vector<ElementSupport*> supports;
+  std::vector<NonRaceContacts*> supports;
   CostLedger cost;
 };
 
@@ -235,13 +235,13 @@ class SceneBuilder {
   const statics::StaticSolution& statics;
   const std::array<double, 2>& fixed_angle;
   const SystemOptions& options;
-  const RollerScene* rollers;  ///< start positions of rollers; null: balls
-  Evaluation& e;               ///< the blocks' working memory, there as long as the System
+  const RollerStaticResult* rollers;  ///< start positions of rollers; null: balls
+  Evaluation& e;                      ///< the blocks' working memory, there as long as the System
 
   /// Controlled components "<name>[k] [unit]" of one element, or of kBorder.
   Slice state(std::string name, std::string_view unit, int count, ScaleKind kind, int element);
   /// One component for each element.
-  Slice states_of_elements(std::string name, std::string_view unit, ScaleKind kind);
+  Slice add_element_states(std::string name, std::string_view unit, ScaleKind kind);
   /// Four components that are kept at unit length.
   Slice quaternion(std::string name, int element);
 
@@ -263,12 +263,12 @@ class SceneBuilder {
   /// @param cost where the cost ledger books it
   /// @param partners bodies that it couples elements with; {}: none
   template <class Block, class... Arguments>
-  void block(Phase phase, std::string_view cost, Partners partners, Arguments&&... arguments) {
+  void block(Phase phase, std::string_view cost, CoupledBodies partners, Arguments&&... arguments) {
     add_block(phase, std::make_unique<Block>(std::forward<Arguments>(arguments)...), cost,
               std::move(partners));
   }
   /// A body whose states `rows` (owner kBorder, together) meet elements.
-  void border_body(BodyId id, const BorderBody& body, Slice rows);
+  void add_border_body(BodyId id, const BorderBody& body, Slice rows);
 
   /// Each element acts on the one before and after it in the ring (a bearing without cage).
   void neighbours_meet() { out_.neighbours_meet = true; }
@@ -277,7 +277,7 @@ class SceneBuilder {
   [[nodiscard]] bool races_move() const;
 
   /// Elements touch this; it outlives the System.
-  void supports(ElementSupport& support) { out_.supports.push_back(&support); }
+  void supports(NonRaceContacts& support) { out_.supports.push_back(&support); }
   /// Every force of the scene once more, for effects that need them ahead.
   [[nodiscard]] ForcePass force_pass(bool elements_alone) const noexcept {
     return {out_, elements_alone};
@@ -293,7 +293,7 @@ class SceneBuilder {
 
   SceneBuilder(const bearing::Bearing& bearing_, const ScenePlan& plan_,
                const statics::StaticSolution& statics_, const std::array<double, 2>& fixed_angle_,
-               const SystemOptions& options_, const RollerScene* rollers_, Evaluation& e_,
+               const SystemOptions& options_, const RollerStaticResult* rollers_, Evaluation& e_,
                Assembly& out)
       : bearing(bearing_),
         plan(plan_),
@@ -306,7 +306,7 @@ class SceneBuilder {
 
  private:
   void add_block(Phase phase, std::unique_ptr<EffectBlock> block, std::string_view cost,
-                 Partners partners);
+                 CoupledBodies partners);
   Assembly& out_;
 };
 

@@ -9,7 +9,7 @@
 namespace adore::dynamics {
 namespace {
 
-constexpr CatalogueLine kCatalogue[] = {
+constexpr EffectCatalogEntry kCatalogue[] = {
     {"balls", "-", "bodies with six degrees of freedom each", make_balls, nullptr},
     {"rigid elements", "kBrg, kReIP",
      "rollers, and balls with unequal moments of inertia or an offset mass center: six degrees of "
@@ -55,11 +55,11 @@ constexpr CatalogueLine kCatalogue[] = {
     {"gravity", "gravityVec", "weight of elements, cage and free races", make_gravity,
      gravity_terms},
     {"rotating base frame", "kRotFrame", "transport and Coriolis forces", make_turning_frame,
-     turning_frame_terms},
+     rotating_frame_ledger_terms},
     {"momentum ledger", "-", "external forces on elements and cage", make_momentum_ledger, nullptr},
     {"race balance", "mode", "force balance of the inner race", make_race_balance, nullptr},
     {"suppressed motions", "kDOF", "elements with accelerations set to zero",
-     make_suppressed_elements, suppressed_element_terms},
+     make_suppressed_accelerations, suppressed_acceleration_terms},
     {"light-load balance", "qFac, mode",
      "force balance of lightly loaded elements (qFac) or all elements (mode = 1, 2)",
      make_light_load_balance, light_load_terms},
@@ -69,11 +69,11 @@ constexpr CatalogueLine kCatalogue[] = {
 
 }  // namespace
 
-std::span<const CatalogueLine> effect_catalogue() { return kCatalogue; }
+std::span<const EffectCatalogEntry> effect_catalogue() { return kCatalogue; }
 
 std::vector<const LedgerTerm*> energy_terms() {
   std::vector<const LedgerTerm*> all{&terms::kStart, &terms::kKinetic, &terms::kElastic};
-  for (const CatalogueLine& line : kCatalogue)
+  for (const EffectCatalogEntry& line : kCatalogue)
     if (line.terms != nullptr)
       for (const LedgerTerm* term : line.terms()) all.push_back(term);
   std::stable_sort(all.begin(), all.end(),

@@ -12,7 +12,7 @@ namespace adore::dynamics {
 
 class SceneEffect;
 
-struct CatalogueLine {
+struct EffectCatalogEntry {
   std::string_view name;
   std::string_view decided_by;  ///< deck variables that switch it, "-": none does
   std::string_view help;
@@ -21,7 +21,7 @@ struct CatalogueLine {
 };
 
 /// In the order in which effects declare themselves: after the effects that they need.
-[[nodiscard]] std::span<const CatalogueLine> effect_catalogue();
+[[nodiscard]] std::span<const EffectCatalogEntry> effect_catalogue();
 
 /// All items that the energy ledger of any scene may hold, kind by kind.
 [[nodiscard]] std::vector<const LedgerTerm*> energy_terms();

@@ -45,11 +45,11 @@ LedgerTerms free_race_terms();
 MadeEffect make_gravity(const ScenePlan& plan);
 LedgerTerms gravity_terms();
 MadeEffect make_turning_frame(const ScenePlan& plan);
-LedgerTerms turning_frame_terms();
+LedgerTerms rotating_frame_ledger_terms();
 MadeEffect make_momentum_ledger(const ScenePlan& plan);
 MadeEffect make_race_balance(const ScenePlan& plan);
-MadeEffect make_suppressed_elements(const ScenePlan& plan);
-LedgerTerms suppressed_element_terms();
+MadeEffect make_suppressed_accelerations(const ScenePlan& plan);
+LedgerTerms suppressed_acceleration_terms();
 MadeEffect make_light_load_balance(const ScenePlan& plan);
 LedgerTerms light_load_terms();
 

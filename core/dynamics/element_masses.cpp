@@ -23,7 +23,7 @@ ElementMass element_mass(const bearing::Inertia& given, double along_axis) {
   if (given.geometric_centre.isZero(0.0)) return out;
   out.arm = -given.geometric_centre;
   out.arm[0] = along_axis;
-  out.off_centre = !out.arm.isZero(0.0);
+  out.has_eccentric_mass = !out.arm.isZero(0.0);
   return out;
 }
 
@@ -39,13 +39,13 @@ ElementMasses::ElementMasses(const bearing::Bearing& bearing) {
     const double at = !rollers  ? -given.geometric_centre[0]
                       : nominal ? 0.0
                                 : -given.geometric_centre[0] - bearing.roller_mass_offset;
-    all_.push_back(element_mass(given, at));
+    distinct_masses_.push_back(element_mass(given, at));
   }
 }
 
-bool ElementMasses::off_centre() const noexcept {
-  return std::any_of(all_.begin(), all_.end(),
-                     [](const ElementMass& one) { return one.off_centre; });
+bool ElementMasses::has_eccentric_mass() const noexcept {
+  return std::any_of(distinct_masses_.begin(), distinct_masses_.end(),
+                     [](const ElementMass& one) { return one.has_eccentric_mass; });
 }
 
 }  // namespace adore::dynamics

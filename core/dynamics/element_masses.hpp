@@ -18,11 +18,11 @@ using Vec3 = bearing::Vec3;
 using Mat3 = Eigen::Matrix3d;
 
 struct ElementMass {
-  double mass = 0.0;            ///< [kg]
-  Mat3 inertia = Mat3::Zero();  ///< about the mass center, body axes [kg m²]
-  Mat3 inverse = Mat3::Zero();  ///< of it
-  Vec3 arm = Vec3::Zero();      ///< [m]
-  bool off_centre = false;      ///< the arm is not 0
+  double mass = 0.0;                ///< [kg]
+  Mat3 inertia = Mat3::Zero();      ///< about the mass center, body axes [kg m²]
+  Mat3 inverse = Mat3::Zero();      ///< of it
+  Vec3 arm = Vec3::Zero();          ///< [m]
+  bool has_eccentric_mass = false;  ///< the arm is not 0
 };
 
 class ElementMasses {
@@ -30,15 +30,17 @@ class ElementMasses {
   ElementMasses() = default;
   explicit ElementMasses(const bearing::Bearing& bearing);
   [[nodiscard]] const ElementMass& operator[](std::size_t element) const noexcept {
-    return all_[element < all_.size() ? element : all_.size() - 1];
+    return distinct_masses_[element < distinct_masses_.size() ? element
+                                                              : distinct_masses_.size() - 1];
   }
   /// All have the same mass and inertia.
-  [[nodiscard]] bool alike() const noexcept { return all_.size() == 1; }
+  [[nodiscard]] bool alike() const noexcept { return distinct_masses_.size() == 1; }
   /// Some mass center is not at the reference point.
-  [[nodiscard]] bool off_centre() const noexcept;
+  [[nodiscard]] bool has_eccentric_mass() const noexcept;
 
  private:
-  std::vector<ElementMass> all_;  ///< one for all, of element 1 and of the others, or each its own
+  std::vector<ElementMass>
+      distinct_masses_;  ///< one for all, of element 1 and of the others, or each its own
 };
 
 }  // namespace adore::dynamics

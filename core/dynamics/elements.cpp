@@ -30,8 +30,8 @@ void gather(const ElementViews& from, std::size_t i, ElementStorage& to, std::si
   for (std::size_t q = 0; q < to.size(); ++q) to[q][k] = (from.*kElementViews[q])[i];
 }
 
-ElementForces forces_in(ElementActions& actions, double* load, double* heat,
-                        double* load_slip) noexcept {
+ElementForces element_force_targets(ElementActions& actions, double* load, double* heat,
+                                    double* load_slip) noexcept {
   ElementForces out{};
   for (std::size_t k = 0; k < actions.size(); ++k) out.*kElementActions[k] = actions[k].data();
   out.load = load;

@@ -46,22 +46,22 @@ enum class Quantity : unsigned char {
   OmegaTheta
 };
 
-struct QuantityLine {
+struct ElementQuantity {
   std::string_view name,
       unit;  ///< of the state component "element.<name>[k] [unit]"
   ScaleKind scale;
   const double* ElementViews::*view;
 };
 inline constexpr std::array kQuantities{
-    QuantityLine{"x", "m", ScaleKind::Length, &ElementViews::x},
-    QuantityLine{"r", "m", ScaleKind::Length, &ElementViews::r},
-    QuantityLine{"theta", "rad", ScaleKind::Angle, &ElementViews::theta},
-    QuantityLine{"x_dot", "m/s", ScaleKind::Velocity, &ElementViews::x_dot},
-    QuantityLine{"r_dot", "m/s", ScaleKind::Velocity, &ElementViews::r_dot},
-    QuantityLine{"theta_dot", "rad/s", ScaleKind::Rate, &ElementViews::theta_dot},
-    QuantityLine{"omega_x", "rad/s", ScaleKind::Rate, &ElementViews::omega_x},
-    QuantityLine{"omega_r", "rad/s", ScaleKind::Rate, &ElementViews::omega_r},
-    QuantityLine{"omega_theta", "rad/s", ScaleKind::Rate, &ElementViews::omega_theta}};
+    ElementQuantity{"x", "m", ScaleKind::Length, &ElementViews::x},
+    ElementQuantity{"r", "m", ScaleKind::Length, &ElementViews::r},
+    ElementQuantity{"theta", "rad", ScaleKind::Angle, &ElementViews::theta},
+    ElementQuantity{"x_dot", "m/s", ScaleKind::Velocity, &ElementViews::x_dot},
+    ElementQuantity{"r_dot", "m/s", ScaleKind::Velocity, &ElementViews::r_dot},
+    ElementQuantity{"theta_dot", "rad/s", ScaleKind::Rate, &ElementViews::theta_dot},
+    ElementQuantity{"omega_x", "rad/s", ScaleKind::Rate, &ElementViews::omega_x},
+    ElementQuantity{"omega_r", "rad/s", ScaleKind::Rate, &ElementViews::omega_r},
+    ElementQuantity{"omega_theta", "rad/s", ScaleKind::Rate, &ElementViews::omega_theta}};
 
 /// Place of each quantity in the state: one slice per quantity, all
 /// elements in it.
@@ -118,7 +118,7 @@ bool view_elements(const double* y, const ElementSlices& slices, double* sin, do
 /// Copies element i of `from` to place k.
 void gather(const ElementViews& from, std::size_t i, ElementStorage& to, std::size_t k) noexcept;
 /// Targets of the contacts' sums and values; load_slip may be null.
-[[nodiscard]] ElementForces forces_in(ElementActions& actions, double* load, double* heat,
-                                      double* load_slip) noexcept;
+[[nodiscard]] ElementForces element_force_targets(ElementActions& actions, double* load,
+                                                  double* heat, double* load_slip) noexcept;
 
 }  // namespace adore::dynamics

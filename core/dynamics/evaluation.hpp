@@ -54,7 +54,7 @@ struct Evaluation {
   }
   /// Calls visit(body) for every body that is integrated.
   template <class Visit>
-  void for_integrated(const Visit& visit) {
+  void for_integrated_bodies(const Visit& visit) {
     for (BodyState& body : segments) visit(body);
     for (BodyState& body : race)
       if (body.moves == Moves::Integrated) visit(body);
@@ -62,8 +62,9 @@ struct Evaluation {
       if (body.moves == Moves::Integrated) visit(body);
   }
   template <class Visit>
-  void for_integrated(const Visit& visit) const {
-    const_cast<Evaluation*>(this)->for_integrated([&visit](const BodyState& body) { visit(body); });
+  void for_integrated_bodies(const Visit& visit) const {
+    const_cast<Evaluation*>(this)->for_integrated_bodies(
+        [&visit](const BodyState& body) { visit(body); });
   }
   [[nodiscard]] Vec3 element_centre(std::size_t i) const noexcept {
     return {elements.x[i], -elements.r[i] * sin_theta[i], elements.r[i] * cos_theta[i]};

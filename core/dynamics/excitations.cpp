@@ -29,7 +29,7 @@ PrescribedMotion vibration(const Vec3& static_centre, const Vec3& amplitude, dou
   return {static_centre + s * amplitude, w * c * amplitude, -w * w * s * amplitude};
 }
 
-PrescribedTurn ramped_turn(double start_speed, const SpeedRamp& ramp, double t) noexcept {
+PrescribedRotation ramped_rotation(double start_speed, const SpeedRamp& ramp, double t) noexcept {
   if (!(ramp.end > ramp.begin)) return {start_speed * t, start_speed, 0.0};
   const double inside = std::clamp(t, ramp.begin, ramp.end) - ramp.begin;
   const double after = std::max(0.0, t - ramp.end);
@@ -38,8 +38,8 @@ PrescribedTurn ramped_turn(double start_speed, const SpeedRamp& ramp, double t) 
           start_speed + ramp.acceleration * inside, acts ? ramp.acceleration : 0.0};
 }
 
-PrescribedTurn varying_turn(double start_speed, double amplitude, double frequency,
-                            double t) noexcept {
+PrescribedRotation varying_rotation(double start_speed, double amplitude, double frequency,
+                                    double t) noexcept {
   const double w = 2.0 * std::numbers::pi * frequency;
   if (w == 0.0) return {start_speed * t, start_speed, 0.0};
   const double half = std::sin(0.5 * w * t);  // 1 - cos = 2 sin² keeps its digits at small t
@@ -47,13 +47,15 @@ PrescribedTurn varying_turn(double start_speed, double amplitude, double frequen
           start_speed + amplitude * std::sin(w * t), amplitude * w * std::cos(w * t)};
 }
 
-RaceLaws::RaceLaws(const std::array<Vec3, 2>& static_centre, const bearing::RaceMotions& motions)
+RaceMotionLaws::RaceMotionLaws(const std::array<Vec3, 2>& static_centre,
+                               const bearing::RaceMotions& motions)
     : centre_(static_centre), motions_(motions) {
-  if (motions.turning_load)
-    load_.emplace(static_centre, motions.turning_load->fraction, motions.turning_load->speed);
+  if (motions.rotating_load_parameters)
+    rotating_load_.emplace(static_centre, motions.rotating_load_parameters->fraction,
+                           motions.rotating_load_parameters->speed);
 }
 
-PrescribedMotion RaceLaws::place(int race, double t) const noexcept {
+PrescribedMotion RaceMotionLaws::place(int race, double t) const noexcept {
   const auto j = static_cast<std::size_t>(race);
   PrescribedMotion out{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   const auto add = [&out](const PrescribedMotion& motion, const Vec3& at_rest) {
@@ -61,24 +63,24 @@ PrescribedMotion RaceLaws::place(int race, double t) const noexcept {
     out.velocity += motion.velocity;
     out.acceleration += motion.acceleration;
   };
-  if (load_) add(load_->at(race, t), centre_[j]);
+  if (rotating_load_) add(rotating_load_->at(race, t), centre_[j]);
   if (const auto& v = motions_.vibration[j])
     add(vibration(Vec3::Zero(), v->amplitude, v->frequency, t), Vec3::Zero());
   return out;
 }
 
-PrescribedTurn RaceLaws::turn(int race, double t) const noexcept {
+PrescribedRotation RaceMotionLaws::turn(int race, double t) const noexcept {
   const auto j = static_cast<std::size_t>(race);
-  PrescribedTurn out;
-  const auto add = [&out](const PrescribedTurn& turn) {
+  PrescribedRotation out;
+  const auto add = [&out](const PrescribedRotation& turn) {
     out.angle += turn.angle;
     out.speed += turn.speed;
     out.acceleration += turn.acceleration;
   };
   if (const auto& ramp = motions_.ramp[j])
-    add(ramped_turn(0.0, {ramp->acceleration, ramp->begin, ramp->end}, t));
+    add(ramped_rotation(0.0, {ramp->acceleration, ramp->begin, ramp->end}, t));
   if (const auto& variation = motions_.variation[j])
-    add(varying_turn(0.0, variation->amplitude, variation->frequency, t));
+    add(varying_rotation(0.0, variation->amplitude, variation->frequency, t));
   return out;
 }
 

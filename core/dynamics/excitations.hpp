@@ -17,7 +17,7 @@ struct PrescribedMotion {
 };
 
 /// A race's turn about its axis and its time derivatives.
-struct PrescribedTurn {
+struct PrescribedRotation {
   double angle = 0.0, speed = 0.0, acceleration = 0.0;  ///< [rad, rad/s, rad/s²]
 };
 
@@ -51,20 +51,20 @@ struct SpeedRamp {
   double acceleration = 0.0;      ///< a [rad/s²]
   double begin = 0.0, end = 0.0;  ///< [s]
 };
-[[nodiscard]] PrescribedTurn ramped_turn(double start_speed, const SpeedRamp& ramp,
-                                         double t) noexcept;
+[[nodiscard]] PrescribedRotation ramped_rotation(double start_speed, const SpeedRamp& ramp,
+                                                 double t) noexcept;
 
 /// Speed variation (9.4B): Ω0 + A sin ωt, angle Ω0 t + (A/ω)(1 - cos ωt), ω = 2π frequency;
 /// frequency 0: no variation. amplitude A in rad/s, frequency in Hz.
-[[nodiscard]] PrescribedTurn varying_turn(double start_speed, double amplitude, double frequency,
-                                          double t) noexcept;
+[[nodiscard]] PrescribedRotation varying_rotation(double start_speed, double amplitude,
+                                                  double frequency, double t) noexcept;
 
 /// All laws of both races together, in addition to static position and constant spin.
-class RaceLaws {
+class RaceMotionLaws {
  public:
-  RaceLaws(const std::array<Vec3, 2>& static_centre, const bearing::RaceMotions& motions);
-  [[nodiscard]] bool moves_places() const noexcept {
-    return load_ || motions_.vibration[0] || motions_.vibration[1];
+  RaceMotionLaws(const std::array<Vec3, 2>& static_centre, const bearing::RaceMotions& motions);
+  [[nodiscard]] bool has_center_motion() const noexcept {
+    return rotating_load_ || motions_.vibration[0] || motions_.vibration[1];
   }
   [[nodiscard]] bool turns() const noexcept {
     return motions_.ramp[0] || motions_.ramp[1] || motions_.variation[0] || motions_.variation[1];
@@ -73,12 +73,12 @@ class RaceLaws {
   /// inner
   [[nodiscard]] PrescribedMotion place(int race, double t) const noexcept;
   /// Turn beyond the constant spin.
-  [[nodiscard]] PrescribedTurn turn(int race, double t) const noexcept;
+  [[nodiscard]] PrescribedRotation turn(int race, double t) const noexcept;
 
  private:
   std::array<Vec3, 2> centre_;
   bearing::RaceMotions motions_;
-  std::optional<RotatingLoad> load_;
+  std::optional<RotatingLoad> rotating_load_;
 };
 
 }  // namespace adore::dynamics

@@ -16,11 +16,11 @@ void ForcePass::apply(Evaluation& e, Which which) const noexcept {
 }
 
 void ForcePass::resist(const Evaluation& e, std::size_t i, Mat3& stiffness) const noexcept {
-  for (ElementSupport* support : parts_->supports) support->resist(e, i, stiffness);
+  for (NonRaceContacts* support : parts_->supports) support->resist(e, i, stiffness);
 }
 
 void ForcePass::damp(const Evaluation& e, std::size_t i, Eigen::Matrix2d& damping) const noexcept {
-  for (ElementSupport* support : parts_->supports) support->damp(e, i, damping);
+  for (NonRaceContacts* support : parts_->supports) support->damp(e, i, damping);
 }
 
 }  // namespace adore::dynamics

@@ -21,7 +21,7 @@ class ForcePass {
       : parts_(&parts), elements_alone_(elements_alone) {}
   /// Adds what these blocks do; the caller clears it (Evaluation::clear_actions). No allocation.
   void apply(Evaluation& e, Which which) const noexcept;
-  /// Of every ElementSupport; damp() after the forces.
+  /// Of every NonRaceContacts; damp() after the forces.
   void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) const noexcept;
   void damp(const Evaluation& e, std::size_t i, Eigen::Matrix2d& damping) const noexcept;
 

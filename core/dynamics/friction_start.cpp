@@ -120,7 +120,7 @@ struct Roller {
 
 /// Does skew leave the balance if the others follow it at once?
 bool runs_away(const Roller& of) {
-  return std::abs(of.u[kSkew]) > kStays && statics::slope_with_others<5>(of.J, kSkew) > 0.0;
+  return std::abs(of.u[kSkew]) > kStays && statics::condensed_slope<5>(of.J, kSkew) > 0.0;
 }
 
 class Balance {
@@ -136,7 +136,7 @@ class Balance {
     unit_ << s.length, s.length, 1.0, 1.0, 1.0 / s.time;
     if (balls_) unit_[kTilt] = unit_[kSkew] = unit_[kSpin];
   }
-  FrictionStart find();
+  FrictionBalanceResult find();
 
  private:
   [[nodiscard]] bool evaluate() {
@@ -193,11 +193,12 @@ bool Balance::measure(bool first) {
 /// One linearly implicit step of du/dτ = F.
 void Balance::step(Roller& of) const {
   if (of.done) return;
-  if (const auto d = statics::flow_step<5>(of.J, of.F, of.size / of.size_at_first, kLongestStep))
+  if (const auto d =
+          statics::pseudo_time_step<5>(of.J, of.F, of.size / of.size_at_first, kLongestStep))
     of.u += d->cwiseProduct(unit_);
 }
 
-FrictionStart Balance::find() {
+FrictionBalanceResult Balance::find() {
   const std::vector<double> before = y_;
   for (std::size_t i = 0; i < all_.size(); ++i) all_[i].first = all_[i].u = rollers_.read(y_, i);
   bool known = false;  // differences at the last places
@@ -212,7 +213,7 @@ FrictionStart Balance::find() {
       rollers_.write(y_, i, all_[i].u);
     }
   }
-  FrictionStart out;
+  FrictionBalanceResult out;
   out.rollers = all_.size();
   y_ = before;
   for (std::size_t i = 0; i < all_.size(); ++i) {
@@ -228,7 +229,7 @@ FrictionStart Balance::find() {
 
 }  // namespace
 
-FrictionStart balance_friction(System& system, std::vector<double>& y) {
+FrictionBalanceResult balance_friction(System& system, std::vector<double>& y) {
   return Balance(system, y).find();
 }
 

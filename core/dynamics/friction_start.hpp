@@ -28,14 +28,14 @@
 /// Newton steps on its place with the stiffness of the statics, the elements in balance at each.
 namespace adore::dynamics {
 
-struct FrictionStart {
+struct FrictionBalanceResult {
   std::size_t balanced = 0, rollers = 0;
   double largest_skew = 0.0;  ///< of the balanced ones [rad]
 };
 
 /// Changes places, attitudes and spins of y. Its system must be at the start of a run
 /// (System::set_start is called after it).
-FrictionStart balance_friction(System& system, std::vector<double>& y);
+FrictionBalanceResult balance_friction(System& system, std::vector<double>& y);
 
 /// @param stiffness d load/d displacement of the inner race, from its statics
 /// @param free directions in which the race moves under its load

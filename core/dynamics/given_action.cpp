@@ -11,27 +11,27 @@ namespace {
 
 class Acting final : public EffectBlock {
  public:
-  Acting(const GivenAction::Act& act, const RaceModels& races) : act_(act), races_(races) {}
+  Acting(const CustomSceneAction::Act& act, const RaceModels& races) : act_(act), races_(races) {}
   void apply(Evaluation& e) noexcept override { act_(e, races_); }
 
  private:
-  const GivenAction::Act& act_;
+  const CustomSceneAction::Act& act_;
   const RaceModels& races_;
 };
 
 class GivenEffect final : public SceneEffect {
  public:
-  explicit GivenEffect(GivenAction action) : action_(std::move(action)) {}
+  explicit GivenEffect(CustomSceneAction action) : action_(std::move(action)) {}
   void declare(SceneBuilder& scene) override {
     const RaceModels& races = scene.find<Races>()->contacts();
     if (action_.act) scene.block<Acting>(Phase::Force, "given", {}, action_.act, races);
     if (action_.account) scene.block<Acting>(Phase::Account, "given", {}, action_.account, races);
-    for (const GivenAction::Book& book : action_.books)
+    for (const CustomSceneAction::PowerIntegral& book : action_.books)
       scene.integral(unused_, book.name, "J", book.rate);
   }
 
  private:
-  GivenAction action_;
+  CustomSceneAction action_;
   int unused_ = -1;
 };
 
@@ -48,12 +48,12 @@ class View final : public SceneEffect {
 
 }  // namespace
 
-EffectMaker effect_of(GivenAction action) {
-  auto shared = std::make_shared<GivenAction>(std::move(action));
+EffectMaker make_action_effect(CustomSceneAction action) {
+  auto shared = std::make_shared<CustomSceneAction>(std::move(action));
   return [shared](const ScenePlan&) { return std::make_unique<GivenEffect>(*shared); };
 }
 
-EffectMaker viewed_by(SceneView& view) {
+EffectMaker make_view_effect(SceneView& view) {
   return [&view](const ScenePlan&) { return std::make_unique<View>(view); };
 }
 
@@ -61,13 +61,13 @@ double SceneView::pocket_gap() const noexcept { return pockets->set().wall_point
 
 Vec3 SceneView::pocket_normal() const noexcept {
   const PocketSet& set = pockets->set();
-  return set.round_to_base(0, set.wall_point(0).m, set.body(*e, 0).to_base);
+  return set.round_pocket_to_base(0, set.wall_point(0).m, set.body(*e, 0).to_base);
 }
 
 WallContact wall_contact(const Evaluation& e, std::size_t element, const BodyState& body,
                          const Vec3& m, double radius, const contact::CappedHertz& normal,
                          double overlap, const tribology::TractionLaw& law) noexcept {
-  const PocketAction action = law.visit_rounded([&](const auto& friction) {
+  const PocketAction action = law.visit_regularized([&](const auto& friction) {
     return pocket_action(normal, {}, friction, e, element, body, radius, m, overlap);
   });
   return {action.N,     action.rate,    action.heat,    action.arm,

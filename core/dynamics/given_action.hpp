@@ -22,16 +22,16 @@ using RaceModels = std::array<RaceContactModel, 2>;
 
 /// Acts in a scene: `act` in the phase of the forces, behind the effects of the catalogue,
 /// `account` once all forces are known; `books` are integrals of powers that they leave [J].
-struct GivenAction {
+struct CustomSceneAction {
   using Act = std::function<void(Evaluation&, const RaceModels&)>;
-  struct Book {
+  struct PowerIntegral {
     std::string name;
     const double* rate;
   };
   Act act, account;
-  std::vector<Book> books;
+  std::vector<PowerIntegral> books;
 };
-[[nodiscard]] EffectMaker effect_of(GivenAction action);
+[[nodiscard]] EffectMaker make_action_effect(CustomSceneAction action);
 
 /// Inside of a System, which outlives it.
 struct SceneView {
@@ -44,7 +44,7 @@ struct SceneView {
   [[nodiscard]] Vec3 pocket_normal() const noexcept;
 };
 /// Fills the view when the System is made.
-[[nodiscard]] EffectMaker viewed_by(SceneView& view);
+[[nodiscard]] EffectMaker make_view_effect(SceneView& view);
 
 /// An element against a wall of a body (effects/pockets.hpp).
 struct WallContact {

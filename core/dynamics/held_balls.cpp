@@ -28,9 +28,9 @@ RacePose seen_by(const Evaluation& e, std::size_t i, const RaceBody& race) noexc
 
 }  // namespace
 
-HeldBalls::HeldBalls(const std::array<RaceContactModel, 2>& contacts,
-                     const std::array<std::array<contact::SplitHalf, 2>, 2>& half,
-                     const ElementMasses& masses, std::size_t balls)
+QuasiStaticBalls::QuasiStaticBalls(const std::array<RaceContactModel, 2>& contacts,
+                                   const std::array<std::array<contact::SplitRaceHalf, 2>, 2>& half,
+                                   const ElementMasses& masses, std::size_t balls)
     : contacts_(contacts),
       offset_(std::min(contacts[0].groove.offset[0], contacts[0].groove.offset[1])),
       kernel_(kernel_of(chosen_instruction_set())),
@@ -42,20 +42,20 @@ HeldBalls::HeldBalls(const std::array<RaceContactModel, 2>& contacts,
     const RaceContactModel &outer = contacts[0].of(i), &inner = contacts[1].of(i);
     ConstrainedBall ball(outer.groove, {outer.hertz.K, inner.hertz.K}, masses[i].mass,
                          {outer.angle, inner.angle});
-    ball.set_split(half);
-    ball.set_wavy({outer.wavy.get(), inner.wavy.get()}, i);
+    ball.set_split_halves(half);
+    ball.set_wavy_grooves({outer.wavy.get(), inner.wavy.get()}, i);
     offset_ = std::min({offset_, outer.groove.offset[0], outer.groove.offset[1]});
     balls_.push_back(ball);
   }
 }
 
-RacePose HeldBalls::pose(const Evaluation& e, std::size_t j) const noexcept {
+RacePose QuasiStaticBalls::pose(const Evaluation& e, std::size_t j) const noexcept {
   const RaceBody& race = e.race[j];
   if (!contacts_[j].wavy) return {race.position, race.axis()};
   return {race.position, race.axis(), race.motion().zero()};
 }
 
-Vec2 HeldBalls::normal_force(const Evaluation& e, std::size_t i) const noexcept {
+Vec2 QuasiStaticBalls::normal_force(const Evaluation& e, std::size_t i) const noexcept {
   Vec2 force = Vec2::Zero();
   for (std::size_t j = 0; j < 2; ++j) {
     const GrooveContact c = ball(i).contact_with(static_cast<int>(j), seen_by(e, i, pose(e, j)),
@@ -65,7 +65,8 @@ Vec2 HeldBalls::normal_force(const Evaluation& e, std::size_t i) const noexcept 
   return force;
 }
 
-HeldPlace HeldBalls::balanced(const Evaluation& e, std::size_t i, const Vec2& force) const {
+QuasiStaticPosition QuasiStaticBalls::balanced(const Evaluation& e, std::size_t i,
+                                               const Vec2& force) const {
   const ElementViews& b = e.elements;
   const Orbit orbit{Orbit::Kept::Momentum, ball(i).mass() * b.r[i] * b.r[i] * b.theta_dot[i]};
   const std::array<RacePose, 2> poses{pose(e, 0), pose(e, 1)};
@@ -73,8 +74,9 @@ HeldPlace HeldBalls::balanced(const Evaluation& e, std::size_t i, const Vec2& fo
   return {at.x, at.r, at.speed, std::max(at.contact[0].load, at.contact[1].load), at.solved};
 }
 
-void HeldBalls::round_springs(const Evaluation& e, std::size_t j, std::span<const std::size_t> held,
-                              std::span<HeldSprings> out) noexcept {
+void QuasiStaticBalls::identical_ball_springs(const Evaluation& e, std::size_t j,
+                                              std::span<const std::size_t> held,
+                                              std::span<ContactLinearization> out) noexcept {
   const RaceBody& race = e.race[j];
   const RaceContactModel& model = contacts_[j];
   const Vec3 axis = race.axis();
@@ -94,7 +96,7 @@ void HeldBalls::round_springs(const Evaluation& e, std::size_t j, std::span<cons
   kernel_(in, found_.data());
   for (std::size_t k = 0; k < held.size(); ++k) {
     const BallSpring& s = found_[k];
-    HeldSprings& of = out[k];
+    ContactLinearization& of = out[k];
     const Vec2 n(s.normal[0], s.normal[1]);
     of.along[j] = Mat2::Identity() - n * n.transpose();
     of.race[j] << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
@@ -104,12 +106,13 @@ void HeldBalls::round_springs(const Evaluation& e, std::size_t j, std::span<cons
   }
 }
 
-void HeldBalls::own_springs(const Evaluation& e, std::size_t j, std::span<const std::size_t> held,
-                            std::span<HeldSprings> out) const noexcept {
+void QuasiStaticBalls::general_ball_springs(const Evaluation& e, std::size_t j,
+                                            std::span<const std::size_t> held,
+                                            std::span<ContactLinearization> out) const noexcept {
   const auto race = static_cast<int>(j);
   for (std::size_t k = 0; k < held.size(); ++k) {
     const std::size_t i = held[k];
-    HeldSprings& of = out[k];
+    ContactLinearization& of = out[k];
     const Vec2 place(e.elements.x[i], e.elements.r[i]);
     of.turning[j].setZero();
     const GrooveContact c =
@@ -125,17 +128,17 @@ void HeldBalls::own_springs(const Evaluation& e, std::size_t j, std::span<const 
   }
 }
 
-void HeldBalls::springs(const Evaluation& e, std::span<const std::size_t> held,
-                        std::span<HeldSprings> out) noexcept {
+void QuasiStaticBalls::springs(const Evaluation& e, std::span<const std::size_t> held,
+                               std::span<ContactLinearization> out) noexcept {
   for (std::size_t k = 0; k < held.size(); ++k) {
     out[k].normal.setZero();
     out[k].stiffness.setZero();
   }
   for (std::size_t j = 0; j < 2; ++j) {
     if (!contacts_[j].own && !contacts_[j].wavy)
-      round_springs(e, j, held, out);
+      identical_ball_springs(e, j, held, out);
     else
-      own_springs(e, j, held, out);
+      general_ball_springs(e, j, held, out);
   }
 }
 

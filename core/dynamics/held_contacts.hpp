@@ -13,7 +13,7 @@
 namespace adore::dynamics {
 
 /// Normal forces F_j of the races (with their flanges) and how they change.
-struct HeldSprings {
+struct ContactLinearization {
   std::array<Mat3, 2> race;       ///< -∂F_j over the element's place [N/m]
   std::array<Mat2, 2> along;      ///< I - n nᵀ of each race contact in (x, r)
   std::array<Vec3, 2> turning;    ///< dF_j/dt by the turning alone of the element, and of a race
@@ -23,26 +23,26 @@ struct HeldSprings {
 };
 
 /// Position of an element in balance.
-struct HeldPlace {
+struct QuasiStaticPosition {
   double x = 0.0, r = 0.0;  ///< [m]
   double speed = 0.0;       ///< θ̇ there, m r² θ̇ kept [rad/s]
   double load = 0.0;        ///< larger of both race loads [N]
   bool solved = false;
 };
 
-class HeldContacts {
+class QuasiStaticContacts {
  public:
-  virtual ~HeldContacts() = default;
+  virtual ~QuasiStaticContacts() = default;
   /// Of the races; `stiffness` is theirs alone.
   virtual void springs(const Evaluation& e, std::span<const std::size_t> held,
-                       std::span<HeldSprings> out) noexcept = 0;
+                       std::span<ContactLinearization> out) noexcept = 0;
   /// Balance of the races' normal forces and `force` on (x, r) [N].
-  [[nodiscard]] virtual HeldPlace balanced(const Evaluation& e, std::size_t i,
-                                           const Vec2& force) const = 0;
+  [[nodiscard]] virtual QuasiStaticPosition balanced(const Evaluation& e, std::size_t i,
+                                                     const Vec2& force) const = 0;
   /// Normal forces of the races on (x, r) [N].
   [[nodiscard]] virtual Vec2 normal_force(const Evaluation& e, std::size_t i) const noexcept = 0;
   /// Longest way that a held element may be thrown at once [m].
-  [[nodiscard]] virtual double free_path() const noexcept = 0;
+  [[nodiscard]] virtual double max_free_displacement() const noexcept = 0;
 };
 
 }  // namespace adore::dynamics

@@ -38,32 +38,33 @@ Mat2 square_root(const Mat2& M) noexcept {
 
 }  // namespace
 
-HeldElements::HeldElements(const Scene& scene, const ElementSlices& slices,
-                           std::unique_ptr<HeldContacts> contacts, ForcePass pass)
+QuasiStaticElements::QuasiStaticElements(const Scene& scene, const ElementSlices& slices,
+                                         std::unique_ptr<QuasiStaticContacts> contacts,
+                                         ForcePass pass)
     : scene_(scene),
       slices_(slices),
       contacts_(std::move(contacts)),
       pass_(pass),
-      flags_(slices.elements(), 0),
+      quasi_static_flags_(slices.elements(), 0),
       x_dot_(slices.elements(), 0.0),
       r_dot_(slices.elements(), 0.0),
       residual_(slices.elements(), Vec2::Zero()),
       springs_(slices.elements()),
       forces_(slices.elements()),
       estimate_(slices.elements()) {
-  list_.reserve(slices.elements());
+  quasi_static_indices_.reserve(slices.elements());
 }
 
-void HeldElements::set(std::size_t i, bool held) {
-  flags_[i] = held ? 1 : 0;
-  list_.clear();
-  for (std::size_t k = 0; k < flags_.size(); ++k)
-    if (flags_[k] != 0) list_.push_back(k);
+void QuasiStaticElements::set(std::size_t i, bool held) {
+  quasi_static_flags_[i] = held ? 1 : 0;
+  quasi_static_indices_.clear();
+  for (std::size_t k = 0; k < quasi_static_flags_.size(); ++k)
+    if (quasi_static_flags_[k] != 0) quasi_static_indices_.push_back(k);
 }
 
 /// Stiffness of what element i touches and what follows from it.
-void HeldElements::estimate(const Evaluation& e, std::size_t k) noexcept {
-  const std::size_t i = list_[k];
+void QuasiStaticElements::estimate(const Evaluation& e, std::size_t k) noexcept {
+  const std::size_t i = quasi_static_indices_[k];
   const ElementViews& b = e.elements;
   const double mass = scene_.masses[i].mass;
   const double td = b.theta_dot[i], r = b.r[i], centrifugal = mass * r * td * td;
@@ -81,10 +82,10 @@ void HeldElements::estimate(const Evaluation& e, std::size_t k) noexcept {
 }
 
 /// w: rates of the balance of race normals, L changing by those alone.
-void HeldElements::first_rates(const Evaluation& e, std::size_t k) noexcept {
-  const std::size_t i = list_[k];
+void QuasiStaticElements::predict_rates(const Evaluation& e, std::size_t k) noexcept {
+  const std::size_t i = quasi_static_indices_[k];
   const Estimate& est = estimate_[k];
-  const HeldSprings& springs = springs_[k];
+  const ContactLinearization& springs = springs_[k];
   const double td = e.elements.theta_dot[i], r = e.elements.r[i];
   const Vec3 orbit(scene_.axial ? 0.0 : e.elements.x_dot[i], 0.0, r * td);
   Vec3 drift = Vec3::Zero();  // change of the races' force at fixed x, r
@@ -100,12 +101,12 @@ void HeldElements::first_rates(const Evaluation& e, std::size_t k) noexcept {
 
 /// The force of element i on the inner race is Q n: it changes by S v of the element less S v of
 /// the race, S the contact's stiffness, and the element follows the race by B⁻¹ S.
-void HeldElements::move_race(Evaluation& e) noexcept {
+void QuasiStaticElements::move_race(Evaluation& e) noexcept {
   Mat3 stiffness = Mat3::Zero();
   Vec3 drift = Vec3::Zero();
   double mass = 0.0;
-  for (std::size_t k = 0; k < list_.size(); ++k) {
-    const std::size_t i = list_[k];
+  for (std::size_t k = 0; k < quasi_static_indices_.size(); ++k) {
+    const std::size_t i = quasi_static_indices_[k];
     mass += scene_.masses[i].mass;
     const Mat3& S = springs_[k].race[1];
     const Mat3 frame = azimuth_frame(e, i);
@@ -121,9 +122,9 @@ void HeldElements::move_race(Evaluation& e) noexcept {
   e.race[1].velocity += scene_.race->velocity();
 }
 
-void HeldElements::follow_race(const Evaluation& e, const Vec3& velocity) noexcept {
-  for (std::size_t k = 0; k < list_.size(); ++k) {
-    const std::size_t i = list_[k];
+void QuasiStaticElements::follow_race(const Evaluation& e, const Vec3& velocity) noexcept {
+  for (std::size_t k = 0; k < quasi_static_indices_.size(); ++k) {
+    const std::size_t i = quasi_static_indices_[k];
     const Vec2 more =
         estimate_[k].inverse * (springs_[k].race[1] * e.to_cylindrical(i, velocity)).head<2>();
     x_dot_[i] += more[0];
@@ -133,8 +134,8 @@ void HeldElements::follow_race(const Evaluation& e, const Vec3& velocity) noexce
 
 /// Adds (A + C)⁻¹ G(w) and the part of race friction in L̇. Impacts of the cage are left to the
 /// former.
-void HeldElements::pull(const Evaluation& e, std::size_t k) noexcept {
-  const std::size_t i = list_[k];
+void QuasiStaticElements::pull(const Evaluation& e, std::size_t k) noexcept {
+  const std::size_t i = quasi_static_indices_[k];
   const ElementViews& b = e.elements;
   const Estimate& est = estimate_[k];
   const Forces& forces = forces_[k];
@@ -142,7 +143,7 @@ void HeldElements::pull(const Evaluation& e, std::size_t k) noexcept {
   Mat2 damping = forces.friction;
   const ElementMass& body = scene_.masses[i];
   Vec2 G(forces.force[0], forces.force[1] + body.mass * b.r[i] * td * td);
-  if (body.off_centre) {
+  if (body.has_eccentric_mass) {
     const Vec3 omega(b.omega_x[i], b.omega_r[i], b.omega_theta[i]);
     G -= body.mass * omega.cross(omega.cross(arm_of(e, i, body))).head<2>();
   }
@@ -153,7 +154,8 @@ void HeldElements::pull(const Evaluation& e, std::size_t k) noexcept {
   Vec2 p = (est.damping + damping).inverse() * G;
   const double size = G.norm();
   if (size > 0.0)
-    p /= std::sqrt(1.0 + body.mass * p.squaredNorm() / (2.0 * size * contacts_->free_path()));
+    p /= std::sqrt(1.0 +
+                   body.mass * p.squaredNorm() / (2.0 * size * contacts_->max_free_displacement()));
   const double friction_theta = forces.race_theta - springs_[k].normal[2];
   p += est.inverse * est.per_orbit * (b.r[i] * friction_theta);
   x_dot_[i] += p[0];
@@ -161,13 +163,14 @@ void HeldElements::pull(const Evaluation& e, std::size_t k) noexcept {
 }
 
 /// Friction over slip of a race contact of load Q: Q κ/u = heat (Q/load-slip)².
-HeldElements::RaceForces HeldElements::form_forces(Evaluation& e) noexcept {
+QuasiStaticElements::RaceForces QuasiStaticElements::form_forces(Evaluation& e) noexcept {
   RaceForces on_race;
   pass_.apply(e, ForcePass::Which::OnRaces);
-  for (std::size_t k = 0; k < list_.size(); ++k) forces_[k].race_theta = e.actions[2][list_[k]];
+  for (std::size_t k = 0; k < quasi_static_indices_.size(); ++k)
+    forces_[k].race_theta = e.actions[2][quasi_static_indices_[k]];
   if (e.valid) pass_.apply(e, ForcePass::Which::Others);
-  for (std::size_t k = 0; e.valid && k < list_.size(); ++k) {
-    const std::size_t i = list_[k];
+  for (std::size_t k = 0; e.valid && k < quasi_static_indices_.size(); ++k) {
+    const std::size_t i = quasi_static_indices_[k];
     Forces& of = forces_[k];
     of.force = {e.actions[0][i], e.actions[1][i], e.actions[2][i]};
     of.friction.setZero();
@@ -190,19 +193,19 @@ HeldElements::RaceForces HeldElements::form_forces(Evaluation& e) noexcept {
   return on_race;
 }
 
-void HeldElements::form_rates(Evaluation& e) noexcept {
-  const std::size_t n = e.elements.n, held = list_.size();
+void QuasiStaticElements::form_rates(Evaluation& e) noexcept {
+  const std::size_t n = e.elements.n, held = quasi_static_indices_.size();
   std::copy(e.elements.x_dot, e.elements.x_dot + n, x_dot_.begin());
   std::copy(e.elements.r_dot, e.elements.r_dot + n, r_dot_.begin());
   e.elements.x_dot = x_dot_.data();
   e.elements.r_dot = r_dot_.data();
   if (held == 0) return;
 
-  contacts_->springs(e, list_, {springs_.data(), held});
+  contacts_->springs(e, quasi_static_indices_, {springs_.data(), held});
   for (std::size_t k = 0; k < held; ++k) {
-    pass_.resist(e, list_[k], springs_[k].stiffness);
+    pass_.resist(e, quasi_static_indices_[k], springs_[k].stiffness);
     estimate(e, k);
-    first_rates(e, k);
+    predict_rates(e, k);
   }
   if (scene_.race != nullptr) move_race(e);
   const RaceForces on_race = form_forces(e);
@@ -218,11 +221,11 @@ void HeldElements::form_rates(Evaluation& e) noexcept {
 /// The inertia that is left out would take m(ẍ, r̈ - rθ̇²) = F: what the equations of motion found
 /// for ẍ, r̈ is G/m. Momentum is that of r θ̇ (and of ẋ where it stays
 /// dynamic), p = m r θ̇ e_θ: ṗ = F - G - m ṙ θ̇ e_θ.
-void HeldElements::take_inertia_out(Evaluation& e) noexcept {
+void QuasiStaticElements::remove_inertia(Evaluation& e) noexcept {
   account_ = {};
-  for (const std::size_t i : list_) {
-    if (scene_.masses[i].off_centre) {
-      take_off_centre(e, i);
+  for (const std::size_t i : quasi_static_indices_) {
+    if (scene_.masses[i].has_eccentric_mass) {
+      constrain_eccentric_element(e, i);
       continue;
     }
     const double m = scene_.masses[i].mass;
@@ -244,7 +247,7 @@ void HeldElements::take_inertia_out(Evaluation& e) noexcept {
   }
 }
 
-void HeldElements::align(Evaluation& e, std::size_t i) noexcept {
+void QuasiStaticElements::align(Evaluation& e, std::size_t i) noexcept {
   using enum Quantity;
   const auto rate = [&](Quantity q) -> double& { return e.dydt[slices_.at(q, i)]; };
   const Vec3 axis = aligned_axis(), free(rate(OmegaX), rate(OmegaR), rate(OmegaTheta));
@@ -261,11 +264,11 @@ void HeldElements::align(Evaluation& e, std::size_t i) noexcept {
 }
 
 /// The reaction on the reference point changes the other rates, too: all are recomputed.
-void HeldElements::take_off_centre(Evaluation& e, std::size_t i) noexcept {
+void QuasiStaticElements::constrain_eccentric_element(Evaluation& e, std::size_t i) noexcept {
   using enum Quantity;
   const ElementMass& body = scene_.masses[i];
   const ElementViews& b = e.elements;
-  ElementHold hold = scene_.suppressed;
+  ElementConstraints hold = scene_.suppressed;
   hold.r = true;
   hold.x = hold.x || scene_.axial;
   const bool aligned = aligns(i);

@@ -20,7 +20,7 @@
 ///   B = -∂G/∂(x, r) of the normal forces at fixed L,  A = 2 √(m B),
 ///   C = Q κ/u along the contact, summed over the contacts (friction force over slip speed).
 /// B and C are those of the element by itself, whatever it touches standing or moving as it does
-/// (ElementSupport): neighbors of a bearing without cage act on G alone. The balance G = 0 does
+/// (NonRaceContacts): neighbors of a bearing without cage act on G alone. The balance G = 0 does
 /// not know A, B and C, so that it is met exactly; the way there stays a decay, because A + C,
 /// symmetric and positive, is no less than what it stands for: two neighbors press with a
 /// stiffness of [B -B; -B B] <= 2 diag(B, B), and rub with [C -C; -C C] <= 2 diag(C, C), of which
@@ -30,16 +30,16 @@
 /// taken as Newton's step from B (B² + f²)⁻¹, f = kSoft m θ̇²: an element without contact keeps
 /// finite rates, and (f/B)⁴ is far below rounding under load. An
 /// element nears its balance no faster than by free fall from rest through
-/// HeldContacts::free_path(). Without `axial` (kDOF 1 to 4, all rollers but tapered ones) only r is
-/// in balance. Nothing balances a cylindrical roller along its axis: between its flanges it flies,
-/// and strikes them with its momentum, which is most of their heat where races carry nothing. A
-/// barrel turns about the center of its groove: x and tilt are one motion, whose inertia is that of
-/// x (m R² against the 80 times smaller moment of inertia of the NU22208's); left without it,
-/// friction would be as much stiffer. Tilt, skew and spin of rollers stay dynamic: held or not,
-/// they turn by Euler's equations, but with `aligned` (qFac, manual record 2.1: "no misalignment or
-/// skew"): a held roller has its axis at a = (cos γ, -sin γ, 0) on (e_x, e_r, e_θ), γ the axis
-/// angle of tapered rollers, and ω = θ̇ e_x + s a. What aligns it is a moment N without part along
-/// a:
+/// QuasiStaticContacts::max_free_displacement(). Without `axial` (kDOF 1 to 4, all rollers but
+/// tapered ones) only r is in balance. Nothing balances a cylindrical roller along its axis:
+/// between its flanges it flies, and strikes them with its momentum, which is most of their heat
+/// where races carry nothing. A barrel turns about the center of its groove: x and tilt are one
+/// motion, whose inertia is that of x (m R² against the 80 times smaller moment of inertia of the
+/// NU22208's); left without it, friction would be as much stiffer. Tilt, skew and spin of rollers
+/// stay dynamic: held or not, they turn by Euler's equations, but with `aligned` (qFac, manual
+/// record 2.1: "no misalignment or skew"): a held roller has its axis at a = (cos γ, -sin γ, 0) on
+/// (e_x, e_r, e_θ), γ the axis angle of tapered rollers, and ω = θ̇ e_x + s a. What aligns it is a
+/// moment N without part along a:
 ///   ω̇ = θ̈ e_x + ṡ a,  ṡ = a·ω̇_free - θ̈ cos γ,  N = I (ω̇ - ω̇_free)   [derived]
 /// N·ω and N go to the ledgers as taken, the turn into line when the roller becomes held to the
 /// switches. An unbalanced tapered roller is not aligned.
@@ -69,22 +69,26 @@ namespace adore::dynamics {
 
 inline constexpr double kSoft = 1.0;  ///< softest stiffness that rates come from, over m θ̇²
 
-class HeldElements {
+class QuasiStaticElements {
  public:
   struct Scene {
     ElementMasses masses;
-    bool axial = true;             ///< x is in balance; false: it stays as dynamic as it is
-    BalancedRace* race = nullptr;  ///< an inner race in balance (mode 2)
-    ElementHold suppressed = {};   ///< additional constraints of kDOF, of off-center elements
-    bool aligned = false;          ///< rollers are held in line with their nominal axis
-    double axis_angle = 0.0;       ///< γ of that axis [rad]
+    bool axial = true;                   ///< x is in balance; false: it stays as dynamic as it is
+    BalancedRace* race = nullptr;        ///< an inner race in balance (mode 2)
+    ElementConstraints suppressed = {};  ///< additional constraints of kDOF, of off-center elements
+    bool aligned = false;                ///< rollers are held in line with their nominal axis
+    double axis_angle = 0.0;             ///< γ of that axis [rad]
   };
-  HeldElements(const Scene& scene, const ElementSlices& slices,
-               std::unique_ptr<HeldContacts> contacts, ForcePass pass);
+  QuasiStaticElements(const Scene& scene, const ElementSlices& slices,
+                      std::unique_ptr<QuasiStaticContacts> contacts, ForcePass pass);
 
   void set(std::size_t i, bool held);
-  [[nodiscard]] bool is_held(std::size_t i) const noexcept { return flags_[i] != 0; }
-  [[nodiscard]] const std::vector<std::size_t>& list() const noexcept { return list_; }
+  [[nodiscard]] bool is_quasi_static(std::size_t i) const noexcept {
+    return quasi_static_flags_[i] != 0;
+  }
+  [[nodiscard]] const std::vector<std::size_t>& quasi_static_indices() const noexcept {
+    return quasi_static_indices_;
+  }
 
   /// Velocities of element i whose inertia is left out [m/s].
   [[nodiscard]] Vec2 left_out(std::size_t i) const noexcept {
@@ -96,7 +100,8 @@ class HeldElements {
 
   /// The place where element i would stand in balance with the normal forces of the races and all
   /// that acts besides them at the state evaluated last (`force` on x and r, [N]). L is kept.
-  [[nodiscard]] HeldPlace balanced(const Evaluation& e, std::size_t i, const Vec2& force) const {
+  [[nodiscard]] QuasiStaticPosition balanced(const Evaluation& e, std::size_t i,
+                                             const Vec2& force) const {
     return contacts_->balanced(e, i, force);
   }
   /// Axis a of an aligned roller on (e_x, e_r, e_θ).
@@ -104,7 +109,7 @@ class HeldElements {
     return {std::cos(scene_.axis_angle), -std::sin(scene_.axis_angle), 0.0};
   }
   [[nodiscard]] bool aligns(std::size_t i) const noexcept {
-    return scene_.aligned && !(scene_.masses[i].off_centre && scene_.axis_angle != 0.0);
+    return scene_.aligned && !(scene_.masses[i].has_eccentric_mass && scene_.axis_angle != 0.0);
   }
   /// Normal forces of the races on (x, r) of element i [N].
   [[nodiscard]] Vec2 normal_force(const Evaluation& e, std::size_t i) const noexcept {
@@ -123,7 +128,7 @@ class HeldElements {
   void form_rates(Evaluation& e) noexcept;
   /// Replaces ẍ and r̈ of held elements by zero and books what their inertia would take. After the
   /// equations of motion of the elements.
-  void take_inertia_out(Evaluation& e) noexcept;
+  void remove_inertia(Evaluation& e) noexcept;
 
  private:
   struct Estimate {
@@ -137,7 +142,7 @@ class HeldElements {
     Mat2 friction;      ///< C
   };
   void estimate(const Evaluation& e, std::size_t k) noexcept;
-  void first_rates(const Evaluation& e, std::size_t k) noexcept;
+  void predict_rates(const Evaluation& e, std::size_t k) noexcept;
   /// Velocity of an inner race in balance with what the elements do at their first rates, and what
   /// the elements' rates get from it.
   void move_race(Evaluation& e) noexcept;
@@ -150,31 +155,31 @@ class HeldElements {
   };
   RaceForces form_forces(Evaluation& e) noexcept;
   void pull(const Evaluation& e, std::size_t k) noexcept;
-  void take_off_centre(Evaluation& e, std::size_t i) noexcept;
+  void constrain_eccentric_element(Evaluation& e, std::size_t i) noexcept;
   void align(Evaluation& e, std::size_t i) noexcept;
 
   Scene scene_;
   ElementSlices slices_;
-  std::unique_ptr<HeldContacts> contacts_;
+  std::unique_ptr<QuasiStaticContacts> contacts_;
   ForcePass pass_;
-  std::vector<unsigned char> flags_;
-  std::vector<std::size_t> list_;      ///< held elements, increasing
-  std::vector<double> x_dot_, r_dot_;  ///< of all elements
+  std::vector<unsigned char> quasi_static_flags_;
+  std::vector<std::size_t> quasi_static_indices_;  ///< held elements, increasing
+  std::vector<double> x_dot_, r_dot_;              ///< of all elements
   std::vector<Vec2> residual_;
   Account account_;
   // One value per held element.
-  std::vector<HeldSprings> springs_;
+  std::vector<ContactLinearization> springs_;
   std::vector<Forces> forces_;
   std::vector<Estimate> estimate_;
 };
 
 /// An effect that holds elements, for effects that must know it (SceneBuilder::find).
-class HoldsElements {
+class QuasiStaticEffect {
  public:
-  virtual ~HoldsElements() = default;
-  [[nodiscard]] virtual bool is_held(std::size_t i) const noexcept = 0;
+  virtual ~QuasiStaticEffect() = default;
+  [[nodiscard]] virtual bool is_quasi_static(std::size_t i) const noexcept = 0;
   /// x is in balance, too.
-  [[nodiscard]] virtual bool holds_x() const noexcept = 0;
+  [[nodiscard]] virtual bool is_x_quasi_static() const noexcept = 0;
 };
 
 }  // namespace adore::dynamics

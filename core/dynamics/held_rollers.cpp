@@ -25,9 +25,9 @@ RollerSpringsKernel kernel_of(InstructionSet set) noexcept {
 }  // namespace
 
 /// One race with its flanges at a roller.
-struct HeldRollers::Contact {
+struct QuasiStaticRollers::Contact {
   contact::RacePose pose;
-  contact::MeridianTurn turn;
+  contact::MeridianRotation turn;
   statics::PairPotential potential;
   double r = 0.0, side = 0.0;  ///< r' [m], s [N]
   Vec3 axis = Vec3::UnitX();   ///< of the roller, on (A, y', e)
@@ -39,7 +39,7 @@ struct HeldRollers::Contact {
   }
   [[nodiscard]] Vec3 back(const Vec3& v) const {
     const contact::Triple<double> out = turn.back({v[0], v[1], v[2]});
-    return pose.direction_back({out.x, out.y, out.z});
+    return pose.direction_from_race({out.x, out.y, out.z});
   }
   /// On the roller, base axes.
   [[nodiscard]] Vec3 force() const {
@@ -58,19 +58,19 @@ struct HeldRollers::Contact {
   }
 };
 
-HeldRollers::HeldRollers(statics::RollerModel model, const bearing::Imperfections& errors,
-                         ElementMasses masses,
-                         std::span<const std::shared_ptr<const bearing::GivenRace>> out_of_round)
+QuasiStaticRollers::QuasiStaticRollers(
+    statics::RollerModel model, const bearing::Imperfections& errors, ElementMasses masses,
+    std::span<const std::shared_ptr<const bearing::SurfaceSeries>> out_of_round)
     : model_(std::move(model)),
       kernel_(kernel_of(chosen_instruction_set())),
       masses_(std::move(masses)) {
   for (std::size_t j = 0; j < 2; ++j) {
-    for (const statics::RollerBody& body : model_.bodies)
+    for (const statics::RollerContactGeometry& body : model_.bodies)
       slices_[j].push_back(contact::roller_race_slices(
           body.race[j], body.slices, model_.slicing.width, model_.law[j], model_.E_star[j]));
     if (const auto* const table = bearing::table_of(errors.race[j].given.get())) {
       surface_[j] = errors.race[j].given;
-      nearer_[j] = contact::nearest(*table);
+      max_approach_offset_[j] = contact::nearest(*table);
     } else if (!errors.race[j].ideal()) {
       wavy_[j] = contact::make_wavy_race(errors.race[j], model_.race[j],
                                          model_.rollers.race_radius(static_cast<int>(j)),
@@ -79,27 +79,28 @@ HeldRollers::HeldRollers(statics::RollerModel model, const bearing::Imperfection
     for (const auto& lobe : out_of_round) {
       lobes_[j].emplace_back();
       if (lobe)
-        lobes_[j].back() =
-            lobe_race(*lobe, j, model_.race[j], model_.rollers.race_radius(static_cast<int>(j)),
-                      model_.rollers.crown_radius);
+        lobes_[j].back() = lobe_as_race_error(*lobe, j, model_.race[j],
+                                              model_.rollers.race_radius(static_cast<int>(j)),
+                                              model_.rollers.crown_radius);
     }
   }
 }
 
-HeldRollers::Contact HeldRollers::contact(const Evaluation& e, std::size_t i, std::size_t j,
-                                          const Vec3& centre) const noexcept {
+QuasiStaticRollers::Contact QuasiStaticRollers::contact(const Evaluation& e, std::size_t i,
+                                                        std::size_t j,
+                                                        const Vec3& centre) const noexcept {
   Contact out;
   const RaceBody& race = e.race[j];
   out.pose = {race.position, race.to_base};
   const Vec3 C = out.pose.point(centre);
-  out.turn = contact::meridian_turn(C[1], C[2], out.r);
+  out.turn = contact::meridian_rotation(C[1], C[2], out.r);
   out.axis = out.into(e.attitude[i].col(0));
   const statics::Vec4 p(C[0], out.r, out.axis[2], out.axis[1]);
-  contact::RaceSlices slices = contact::view_of(slices_[j][slices_[j].size() == 1 ? 0 : i]);
+  contact::RaceSlicesView slices = contact::view_of(slices_[j][slices_[j].size() == 1 ? 0 : i]);
   if (wavy_[j])
     slices.race = wavy_[j]
-                      ->at(contact::azimuth_in_turned(out.turn, std::cos(race.turn_beyond),
-                                                      std::sin(race.turn_beyond)))
+                      ->at(contact::azimuth_in_rotated_race(out.turn, std::cos(race.turn_beyond),
+                                                            std::sin(race.turn_beyond)))
                       .surface;
   if (!lobes_[j].empty() && lobes_[j][i]) {
     contact::WavyRace lobe = *lobes_[j][i];
@@ -108,15 +109,16 @@ HeldRollers::Contact HeldRollers::contact(const Evaluation& e, std::size_t i, st
   }
   std::vector<double> radius;
   if (const bearing::SurfaceTable* const table = bearing::table_of(surface_[j].get())) {
-    const auto psi = contact::azimuth_in_turned(out.turn, std::cos(race.turn_beyond),
-                                                std::sin(race.turn_beyond));
+    const auto psi = contact::azimuth_in_rotated_race(out.turn, std::cos(race.turn_beyond),
+                                                      std::sin(race.turn_beyond));
     radius.assign(slices.radius, slices.radius + slices.count);
-    contact::recede_slices(*table, std::atan2(psi.sine, psi.cosine), radius.data(), nullptr);
+    contact::apply_table_to_slices(*table, std::atan2(psi.sine, psi.cosine), radius.data(),
+                                   nullptr);
     slices.radius = radius.data();
-    for (double& around : slices.around) around += nearer_[j];
+    for (double& around : slices.around) around += max_approach_offset_[j];
   }
-  const statics::SliceTurns axes = statics::slice_turns(p(2), p(3));
-  if (!contact::surely_open(slices, p(0), p(1), axes.a)) {
+  const statics::SliceRotations axes = statics::slice_rotations(p(2), p(3));
+  if (!contact::is_certainly_open(slices, p(0), p(1), axes.a)) {
     RollerSprings springs;
     kernel_(slices, axes, p(0), p(1), springs);
     using Rows = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
@@ -126,19 +128,19 @@ HeldRollers::Contact HeldRollers::contact(const Evaluation& e, std::size_t i, st
     out.potential.stiffness = springs.stiffness;
   }
   // How a flange's gap curves is left out: 1/R of its contact against 1.5/δ.
-  for (const statics::FlangePair& flange : model_.body(i).flanges)
-    if (flange.race == static_cast<int>(j) && !flange.surely_open(p))
-      statics::add_flange(flange, p, false, out.potential);
+  for (const statics::FlangeEndPair& flange : model_.body(i).flanges)
+    if (flange.race == static_cast<int>(j) && !flange.is_certainly_open(p))
+      statics::add_flange_force(flange, p, false, out.potential);
   const statics::Vec4& g = out.potential.gradient;
   out.side = (g(2) * out.axis[1] - g(3) * out.axis[2]) / out.r;
   return out;
 }
 
-void HeldRollers::springs(const Evaluation& e, std::span<const std::size_t> held,
-                          std::span<HeldSprings> out) noexcept {
+void QuasiStaticRollers::springs(const Evaluation& e, std::span<const std::size_t> held,
+                                 std::span<ContactLinearization> out) noexcept {
   for (std::size_t k = 0; k < held.size(); ++k) {
     const std::size_t i = held[k];
-    HeldSprings& of = out[k];
+    ContactLinearization& of = out[k];
     of.normal.setZero();
     of.stiffness.setZero();
     const Vec3 to_middle = -model_.mass_offset * e.attitude[i].col(0), omega = e.element_omega(i);
@@ -161,7 +163,7 @@ void HeldRollers::springs(const Evaluation& e, std::span<const std::size_t> held
   }
 }
 
-Vec2 HeldRollers::normal_force(const Evaluation& e, std::size_t i) const noexcept {
+Vec2 QuasiStaticRollers::normal_force(const Evaluation& e, std::size_t i) const noexcept {
   const Vec3 C = e.element_centre(i) - model_.mass_offset * e.attitude[i].col(0);
   Vec3 force = Vec3::Zero();
   for (std::size_t j = 0; j < 2; ++j) force += contact(e, i, j, C).force();
@@ -169,8 +171,10 @@ Vec2 HeldRollers::normal_force(const Evaluation& e, std::size_t i) const noexcep
 }
 
 /// Newton over (x, r) with the exact Hessian: eigenvalues are taken as positive, those of nothing
-/// leave the roller where it is; the step is limited to free_path() and halved until |G| falls.
-HeldPlace HeldRollers::balanced(const Evaluation& e, std::size_t i, const Vec2& force) const {
+/// leave the roller where it is; the step is limited to max_free_displacement() and halved until
+/// |G| falls.
+QuasiStaticPosition QuasiStaticRollers::balanced(const Evaluation& e, std::size_t i,
+                                                 const Vec2& force) const {
   constexpr int kIterations = 60;
   const double mass = masses_[i].mass, r0 = e.elements.r[i];
   const double momentum = mass * r0 * r0 * e.elements.theta_dot[i];
@@ -203,7 +207,7 @@ HeldPlace HeldRollers::balanced(const Evaluation& e, std::size_t i, const Vec2& 
   };
   Vec2 place(e.elements.x[i], r0);
   Balance now = at(place);
-  HeldPlace out;
+  QuasiStaticPosition out;
   for (int n = 0; n < kIterations; ++n) {
     const SymmetricEigen<2> eigen =
         symmetric_eigen<2>(Mat2(0.5 * (now.stiffness + now.stiffness.transpose())));
@@ -220,7 +224,8 @@ HeldPlace HeldRollers::balanced(const Evaluation& e, std::size_t i, const Vec2& 
       out.solved = true;
       break;
     }
-    if (const double length = step.norm(); length > free_path()) step *= free_path() / length;
+    if (const double length = step.norm(); length > max_free_displacement())
+      step *= max_free_displacement() / length;
     Balance next = at(place + step);
     for (int half = 0; half < 30 && !(next.residual.norm() < now.residual.norm()); ++half) {
       step *= 0.5;

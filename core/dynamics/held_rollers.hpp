@@ -22,19 +22,19 @@
 /// the gap of a flange (1/R of its contact against 1.5/δ): this affects only the way to balance.
 namespace adore::dynamics {
 
-class HeldRollers final : public HeldContacts {
+class QuasiStaticRollers final : public QuasiStaticContacts {
  public:
-  HeldRollers(statics::RollerModel model, const bearing::Imperfections& errors,
-              ElementMasses masses,
-              std::span<const std::shared_ptr<const bearing::GivenRace>> out_of_round = {});
+  QuasiStaticRollers(
+      statics::RollerModel model, const bearing::Imperfections& errors, ElementMasses masses,
+      std::span<const std::shared_ptr<const bearing::SurfaceSeries>> out_of_round = {});
 
   void springs(const Evaluation& e, std::span<const std::size_t> held,
-               std::span<HeldSprings> out) noexcept override;
-  [[nodiscard]] HeldPlace balanced(const Evaluation& e, std::size_t i,
-                                   const Vec2& force) const override;
+               std::span<ContactLinearization> out) noexcept override;
+  [[nodiscard]] QuasiStaticPosition balanced(const Evaluation& e, std::size_t i,
+                                             const Vec2& force) const override;
   [[nodiscard]] Vec2 normal_force(const Evaluation& e, std::size_t i) const noexcept override;
   /// About that of balls.
-  [[nodiscard]] double free_path() const noexcept override {
+  [[nodiscard]] double max_free_displacement() const noexcept override {
     return 4e-4 * model_.rollers.diameter;
   }
 
@@ -48,8 +48,8 @@ class HeldRollers final : public HeldContacts {
   std::array<std::vector<contact::RollerRaceSlices>, 2> slices_;
   RollerSpringsKernel kernel_;
   std::array<std::optional<contact::WavyRace>, 2> wavy_;
-  std::array<std::shared_ptr<const bearing::GivenRace>, 2> surface_;  ///< tables in their place
-  std::array<double, 2> nearer_{};                                    ///< contact::nearest of them
+  std::array<std::shared_ptr<const bearing::SurfaceSeries>, 2> surface_;  ///< tables in their place
+  std::array<double, 2> max_approach_offset_{};  ///< contact::nearest of them
   std::array<std::vector<std::optional<contact::WavyRace>>, 2> lobes_;  ///< by roller, or none
   ElementMasses masses_;
 };

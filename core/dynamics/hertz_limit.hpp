@@ -8,7 +8,7 @@ namespace adore::dynamics {
 /// less than its radius, and half the major axis [m] is shorter. load_limit() is the smallest load
 /// at which that may fail, for any contact angle and position on a wavy race; above it this
 /// function decides.
-[[nodiscard]] bool within_hertz(const RaceContactModel& model,
-                                const RaceContactState& state) noexcept;
+[[nodiscard]] bool is_hertz_valid(const RaceContactModel& model,
+                                  const RaceContactState& state) noexcept;
 
 }  // namespace adore::dynamics

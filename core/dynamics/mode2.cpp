@@ -41,7 +41,7 @@ double reference_stiffness(const Mode2Balls& set, double load) {
 }
 
 bool is_conservative(const Mode2Balls&) { return true; }
-double first_accuracy(const Mode2Balls&) { return 0.0; }
+double initial_accuracy(const Mode2Balls&) { return 0.0; }
 
 bool update_race(const Mode2Balls& set, const Vec5& q, Mode2Race& state, double = 0.0) {
   std::array<RacePose, 2> at = set.races;
@@ -82,7 +82,7 @@ Mode2Solution solve_mode2(const ConstrainedBall& ball, const std::array<RacePose
                           const Vec3& load) {
   demand(theta.size() == orbit.size() && !theta.empty(), "mode 2 needs one orbit per ball");
   const Mode2Balls set{ball, races, theta, orbit};
-  statics::RaceTask task;
+  statics::RaceLoadCase task;
   task.given = {false, false, false, true, true};
   task.load.head<3>() = load;
   Mode2Race state;
@@ -90,7 +90,7 @@ Mode2Solution solve_mode2(const ConstrainedBall& ball, const std::array<RacePose
   for (std::size_t i = 0; i < theta.size(); ++i) state.elements[i].number = i;
 
   Mode2Solution result;
-  const statics::RaceSolve race = statics::solve_race(set, task, state);
+  const statics::RaceSolveResult race = statics::solve_race(set, task, state);
   result.solved = race.converged;
   result.iterations = race.iterations;
   result.inner_centre = races[1].centre + state.q.head<3>();

@@ -16,8 +16,8 @@
 namespace adore::dynamics {
 namespace {
 
-using statics::ElementPlace;
-using statics::ElementPlaces;
+using statics::ElementPosition;
+using statics::ElementPositions;
 using statics::Vec5;
 
 constexpr double kLoadMargin = 1.1;  ///< of contact loads after the change
@@ -53,7 +53,7 @@ Quat turn_by(const Vec3& vector) {
 /// One scene at one instant.
 class Instant {
  public:
-  Instant(const MovingScene& scene, double t, std::span<const double> y)
+  Instant(const EquilibriumContext& scene, double t, std::span<const double> y)
       : scene_(scene), system_(scene.system), t_(t) {
     System& system = system_;
     for (std::size_t q = 0; q < kQuantities.size(); ++q) {
@@ -94,12 +94,12 @@ class Instant {
   }
   /// Directions in which a race moves under its load, and that load.
   /// @param fields with weight and the field of a rotating base frame
-  [[nodiscard]] statics::RaceTask task(bool fields = true) const;
+  [[nodiscard]] statics::RaceLoadCase task(bool fields = true) const;
   /// Moves the free races of a state by a change of race().
   void move_race(std::span<double> y, const Vec5& change);
-  [[nodiscard]] std::optional<ElementPlaces> places(std::span<const double> y,
-                                                    const statics::RaceTask& task,
-                                                    const Vec5& guess, bool conservative) const;
+  [[nodiscard]] std::optional<ElementPositions> places(std::span<const double> y,
+                                                       const statics::RaceLoadCase& task,
+                                                       const Vec5& guess, bool conservative) const;
   /// Puts element i to x, r (middle) and tilt.
   void put(std::span<double> y, std::size_t i, const Vec3& place) const;
   /// Its position.
@@ -124,7 +124,7 @@ class Instant {
   [[nodiscard]] bool is_free(int race, std::size_t k) const;
   [[nodiscard]] double tilt_of(std::span<const double> y, std::size_t i) const;
 
-  MovingScene scene_;
+  EquilibriumContext scene_;
   System& system_;
   double t_;
   std::array<double, 2> free_x_{};  ///< of the race centers in the unloaded bearing [m]
@@ -146,7 +146,8 @@ std::array<Instant::RacePlace, 2> Instant::races_at(std::span<const double> y) c
     race = {prescribed[j].position, rotation_matrix(prescribed[j].attitude).col(0),
             prescribed[j].speed};
     if (const auto& body = body_[j]) {
-      const Mat3 to_base = rotation_matrix(normalise(quaternion_at(y.data(), body->attitude)));
+      const Mat3 to_base =
+          rotation_matrix(normalize_quaternion(quaternion_at(y.data(), body->attitude)));
       race.displacement = vector_at(y.data(), body->position) +
                           to_base * system_.bearing().race_inertia[j].geometric_centre;
       race.axis = to_base.col(0);
@@ -170,10 +171,10 @@ bool Instant::is_free(int race, std::size_t k) const {
   return k < 3 ? !free->translation_held[k] : !free->rotation_held[k - 2];
 }
 
-statics::RaceTask Instant::task(bool fields) const {
+statics::RaceLoadCase Instant::task(bool fields) const {
   const bearing::Bearing& b = system_.bearing();
   const bearing::RaceMotions& motions = scene_.plan.race_motions;
-  statics::RaceTask out;
+  statics::RaceLoadCase out;
   for (std::size_t k = 0; k < 5; ++k) {
     const bool inner = is_free(1, k), outer = is_free(0, k);
     out.given[k] = !inner && !outer;
@@ -199,7 +200,7 @@ statics::RaceTask Instant::task(bool fields) const {
       }
     }
   }
-  if (const auto& turning = motions.turning_load;
+  if (const auto& turning = motions.rotating_load_parameters;
       turning && !out.given[1] && !out.given[2]) {  // of the applied radial load alone
     const std::size_t j = centre_ || is_free(1, 1) ? 1 : 0;
     const Vec3 force =
@@ -231,25 +232,26 @@ void Instant::move_race(std::span<double> y, const Vec5& change) {
         if (is_free(static_cast<int>(j), k) && (j == 1 || !is_free(1, k)))
           turn[static_cast<int>(k) - 2] = sign * change(static_cast<Eigen::Index>(k));
       if (turn.isZero(0.0)) continue;
-      store_at(y.data(), body->attitude,
-               normalise(multiply(turn_by(turn), quaternion_at(y.data(), body->attitude))));
+      store_at(
+          y.data(), body->attitude,
+          normalize_quaternion(multiply(turn_by(turn), quaternion_at(y.data(), body->attitude))));
     }
   }
   find_races(y);
 }
 
-std::optional<ElementPlaces> Instant::places(std::span<const double> y,
-                                             const statics::RaceTask& task, const Vec5& guess,
-                                             bool conservative) const {
+std::optional<ElementPositions> Instant::places(std::span<const double> y,
+                                                const statics::RaceLoadCase& task,
+                                                const Vec5& guess, bool conservative) const {
   std::vector<double> azimuth;
   for (std::size_t i = 0; i < slices_.elements(); ++i)
     azimuth.push_back(y[static_cast<std::size_t>(slices_.at(Quantity::Theta, i))]);
-  const statics::PlaceModel model{bearing_, scene_.balls, scene_.rollers, conservative};
+  const statics::ElementPositionModel model{bearing_, scene_.balls, scene_.rollers, conservative};
   try {
     auto found = statics::element_places(model, azimuth, task, guess);
     if (!found) return found;
     for (std::size_t i = 0; i < azimuth.size(); ++i) {
-      ElementPlace& place = found->elements[i];
+      ElementPosition& place = found->elements[i];
       place.x += poses_[0].displacement[0];
       place.r += poses_[0].displacement.dot(radial_direction(azimuth[i]));
     }
@@ -260,7 +262,7 @@ std::optional<ElementPlaces> Instant::places(std::span<const double> y,
 }
 
 double Instant::tilt_of(std::span<const double> y, std::size_t i) const {
-  const Mat3 axes = rotation_matrix(normalise(quaternion_at(y.data(), attitude_[i])));
+  const Mat3 axes = rotation_matrix(normalize_quaternion(quaternion_at(y.data(), attitude_[i])));
   const double theta = y[static_cast<std::size_t>(slices_.at(Quantity::Theta, i))];
   return std::atan2(radial_direction(theta).dot(axes.col(0)), axes(0, 0));
 }
@@ -288,8 +290,8 @@ void Instant::put(std::span<double> y, std::size_t i, const Vec3& to) const {
   at(Quantity::R) += offset * std::sin(to[2]);
   const double theta = at(Quantity::Theta);
   store_at(y.data(), attitude_[i],
-           normalise(multiply(quaternion_about(circumferential_direction(theta), turn),
-                              quaternion_at(y.data(), attitude_[i]))));
+           normalize_quaternion(multiply(quaternion_about(circumferential_direction(theta), turn),
+                                         quaternion_at(y.data(), attitude_[i]))));
   // The spin goes with the axis.
   const double x = at(Quantity::OmegaX) - at(Quantity::ThetaDot), r = at(Quantity::OmegaR);
   at(Quantity::OmegaX) = at(Quantity::ThetaDot) + std::cos(turn) * x - std::sin(turn) * r;
@@ -308,11 +310,11 @@ bool Instant::loads(std::span<const double> y, std::vector<double>& out) {
 std::optional<double> Instant::potential(std::span<const double> y, double& elastic) {
   std::vector<double> unused;
   if (!loads(y, unused)) return std::nullopt;
-  const System::EnergyAccount account = system_.energy_account();
+  const System::EnergyBalance account = system_.energy_balance();
   elastic = account.elastic;
   double out = account.balance;
   // Loss of applied loads; fields are in the stored energy.
-  const statics::RaceTask load = task(false);
+  const statics::RaceLoadCase load = task(false);
   const std::array<RacePlace, 2> at = races_at(y);
   const Vec3 q = at[1].displacement - at[0].displacement;
   const auto tilt = tilt_of_axis(at[1].axis);
@@ -326,7 +328,7 @@ std::optional<double> Instant::potential(std::span<const double> y, double& elas
 /// Energy of the departures of y from `rest` at constant angular momentum; nothing: a state is not
 /// valid. `elastic`: of the equilibrium.
 std::optional<double> departure_energy(Instant& at, std::span<const double> y,
-                                       const ElementPlaces& rest, double& elastic) {
+                                       const ElementPositions& rest, double& elastic) {
   double unused = 0.0;
   const std::optional<double> now = at.potential(y, unused);
   std::vector<double> still(y.begin(), y.end());
@@ -336,7 +338,7 @@ std::optional<double> departure_energy(Instant& at, std::span<const double> y,
   for (std::size_t i = 0; i < rest.elements.size(); ++i) {
     const auto index = [&](Quantity q) { return static_cast<std::size_t>(at.slices().at(q, i)); };
     const double r = still[index(Quantity::R)];
-    const ElementPlace& place = rest.elements[i];
+    const ElementPosition& place = rest.elements[i];
     there.put(still, i, {place.x, place.r, place.tilt});
     const double ratio = r / still[index(Quantity::R)];
     still[index(Quantity::ThetaDot)] *= ratio * ratio;
@@ -348,12 +350,12 @@ std::optional<double> departure_energy(Instant& at, std::span<const double> y,
 
 /// Rest of the elements with the races where they are, and of the race under its loads.
 struct Rest {
-  ElementPlaces race, elements;
+  ElementPositions race, elements;
 };
 
 std::optional<Rest> rest_of(const Instant& at, std::span<const double> y, bool conservative,
                             const Vec5& guess) {
-  const statics::RaceTask task = at.task();
+  const statics::RaceLoadCase task = at.task();
   const Vec5 now = at.race();
   Vec5 start = guess;
   for (std::size_t k = 0; k < 5; ++k)
@@ -363,7 +365,7 @@ std::optional<Rest> rest_of(const Instant& at, std::span<const double> y, bool c
   const bool held =
       std::all_of(task.given.begin(), task.given.end(), [](bool given) { return given; });
   if (held) return Rest{*race, *race};
-  statics::RaceTask all;
+  statics::RaceLoadCase all;
   all.given.fill(true);
   auto elements = at.places(y, all, now, conservative);
   if (!elements) return std::nullopt;
@@ -371,8 +373,8 @@ std::optional<Rest> rest_of(const Instant& at, std::span<const double> y, bool c
 }
 
 /// Speeds of the elements and the cage where the races turn at another speed.
-void change_speeds(const Instant& before, const ElementPlaces& was, const Instant& after,
-                   const ElementPlaces& is, std::span<double> y) {
+void change_speeds(const Instant& before, const ElementPositions& was, const Instant& after,
+                   const ElementPositions& is, std::span<double> y) {
   const double old_size = std::max(std::abs(before.speed(0)), std::abs(before.speed(1)));
   const double new_size = std::max(std::abs(after.speed(0)), std::abs(after.speed(1)));
   double change = 0.0;
@@ -384,7 +386,7 @@ void change_speeds(const Instant& before, const ElementPlaces& was, const Instan
   double orbit_was = 0.0, orbit_is = 0.0;
   const std::size_t n = was.elements.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const ElementPlace &old = was.elements[i], &now = is.elements[i];
+    const ElementPosition &old = was.elements[i], &now = is.elements[i];
     const auto at = [&](Quantity q) -> double& {
       return y[static_cast<std::size_t>(after.slices().at(q, i))];
     };
@@ -409,7 +411,8 @@ void change_speeds(const Instant& before, const ElementPlaces& was, const Instan
     store_at(
         y.data(), body->velocity,
         Vec3(orbit_is * axis.cross(place) + scale * (velocity - orbit_was * axis.cross(place))));
-    const Mat3 to_base = rotation_matrix(normalise(quaternion_at(y.data(), body->attitude)));
+    const Mat3 to_base =
+        rotation_matrix(normalize_quaternion(quaternion_at(y.data(), body->attitude)));
     const Vec3 omega = to_base * vector_at(y.data(), body->omega);
     store_at(y.data(), body->omega,
              Vec3(to_base.transpose() * (orbit_is * axis + scale * (omega - orbit_was * axis))));
@@ -423,8 +426,8 @@ double narrowing(double before, double after) {
 
 /// Where clearances of a one-piece cage become smaller, the cage keeps its relative position in its
 /// guide lands, and the elements theirs in the pockets along the pitch circle.
-void fit_cage(const MovingScene& before, double t, std::span<const double> y_before,
-              const MovingScene& after, std::span<double> y) {
+void fit_cage(const EquilibriumContext& before, double t, std::span<const double> y_before,
+              const EquilibriumContext& after, std::span<double> y) {
   const auto &old = before.system.bearing(), &now = after.system.bearing();
   const auto body = body_states(after.system.layout(), "cage");
   if (!body || !old.cage || !now.cage) return;
@@ -441,7 +444,8 @@ void fit_cage(const MovingScene& before, double t, std::span<const double> y_bef
   const double pocket = narrowing(old.cage->pocket_clearance_1, now.cage->pocket_clearance_1);
   if (guide == 1.0 && pocket == 1.0) return;
   const Snapshot at = before.system.snapshot(t, y_before);
-  const Mat3 to_base = rotation_matrix(normalise(quaternion_at(y.data(), body->attitude)));
+  const Mat3 to_base =
+      rotation_matrix(normalize_quaternion(quaternion_at(y.data(), body->attitude)));
   const Vec3 position = vector_at(y.data(), body->position);
   Vec3 offset = position + to_base * now.cage->inertia.geometric_centre - at.races[race].position;
   offset[0] = 0.0;
@@ -467,10 +471,11 @@ double energy_floor(const System& system) {
 
 }  // namespace
 
-NewEquilibrium move_to_equilibrium(const MovingScene& before, double t_before,
-                                   std::span<const double> y_before, const MovingScene& after,
-                                   double t, std::span<double> y) {
-  NewEquilibrium out;
+EquilibriumChange move_to_equilibrium(const EquilibriumContext& before, double t_before,
+                                      std::span<const double> y_before,
+                                      const EquilibriumContext& after, double t,
+                                      std::span<double> y) {
+  EquilibriumChange out;
   fit_cage(before, t_before, y_before, after, y);
   Instant old(before, t_before, y_before), now(after, t, y);
   std::optional<Rest> was, is;
@@ -487,7 +492,7 @@ NewEquilibrium move_to_equilibrium(const MovingScene& before, double t_before,
   }
 
   // The race: its departure goes along where it moved under its load before, too.
-  const statics::RaceTask moved_before = old.task(), moves = now.task();
+  const statics::RaceLoadCase moved_before = old.task(), moves = now.task();
   const double softer =
       is->race.stiffness.trace() > 0.0
           ? std::sqrt(std::max(was->race.stiffness.trace(), 0.0) / is->race.stiffness.trace())
@@ -501,7 +506,7 @@ NewEquilibrium move_to_equilibrium(const MovingScene& before, double t_before,
   const bool conservative = false;
   if (!shift.isZero(0.0)) {
     now.move_race(y, shift);
-    statics::RaceTask all;
+    statics::RaceLoadCase all;
     all.given.fill(true);
     auto elements = now.places(y, all, now.race(), conservative);
     if (!elements) elements = now.places(y, all, now.race(), true);
@@ -519,11 +524,12 @@ NewEquilibrium move_to_equilibrium(const MovingScene& before, double t_before,
   const bool known = old.loads(y_before, loads_before);
   const bool slides = after.system.bearing().type == bearing::Type::Cylindrical;
   double largest = 0.0;
-  for (const ElementPlace& place : is->elements.elements) largest = std::max(largest, place.load);
+  for (const ElementPosition& place : is->elements.elements)
+    largest = std::max(largest, place.load);
   const std::vector<double> start(y.begin(), y.end());
   const auto place_all = [&] {
     for (std::size_t i = 0; i < n; ++i) {
-      const ElementPlace &from = was->elements.elements[i], &to = is->elements.elements[i];
+      const ElementPosition &from = was->elements.elements[i], &to = is->elements.elements[i];
       const Vec3 departure = old.place(y_before, i) - Vec3(from.x, from.r, from.tilt);
       Vec3 place = Vec3(to.x, to.r, to.tilt) + share[i] * departure;
       if (slides) place[0] = to.x + departure[0];
@@ -566,8 +572,9 @@ NewEquilibrium move_to_equilibrium(const MovingScene& before, double t_before,
   return out;
 }
 
-NewEquilibrium judge_start(const MovingScene& scene, double t, std::span<const double> y) {
-  NewEquilibrium out;
+EquilibriumChange assess_start_excess(const EquilibriumContext& scene, double t,
+                                      std::span<const double> y) {
+  EquilibriumChange out;
   Instant at(scene, t, y);
   std::optional<Rest> rest;
   for (const bool conservative : {false, true})
@@ -590,7 +597,7 @@ void book_change(System& before, std::span<const double> y_before, System& after
                  std::span<double> y) {
   const Snapshot was = before.snapshot(t, y_before), is = after.snapshot(t, y);
   const auto jump = find(after.layout(), "thermal.jump");
-  demand(jump.has_value(), "a scene with fixed geometry changed its geometry");
+  demand(jump.has_value(), "the geometry changed in a scene with fixed geometry");
   component(y, *jump) += is.energy.sum(LedgerKind::Stored) - was.energy.sum(LedgerKind::Stored);
   const auto add = [&](const std::string& name, const Vec3& change) {
     const auto slice = find(after.layout(), name);

@@ -36,7 +36,7 @@
 /// inner one takes it.
 namespace adore::dynamics {
 
-struct NewEquilibrium {
+struct EquilibriumChange {
   bool moved = false;
   std::string why_not;         ///< reason for a missing equilibrium [a clause]
   double largest_shift = 0.0;  ///< of an element or the race [m]
@@ -46,24 +46,25 @@ struct NewEquilibrium {
 };
 
 /// A system with what its equilibrium depends on. The plan outlives this.
-struct MovingScene {
+struct EquilibriumContext {
   System& system;
   const ScenePlan& plan;
-  statics::StaticsOptions balls;  ///< with the laws of the motion
+  statics::BallStaticsOptions balls;  ///< with the laws of the motion
   statics::RollerOptions rollers;
 };
 
 /// @param y_before state of `before` at t_before
 /// @param y state of `after` at t: as y_before, its races where `after` prescribes them. Changed.
-[[nodiscard]] NewEquilibrium move_to_equilibrium(const MovingScene& before, double t_before,
-                                                 std::span<const double> y_before,
-                                                 const MovingScene& after, double t,
-                                                 std::span<double> y);
+[[nodiscard]] EquilibriumChange move_to_equilibrium(const EquilibriumContext& before,
+                                                    double t_before,
+                                                    std::span<const double> y_before,
+                                                    const EquilibriumContext& after, double t,
+                                                    std::span<double> y);
 
 /// Excess energy of a start: of the departures of y from its equilibrium. Velocities have no part:
 /// those that the deck specifies are exempt.
-[[nodiscard]] NewEquilibrium judge_start(const MovingScene& scene, double t,
-                                         std::span<const double> y);
+[[nodiscard]] EquilibriumChange assess_start_excess(const EquilibriumContext& scene, double t,
+                                                    std::span<const double> y);
 
 /// Books a change between two steps in the integrals of effect "thermal steps": stored energy and
 /// momenta after less before. Integrals of y are those of y_before.

@@ -8,7 +8,7 @@ namespace adore::dynamics {
 NormalContacts::NormalContacts(std::vector<RaceContactModel> contacts, const ElementSlices& slices,
                                const ElementMasses& masses)
     : contacts_(std::move(contacts)), s_(slices) {
-  for (std::size_t i = 0; i < slices.elements(); ++i) per_mass_.push_back(1.0 / masses[i].mass);
+  for (std::size_t i = 0; i < slices.elements(); ++i) inverse_mass_.push_back(1.0 / masses[i].mass);
   for (RaceContactModel& contact : contacts_) {
     contact.traction = false;
     load_limit_.push_back(load_limit(contact));
@@ -24,7 +24,7 @@ bool NormalContacts::evaluate(const std::array<RaceBody, 2>& races, const double
   if (!view_elements(y, s_, sin_.data(), cos_.data(), balls)) return false;
   bool valid = true;
   for (auto& array : actions_) std::fill(array.begin(), array.end(), 0.0);
-  const ElementForces out = forces_in(actions_, load_.data(), heat_.data(), nullptr);
+  const ElementForces out = element_force_targets(actions_, load_.data(), heat_.data(), nullptr);
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     const RaceBody& race = races[static_cast<std::size_t>(contacts_[k].race)];
     evaluate_race_contacts(contacts_[k], balls, race.motion(), out);
@@ -39,9 +39,9 @@ bool NormalContacts::evaluate(const std::array<RaceBody, 2>& races, const double
     dydt[s_.at(X, i)] = balls.x_dot[i];
     dydt[s_.at(R, i)] = balls.r_dot[i];
     dydt[s_.at(Theta, i)] = balls.theta_dot[i];
-    dydt[s_.at(XDot, i)] = F_x[i] * per_mass_[i];
-    dydt[s_.at(RDot, i)] = F_r[i] * per_mass_[i];
-    dydt[s_.at(ThetaDot, i)] = F_theta[i] * per_mass_[i] / balls.r[i];
+    dydt[s_.at(XDot, i)] = F_x[i] * inverse_mass_[i];
+    dydt[s_.at(RDot, i)] = F_r[i] * inverse_mass_[i];
+    dydt[s_.at(ThetaDot, i)] = F_theta[i] * inverse_mass_[i] / balls.r[i];
   }
   return valid;
 }

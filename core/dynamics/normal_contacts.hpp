@@ -29,7 +29,7 @@ class NormalContacts {
  private:
   std::vector<RaceContactModel> contacts_;  ///< without traction
   ElementSlices s_;
-  std::vector<double> per_mass_;  ///< by ball [1/kg]
+  std::vector<double> inverse_mass_;  ///< by ball [1/kg]
   std::vector<double> load_limit_;
   std::vector<double> sin_, cos_, load_, heat_;
   ElementActions actions_;  ///< without traction no moments

@@ -16,8 +16,8 @@ using contact::Triple;
 struct Meeting {
   double s, c;
   Triple<double> k, d;  ///< race axis, ball centre from P_j
-  contact::GroovePlace<double> place;
-  contact::WavyTouch<double> wavy;  ///< of a race of revolution: without its change
+  contact::GrooveCoordinates<double> place;
+  contact::WavyGrooveContact<double> wavy;  ///< of a race of revolution: without its change
 
   [[nodiscard]] Triple<double> to_azimuth(const Vec3& v) const {
     return contact::to_azimuth(Triple<double>{v[0], v[1], v[2]}, s, c);
@@ -37,14 +37,15 @@ Meeting meeting_of(const RaceContactModel& model, const ElementViews& balls, std
   out.k = out.to_azimuth(race.axis);
   const Triple<double> centre = out.to_azimuth(race.centre);
   out.d = {balls.x[index] - centre.x, balls.r[index] - centre.y, -centre.z};
-  out.place = contact::groove_place(out.d, out.k, model.groove.centre_radius[j]);
+  out.place = contact::groove_coordinates(out.d, out.k, model.groove.centre_radius[j]);
   if (model.wavy)
-    out.wavy = contact::wavy_touch(
+    out.wavy = contact::wavy_groove_contact(
         *model.wavy, model.wavy->ratios,
         contact::azimuth_in_race(out.k, out.place.e, out.to_azimuth(race.zero())), out.place.axial,
         out.place.lift, model.groove.offset[j]);
   else
-    out.wavy.touch = contact::groove_touch(out.place.axial, out.place.lift, model.groove.offset[j]);
+    out.wavy.touch =
+        contact::ball_groove_contact(out.place.axial, out.place.lift, model.groove.offset[j]);
   if (model.wavy && model.wavy->forms != nullptr) {
     const auto base = [&](const Triple<double>& v) {
       return contact::from_azimuth(v, out.s, out.c);
@@ -70,8 +71,8 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
   const auto j = static_cast<std::size_t>(model.race);
   const Meeting at = meeting_of(model, balls, index, race);
   const double s = at.s, c = at.c, r = balls.r[index];
-  const contact::WavyTouch<double>& wavy = at.wavy;
-  const contact::GrooveTouch<double>& touch = wavy.touch;
+  const contact::WavyGrooveContact<double>& wavy = at.wavy;
+  const contact::BallGrooveContact<double>& touch = wavy.touch;
   const Triple<double> n = at.n(), t = at.t();
 
   RaceContactState state;
@@ -82,7 +83,7 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
   state.c = at.to_base(cross(t, n));
   state.angle = contact::contact_angle(model.race, touch.n_k, touch.n_e);
   const double theta_dot = balls.theta_dot[index];
-  const RacePairMotion<double> pair{
+  const BallRaceMotion<double> pair{
       at.to_azimuth(race.velocity),
       at.to_azimuth(race.tilt),
       race.speed,
@@ -99,7 +100,7 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
     if (model.angle.follows) {
       const double root = std::sqrt(state.approach);
       const double K = contact::polynomial(model.angle.K, touch.n_e);
-      state.ellipse.Q = contact::point_load(K, state.approach, root);
+      state.ellipse.Q = contact::point_contact_load(K, state.approach, root);
       state.ellipse.a = contact::polynomial(model.angle.major, touch.n_e) * root;
       state.ellipse.b = contact::polynomial(model.angle.minor, touch.n_e) * root;
     } else {
@@ -115,7 +116,7 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
     }
     const double Q = state.elastic = state.ellipse.Q;
     if (model.half.is_split()) {
-      const contact::SplitShare<double> share = contact::split_share(
+      const contact::SplitLoadFractions<double> share = contact::split_load_fractions(
           model.half, Q, std::sqrt(state.approach), touch.n_k, touch.n_e, touch.length);
       state.share = share.load, state.turned = share.turned, state.energy = share.energy;
     }
@@ -134,7 +135,7 @@ double race_rolling_heat(const RaceContactModel& model, const tribology::Rolling
   if (!(g.Q > 0.0)) return 0.0;
   const tribology::EllipseKinematics& m = state.motion;
   const double radius = model.groove.ball_radius;
-  const double F = state.share * rolling.force(tribology::ContactPoint<double>{
+  const double F = state.share * rolling.force(tribology::ContactConditions<double>{
                                      g.Q, 1.5 * g.Q / (std::numbers::pi * g.a * g.b), g.a, g.b,
                                      m.entrainment, tribology::middle_slip(g, m), m.curvature});
   return F * ((2.0 / (m.curvature * radius) - 1.0) * m.u_t + radius * m.W_c);
@@ -163,7 +164,7 @@ RaceContactSnapshot detail_of(const RaceContactModel& model, const RaceContactSt
   // Slip is kinematics and is reported also when traction is off; heat is then zero.
   const tribology::EllipseTraction traction = traction_of(state);
   if (model.traction && model.law.has_film()) {
-    const tribology::FilmHere<double> film = model.law.film(
+    const tribology::LocalFilm<double> film = model.law.film(
         {ellipse.Q, snapshot.max_pressure, ellipse.a, ellipse.b, state.motion.entrainment,
          tribology::middle_slip(ellipse, state.motion), state.motion.curvature});
     snapshot.film = film.thickness;
@@ -201,9 +202,9 @@ RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const Ele
                    });
 }
 
-RuleError measure_rule_error(const RaceContactModel& model, const ElementViews& balls,
-                             const RaceMotion& race) {
-  RuleError error;
+QuadratureRuleError measure_rule_error(const RaceContactModel& model, const ElementViews& balls,
+                                       const RaceMotion& race) {
+  QuadratureRuleError error;
   double heat = 0.0, exact_heat = 0.0;
   for (std::size_t i = 0; i < balls.n; ++i) {
     const RaceContactState state = race_contact_state(model, balls, i, race);

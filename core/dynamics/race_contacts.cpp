@@ -23,8 +23,8 @@ namespace {
 
 RaceKernel kernel_of(InstructionSet set) noexcept {
 #if defined(__x86_64__)
-  if (set == InstructionSet::Avx512 && instruction_set_available(set)) return race_kernel_avx512;
-  if (set == InstructionSet::Avx2 && instruction_set_available(set)) return race_kernel_avx2;
+  if (set == InstructionSet::Avx512 && is_instruction_set_available(set)) return race_kernel_avx512;
+  if (set == InstructionSet::Avx2 && is_instruction_set_available(set)) return race_kernel_avx2;
 #endif
   (void)set;
   return race_kernel_baseline;
@@ -32,8 +32,8 @@ RaceKernel kernel_of(InstructionSet set) noexcept {
 
 RacePairKernel pair_kernel_of(InstructionSet set) noexcept {
 #if defined(__x86_64__)
-  if (set == InstructionSet::Avx512 && instruction_set_available(set)) return race_pair_avx512;
-  if (set == InstructionSet::Avx2 && instruction_set_available(set)) return race_pair_avx2;
+  if (set == InstructionSet::Avx512 && is_instruction_set_available(set)) return race_pair_avx512;
+  if (set == InstructionSet::Avx2 && is_instruction_set_available(set)) return race_pair_avx2;
 #endif
   (void)set;
   return race_pair_baseline;
@@ -41,8 +41,9 @@ RacePairKernel pair_kernel_of(InstructionSet set) noexcept {
 
 RaceKernel rolling_kernel_of(InstructionSet set) noexcept {
 #if defined(__x86_64__)
-  if (set == InstructionSet::Avx512 && instruction_set_available(set)) return race_rolling_avx512;
-  if (set == InstructionSet::Avx2 && instruction_set_available(set)) return race_rolling_avx2;
+  if (set == InstructionSet::Avx512 && is_instruction_set_available(set))
+    return race_rolling_avx512;
+  if (set == InstructionSet::Avx2 && is_instruction_set_available(set)) return race_rolling_avx2;
 #endif
   (void)set;
   return race_rolling_baseline;
@@ -50,8 +51,8 @@ RaceKernel rolling_kernel_of(InstructionSet set) noexcept {
 
 RaceSlipKernel slip_kernel_of(InstructionSet set) noexcept {
 #if defined(__x86_64__)
-  if (set == InstructionSet::Avx512 && instruction_set_available(set)) return race_slip_avx512;
-  if (set == InstructionSet::Avx2 && instruction_set_available(set)) return race_slip_avx2;
+  if (set == InstructionSet::Avx512 && is_instruction_set_available(set)) return race_slip_avx512;
+  if (set == InstructionSet::Avx2 && is_instruction_set_available(set)) return race_slip_avx2;
 #endif
   (void)set;
   return race_slip_baseline;
@@ -103,7 +104,7 @@ RaceKernelInput input_of(const RaceContactModel& model, const ElementViews& ball
   in.rolling = rolling;
   in.law_index = model.law.index();
   in.law = model.law.address();
-  in.slip_floor = model.law.slip_floor();
+  in.regularization_slip_squared = model.law.regularization_slip_squared();
   in.slip_scale = model.law.slip_scale();
   in.nodes = model.rule.nodes();
   in.points = model.points ? model.points->view() : nullptr;
@@ -180,26 +181,26 @@ const RaceContactModel& RaceContactModel::of(std::size_t ball) const noexcept {
   return own ? own->model[ball] : *this;
 }
 
-void set_own_balls(RaceContactModel& model, const bearing::BallGeometry& balls,
-                   const bearing::RaceErrors& errors, std::vector<double> growth, double angle,
-                   std::size_t count) {
+void set_unequal_balls(RaceContactModel& model, const bearing::BallGeometry& balls,
+                       const bearing::RaceErrors& errors, std::vector<double> growth, double angle,
+                       std::size_t count) {
   if (std::all_of(growth.begin(), growth.end(), [](double one) { return one == 0.0; })) {
     if (!model.half.is_split()) return;
     growth.assign(count, 0.0);
   }
   const int race = model.race;
   const double E_star = model.effective_modulus;
-  auto own = std::make_shared<OwnBalls>();
+  auto own = std::make_shared<UnequalBallModels>();
   for (const double more : growth) {
     RaceContactModel& one = own->model.emplace_back(model);
     if (more == 0.0) continue;
-    const bearing::BallGeometry geometry = contact::own_ball(balls, more);
-    one.groove = contact::groove_of_ball(model.groove, more);
+    const bearing::BallGeometry geometry = contact::geometry_with_ball_growth(balls, more);
+    one.groove = contact::groove_with_ball_growth(model.groove, more);
     one.hertz = contact::hertz_constants(contact::race_curvature(geometry, race, angle), E_star);
     if (model.angle.follows) one.angle = contact::make_angle_law(geometry, race, E_star);
     if (!model.wavy) continue;
     contact::WavyGroove wavy = *model.wavy;
-    wavy.ratios = contact::ratios_of_ball(balls, more, race, errors, angle);
+    wavy.ratios = contact::ratios_with_ball_growth(balls, more, race, errors, angle);
     one.wavy = std::make_shared<const contact::WavyGroove>(wavy);
   }
   for (const RaceContactModel& one : own->model) own->constants.push_back(constants_of(one));
@@ -241,7 +242,7 @@ double load_limit(const RaceContactModel& model) noexcept {
   return least;
 }
 
-bool within_hertz(const RaceContactModel& model, const RaceContactState& state) noexcept {
+bool is_hertz_valid(const RaceContactModel& model, const RaceContactState& state) noexcept {
   const double radius = model.groove.ball_radius;
   return state.approach < radius && state.ellipse.a < radius;
 }
@@ -258,10 +259,10 @@ RaceSums evaluate_race_contacts(InstructionSet set, const RaceContactModel& mode
   return evaluate_with(kernel_of(set), model, balls, race, out);
 }
 
-bool share_vectors(const std::array<RaceContactModel, 2>& models) noexcept {
+bool can_share_vectors(const std::array<RaceContactModel, 2>& models) noexcept {
   const RaceContactModel &a = models[0], &b = models[1];
   const auto plain = [](const RaceContactModel& one) {
-    return !one.own && !one.wavy && !one.law.has_film() && !one.law.is_of_user();
+    return !one.own && !one.wavy && !one.law.has_film() && !one.law.is_user_law();
   };
   return plain(a) && plain(b) && a.law.index() == b.law.index() && a.traction == b.traction &&
          a.angle.follows == b.angle.follows && a.surface == b.surface &&

@@ -60,7 +60,7 @@ struct RaceMotion {
   [[nodiscard]] Vec3 zero() const noexcept;
 };
 
-struct OwnBalls;
+struct UnequalBallModels;
 class UserScratch;
 
 /// Constants of the contacts with one race.
@@ -68,7 +68,7 @@ struct RaceContactModel {
   bearing::Race race = bearing::kOuter;
   contact::GrooveGeometry groove;
   contact::HertzConstants hertz;  ///< at one angle: frozen constants, and the scale of estimates
-  contact::AngleLaw angle;        ///< in their place where it follows the contact angle
+  contact::HertzAngleLaw angle;   ///< in their place where it follows the contact angle
   std::shared_ptr<const contact::WavyGroove> wavy;  ///< imperfections of the race; null: none
   double effective_modulus = 0.0;                   ///< E* [Pa]
   double shoulder_radius = 0.0;   ///< of this race [m], reports only; 0 = not given
@@ -76,10 +76,10 @@ struct RaceContactModel {
   bool traction = true;
   tribology::TractionLaw law;
   tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;
-  tribology::EllipseRule rule;          ///< fixed quadrature rule of the run (make_ellipse_rule)
-  std::shared_ptr<const OwnBalls> own;  ///< balls that differ; null: all are alike
-  contact::SplitHalf half;              ///< of a split race: this contact is with one half
-  std::shared_ptr<UserScratch> points;  ///< of a law of the user; else null
+  tribology::EllipseRule rule;  ///< fixed quadrature rule of the run (make_ellipse_rule)
+  std::shared_ptr<const UnequalBallModels> own;  ///< balls that differ; null: all are alike
+  contact::SplitRaceHalf half;                   ///< of a split race: this contact is with one half
+  std::shared_ptr<UserScratch> points;           ///< of a law of the user; else null
 
   /// Of one ball. What is here is that of the nominal one.
   [[nodiscard]] const RaceContactModel& of(std::size_t ball) const noexcept;
@@ -88,7 +88,7 @@ struct RaceContactModel {
 /// Balls of unequal diameter in the grooves of one race: offset, Hertz constants and their laws are
 /// each ball's own, and so is the radius of its contact surface. A law of traction with a film is
 /// that of the nominal ball: its thickness changes by about half the relative deviation.
-struct OwnBalls {
+struct UnequalBallModels {
   std::vector<RaceContactModel> model;   ///< by ball
   std::vector<BallConstants> constants;  ///< the same for kernels
 };
@@ -96,9 +96,9 @@ struct OwnBalls {
 /// All 0 on a split race: the same ones for each ball.
 /// @param angle where constants are frozen [rad]
 /// @param count of balls
-void set_own_balls(RaceContactModel& model, const bearing::BallGeometry& balls,
-                   const bearing::RaceErrors& errors, std::vector<double> growth, double angle,
-                   std::size_t count);
+void set_unequal_balls(RaceContactModel& model, const bearing::BallGeometry& balls,
+                       const bearing::RaceErrors& errors, std::vector<double> growth, double angle,
+                       std::size_t count);
 
 /// Load up to which a contact can be one [N]: there the ball lies in the race by its own radius, or
 /// half the major axis is as long as that.
@@ -123,10 +123,10 @@ RaceSums evaluate_race_contacts(const RaceContactModel& model, const ElementView
 /// one form (no routine of the user), with one kind of surface and constants that follow the angle
 /// for both or neither. Parameters of the curves and quadrature rules are not compared: they are
 /// those of one bearing.
-[[nodiscard]] bool share_vectors(const std::array<RaceContactModel, 2>& models) noexcept;
-/// The same as of one race after the other, to rounding, where share_vectors says so and the laws
-/// of both are of one curve; forces and moments of both go to the same arrays. Balls that fill no
-/// vector of one race share one, if they fit.
+[[nodiscard]] bool can_share_vectors(const std::array<RaceContactModel, 2>& models) noexcept;
+/// The same as of one race after the other, to rounding, where can_share_vectors says so and the
+/// laws of both are of one curve; forces and moments of both go to the same arrays. Balls that fill
+/// no vector of one race share one, if they fit.
 std::array<RaceSums, 2> evaluate_both_races(const std::array<RaceContactModel, 2>& models,
                                             const ElementViews& balls,
                                             const std::array<RaceMotion, 2>& races,
@@ -135,9 +135,9 @@ std::array<RaceSums, 2> evaluate_both_races(const std::array<RaceContactModel, 2
 // base/instruction_set.hpp
 using adore::check_instruction_set_request;
 using adore::chosen_instruction_set;
-using adore::instruction_set_available;
 using adore::instruction_set_name;
 using adore::InstructionSet;
+using adore::is_instruction_set_available;
 
 /// Everything a report wants of one contact (angles, ellipse, spin-to-roll, largest slip ...); not
 /// for the hot path. Contact angle: outer atan2(n_x', n_r'), inner atan2(-n_x', -n_r') in the
@@ -190,12 +190,12 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
 /// Error of model.rule against the converged integrals over the loaded contacts of one race, for
 /// reports (milliseconds per contact). Root mean squares in units of full traction κ(u_max) Q and
 /// of that times a; heat of the race relative.
-struct RuleError {
+struct QuadratureRuleError {
   int contacts = 0;  ///< loaded ones
   double force = 0.0, moment = 0.0, heat = 0.0;
 };
-RuleError measure_rule_error(const RaceContactModel& model, const ElementViews& balls,
-                             const RaceMotion& race);
+QuadratureRuleError measure_rule_error(const RaceContactModel& model, const ElementViews& balls,
+                                       const RaceMotion& race);
 
 /// The same with a given instruction set, for tests and benchmarks. An unavailable one falls back
 /// to Baseline.

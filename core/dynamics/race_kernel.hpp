@@ -11,7 +11,7 @@
 namespace adore::contact {
 struct WavyGroove;
 template <class C>
-struct GrooveRatios;
+struct HertzConstantRatios;
 }  // namespace adore::contact
 
 /// Boundary between race_contacts.cpp and the translation units that are compiled once per
@@ -25,8 +25,8 @@ namespace adore::dynamics {
 /// Values of each ball if balls differ: as in RaceKernelInput.
 struct BallConstants {
   double offset, K, major, minor, ball_radius, rho;
-  contact::AngleLaw follow;
-  const contact::GrooveRatios<double>* ratios;  ///< of a race with errors; else null
+  contact::HertzAngleLaw follow;
+  const contact::HertzConstantRatios<double>* ratios;  ///< of a race with errors; else null
 };
 
 /// Storage for the points of a user law, all contacts of the race, before the only
@@ -34,7 +34,7 @@ struct BallConstants {
 struct UserPoints {
   double *slip, *inverse, *pressure, *kappa;  ///< of each point, stride values each
   double* row;                                ///< four numbers of each row of the rule, likewise
-  /// Of each contact, stride values each: ContactPoint in the order of TractionPoints.
+  /// Of each contact, stride values each: ContactConditions in the order of UserTractionInput.
   double* contact[7];
   /// The contacts of a vector of balls between the passes, kKeptValues numbers a ball; aligned.
   double* kept;
@@ -47,18 +47,18 @@ inline constexpr std::size_t kKeptValues = 64;
 struct RaceKernelInput {
   // Groove, load and ellipse: Q = K δ^1.5, a = major sqrt(δ), b = minor sqrt(δ).
   double centre_radius, offset, K, major, minor;
-  const contact::AngleLaw* follow;  ///< of K and the ellipse; nullptr: frozen, as above
+  const contact::HertzAngleLaw* follow;  ///< of K and the ellipse; nullptr: frozen, as above
   double ball_radius;
   double rho;  ///< radius of the contact surface [m], 0 = flat
-  tribology::SurfacePlace place;
+  tribology::SurfacePosition place;
   contact::DampingLaw<> damping;
   bool damped;
   bool traction;
   // Law of traction: one of tribology::TractionLawList.
   std::size_t law_index;
   const void* law;
-  double slip_floor;  ///< ε² of the rounded slip sqrt(u² + ε²) [m²/s²], > 0
-  double slip_scale;  ///< of the law, for the break points of a split rule [m/s]
+  double regularization_slip_squared;  ///< ε² of the rounded slip sqrt(u² + ε²) [m²/s²], > 0
+  double slip_scale;                   ///< of the law, for the break points of a split rule [m/s]
   tribology::EllipseNodes nodes;
   struct UserPoints* points;                    ///< of a law of the user; else null
   const tribology::RollingResistance* rolling;  ///< read by rolling kernels alone
@@ -69,7 +69,7 @@ struct RaceKernelInput {
   const contact::WavyGroove* wavy;  ///< null: a race of revolution
   double zero[3];                   ///< start of azimuths in a wavy race
   const BallConstants* own;         ///< of all balls of the bearing; null: they are identical
-  contact::SplitHalf half;          ///< of a split race, whose kernels read `own`
+  contact::SplitRaceHalf half;      ///< of a split race, whose kernels read `own`
   // Balls and results (see race_contacts.hpp).
   std::size_t n;
   const double *x, *r, *sin_theta, *cos_theta, *x_dot, *r_dot, *theta_dot;

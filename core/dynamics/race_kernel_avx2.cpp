@@ -10,7 +10,9 @@ RaceKernelSums race_kernel_avx2(const RaceKernelInput& in) noexcept { return eva
 void race_pair_avx2(const RaceKernelInput* in, RaceKernelSums* sums) noexcept {
   evaluate_pair(in, sums);
 }
-RaceKernelSums race_rolling_avx2(const RaceKernelInput& in) noexcept { return roll_on_race(in); }
+RaceKernelSums race_rolling_avx2(const RaceKernelInput& in) noexcept {
+  return run_rolling_kernel(in);
+}
 
 }  // namespace adore::dynamics
 #endif

@@ -11,7 +11,7 @@ void race_pair_baseline(const RaceKernelInput* in, RaceKernelSums* sums) noexcep
   evaluate_pair(in, sums);
 }
 RaceKernelSums race_rolling_baseline(const RaceKernelInput& in) noexcept {
-  return roll_on_race(in);
+  return run_rolling_kernel(in);
 }
 
 }  // namespace adore::dynamics

@@ -23,11 +23,12 @@ namespace adore::contact {
 template <>
 struct TableLookup<SimdReal> {
   using V = SimdReal;
-  [[nodiscard]] static TableTouch<V> at(const RaceTable& table, const AzimuthDirection<V>& psi,
-                                        const V& n_k, const V& n_e) {
-    TableTouch<V> out;
+  [[nodiscard]] static TableAtContact<V> at(const SurfaceDeviationTable& table,
+                                            const AzimuthDirection<V>& psi, const V& n_k,
+                                            const V& n_e) {
+    TableAtContact<V> out;
     for (int lane = 0; lane < static_cast<int>(V::size()); ++lane) {
-      const TableTouch<double> one = TableLookup<double>::at(
+      const TableAtContact<double> one = TableLookup<double>::at(
           table, AzimuthDirection<double>{psi.cosine[lane], psi.sine[lane]}, n_k[lane], n_e[lane]);
       out.height[lane] = one.height;
       out.height_psi[lane] = one.height_psi;
@@ -70,54 +71,54 @@ struct Lanes {
 };
 
 /// Coefficients of a polynomial of contact/angle_law.hpp.
-using Terms = double[contact::AngleLaw::kTerms];
+using Terms = double[contact::HertzAngleLaw::kTerms];
 struct LaneTerms {
-  V c[contact::AngleLaw::kTerms];
+  V c[contact::HertzAngleLaw::kTerms];
 };
 
 /// All lanes are on one race: its pose and motion are numbers.
-class OnOneRace {
+class SingleRaceLanes {
  public:
-  explicit OnOneRace(const RaceKernelInput& in) : in_(in) {}
-  double centre_radius() const { return in_.centre_radius; }
-  Vec axis(V s, V c) const { return to_azimuth(in_.axis, s, c); }
-  Vec centre(V s, V c) const { return to_azimuth(in_.centre, s, c); }
-  Vec velocity(V s, V c) const { return to_azimuth(in_.velocity, s, c); }
-  double speed() const { return in_.speed; }
-  bool tilts() const { return in_.tilts; }
-  Vec tilt(V s, V c) const { return to_azimuth(in_.tilt, s, c); }
+  explicit SingleRaceLanes(const RaceKernelInput& in) : input_(in) {}
+  double centre_radius() const { return input_.centre_radius; }
+  Vec axis(V s, V c) const { return to_azimuth(input_.axis, s, c); }
+  Vec centre(V s, V c) const { return to_azimuth(input_.centre, s, c); }
+  Vec velocity(V s, V c) const { return to_azimuth(input_.velocity, s, c); }
+  double speed() const { return input_.speed; }
+  bool tilts() const { return input_.tilts; }
+  Vec tilt(V s, V c) const { return to_azimuth(input_.tilt, s, c); }
   /// Of the nominal ball where balls differ.
-  const contact::DampingLaw<>& damping() const { return in_.damping; }
+  const contact::DampingLaw<>& damping() const { return input_.damping; }
 
  protected:
-  const RaceKernelInput& in_;
+  const RaceKernelInput& input_;
 };
 
 /// Identical balls: their constants are numbers.
-class AlikeBalls : public OnOneRace {
+class IdenticalBalls : public SingleRaceLanes {
  public:
   using Scalar = double;
   static constexpr bool kAlike = true;
-  AlikeBalls(const RaceKernelInput& in, const Lanes&) : OnOneRace(in) {}
-  double offset() const { return in_.offset; }
-  double K() const { return in_.K; }
-  double major() const { return in_.major; }
-  double minor() const { return in_.minor; }
-  double radius() const { return in_.ball_radius; }
-  double rho() const { return in_.rho; }
-  struct TheTerms {
+  IdenticalBalls(const RaceKernelInput& in, const Lanes&) : SingleRaceLanes(in) {}
+  double offset() const { return input_.offset; }
+  double K() const { return input_.K; }
+  double major() const { return input_.major; }
+  double minor() const { return input_.minor; }
+  double radius() const { return input_.ball_radius; }
+  double rho() const { return input_.rho; }
+  struct ScalarTerms {
     const Terms& c;
   };
-  TheTerms follow(const Terms contact::AngleLaw::*of) const { return {in_.follow->*of}; }
-  const contact::GrooveRatios<double>& ratios() const { return in_.wavy->ratios; }
+  ScalarTerms follow(const Terms contact::HertzAngleLaw::*of) const { return {input_.follow->*of}; }
+  const contact::HertzConstantRatios<double>& ratios() const { return input_.wavy->ratios; }
 };
 
 /// Balls that differ: one value a lane.
-class DifferentBalls : public OnOneRace {
+class DifferentBalls : public SingleRaceLanes {
  public:
   using Scalar = V;
   static constexpr bool kAlike = false;
-  DifferentBalls(const RaceKernelInput& in, const Lanes& at) : OnOneRace(in) {
+  DifferentBalls(const RaceKernelInput& in, const Lanes& at) : SingleRaceLanes(in) {
     for (int lane = 0; lane < static_cast<int>(V::size()); ++lane)
       ball_[lane] = in.own + at.first + (lane < at.used ? lane : at.used - 1);
   }
@@ -127,12 +128,12 @@ class DifferentBalls : public OnOneRace {
   V minor() const { return of(&BallConstants::minor); }
   V radius() const { return of(&BallConstants::ball_radius); }
   V rho() const { return of(&BallConstants::rho); }
-  LaneTerms follow(const Terms contact::AngleLaw::*of) const {
+  LaneTerms follow(const Terms contact::HertzAngleLaw::*of) const {
     return terms([&](const BallConstants& one, int k) { return (one.follow.*of)[k]; });
   }
-  contact::GrooveRatios<V> ratios() const {
-    contact::GrooveRatios<V> out;
-    for (int k = 0; k < contact::AngleLaw::kTerms; ++k) {
+  contact::HertzConstantRatios<V> ratios() const {
+    contact::HertzConstantRatios<V> out;
+    for (int k = 0; k < contact::HertzAngleLaw::kTerms; ++k) {
       out.stiffness[k] = V([&](auto lane) { return ball_[lane]->ratios->stiffness[k]; });
       out.major[k] = V([&](auto lane) { return ball_[lane]->ratios->major[k]; });
       out.minor[k] = V([&](auto lane) { return ball_[lane]->ratios->minor[k]; });
@@ -147,7 +148,7 @@ class DifferentBalls : public OnOneRace {
   template <class Term>
   LaneTerms terms(const Term& term) const {
     LaneTerms out;
-    for (int k = 0; k < contact::AngleLaw::kTerms; ++k)
+    for (int k = 0; k < contact::HertzAngleLaw::kTerms; ++k)
       out.c[k] = V([&](auto lane) { return term(*ball_[lane], k); });
     return out;
   }
@@ -156,11 +157,11 @@ class DifferentBalls : public OnOneRace {
 };
 
 /// Alike balls on both races: `half` lanes on the outer and then as many on the inner.
-class OnBothRaces {
+class BothRacesLanes {
  public:
   using Scalar = V;
   static constexpr bool kAlike = true;
-  OnBothRaces(const RaceKernelInput* in, int half)
+  BothRacesLanes(const RaceKernelInput* in, int half)
       : outer_(in[0]), inner_(in[1]), on_outer_(V([](auto lane) {
                                                   return static_cast<double>(lane);
                                                 }) < static_cast<double>(half)) {}
@@ -170,9 +171,9 @@ class OnBothRaces {
   V minor() const { return of(&RaceKernelInput::minor); }
   V radius() const { return outer_.ball_radius; }
   V rho() const { return of(&RaceKernelInput::rho); }
-  LaneTerms follow(const Terms contact::AngleLaw::*term) const {
+  LaneTerms follow(const Terms contact::HertzAngleLaw::*term) const {
     LaneTerms out;
-    for (int k = 0; k < contact::AngleLaw::kTerms; ++k)
+    for (int k = 0; k < contact::HertzAngleLaw::kTerms; ++k)
       out.c[k] = pick((outer_.follow->*term)[k], (inner_.follow->*term)[k]);
     return out;
   }
@@ -210,16 +211,16 @@ class RoundRace {
   static constexpr bool kWavy = false, kSplit = false;
   template <class Balls>
   RoundRace(const RaceKernelInput&, const Lanes&, const Balls& balls, const Vec&,
-            const contact::GroovePlace<V>& place, V, V)
-      : touch_(contact::groove_touch(place.axial, place.lift, balls.offset())) {}
-  const contact::GrooveTouch<V>& touch() const { return touch_; }
+            const contact::GrooveCoordinates<V>& place, V, V)
+      : touch_(contact::ball_groove_contact(place.axial, place.lift, balls.offset())) {}
+  const contact::BallGrooveContact<V>& touch() const { return touch_; }
 
  private:
-  contact::GrooveTouch<V> touch_;
+  contact::BallGrooveContact<V> touch_;
 };
 
 /// A half of a split race (contact/split_race.hpp): the arc of a round race.
-class HalfRace : public RoundRace {
+class SplitRaceHalf : public RoundRace {
  public:
   static constexpr bool kSplit = true;
   using RoundRace::RoundRace;
@@ -231,11 +232,11 @@ class WavyRace {
   static constexpr bool kWavy = true, kSplit = false;
   template <class Balls>
   WavyRace(const RaceKernelInput& in, const Lanes& at, const Balls& balls, const Vec& k,
-           const contact::GroovePlace<V>& place, V s, V c)
+           const contact::GrooveCoordinates<V>& place, V s, V c)
       : distance_(place.distance), at_(touch_of(in, balls, k, place, s, c)) {
     if (in.wavy != nullptr && in.wavy->forms != nullptr) add_lobes(in, at, k, place.e, s, c);
   }
-  const contact::GrooveTouch<V>& touch() const { return at_.touch; }
+  const contact::BallGrooveContact<V>& touch() const { return at_.touch; }
   /// Hertz's constants, and the force of their change with the angle, of the groove as it is here.
   void scale(V& K, V& leaning, V& major, V& minor) const {
     K *= at_.stiffness;
@@ -245,16 +246,16 @@ class WavyRace {
   }
   /// Part of the normal force on the ball along t. @param damping load beyond the elastic one
   V push(V elastic, V damping, V leaning, V approach) const {
-    return contact::wavy_push(at_, elastic, leaning, approach, distance_) -
-           turning_approach(damping);
+    return contact::wavy_tangential_force(at_, elastic, leaning, approach, distance_) -
+           scale_by_slope_t(damping);
   }
   /// (D/R) x: of the velocity of the ball along t relative to the race, what it adds to dδ/dt.
-  V turning_approach(V x) const { return at_.turn / distance_ * x; }
+  V scale_by_slope_t(V x) const { return at_.turn / distance_ * x; }
   /// What tables add: to the force on the ball along c, and likewise of a velocity along c.
   V lean(V elastic, V load, V approach) const {
-    return contact::wavy_lean(at_, load, elastic, approach);
+    return contact::wavy_transverse_force(at_, load, elastic, approach);
   }
-  V leaning_approach(V x) const { return at_.lean * x; }
+  V scale_by_slope_c(V x) const { return at_.lean * x; }
   /// Of balls that are not round: derivatives of their radius along c and t.
   V lobe_c() const { return at_.lobe_c; }
   V lobe_t() const { return at_.lobe_t; }
@@ -262,14 +263,17 @@ class WavyRace {
  private:
   /// Balls that differ come here with round races, too: a race of no waves.
   template <class Balls>
-  static contact::WavyTouch<V> touch_of(const RaceKernelInput& in, const Balls& balls, const Vec& k,
-                                        const contact::GroovePlace<V>& place, V s, V c) {
+  static contact::WavyGrooveContact<V> touch_of(const RaceKernelInput& in, const Balls& balls,
+                                                const Vec& k,
+                                                const contact::GrooveCoordinates<V>& place, V s,
+                                                V c) {
     if constexpr (!Balls::kAlike)
       if (in.wavy == nullptr)
-        return {contact::groove_touch(place.axial, place.lift, balls.offset()), V(0.0), V(0.0)};
-    return contact::wavy_touch(*in.wavy, balls.ratios(),
-                               contact::azimuth_in_race(k, place.e, to_azimuth(in.zero, s, c)),
-                               place.axial, place.lift, balls.offset());
+        return {contact::ball_groove_contact(place.axial, place.lift, balls.offset()), V(0.0),
+                V(0.0)};
+    return contact::wavy_groove_contact(
+        *in.wavy, balls.ratios(), contact::azimuth_in_race(k, place.e, to_azimuth(in.zero, s, c)),
+        place.axial, place.lift, balls.offset());
   }
 
   void add_lobes(const RaceKernelInput& in, const Lanes& at, const Vec& k, const Vec& e, V s, V c) {
@@ -294,40 +298,41 @@ class WavyRace {
   }
 
   V distance_;
-  contact::WavyTouch<V> at_;
+  contact::WavyGrooveContact<V> at_;
 };
 
 /// Traction of one vector, by a law whose integral is part of the contact's code.
 template <class Law>
-struct Inlined {
+struct InlinedLaw {
   template <class S>
-  [[gnu::always_inline]] tribology::EllipseSums<V> operator()(
+  [[gnu::always_inline]] tribology::EllipseResultants<V> operator()(
       const RaceKernelInput& in, const tribology::EllipseContact<V, S>& ellipse) const {
-    return tribology::EllipseSum<V, Law, S>(in.nodes, ellipse, *static_cast<const Law*>(in.law),
-                                            in.slip_floor, in.slip_scale)
+    return tribology::EllipseQuadrature<V, Law, S>(in.nodes, ellipse,
+                                                   *static_cast<const Law*>(in.law),
+                                                   in.regularization_slip_squared, in.slip_scale)
         .run();
   }
 };
 
 /// By a law with a film, whose integral is long: a call, so that a kernel has one copy of each, and
 /// one of the contact for all of them.
-struct Called {
+struct CalledLaw {
   using Sum = void(const RaceKernelInput&, const tribology::EllipseContact<V, V>&,
-                   tribology::EllipseSums<V>&);
+                   tribology::EllipseResultants<V>&);
   Sum* sum;
   template <class S>
-  [[gnu::always_inline]] tribology::EllipseSums<V> operator()(
+  [[gnu::always_inline]] tribology::EllipseResultants<V> operator()(
       const RaceKernelInput& in, const tribology::EllipseContact<V, S>& e) const {
-    tribology::EllipseSums<V> sums;
+    tribology::EllipseResultants<V> sums;
     sum(in, {e.load, e.a, e.b, {e.surface.offset, e.surface.rho}, e.motion}, sums);
     return sums;
   }
 };
 template <class Law>
-[[gnu::noinline]] void sum_film(const RaceKernelInput& in,
-                                const tribology::EllipseContact<V, V>& ellipse,
-                                tribology::EllipseSums<V>& sums) {
-  sums = Inlined<Law>()(in, ellipse);
+[[gnu::noinline]] void integrate_film_traction(const RaceKernelInput& in,
+                                               const tribology::EllipseContact<V, V>& ellipse,
+                                               tribology::EllipseResultants<V>& sums) {
+  sums = InlinedLaw<Law>()(in, ellipse);
 }
 
 /// The contacts of one vector of balls: what forces are made of once traction is known, of built-in
@@ -343,7 +348,7 @@ class Contacts {
         r_(get(at.r)),
         k_(balls.axis(s_, c_)),
         d_(from_centre(at, r_, balls.centre(s_, c_))),
-        place_(contact::groove_place(d_, k_, balls.centre_radius())),
+        place_(contact::groove_coordinates(d_, k_, balls.centre_radius())),
         groove_(in, at, balls, k_, place_, s_, c_),
         approach_(groove_.touch().approach) {
     if (at.used < static_cast<int>(V::size())) {
@@ -353,7 +358,8 @@ class Contacts {
   }
   [[gnu::always_inline]] bool open() const { return stdx::none_of(approach_ > 0.0); }
   /// Load, and the ellipse where there is traction.
-  [[gnu::always_inline]] void press(const RaceKernelInput& in, const Lanes& at, const Balls& balls);
+  [[gnu::always_inline]] void compute_load(const RaceKernelInput& in, const Lanes& at,
+                                           const Balls& balls);
   [[nodiscard]] const tribology::EllipseContact<V, S>& ellipse() const { return ellipse_; }
   /// Load of this race.
   [[nodiscard, gnu::always_inline]] V load() const {
@@ -363,15 +369,15 @@ class Contacts {
       return load_;
   }
   [[gnu::always_inline]] void add_to(const RaceKernelInput& in, const Lanes& at,
-                                     const tribology::EllipseSums<V>& traction,
+                                     const tribology::EllipseResultants<V>& traction,
                                      Totals& totals) const;
   /// Adds rolling resistance F along t: 2 F R'/r - F on the ball at its center, with 1/R' the
   /// curvature of both bodies, and F r about c; the opposite on the race (rolling_resistance.hpp).
   template <class Law>
-  [[gnu::always_inline]] void roll(const Lanes& at, const Balls& balls, const Law& law,
-                                   Totals& totals) const;
+  [[gnu::always_inline]] void add_rolling_resistance(const Lanes& at, const Balls& balls,
+                                                     const Law& law, Totals& totals) const;
   /// Of an open vector.
-  [[gnu::always_inline]] static void put_open(const Lanes& at) {
+  [[gnu::always_inline]] static void write_open_contacts(const Lanes& at) {
     put(at.load, 0.0);
     put(at.heat, 0.0);
     if (at.load_slip != nullptr) put(at.load_slip, 0.0);
@@ -387,7 +393,8 @@ class Contacts {
             along_k * k.z + along_e * e.z + along_t * t.z};
   }
   /// Adds to the race what is opposite to a force on the ball and a moment `about` P_j.
-  [[gnu::always_inline]] void react(const Vec& force, const Vec& about, Totals& totals) const {
+  [[gnu::always_inline]] void add_race_reaction(const Vec& force, const Vec& about,
+                                                Totals& totals) const {
     totals.force_x -= force.x;
     totals.force_y += s_ * force.y + c_ * force.z;
     totals.force_z -= c_ * force.y - s_ * force.z;
@@ -402,44 +409,46 @@ class Contacts {
 
   V s_, c_, r_;
   Vec k_, d_;
-  contact::GroovePlace<V> place_;
+  contact::GrooveCoordinates<V> place_;
   Race groove_;
-  V approach_, load_ = 0.0, elastic_ = 0.0, rate_ = 0.0, leaning_ = 0.0;
+  V approach_, load_ = 0.0, elastic_ = 0.0, rate_ = 0.0, leaning_force_ = 0.0;
   tribology::EllipseContact<V, S> ellipse_{};
   /// Of half races; load_, elastic_ and the ellipse are those of the whole contact.
-  struct Whole {};
-  [[no_unique_address]] std::conditional_t<Race::kSplit, contact::SplitShare<V>, Whole> share_;
+  struct NoSplitShare {};
+  [[no_unique_address]] std::conditional_t<Race::kSplit, contact::SplitLoadFractions<V>,
+                                           NoSplitShare>
+      share_;
 };
 
 template <class Race, class Balls>
-inline void Contacts<Race, Balls>::press(const RaceKernelInput& in, const Lanes& at,
-                                         const Balls& balls) {
+inline void Contacts<Race, Balls>::compute_load(const RaceKernelInput& in, const Lanes& at,
+                                                const Balls& balls) {
   const auto& touch = groove_.touch();
   approach_ = stdx::max(approach_, V(0.0));
   const V root_approach = stdx::sqrt(approach_);
   V K = balls.K(), major = balls.major(), minor = balls.minor();
   if (in.follow != nullptr) {
     const auto at_angle =
-        contact::polynomial_with_slope(balls.follow(&contact::AngleLaw::K).c, touch.n_e);
+        contact::polynomial_with_slope(balls.follow(&contact::HertzAngleLaw::K).c, touch.n_e);
     K = at_angle.value;
-    leaning_ =
-        contact::leaning_force(at_angle.slope, approach_, root_approach, touch.n_k, touch.length);
+    leaning_force_ = contact::angle_gradient_force(at_angle.slope, approach_, root_approach,
+                                                   touch.n_k, touch.length);
     if (in.traction) {
-      major = contact::polynomial(balls.follow(&contact::AngleLaw::major).c, touch.n_e);
-      minor = contact::polynomial(balls.follow(&contact::AngleLaw::minor).c, touch.n_e);
+      major = contact::polynomial(balls.follow(&contact::HertzAngleLaw::major).c, touch.n_e);
+      minor = contact::polynomial(balls.follow(&contact::HertzAngleLaw::minor).c, touch.n_e);
     }
   }
-  if constexpr (Race::kWavy) groove_.scale(K, leaning_, major, minor);
-  load_ = elastic_ = contact::point_load(K, approach_, root_approach);
+  if constexpr (Race::kWavy) groove_.scale(K, leaning_force_, major, minor);
+  load_ = elastic_ = contact::point_contact_load(K, approach_, root_approach);
   if constexpr (Race::kSplit) {
-    share_ =
-        contact::split_share(in.half, elastic_, root_approach, touch.n_k, touch.n_e, touch.length);
-    leaning_ = share_.energy * leaning_ + share_.turned;
+    share_ = contact::split_load_fractions(in.half, elastic_, root_approach, touch.n_k, touch.n_e,
+                                           touch.length);
+    leaning_force_ = share_.energy * leaning_force_ + share_.turned;
   }
   if (!in.traction && !in.damped) return;
   const V theta_dot = get(at.theta_dot);
   const S radius = balls.radius();
-  const RacePairMotion<V, S> pair{balls.velocity(s_, c_),
+  const BallRaceMotion<V, S> pair{balls.velocity(s_, c_),
                                   balls.tilts() ? balls.tilt(s_, c_) : Vec{},
                                   balls.speed(),
                                   balls.tilts(),
@@ -450,8 +459,8 @@ inline void Contacts<Race, Balls>::press(const RaceKernelInput& in, const Lanes&
   ellipse_.motion = ellipse_motion(pair, d_, k_, cross(k_, place_.e), place_, touch, rate_);
   if (in.damped) {
     if constexpr (Race::kWavy) {
-      rate_ -= groove_.turning_approach(ellipse_.motion.u_t);
-      rate_ -= groove_.leaning_approach(ellipse_.motion.u_c);
+      rate_ -= groove_.scale_by_slope_t(ellipse_.motion.u_t);
+      rate_ -= groove_.scale_by_slope_c(ellipse_.motion.u_c);
       rate_ -= groove_.lobe_t() * ellipse_.motion.W_c - groove_.lobe_c() * ellipse_.motion.W_t;
     }
     load_ = contact::damped_load(balls.damping(), elastic_, V(1.5 * K * root_approach), approach_,
@@ -467,12 +476,12 @@ inline void Contacts<Race, Balls>::press(const RaceKernelInput& in, const Lanes&
 
 template <class Race, class Balls>
 inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes& at,
-                                          const tribology::EllipseSums<V>& whole_traction,
+                                          const tribology::EllipseResultants<V>& whole_traction,
                                           Totals& totals) const {
   const auto& touch = groove_.touch();
   const V R = place_.distance, load = this->load();
   contact::MeridianForce<V> meridian{-load * touch.n_k, -load * touch.n_e};
-  tribology::EllipseSums<V> traction = whole_traction;
+  tribology::EllipseResultants<V> traction = whole_traction;
   if constexpr (Race::kSplit)
     for (V* sum : {&traction.F_c, &traction.F_t, &traction.M_c, &traction.M_t, &traction.M_n,
                    &traction.heat, &traction.load_slip})
@@ -493,11 +502,11 @@ inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes
     add(at.M_theta, moment.z);
   }
   if (Race::kSplit || in.follow != nullptr) {
-    meridian.along -= leaning_ * touch.n_e;
-    meridian.outward += leaning_ * touch.n_k;
+    meridian.along -= leaning_force_ * touch.n_e;
+    meridian.outward += leaning_force_ * touch.n_k;
   }
   if constexpr (Race::kWavy) {
-    force_t += groove_.push(elastic_, load_ - elastic_, leaning_, approach_);
+    force_t += groove_.push(elastic_, load_ - elastic_, leaning_force_, approach_);
     const V lean = groove_.lean(elastic_, load_, approach_);
     meridian.along -= lean * touch.n_e;
     meridian.outward += lean * touch.n_k;
@@ -526,12 +535,12 @@ inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes
   const V about_k = R * force_t + moment_k;
   const V about_e = moment_e - place_.axial * force_t;
   const V about_t = place_.axial * force_e - R * force_k + moment_t;
-  react(force, in_azimuth(about_k, about_e, about_t), totals);
+  add_race_reaction(force, in_azimuth(about_k, about_e, about_t), totals);
   if constexpr (Race::kSplit) {
-    totals.elastic_energy += share_.energy * contact::point_energy(elastic_, approach_);
+    totals.elastic_energy += share_.energy * contact::point_contact_energy(elastic_, approach_);
     if (in.damped) totals.damping += share_.load * (load_ - elastic_) * rate_;
   } else {
-    totals.elastic_energy += contact::point_energy(elastic_, approach_);
+    totals.elastic_energy += contact::point_contact_energy(elastic_, approach_);
     if (in.damped) totals.damping += (load_ - elastic_) * rate_;
   }
   totals.heat += heat;
@@ -543,17 +552,17 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, const Balls& balls, co
               Totals& totals) {
   Contacts<Race, Balls> contacts(in, at, balls);
   if (contacts.open()) {
-    Contacts<Race, Balls>::put_open(at);
+    Contacts<Race, Balls>::write_open_contacts(at);
     return;
   }
-  contacts.press(in, at, balls);
-  tribology::EllipseSums<V> traction;
+  contacts.compute_load(in, at, balls);
+  tribology::EllipseResultants<V> traction;
   if (in.traction) traction = law(in, contacts.ellipse());
   contacts.add_to(in, at, traction, totals);
 }
 
 /// Operation on the arrays of a vector.
-enum class Use : unsigned char { Read, Write, Both };
+enum class ArrayAccess : unsigned char { Read, Write, Both };
 
 /// The arrays of a race that are read and those that are written, the first kAdded of them added
 /// to, in the order of Lanes.
@@ -569,7 +578,7 @@ struct Arrays {
 };
 
 /// Copies of what an incomplete vector works on: no lane reads or writes beyond the arrays.
-struct Copies {
+struct TailCopies {
   static constexpr int kLanes = static_cast<int>(V::size());
   double source[kSources][kLanes], target[kTargets][kLanes];
 
@@ -596,15 +605,15 @@ struct Copies {
 };
 
 /// The last, incomplete vector of a race.
-template <Use kUse, class Visit>
+template <ArrayAccess kUse, class Visit>
 void visit_tail(const RaceKernelInput& in, std::size_t first, int used, const Visit& visit) {
   const Arrays arrays(in);
-  Copies copies;
-  if (kUse != Use::Write)
+  TailCopies copies;
+  if (kUse != ArrayAccess::Write)
     copies.read(arrays, used, [&](int i) { return first + static_cast<std::size_t>(i); });
-  if (kUse != Use::Read) copies.begin(arrays, first, used);
+  if (kUse != ArrayAccess::Read) copies.begin(arrays, first, used);
   visit(copies.lanes(first, used));
-  for (int array = 0; kUse != Use::Read && array < kTargets; ++array) {
+  for (int array = 0; kUse != ArrayAccess::Read && array < kTargets; ++array) {
     if (arrays.target[array] == nullptr) continue;
     for (int i = 0; i < used; ++i)
       arrays.target[array][first + static_cast<std::size_t>(i)] = copies.target[array][i];
@@ -642,13 +651,13 @@ std::size_t for_whole_vectors(const RaceKernelInput& in, const Visit& visit) {
   return i;
 }
 
-template <Use kUse, class Visit>
+template <ArrayAccess kUse, class Visit>
 void for_vectors(const RaceKernelInput& in, const Visit& visit) {
   const std::size_t i = for_whole_vectors(in, visit);
   if (i < in.n) visit_tail<kUse>(in, i, static_cast<int>(in.n - i), visit);
 }
 
-inline RaceKernelSums sums_of(const Totals& totals) {
+inline RaceKernelSums reduce_totals(const Totals& totals) {
   return {
       {stdx::reduce(totals.force_x), stdx::reduce(totals.force_y), stdx::reduce(totals.force_z)},
       {stdx::reduce(totals.moment_x), stdx::reduce(totals.moment_y), stdx::reduce(totals.moment_z)},
@@ -661,73 +670,74 @@ inline RaceKernelSums sums_of(const Totals& totals) {
 template <class Race, class Balls, class Law>
 RaceKernelSums evaluate_all(const RaceKernelInput& in, const Law& law) {
   Totals totals;
-  for_vectors<Use::Both>(
+  for_vectors<ArrayAccess::Both>(
       in, [&](const Lanes& at) { evaluate<Race>(in, at, Balls(in, at), law, totals); });
-  return sums_of(totals);
+  return reduce_totals(totals);
 }
 
 /// Of a law of the user: both passes (race_kernel_user.hpp).
 template <class Race, class Balls>
-RaceKernelSums evaluate_asking(const RaceKernelInput& in) {
+RaceKernelSums evaluate_user_law(const RaceKernelInput& in) {
   using S = typename Balls::Scalar;
   using Kept = Contacts<Race, Balls>;
   static_assert(sizeof(Kept) <= kKeptValues * sizeof(V));
-  const auto& law = *static_cast<const tribology::UserLaw*>(in.law);
+  const auto& law = *static_cast<const tribology::UserTractionLaw*>(in.law);
   UserPoints& points = *in.points;
-  for_vectors<Use::Read>(in, [&](const Lanes& at) {
+  for_vectors<ArrayAccess::Read>(in, [&](const Lanes& at) {
     const Balls balls(in, at);
     Kept& contacts = *new (points.kept + at.first * kKeptValues) Kept(in, at, balls);
     if (contacts.open()) {
-      leave_open(points, at.first);
+      mark_open_contacts(points, at.first);
       return;
     }
-    contacts.press(in, at, balls);
+    contacts.compute_load(in, at, balls);
     if (in.traction)
       collect_points<S>(in, contacts.ellipse(), law.of->wants_pressure, points, at.first);
     else
       points.rows_of[at.first] = 0;
   });
-  ask_user(law, points, in.n, in.nodes.minor);
+  call_user_routine(law, points, in.n, in.nodes.minor);
   Totals totals;
-  for_vectors<Use::Write>(in, [&](const Lanes& at) {
+  for_vectors<ArrayAccess::Write>(in, [&](const Lanes& at) {
     if (points.rows_of[at.first] < 0) {
-      Kept::put_open(at);
+      Kept::write_open_contacts(at);
       return;
     }
     const Kept& contacts =
         *std::launder(reinterpret_cast<const Kept*>(points.kept + at.first * kKeptValues));
-    tribology::EllipseSums<V> traction;
+    tribology::EllipseResultants<V> traction;
     if (in.traction) traction = replay_points<S>(in, contacts.ellipse(), points, at.first);
     contacts.add_to(in, at, traction, totals);
   });
-  return sums_of(totals);
+  return reduce_totals(totals);
 }
 
 template <class Law, class Race, class Balls>
-RaceKernelSums evaluate_by(const RaceKernelInput& in) {
-  if constexpr (std::is_same_v<Law, tribology::UserLaw>)
-    return evaluate_asking<Race, Balls>(in);
+RaceKernelSums evaluate_for_law(const RaceKernelInput& in) {
+  if constexpr (std::is_same_v<Law, tribology::UserTractionLaw>)
+    return evaluate_user_law<Race, Balls>(in);
   else if constexpr (tribology::kHasFilm<Law>)
-    return evaluate_all<Race, Balls>(in, Called{sum_film<Law>});
+    return evaluate_all<Race, Balls>(in, CalledLaw{integrate_film_traction<Law>});
   else
-    return evaluate_all<Race, Balls>(in, Inlined<Law>());
+    return evaluate_all<Race, Balls>(in, InlinedLaw<Law>());
 }
 
 template <class Race, class Balls, class... Laws>
 RaceKernelSums evaluate_race(const RaceKernelInput& in, tribology::TypeList<Laws...>) {
   RaceKernelSums sums{};
   std::size_t index = 0;
-  (void)((index++ == in.law_index && (sums = evaluate_by<Laws, Race, Balls>(in), true)) || ...);
+  (void)((index++ == in.law_index && (sums = evaluate_for_law<Laws, Race, Balls>(in), true)) ||
+         ...);
   return sums;
 }
 
 /// Once per race, or half of one: groove, balls and law are chosen here, and nowhere below.
 inline RaceKernelSums evaluate_race(const RaceKernelInput& in) {
   constexpr tribology::TractionLawList kLaws;
-  if (in.half.is_split()) return evaluate_race<HalfRace, DifferentBalls>(in, kLaws);
+  if (in.half.is_split()) return evaluate_race<SplitRaceHalf, DifferentBalls>(in, kLaws);
   if (in.own != nullptr) return evaluate_race<WavyRace, DifferentBalls>(in, kLaws);
-  return in.wavy != nullptr ? evaluate_race<WavyRace, AlikeBalls>(in, kLaws)
-                            : evaluate_race<RoundRace, AlikeBalls>(in, kLaws);
+  return in.wavy != nullptr ? evaluate_race<WavyRace, IdenticalBalls>(in, kLaws)
+                            : evaluate_race<RoundRace, IdenticalBalls>(in, kLaws);
 }
 
 }  // namespace

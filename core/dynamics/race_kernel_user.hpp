@@ -16,19 +16,19 @@ namespace {
 inline constexpr std::size_t kKeptOfRow = 4;  ///< ξ, half width, load, height
 
 /// Nothing is loaded, no point is wanted.
-inline void leave_open(UserPoints& points, std::size_t column) {
+inline void mark_open_contacts(UserPoints& points, std::size_t column) {
   points.rows_of[column] = -1;
   for (double* values : points.contact)
     SimdReal(0.0).copy_to(values + column, stdx::element_aligned);
 }
 
-class CollectedLaw {
+class CollectingLaw {
  public:
-  static constexpr bool kOfPressure = true;
-  CollectedLaw(UserPoints& points, std::size_t column) : to_(points), column_(column) {}
+  static constexpr bool kDependsOnPressure = true;
+  CollectingLaw(UserPoints& points, std::size_t column) : to_(points), column_(column) {}
   struct Here {};
   template <class T>
-  [[gnu::always_inline]] Here at(const tribology::ContactPoint<T>& c) const {
+  [[gnu::always_inline]] Here at(const tribology::ContactConditions<T>& c) const {
     const T* values[7] = {&c.load,        &c.peak_pressure, &c.half_major, &c.half_minor,
                           &c.entrainment, &c.curvature,     &c.slip};
     for (int k = 0; k < 7; ++k) values[k]->copy_to(to_.contact[k] + column_, stdx::element_aligned);
@@ -40,11 +40,11 @@ class CollectedLaw {
   std::size_t column_;
 };
 
-struct ReplayedLaw {
-  static constexpr bool kOfPressure = false;
+struct ReplayingLaw {
+  static constexpr bool kDependsOnPressure = false;
   struct Here {};
   template <class T>
-  [[gnu::always_inline]] Here at(const tribology::ContactPoint<T>&) const {
+  [[gnu::always_inline]] Here at(const tribology::ContactConditions<T>&) const {
     return {};
   }
 };
@@ -55,47 +55,47 @@ template <class S>
     const RaceKernelInput& in, const tribology::EllipseContact<SimdReal, S>& ellipse, bool pressure,
     UserPoints& points, std::size_t column) {
   using T = SimdReal;
-  const CollectedLaw law(points, column);
-  const tribology::EllipseSum<T, CollectedLaw, S> sum(in.nodes, ellipse, law, in.slip_floor,
-                                                      in.slip_scale);
+  const CollectingLaw law(points, column);
+  const tribology::EllipseQuadrature<T, CollectingLaw, S> sum(
+      in.nodes, ellipse, law, in.regularization_slip_squared, in.slip_scale);
   const std::size_t stride = points.stride;
   double *slip = points.slip + column, *inverse = points.inverse + column,
          *pressures = points.pressure + column, *row = points.row + column;
   int rows = 0;
-  sum.for_rows([&](const T& xi, const T& chord, const T& half_width, const T& load)
-                   __attribute__((always_inline)) {
-                     const auto r = sum.row(xi, half_width, load);
-                     const T* kept[kKeptOfRow] = {&r.xi, &r.half_width, &r.load, &r.h};
-                     for (const T* one : kept) {
-                       one->copy_to(row, stdx::element_aligned);
-                       row += stride;
-                     }
-                     for (int j = 0; j < in.nodes.minor; ++j) {
-                       const T u_c = sum.cross_slip(r, j);
-                       T over;
-                       ScalarMath<T>::root_and_inverse(u_c * u_c + r.fixed, over)
-                           .copy_to(slip, stdx::element_aligned);
-                       over.copy_to(inverse, stdx::element_aligned);
-                       if (pressure)
-                         sum.pressure(chord, j).copy_to(pressures, stdx::element_aligned);
-                       slip += stride;
-                       inverse += stride;
-                       pressures += stride;
-                     }
-                     ++rows;
-                   });
+  sum.for_each_row([&](const T& xi, const T& chord, const T& half_width, const T& load)
+                       __attribute__((always_inline)) {
+                         const auto r = sum.row(xi, half_width, load);
+                         const T* kept[kKeptOfRow] = {&r.xi, &r.half_width, &r.load, &r.h};
+                         for (const T* one : kept) {
+                           one->copy_to(row, stdx::element_aligned);
+                           row += stride;
+                         }
+                         for (int j = 0; j < in.nodes.minor; ++j) {
+                           const T u_c = sum.transverse_slip(r, j);
+                           T over;
+                           ScalarMath<T>::sqrt_and_inverse(u_c * u_c + r.fixed, over)
+                               .copy_to(slip, stdx::element_aligned);
+                           over.copy_to(inverse, stdx::element_aligned);
+                           if (pressure)
+                             sum.pressure(chord, j).copy_to(pressures, stdx::element_aligned);
+                           slip += stride;
+                           inverse += stride;
+                           pressures += stride;
+                         }
+                         ++rows;
+                       });
   points.rows_of[column] = rows;
 }
 
 /// Second pass.
 template <class S>
-[[gnu::always_inline]] inline tribology::EllipseSums<SimdReal> replay_points(
+[[gnu::always_inline]] inline tribology::EllipseResultants<SimdReal> replay_points(
     const RaceKernelInput& in, const tribology::EllipseContact<SimdReal, S>& ellipse,
     const UserPoints& points, std::size_t column) {
   using T = SimdReal;
-  const ReplayedLaw law;
-  tribology::EllipseSum<T, ReplayedLaw, S> sum(in.nodes, ellipse, law, in.slip_floor,
-                                               in.slip_scale);
+  const ReplayingLaw law;
+  tribology::EllipseQuadrature<T, ReplayingLaw, S> sum(
+      in.nodes, ellipse, law, in.regularization_slip_squared, in.slip_scale);
   const std::size_t stride = points.stride;
   const double *slip = points.slip + column, *inverse = points.inverse + column,
                *kappa = points.kappa + column, *row = points.row + column;
@@ -111,7 +111,7 @@ template <class S>
       const T s_behind = next(slip), s_ahead = next(slip);
       const T g_behind = ScalarMath<T>::over(next(kappa), s_behind, next(inverse));
       const T g_ahead = ScalarMath<T>::over(next(kappa), s_ahead, next(inverse));
-      sum.add_row_of_two(r, {g_ahead + g_behind, g_ahead - g_behind, s_ahead + s_behind});
+      sum.add_two_point_row(r, {g_ahead + g_behind, g_ahead - g_behind, s_ahead + s_behind});
       continue;
     }
     T g0 = 0.0, g1 = 0.0, g2 = 0.0, speed = 0.0;
@@ -129,7 +129,8 @@ template <class S>
 }
 
 /// Asks for what was collected. Contacts of fewer points than others get points without load.
-inline void ask_user(const tribology::UserLaw& law, UserPoints& points, std::size_t n, int minor) {
+inline void call_user_routine(const tribology::UserTractionLaw& law, UserPoints& points,
+                              std::size_t n, int minor) {
   constexpr std::size_t kLanes = SimdReal::size();
   int most = 0;
   for (std::size_t i = 0; i < n; i += kLanes)

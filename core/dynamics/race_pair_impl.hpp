@@ -13,7 +13,7 @@ namespace {
 template <class Visit>
 void visit_both_tails(const RaceKernelInput* in, std::size_t first, int rest, const Visit& visit) {
   const Arrays outer(in[0]), inner(in[1]);
-  Copies copies;
+  TailCopies copies;
   copies.read(outer, 2 * rest,
               [&](int i) { return first + static_cast<std::size_t>(i < rest ? i : i - rest); });
   copies.begin(outer, first, rest);
@@ -36,7 +36,7 @@ void visit_both_tails(const RaceKernelInput* in, std::size_t first, int rest, co
 /// Sums of the lanes of both tails, which continue those of the whole vectors.
 class TailTotals {
  public:
-  TailTotals(Totals* of, int rest) : of_(of), rest_(rest) {
+  TailTotals(Totals* of, int rest) : of_(of), tail_count_(rest) {
     for (V Totals::*member : kMembers) {
       double lanes[3 * kLanes];
       (of[0].*member).copy_to(lanes, stdx::element_aligned);
@@ -46,13 +46,13 @@ class TailTotals {
       all.*member = get(lanes + 2 * kLanes);
     }
   }
-  void give_back() const {
+  void write_back() const {
     for (V Totals::*member : kMembers) {
       double lanes[kLanes];
       (all.*member).copy_to(lanes, stdx::element_aligned);
-      for (int i = 0; i < rest_; ++i) {
+      for (int i = 0; i < tail_count_; ++i) {
         (of_[0].*member)[i] = lanes[i];
-        (of_[1].*member)[i] = lanes[rest_ + i];
+        (of_[1].*member)[i] = lanes[tail_count_ + i];
       }
     }
   }
@@ -65,35 +65,35 @@ class TailTotals {
       &Totals::moment_y,  &Totals::moment_z, &Totals::elastic_energy, &Totals::heat,
       &Totals::load_slip, &Totals::damping};
   Totals* of_;
-  int rest_;
+  int tail_count_;
 };
 
 template <class Law>
-void evaluate_pair_by(const RaceKernelInput* in, RaceKernelSums* sums) {
-  if constexpr (!tribology::kHasFilm<Law> && !std::is_same_v<Law, tribology::UserLaw>) {
-    const Inlined<Law> law;
+void evaluate_pair_for_law(const RaceKernelInput* in, RaceKernelSums* sums) {
+  if constexpr (!tribology::kHasFilm<Law> && !std::is_same_v<Law, tribology::UserTractionLaw>) {
+    const InlinedLaw<Law> law;
     Totals totals[2];
     std::size_t first = 0;
     for (int j = 0; j < 2; ++j)
       first = for_whole_vectors(in[j], [&](const Lanes& at) {
-        evaluate<RoundRace>(in[j], at, AlikeBalls(in[j], at), law, totals[j]);
+        evaluate<RoundRace>(in[j], at, IdenticalBalls(in[j], at), law, totals[j]);
       });
     const auto rest = static_cast<int>(in[0].n - first);
     if (rest > 0) {
       TailTotals tail(totals, rest);
       visit_both_tails(in, first, rest, [&](const Lanes& at) {
-        evaluate<RoundRace>(in[0], at, OnBothRaces(in, rest), law, tail.all);
+        evaluate<RoundRace>(in[0], at, BothRacesLanes(in, rest), law, tail.all);
       });
-      tail.give_back();
+      tail.write_back();
     }
-    for (int j = 0; j < 2; ++j) sums[j] = sums_of(totals[j]);
+    for (int j = 0; j < 2; ++j) sums[j] = reduce_totals(totals[j]);
   }
 }
 
 template <class... Laws>
 void evaluate_pair(const RaceKernelInput* in, RaceKernelSums* sums, tribology::TypeList<Laws...>) {
   std::size_t index = 0;
-  (void)((index++ == in[0].law_index && (evaluate_pair_by<Laws>(in, sums), true)) || ...);
+  (void)((index++ == in[0].law_index && (evaluate_pair_for_law<Laws>(in, sums), true)) || ...);
 }
 
 /// @param in outer and inner race: alike balls on races of revolution, one dry law

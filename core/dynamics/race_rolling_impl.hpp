@@ -9,13 +9,13 @@ namespace {
 
 template <class Race, class Balls>
 template <class Law>
-inline void Contacts<Race, Balls>::roll(const Lanes& at, const Balls& balls, const Law& law,
-                                        Totals& totals) const {
+inline void Contacts<Race, Balls>::add_rolling_resistance(const Lanes& at, const Balls& balls,
+                                                          const Law& law, Totals& totals) const {
   const auto& touch = groove_.touch();
   const tribology::EllipseMotion<V>& m = ellipse_.motion;
   const V h = ellipse_.surface.height(V(0.0));
   const V along = m.u_t - m.W_c * h, across = m.u_c + m.W_t * h;
-  tribology::ContactPoint<V> point;
+  tribology::ContactConditions<V> point;
   point.load = load_;
   // Open contacts next to closed ones have no ellipse.
   point.peak_pressure =
@@ -39,30 +39,31 @@ inline void Contacts<Race, Balls>::roll(const Lanes& at, const Balls& balls, con
   add(at.M_r, moment.y);
   add(at.M_theta, moment.z);
   // On the race about P_j: -(d × F + M), d = ξ k + R e.
-  react(force,
-        in_azimuth(place_.distance * force_t + moment_k, moment_e - place_.axial * force_t, V(0.0)),
-        totals);
+  add_race_reaction(
+      force,
+      in_azimuth(place_.distance * force_t + moment_k, moment_e - place_.axial * force_t, V(0.0)),
+      totals);
   totals.heat += force_t * m.u_t + M_c * m.W_c;
 }
 
 template <class Race, class Balls>
-RaceKernelSums roll_all(const RaceKernelInput& in) {
+RaceKernelSums sum_rolling_contacts(const RaceKernelInput& in) {
   Totals totals;
-  for_vectors<Use::Both>(in, [&](const Lanes& at) {
+  for_vectors<ArrayAccess::Both>(in, [&](const Lanes& at) {
     const Balls balls(in, at);
     Contacts<Race, Balls> contacts(in, at, balls);
     if (contacts.open()) return;
-    contacts.press(in, at, balls);
-    contacts.roll(at, balls, *in.rolling, totals);
+    contacts.compute_load(in, at, balls);
+    contacts.add_rolling_resistance(at, balls, *in.rolling, totals);
   });
-  return sums_of(totals);
+  return reduce_totals(totals);
 }
 
-inline RaceKernelSums roll_on_race(const RaceKernelInput& in) {
-  if (in.half.is_split()) return roll_all<HalfRace, DifferentBalls>(in);
-  if (in.own != nullptr) return roll_all<WavyRace, DifferentBalls>(in);
-  return in.wavy != nullptr ? roll_all<WavyRace, AlikeBalls>(in)
-                            : roll_all<RoundRace, AlikeBalls>(in);
+inline RaceKernelSums run_rolling_kernel(const RaceKernelInput& in) {
+  if (in.half.is_split()) return sum_rolling_contacts<SplitRaceHalf, DifferentBalls>(in);
+  if (in.own != nullptr) return sum_rolling_contacts<WavyRace, DifferentBalls>(in);
+  return in.wavy != nullptr ? sum_rolling_contacts<WavyRace, IdenticalBalls>(in)
+                            : sum_rolling_contacts<RoundRace, IdenticalBalls>(in);
 }
 
 }  // namespace

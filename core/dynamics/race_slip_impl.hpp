@@ -9,13 +9,13 @@ namespace adore::dynamics {
 namespace {
 
 template <class Race, class Balls>
-void slip_all(const RaceKernelInput& in) {
-  for_vectors<Use::Both>(in, [&](const Lanes& at) {
+void find_contact_slips(const RaceKernelInput& in) {
+  for_vectors<ArrayAccess::Both>(in, [&](const Lanes& at) {
     const Balls balls(in, at);
     Contacts<Race, Balls> contacts(in, at, balls);
     V slip = 0.0;
     if (!contacts.open()) {
-      contacts.press(in, at, balls);
+      contacts.compute_load(in, at, balls);
       slip = stdx::sqrt(tribology::largest_slip_square(contacts.ellipse()));
       stdx::where(!(contacts.load() > 0.0), slip) = 0.0;
     }
@@ -23,15 +23,15 @@ void slip_all(const RaceKernelInput& in) {
   });
 }
 
-inline void slip_on_race(const RaceKernelInput& in) {
+inline void run_slip_kernel(const RaceKernelInput& in) {
   if (in.half.is_split())
-    slip_all<HalfRace, DifferentBalls>(in);
+    find_contact_slips<SplitRaceHalf, DifferentBalls>(in);
   else if (in.own != nullptr)
-    slip_all<WavyRace, DifferentBalls>(in);
+    find_contact_slips<WavyRace, DifferentBalls>(in);
   else if (in.wavy != nullptr)
-    slip_all<WavyRace, AlikeBalls>(in);
+    find_contact_slips<WavyRace, IdenticalBalls>(in);
   else
-    slip_all<RoundRace, AlikeBalls>(in);
+    find_contact_slips<RoundRace, IdenticalBalls>(in);
 }
 
 }  // namespace

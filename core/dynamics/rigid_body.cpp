@@ -11,12 +11,12 @@ Vec3 euler_rate(const Mat3& inertia, const Vec3& omega, const Vec3& moment) noex
 RaceAccelerations race_accelerations(double mass, const Mat3& inertia, const Vec3& omega,
                                      const Vec3& force, const Vec3& moment,
                                      const RaceConstraints& constraints) noexcept {
-  return held_accelerations({mass, inertia}, omega, force, moment, constraints);
+  return constrained_accelerations({mass, inertia}, omega, force, moment, constraints);
 }
 
-RaceAccelerations held_accelerations(const HeldAt& body, const Vec3& omega, const Vec3& force,
-                                     const Vec3& moment,
-                                     const RaceConstraints& constraints) noexcept {
+RaceAccelerations constrained_accelerations(const ConstrainedBody& body, const Vec3& omega,
+                                            const Vec3& force, const Vec3& moment,
+                                            const RaceConstraints& constraints) noexcept {
   using Mat6 = Eigen::Matrix<double, 6, 6>;
   using Vec6 = Eigen::Matrix<double, 6, 1>;
   const Vec3& c = body.arm;

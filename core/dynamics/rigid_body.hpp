@@ -114,7 +114,7 @@ struct RaceAccelerations {
                                                    const RaceConstraints& constraints) noexcept;
 
 /// A body that is held at a point P, base axes.
-struct HeldAt {
+struct ConstrainedBody {
   double mass = 0.0;
   Mat3 inertia = Mat3::Zero();   ///< about the mass center [kg m²]
   Vec3 arm = Vec3::Zero();       ///< c, P -> mass center [m]
@@ -124,9 +124,9 @@ struct HeldAt {
 ///   m (a + α × c + ω × (ω × c)) = F,
 ///   m c × a + I_P α + ω × I_P ω = M,   I_P = I + m (c² 1 - c cᵀ);
 /// rows of prescribed components are replaced by those. `acceleration` is that of P.
-[[nodiscard]] RaceAccelerations held_accelerations(const HeldAt& body, const Vec3& omega,
-                                                   const Vec3& force, const Vec3& moment,
-                                                   const RaceConstraints& constraints) noexcept;
+[[nodiscard]] RaceAccelerations constrained_accelerations(
+    const ConstrainedBody& body, const Vec3& omega, const Vec3& force, const Vec3& moment,
+    const RaceConstraints& constraints) noexcept;
 
 /// How the cage starts (record 9.6).
 struct CageStart {

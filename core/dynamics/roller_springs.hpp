@@ -14,17 +14,19 @@ struct RollerSprings {
   double load, stiffness;
 };
 
-using RollerSpringsKernel = void (*)(const contact::RaceSlices& slices,
-                                     const statics::SliceTurns& axes, double x, double r,
+using RollerSpringsKernel = void (*)(const contact::RaceSlicesView& slices,
+                                     const statics::SliceRotations& axes, double x, double r,
                                      RollerSprings& out) noexcept;
 
-void roller_springs_baseline(const contact::RaceSlices& slices, const statics::SliceTurns& axes,
-                             double x, double r, RollerSprings& out) noexcept;
+void roller_springs_baseline(const contact::RaceSlicesView& slices,
+                             const statics::SliceRotations& axes, double x, double r,
+                             RollerSprings& out) noexcept;
 #if defined(__x86_64__)
-void roller_springs_avx2(const contact::RaceSlices& slices, const statics::SliceTurns& axes,
+void roller_springs_avx2(const contact::RaceSlicesView& slices, const statics::SliceRotations& axes,
                          double x, double r, RollerSprings& out) noexcept;
-void roller_springs_avx512(const contact::RaceSlices& slices, const statics::SliceTurns& axes,
-                           double x, double r, RollerSprings& out) noexcept;
+void roller_springs_avx512(const contact::RaceSlicesView& slices,
+                           const statics::SliceRotations& axes, double x, double r,
+                           RollerSprings& out) noexcept;
 #endif
 
 }  // namespace adore::dynamics

@@ -4,7 +4,7 @@
 
 namespace adore::dynamics {
 
-void roller_springs_avx2(const contact::RaceSlices& slices, const statics::SliceTurns& axes,
+void roller_springs_avx2(const contact::RaceSlicesView& slices, const statics::SliceRotations& axes,
                          double x, double r, RollerSprings& out) noexcept {
   sum_springs(slices, axes, x, r, out);
 }

@@ -2,8 +2,9 @@
 
 namespace adore::dynamics {
 
-void roller_springs_baseline(const contact::RaceSlices& slices, const statics::SliceTurns& axes,
-                             double x, double r, RollerSprings& out) noexcept {
+void roller_springs_baseline(const contact::RaceSlicesView& slices,
+                             const statics::SliceRotations& axes, double x, double r,
+                             RollerSprings& out) noexcept {
   sum_springs(slices, axes, x, r, out);
 }
 

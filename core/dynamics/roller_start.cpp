@@ -4,7 +4,8 @@
 
 namespace adore::dynamics {
 
-std::vector<ElementPose> start_poses(const RollerScene& scene, const bearing::Bearing& bearing) {
+std::vector<ElementPose> start_poses(const RollerStaticResult& scene,
+                                     const bearing::Bearing& bearing) {
   std::vector<ElementPose> out;
   const statics::RollerSolution& solution = scene.solution;
   const double offset = bearing.roller_mass_offset;
@@ -29,7 +30,8 @@ std::vector<ElementPose> start_poses(const RollerScene& scene, const bearing::Be
   return out;
 }
 
-statics::StaticSolution static_start(const RollerScene& scene, const bearing::Bearing& bearing) {
+statics::StaticSolution static_start(const RollerStaticResult& scene,
+                                     const bearing::Bearing& bearing) {
   statics::StaticSolution out;
   static_cast<statics::RaceResult&>(out) = scene.solution;
   const std::vector<ElementPose> poses = start_poses(scene, bearing);

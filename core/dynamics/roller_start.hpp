@@ -13,7 +13,7 @@
 namespace adore::dynamics {
 
 /// A roller bearing's equilibrium, and the options that it was found with.
-struct RollerScene {
+struct RollerStaticResult {
   statics::RollerOptions options;
   statics::RollerSolution solution;
 };
@@ -21,11 +21,11 @@ struct RollerScene {
 /// Mass center, speeds and attitude of every roller: C from StaticRoller, G = C + s_G a; ω = ω_m
 /// e_x
 /// + ω_s a; body x along a, body z outwards.
-[[nodiscard]] std::vector<ElementPose> start_poses(const RollerScene& scene,
+[[nodiscard]] std::vector<ElementPose> start_poses(const RollerStaticResult& scene,
                                                    const bearing::Bearing& bearing);
 
 /// The same as a scene's static solution, which knows places, speeds and loads of elements only.
-[[nodiscard]] statics::StaticSolution static_start(const RollerScene& scene,
+[[nodiscard]] statics::StaticSolution static_start(const RollerStaticResult& scene,
                                                    const bearing::Bearing& bearing);
 
 }  // namespace adore::dynamics

@@ -29,7 +29,7 @@ BallVibration ball_vibration(const statics::StaticBall& ball, const contact::Gro
   const auto add = [&](const statics::StaticBall& at, std::size_t j) {
     if (!(at.Q[j] > 0.0) || !(at.delta[j] > 0.0)) return;
     const double nx = std::sin(at.alpha[j]), nr = std::cos(at.alpha[j]);
-    const contact::PointStiffness s = contact::point_stiffness(
+    const contact::PointContactStiffness s = contact::point_contact_stiffness(
         at.share[j] * at.K[j], at.delta[j], at.Q[j], groove.offset[j] + at.delta[j], 0.0);
     normal[j] += s.normal;
     xx += s.normal * nx * nx + s.across * nr * nr;
@@ -42,7 +42,7 @@ BallVibration ball_vibration(const statics::StaticBall& ball, const contact::Gro
   };
   for (std::size_t j = 0; j < 2; ++j) {
     add(ball, j);
-    if (ball.second[j].Q > 0.0) add(statics::on_other_halves(ball), j);
+    if (ball.second[j].Q > 0.0) add(statics::ball_at_second_contacts(ball), j);
   }
   const double mean = 0.5 * (xx + rr), half = std::hypot(0.5 * (xx - rr), xr);
   result.along = std::sqrt((mean + half) / mass);
@@ -121,14 +121,14 @@ std::vector<BallVibration> ball_vibrations(const ScenePlan& plan, const bearing:
   const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls());
   for (std::size_t i = 0; i < statics.balls.size(); ++i) {
     const double growth = 2.0 * bearing::element_radius(bearing, i) - bearing.element_diameter();
-    out.push_back(ball_vibration(statics.balls[i], contact::groove_of_ball(groove, growth),
+    out.push_back(ball_vibration(statics.balls[i], contact::groove_with_ball_growth(groove, growth),
                                  bearing::inertia_of(bearing, i).mass, laws));
   }
   return out;
 }
 
-void find_fastest(ScenePlan& plan, const bearing::Bearing& bearing,
-                  const statics::StaticSolution& statics) {
+void find_fastest_vibration(ScenePlan& plan, const bearing::Bearing& bearing,
+                            const statics::StaticSolution& statics) {
   BallVibration fastest;
   std::size_t element = 0;
   const std::vector<BallVibration> vibrations = ball_vibrations(plan, bearing, {}, statics);
@@ -145,7 +145,7 @@ void find_fastest(ScenePlan& plan, const bearing::Bearing& bearing,
 
 void estimate(ScenePlan& plan, const bearing::Bearing& bearing,
               const statics::StaticSolution& statics, System& system) {
-  find_fastest(plan, bearing, statics);
+  find_fastest_vibration(plan, bearing, statics);
   plan.quadratures = system.layout().size() - system.layout().controlled_size();
   constexpr double kTurn = 2.0 * std::numbers::pi;
   if (!(plan.fastest_frequency > 0.0)) {

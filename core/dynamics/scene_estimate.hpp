@@ -35,8 +35,8 @@ struct BallVibration {
 
 /// fastest_frequency and fastest_contact of the plan alone; both stay empty when no contact is
 /// loaded.
-void find_fastest(ScenePlan& plan, const bearing::Bearing& bearing,
-                  const statics::StaticSolution& statics);
+void find_fastest_vibration(ScenePlan& plan, const bearing::Bearing& bearing,
+                            const statics::StaticSolution& statics);
 
 /// Fills the estimates of `plan` and its number of quadratures:
 /// fastest_frequency: the largest of ball_vibrations() [Hz]; fastest_contact names the stiffer

@@ -4,7 +4,7 @@
 
 namespace adore::dynamics {
 
-void race_slip_avx2(const RaceKernelInput& in) noexcept { slip_on_race(in); }
+void race_slip_avx2(const RaceKernelInput& in) noexcept { run_slip_kernel(in); }
 
 }  // namespace adore::dynamics
 #endif

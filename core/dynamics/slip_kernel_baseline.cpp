@@ -2,6 +2,6 @@
 
 namespace adore::dynamics {
 
-void race_slip_baseline(const RaceKernelInput& in) noexcept { slip_on_race(in); }
+void race_slip_baseline(const RaceKernelInput& in) noexcept { run_slip_kernel(in); }
 
 }  // namespace adore::dynamics

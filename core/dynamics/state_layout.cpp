@@ -17,8 +17,8 @@ Slice StateLayout::add(std::string name, std::string_view unit, int count, doubl
 }
 
 void StateLayout::begin_quadratures() {
-  demand(controlled_ < 0, "quadratures were begun twice");
-  controlled_ = size_;
+  demand(controlled_count_ < 0, "quadratures were begun twice");
+  controlled_count_ = size_;
 }
 
 std::string StateLayout::component_name(int index) const {

@@ -26,7 +26,7 @@ class StateLayout {
   void begin_quadratures();
   [[nodiscard]] int size() const noexcept { return size_; }
   [[nodiscard]] int controlled_size() const noexcept {
-    return controlled_ < 0 ? size_ : controlled_;
+    return controlled_count_ < 0 ? size_ : controlled_count_;
   }
   [[nodiscard]] std::string component_name(int index) const;
   [[nodiscard]] std::span<const double> scales() const noexcept { return scales_; }
@@ -38,7 +38,7 @@ class StateLayout {
   [[nodiscard]] const std::vector<Group>& groups() const noexcept { return groups_; }
 
  private:
-  int size_ = 0, controlled_ = -1;
+  int size_ = 0, controlled_count_ = -1;
   std::vector<Group> groups_;
   std::vector<double> scales_;
 };

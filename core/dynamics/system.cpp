@@ -41,7 +41,7 @@ RhsStatus System::Impl::status(bool valid) const noexcept {
   return user != nullptr && user->failed() ? RhsStatus::Fail : RhsStatus::Retry;
 }
 
-bool System::Impl::evaluate_measured(double t, const double* y, double* dydt) noexcept {
+bool System::Impl::evaluate_timed(double t, const double* y, double* dydt) noexcept {
   parts.cost.begin_sample();
   begin(t, y, dydt);
   for (const Assembly::Block& b : parts.blocks) {
@@ -56,8 +56,8 @@ bool System::Impl::evaluate_measured(double t, const double* y, double* dydt) no
 }
 
 /// The effect of a block on the elements is the difference of the forces on them.
-bool System::Impl::evaluate_with_shares(double t, const double* y, double* dydt,
-                                        double* shares) noexcept {
+bool System::Impl::evaluate_with_contributions(double t, const double* y, double* dydt,
+                                               double* shares) noexcept {
   const auto border = static_cast<std::size_t>(border_count);
   const std::size_t elements = e.sin_theta.size();
   std::fill_n(shares, border * elements, 0.0);
@@ -76,7 +76,8 @@ bool System::Impl::evaluate_with_shares(double t, const double* y, double* dydt,
       const Vec3 force = e.to_base(i, change(0), change(1), change(2));
       const Vec3 moment = e.to_base(i, change(3), change(4), change(5));
       const auto k = static_cast<std::size_t>(partner[i]);
-      parts.border[k].body->add_share(e, i, force, moment, shares + i * border + border_rank[k]);
+      parts.border[k].body->add_rate_contribution(e, i, force, moment,
+                                                  shares + i * border + border_rank[k]);
     }
   }
   for (const Integral& integral : integrals) dydt[integral.index] = *integral.rate;
@@ -109,7 +110,7 @@ bool System::Impl::is_valid(double t, std::span<const double> y) noexcept {
   return evaluate_blocks(t, y.data(), rates.data());
 }
 
-std::string System::Impl::what_is_invalid(const double* y) const {
+std::string System::Impl::invalid_state_reason(const double* y) const {
   for (int i = 0; i < parts.layout.controlled_size(); ++i)
     if (!std::isfinite(y[i]))
       return fmt::format(
@@ -119,19 +120,18 @@ std::string System::Impl::what_is_invalid(const double* y) const {
   if (user != nullptr && user->failed()) return "a user routine failed";
   for (const auto& effect : parts.effects)
     if (std::string why = effect->why_invalid(e); !why.empty()) return why;
-  return "an acceleration is not finite. If this happens at the start, reduce the values of the "
-         "deck that are far too large. If it happens later, use a smaller tolerance (tol) or "
-         "largest step (stpMax)";
+  return "an acceleration is not finite. At the start: correct values of the deck that are far too "
+         "large. Later: reduce the tolerance (tol) or the maximum step (stpMax)";
 }
 
 void System::Impl::throw_invalid(double t, const double* y) const {
-  throw SolverError(fmt::format("at t = {:.9g} s {}", t, what_is_invalid(y)));
+  throw SolverError(fmt::format("at t = {:.9g} s {}", t, invalid_state_reason(y)));
 }
 
 System::System(const bearing::Bearing& bearing, const ScenePlan& plan,
                const statics::StaticSolution& statics, const std::array<double, 2>& fixed_angle,
                const SystemOptions& options, const std::vector<EffectMaker>& more_effects,
-               std::shared_ptr<const RollerScene> rollers)
+               std::shared_ptr<const RollerStaticResult> rollers)
     : impl_(std::make_unique<Impl>(bearing, plan, statics, fixed_angle, options, more_effects,
                                    std::move(rollers))) {}
 System::~System() = default;
@@ -142,10 +142,10 @@ const Scales& System::scales() const noexcept { return impl_->scales; }
 std::span<const double> System::contact_loads(std::size_t race) const noexcept {
   return impl_->e.load[race];
 }
-std::span<const double> System::second_loads(std::size_t race) const noexcept {
+std::span<const double> System::other_half_loads(std::size_t race) const noexcept {
   for (const auto& effect : impl_->parts.effects)
     if (const auto* races = dynamic_cast<const Races*>(effect.get()))
-      return races->second_loads(race);
+      return races->other_half_loads(race);
   return {};
 }
 void System::look(scene::Look& out) const {
@@ -186,13 +186,13 @@ std::vector<double> System::initial_state() const {
 RhsStatus System::rhs(double t, const double* y, double* dydt) noexcept {
   Impl& s = *impl_;
   const bool valid =
-      s.parts.cost.sample() ? s.evaluate_measured(t, y, dydt) : s.evaluate_blocks(t, y, dydt);
+      s.parts.cost.sample() ? s.evaluate_timed(t, y, dydt) : s.evaluate_blocks(t, y, dydt);
   return s.status(valid);
 }
 
-RhsStatus System::rhs_with_shares(double t, const double* y, double* dydt,
-                                  double* shares) noexcept {
-  return impl_->status(impl_->evaluate_with_shares(t, y, dydt, shares));
+RhsStatus System::rhs_with_contributions(double t, const double* y, double* dydt,
+                                         double* shares) noexcept {
+  return impl_->status(impl_->evaluate_with_contributions(t, y, dydt, shares));
 }
 
 bool System::has_stiff_part() const noexcept { return impl_->stiff != nullptr; }
@@ -238,7 +238,7 @@ constexpr double kUnitLength = 1e-10;
 bool System::project(double, double* y) const noexcept {
   bool changed = false;
   for (const Slice& slice : impl_->parts.quaternions) {
-    const Quat unit = normalise(quaternion_at(y, slice));
+    const Quat unit = normalize_quaternion(quaternion_at(y, slice));
     for (std::size_t k = 0; k < 4; ++k) {
       double& q = y[slice.first + static_cast<int>(k)];
       changed = changed || std::abs(q - unit[k]) > kUnitLength;
@@ -278,10 +278,10 @@ Snapshot System::snapshot(double t, std::span<const double> y) {
   return snapshot;
 }
 
-std::string System::stated() const {
+std::string System::approximation_note() const {
   std::string out;
   for (const auto& effect : impl_->parts.effects) {
-    const std::string one = effect->stated();
+    const std::string one = effect->approximation_note();
     if (!one.empty()) out += (out.empty() ? "" : "; ") + one;
   }
   return out;

@@ -16,9 +16,9 @@
 /// The equations of motion of one bearing, assembled from the effects of its scene plan.
 namespace adore::dynamics {
 
-class SceneEffect;   // effect.hpp
-struct RaceLoad;     // race_load.hpp
-struct RollerScene;  // roller_start.hpp
+class SceneEffect;          // effect.hpp
+struct RaceLoad;            // race_load.hpp
+struct RollerStaticResult;  // roller_start.hpp
 /// Makes an effect that the catalogue does not have; null: not in this scene.
 using EffectMaker = std::function<std::unique_ptr<SceneEffect>(const ScenePlan&)>;
 
@@ -31,7 +31,7 @@ class System {
   System(const bearing::Bearing& bearing, const ScenePlan& plan,
          const statics::StaticSolution& statics, const std::array<double, 2>& fixed_angle,
          const SystemOptions& options, const std::vector<EffectMaker>& more_effects = {},
-         std::shared_ptr<const RollerScene> rollers = nullptr);
+         std::shared_ptr<const RollerStaticResult> rollers = nullptr);
   ~System();
   System(System&&) noexcept;
 
@@ -52,7 +52,7 @@ class System {
   /// scales and ledgers continue, and the jumps of stored energy and momentum are booked in y
   /// (effect "thermal steps").
   /// @throws SolverError when the state is not valid in this geometry
-  void take_over(System& before, double t, std::span<double> y);
+  void continue_from(System& before, double t, std::span<double> y);
 
   /// y' = f(t, y). No allocation, no throw. Retry: a ball left its pocket radially or the like in a
   /// trial step.
@@ -72,7 +72,8 @@ class System {
   [[nodiscard]] bool neighbours_meet() const noexcept;
   /// rhs, and what each element adds to each rate of the border (coupling -1): shares[element *
   /// border components + component], in the order of the components.
-  RhsStatus rhs_with_shares(double t, const double* y, double* dydt, double* shares) noexcept;
+  RhsStatus rhs_with_contributions(double t, const double* y, double* dydt,
+                                   double* shares) noexcept;
   /// Changes of the model (which elements stand in force balance, qFac) happen here and nowhere
   /// else, so that between two calls rhs stays a pure function of (t, y). Call after a finished
   /// step, and once at the start of a new run; true when y changed: the stepper must restart. Jumps
@@ -86,22 +87,22 @@ class System {
   void check_state(double t, const double* y) const;
 
   /// Energy by which a single step can be judged, of the evaluation that was made last.
-  struct EnergyAccount {
+  struct EnergyBalance {
     double balance = 0.0;  ///< stored less what came in: exact motion keeps it [J]
     double elastic = 0.0;  ///< of all contacts [J]
     double size = 0.0;     ///< Σ of the sizes of all items: what rounding goes by [J]
   };
-  [[nodiscard]] EnergyAccount energy_account() noexcept;
+  [[nodiscard]] EnergyBalance energy_balance() noexcept;
   [[nodiscard]] Snapshot snapshot(double t, std::span<const double> y);
   /// Turn of the inner race less that of the outer one, about their axes [rad].
   [[nodiscard]] double shaft_rotation(double t, std::span<const double> y) noexcept;
   [[nodiscard]] scene::QuadratureError quadrature_error(double t, std::span<const double> y);
   /// Replacement of integrals that are too expensive, with its error; empty: none.
-  [[nodiscard]] std::string stated() const;
+  [[nodiscard]] std::string approximation_note() const;
   /// Normal loads of all elements at a race, of the evaluation that was made last [N].
   [[nodiscard]] std::span<const double> contact_loads(std::size_t race) const noexcept;
   /// The same with the other half of a split race; empty: not split.
-  [[nodiscard]] std::span<const double> second_loads(std::size_t race) const noexcept;
+  [[nodiscard]] std::span<const double> other_half_loads(std::size_t race) const noexcept;
   /// Forces and heats of the evaluation that was made last (scene/look.hpp).
   void look(scene::Look& out) const;
   /// Rolling speed at which the film breaks down in contacts that slide and are about to stop

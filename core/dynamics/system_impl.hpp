@@ -9,11 +9,11 @@
 /// Private parts of System, shared by its source files: layout, blocks and loop.
 namespace adore::dynamics {
 
-struct System::Impl final : BetweenSteps {
+struct System::Impl final : BetweenStepsAccess {
   Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
        const statics::StaticSolution& statics, const std::array<double, 2>& fixed_angle,
        const SystemOptions& options, const std::vector<EffectMaker>& more_effects,
-       std::shared_ptr<const RollerScene> rollers);
+       std::shared_ptr<const RollerStaticResult> rollers);
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
@@ -33,8 +33,8 @@ struct System::Impl final : BetweenSteps {
   };
 
   const bearing::Bearing bearing;
-  const std::shared_ptr<scene::UserLaws> user;      ///< null: none
-  std::shared_ptr<const RollerScene> roller_scene;  ///< of roller bearings
+  const std::shared_ptr<scene::UserLaws> user;             ///< null: none
+  std::shared_ptr<const RollerStaticResult> roller_scene;  ///< of roller bearings
   Assembly parts;
   Scales scales;
   std::vector<Integral> integrals;
@@ -50,14 +50,14 @@ struct System::Impl final : BetweenSteps {
   ElementActions before;
   Evaluation e;
   std::vector<double> rates;  ///< dydt of evaluations for reports
-  /// State that was evaluated and nothing since, as check_state() and energy_account() leave it: a
+  /// State that was evaluated and nothing since, as check_state() and energy_balance() leave it: a
   /// check or report of it need not again.
   std::vector<double> checked;
   double checked_time = 0.0;
   bool is_checked = false;
   double stored_at_start = 0.0;  ///< [J], less the flow until then
   Momenta momenta_at_start;      ///< less the flow until then
-  EnergyLedger account;          ///< memory of energy_account()
+  EnergyLedger account;          ///< memory of energy_balance()
 
   /// Keeps the state evaluated last, which is valid, and its rates. A stepper that knows the rates
   /// of the end of its step has them of the state before quaternions were set to unit length
@@ -66,11 +66,12 @@ struct System::Impl final : BetweenSteps {
   [[nodiscard]] bool knows(double t, std::span<const double> y) const noexcept;
   /// All blocks in order; false when the state is outside the model's validity.
   bool evaluate_blocks(double t, const double* y, double* dydt) noexcept;
-  bool evaluate_measured(double t, const double* y, double* dydt) noexcept;
-  bool evaluate_with_shares(double t, const double* y, double* dydt, double* shares) noexcept;
+  bool evaluate_timed(double t, const double* y, double* dydt) noexcept;
+  bool evaluate_with_contributions(double t, const double* y, double* dydt,
+                                   double* shares) noexcept;
   [[noreturn]] void throw_invalid(double t, const double* y) const;
   /// Clause with the reason why the last evaluated state is not valid.
-  [[nodiscard]] std::string what_is_invalid(const double* y) const;
+  [[nodiscard]] std::string invalid_state_reason(const double* y) const;
   /// Of the state evaluated last.
   [[nodiscard]] EnergyLedger energy_ledger() const;
   [[nodiscard]] MomentumLedger momentum_ledger() const;

@@ -51,7 +51,7 @@ MomentumLedger System::Impl::momentum_ledger() const {
   return out;
 }
 
-System::EnergyAccount System::energy_account() noexcept {
+System::EnergyBalance System::energy_balance() noexcept {
   Impl& s = *impl_;
   s.remember();  // the end of a step, which is checked and reported next
   EnergyLedger& stored = s.account;
@@ -59,7 +59,7 @@ System::EnergyAccount System::energy_account() noexcept {
   stored.add(terms::kKinetic, 0.0);
   stored.add(terms::kElastic, s.e.elastic);
   for (const auto& effect : s.parts.effects) effect->store(s.e, stored);
-  EnergyAccount out;
+  EnergyBalance out;
   out.elastic = s.e.elastic;
   const auto count = [&](double amount, double sign) {
     out.balance += sign * amount;
@@ -96,7 +96,7 @@ void System::set_start(double t, std::span<const double> y) {
   s.momenta_at_start.angular = momenta.angular.sum(LedgerKind::Stored) - momenta.angular.flow();
 }
 
-void System::take_over(System& before, double t, std::span<double> y) {
+void System::continue_from(System& before, double t, std::span<double> y) {
   Impl &s = *impl_, &old = *before.impl_;
   demand(s.parts.layout.size() == old.parts.layout.size(),
          "a change of geometry changed the layout of the state");

@@ -28,7 +28,7 @@ double force_scale(const bearing::Bearing& bearing, const statics::StaticSolutio
 System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
                    const statics::StaticSolution& statics, const std::array<double, 2>& fixed_angle,
                    const SystemOptions& options, const std::vector<EffectMaker>& more_effects,
-                   std::shared_ptr<const RollerScene> rollers)
+                   std::shared_ptr<const RollerStaticResult> rollers)
     : bearing(bearing_),
       user(options.user),
       roller_scene(std::move(rollers)),
@@ -37,7 +37,7 @@ System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
   const auto take = [&](std::unique_ptr<SceneEffect> effect) {
     if (effect != nullptr) parts.effects.push_back(std::move(effect));
   };
-  for (const CatalogueLine& line : effect_catalogue()) take(line.make(plan));
+  for (const EffectCatalogEntry& line : effect_catalogue()) take(line.make(plan));
   for (const EffectMaker& make : more_effects) take(make(plan));
   for (const auto& effect : parts.effects) effect->declare(scene);
   std::stable_sort(
@@ -78,7 +78,7 @@ void System::Impl::set_up_border() {
     border_rank.push_back(static_cast<std::size_t>(
         std::count(owner.begin(), owner.begin() + one.rows.first, kBorder)));
   }
-  demand(of_bodies == border_count, "the border has states that belong to no body");
+  demand(of_bodies == border_count, "the border of the Jacobian has states without a body");
   const std::size_t elements = e.sin_theta.size();
   for (const Assembly::Block& block : parts.blocks) {
     std::vector<int> partner(elements, -1);

@@ -42,7 +42,7 @@ class UserScratch {
   UserPoints view_{};
 };
 
-/// The memory of statics::UserSlices.
+/// The memory of statics::UserLawSlices.
 class SliceScratch {
  public:
   /// @param slices the most that one roller has
@@ -53,15 +53,15 @@ class SliceScratch {
     for (double*& values : view_.contact) take(values);
     for (double*& values : view_.kept) take(values);
     for (double** values : {&view_.slip, &view_.inverse, &view_.kappa}) take(*values);
-    vectors_.assign(rollers, 0);
-    view_.vectors_of = vectors_.data();
+    vector_counts_.assign(rollers, 0);
+    view_.vectors_of = vector_counts_.data();
   }
-  [[nodiscard]] const statics::UserSlices* view() const noexcept { return &view_; }
+  [[nodiscard]] const statics::UserLawSlices* view() const noexcept { return &view_; }
 
  private:
   std::vector<std::vector<double>> memory_;
-  std::vector<int> vectors_;
-  statics::UserSlices view_{};
+  std::vector<int> vector_counts_;
+  statics::UserLawSlices view_{};
 };
 
 }  // namespace adore::dynamics

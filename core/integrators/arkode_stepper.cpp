@@ -18,7 +18,7 @@ class ArkodeStepper final : public SundialsStepper {
  public:
   ArkodeStepper(std::string name, ArkodeMethod method)
       : SundialsStepper(std::move(name), order_of(method)), method_(method) {}
-  [[nodiscard]] bool holds_constant_step() const noexcept override { return true; }
+  [[nodiscard]] bool can_hold_constant_step() const noexcept override { return true; }
   [[nodiscard]] std::string_view loses() const noexcept override {
     return "the error history of its step size control";
   }
@@ -33,7 +33,7 @@ class ArkodeStepper final : public SundialsStepper {
       case ArkodeMethod::ImplicitExplicit:
         break;
     }
-    return rest_rhs;
+    return nonstiff_rhs;
   }
   [[nodiscard]] ARKRhsFn implicit_part() const {
     switch (method_) {
@@ -68,7 +68,7 @@ class ArkodeStepper final : public SundialsStepper {
 
   void create() override {
     if (method_ == ArkodeMethod::ImplicitExplicit && !system_->has_stiff_part()) {
-      refuse(
+      throw_setup_failure(
           "an implicit-explicit method needs the stiff part of the right-hand side separately, but "
           "this system does not provide it",
           "Choose arkode-dirk (all implicit), arkode-erk (all explicit) or another integrator.");
@@ -76,7 +76,7 @@ class ArkodeStepper final : public SundialsStepper {
     memory_.reset(
         ARKStepCreate(explicit_part(), implicit_part(), t_, vector_.get(), context_.get()));
     void* m = memory_.get();
-    if (!m) refuse("ARKODE could not be set up", "Choose another integrator.");
+    if (!m) throw_setup_failure("ARKODE could not be set up", "Choose another integrator.");
     check(ARKStepSetErrHandlerFn(m, keep_message, this), "ARKStepSetErrHandlerFn");
     check(ARKStepSetUserData(m, this), "ARKStepSetUserData");
     check(ARKStepWFtolerances(m, error_weights), "ARKStepWFtolerances");
@@ -88,14 +88,14 @@ class ArkodeStepper final : public SundialsStepper {
             "ARKStepSetLinearSolver");
       check(ARKStepSetJacFn(m, jacobian), "ARKStepSetJacFn");
       // A constant step cannot be cut when Newton's iteration is slow.
-      check(ARKStepSetMaxNonlinIters(m, constant_step() ? 20 : kMostIterations),
+      check(ARKStepSetMaxNonlinIters(m, has_constant_step() ? 20 : kMostIterations),
             "ARKStepSetMaxNonlinIters");
     }
     check(ARKStepSetPostprocessStepFn(m, project_vector), "ARKStepSetPostprocessStepFn");
-    if (!constant_step()) {
+    if (!has_constant_step()) {
       check(ARKStepSetMinStep(m, control_.minimum), "ARKStepSetMinStep");
       check(ARKStepSetMaxStep(m, control_.maximum), "ARKStepSetMaxStep");
-      check(ARKStepSetInitStep(m, first_), "ARKStepSetInitStep");
+      check(ARKStepSetInitStep(m, initial_step_), "ARKStepSetInitStep");
     }
     check(ARKStepSetMaxErrTestFails(m, 20), "ARKStepSetMaxErrTestFails");
     check(ARKStepSetMaxHnilWarns(m, -1), "ARKStepSetMaxHnilWarns");
@@ -107,8 +107,8 @@ class ArkodeStepper final : public SundialsStepper {
     check(ARKStepSetInitStep(memory_.get(), h), "ARKStepSetInitStep");
   }
 
-  Advance advance(double t_stop) override {
-    if (constant_step()) {
+  AdvanceResult advance(double t_stop) override {
+    if (has_constant_step()) {
       const bool last = reaches(t_, control_.maximum, t_stop);
       ARKStepSetFixedStep(memory_.get(), last ? t_stop - t_ : control_.maximum);
     }
@@ -117,18 +117,18 @@ class ArkodeStepper final : public SundialsStepper {
     switch (status) {
       case ARK_SUCCESS:
       case ARK_TSTOP_RETURN:
-        return Advance::Done;
+        return AdvanceResult::Done;
       case ARK_ERR_FAILURE:
-        return Advance::ErrorTooLarge;
+        return AdvanceResult::ErrorTooLarge;
       case ARK_CONV_FAILURE:
-        return Advance::NotConverged;
+        return AdvanceResult::NotConverged;
       case ARK_RHSFUNC_FAIL:
       case ARK_FIRST_RHSFUNC_ERR:
       case ARK_REPTD_RHSFUNC_ERR:
       case ARK_UNREC_RHSFUNC_ERR:
-        return Advance::Refused;
+        return AdvanceResult::Refused;
       default:
-        return Advance::Failed;
+        return AdvanceResult::Failed;
     }
   }
 
@@ -139,14 +139,14 @@ class ArkodeStepper final : public SundialsStepper {
   }
 
   bool local_error(N_Vector error) override {
-    return !constant_step() && ARKStepGetEstLocalErrors(memory_.get(), error) == 0;
+    return !has_constant_step() && ARKStepGetEstLocalErrors(memory_.get(), error) == 0;
   }
 
-  void iterate_to(double share) override {
+  void set_newton_tolerance(double share) override {
     if (method_ != ArkodeMethod::Explicit) ARKStepSetNonlinConvCoef(memory_.get(), share);
   }
 
-  [[nodiscard]] bool projects() const override { return true; }
+  [[nodiscard]] bool has_own_projection() const override { return true; }
 
   [[nodiscard]] Statistics statistics() const override {
     long error_fails = 0;

@@ -14,7 +14,7 @@ ArrowJacobian::ArrowJacobian(OdeSystem& system, RhsPart part)
       f_(static_cast<std::size_t>(system.size())) {
   const auto shares = static_cast<std::size_t>(shape_->blocks()) * shape_->border();
   shares_.resize(shares);
-  shares_at_point_.resize(shares);
+  unperturbed_shares_.resize(shares);
   const auto together = static_cast<std::size_t>(std::max(1, shape_->blocks()));
   kept_.resize(together);
   moved_.resize(together);
@@ -25,7 +25,7 @@ Outcome ArrowJacobian::evaluate(double t, const double* y, bool with_shares) {
   ++evaluations_;
   EvalStatus status = EvalStatus::Ok;
   if (with_shares) {
-    status = system_->rhs_with_shares(part_, t, y, f_.data(), shares_.data());
+    status = system_->rhs_with_contributions(part_, t, y, f_.data(), shares_.data());
   } else {
     status = part_ == RhsPart::Whole ? system_->rhs(t, y, f_.data())
                                      : system_->rhs_stiff(t, y, f_.data());
@@ -63,9 +63,9 @@ Outcome ArrowJacobian::operator()(double t, double* y, const double* f0, ArrowMa
   const bool shared = !shares_.empty();
   if (shared) {
     if (const Outcome at_point = evaluate(t, y, true); at_point != Outcome::Ok) return at_point;
-    shares_at_point_ = shares_;
+    unperturbed_shares_ = shares_;
   }
-  for (int rank = 0; rank < shape_->largest_block(); ++rank)
+  for (int rank = 0; rank < shape_->largest_block_size(); ++rank)
     for (const std::vector<int>& together : shape_->apart()) {
       columns_.clear();
       for (const int b : together) {
@@ -78,12 +78,13 @@ Outcome ArrowJacobian::operator()(double t, double* y, const double* f0, ArrowMa
       for (std::size_t k = 0; k < columns_.size(); ++k) {
         const int column = columns_[k];
         const int block = shape_->place(column).block;
-        for (const int met : shape_->met_by(block))
+        for (const int met : shape_->dependent_blocks(block))
           for (const int row : shape_->rows(met))
             J.at(row, column) = (f_[row] - f0[row]) / moved_[k];
         const std::size_t first = static_cast<std::size_t>(block) * m;
         for (std::size_t i = 0; shared && i < m; ++i) {
-          J.at(border[i], column) = (shares_[first + i] - shares_at_point_[first + i]) / moved_[k];
+          J.at(border[i], column) =
+              (shares_[first + i] - unperturbed_shares_[first + i]) / moved_[k];
         }
       }
     }

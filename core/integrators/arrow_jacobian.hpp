@@ -11,7 +11,7 @@ namespace adore::integrators {
 /// at the point itself where there are blocks and a border, however many blocks there are. In a
 /// ring those of every third or fourth block are: three or four times the largest block. What a
 /// block does to the border would be mixed in this; it comes from the shares of
-/// OdeSystem::rhs_with_shares.
+/// OdeSystem::rhs_with_contributions.
 class ArrowJacobian {
  public:
   ArrowJacobian() = default;
@@ -35,7 +35,7 @@ class ArrowJacobian {
   OdeSystem* system_ = nullptr;
   RhsPart part_ = RhsPart::Whole;
   std::shared_ptr<const ArrowShape> shape_;
-  std::vector<double> f_, shares_, shares_at_point_;
+  std::vector<double> f_, shares_, unperturbed_shares_;
   std::vector<double> kept_, moved_;
   std::vector<int> columns_;
   long evaluations_ = 0;

@@ -83,7 +83,8 @@ ArrowShape::ArrowShape(std::span<const int> block_of, int size, bool ring) {
     place_.push_back({block, static_cast<int>(group.size())});
     group.push_back(row);
   }
-  for (const auto& rows : rows_) largest_ = std::max(largest_, static_cast<int>(rows.size()));
+  for (const auto& rows : rows_)
+    largest_block_size_ = std::max(largest_block_size_, static_cast<int>(rows.size()));
   set_up_ring(ring);
 }
 
@@ -125,7 +126,7 @@ ArrowMatrix::ArrowMatrix(std::shared_ptr<const ArrowShape> shape) : shape_(std::
   D_ = end;
   values_.assign(end + m * m, 0.0);
   pivots_.emplace_back(m);
-  block_x_.resize(static_cast<std::size_t>(shape_->largest_block()));
+  block_x_.resize(static_cast<std::size_t>(shape_->largest_block_size()));
   last_x_.resize(block_x_.size());
   corner_x_.resize(m);
 }
@@ -146,7 +147,7 @@ double& ArrowMatrix::at(int row, int column) {
   const auto [row_block, i] = shape_->place(row);
   const auto [column_block, j] = shape_->place(column);
   if (row_block != kBorder && column_block != kBorder) {
-    const auto met = shape_->met_by(column_block);
+    const auto met = shape_->dependent_blocks(column_block);
     if (std::find(met.begin(), met.end(), row_block) == met.end()) {
       throw std::out_of_range("an arrow matrix has no element between block " +
                               std::to_string(row_block) + " and block " +

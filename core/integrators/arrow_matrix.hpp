@@ -34,7 +34,7 @@ class ArrowShape {
   [[nodiscard]] int size() const noexcept { return static_cast<int>(place_.size()); }
   [[nodiscard]] int blocks() const noexcept { return static_cast<int>(rows_.size()); }
   [[nodiscard]] int border() const noexcept { return static_cast<int>(border_.size()); }
-  [[nodiscard]] int largest_block() const noexcept { return largest_; }
+  [[nodiscard]] int largest_block_size() const noexcept { return largest_block_size_; }
   [[nodiscard]] Place place(int row) const noexcept {
     return place_[static_cast<std::size_t>(row)];
   }
@@ -44,7 +44,7 @@ class ArrowShape {
   [[nodiscard]] std::span<const int> border_rows() const noexcept { return border_; }
 
   /// Blocks whose rows depend on a component of `block`, itself first.
-  [[nodiscard]] std::span<const int> met_by(int block) const noexcept {
+  [[nodiscard]] std::span<const int> dependent_blocks(int block) const noexcept {
     return met_[static_cast<std::size_t>(block)];
   }
   /// Sets of blocks such that no two of a set meet a common block: their components can be
@@ -69,7 +69,7 @@ class ArrowShape {
   std::vector<Place> place_;
   std::vector<std::vector<int>> rows_;
   std::vector<int> border_;
-  int largest_ = 0;
+  int largest_block_size_ = 0;
   bool cut_ = false;
   std::vector<int> corner_, corner_rank_;
   std::vector<std::vector<int>> met_, apart_;

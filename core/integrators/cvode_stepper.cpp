@@ -21,7 +21,7 @@ class CvodeStepper final : public SundialsStepper {
   CvodeStepper(std::string name, CvodeMethod method)
       : SundialsStepper(std::move(name), method == CvodeMethod::Adams ? kAdamsOrder : kBdfOrder),
         method_(method) {}
-  [[nodiscard]] bool holds_constant_step() const noexcept override { return false; }
+  [[nodiscard]] bool can_hold_constant_step() const noexcept override { return false; }
   [[nodiscard]] std::string_view loses() const noexcept override {
     return "its order and its past steps, so it starts again at order 1";
   }
@@ -31,9 +31,9 @@ class CvodeStepper final : public SundialsStepper {
     const bool bdf = method_ == CvodeMethod::Bdf;
     memory_.reset(CVodeCreate(bdf ? CV_BDF : CV_ADAMS, context_.get()));
     void* m = memory_.get();
-    if (!m) refuse("CVODE could not be set up", "Choose another integrator.");
+    if (!m) throw_setup_failure("CVODE could not be set up", "Choose another integrator.");
     check(CVodeSetErrHandlerFn(m, keep_message, this), "CVodeSetErrHandlerFn");
-    check(CVodeInit(m, bdf ? seen_rhs : full_rhs, t_, vector_.get()), "CVodeInit");
+    check(CVodeInit(m, bdf ? cached_rhs : full_rhs, t_, vector_.get()), "CVodeInit");
     check(CVodeSetUserData(m, this), "CVodeSetUserData");
     check(CVodeWFtolerances(m, error_weights), "CVodeWFtolerances");
     if (bdf) {
@@ -54,7 +54,7 @@ class CvodeStepper final : public SundialsStepper {
       check(CVodeSetMaxOrd(m, std::min(control_.highest_order, order())), "CVodeSetMaxOrd");
     check(CVodeSetMinStep(m, control_.minimum), "CVodeSetMinStep");
     check(CVodeSetMaxStep(m, control_.maximum), "CVodeSetMaxStep");
-    check(CVodeSetInitStep(m, first_), "CVodeSetInitStep");
+    check(CVodeSetInitStep(m, initial_step_), "CVodeSetInitStep");
     check(CVodeSetMaxErrTestFails(m, 20), "CVodeSetMaxErrTestFails");
     check(CVodeSetMaxHnilWarns(m, -1), "CVodeSetMaxHnilWarns");
   }
@@ -64,24 +64,24 @@ class CvodeStepper final : public SundialsStepper {
     check(CVodeSetInitStep(memory_.get(), h), "CVodeSetInitStep");
   }
 
-  Advance advance(double t_stop) override {
+  AdvanceResult advance(double t_stop) override {
     CVodeSetStopTime(memory_.get(), t_stop);
     const int status = CVode(memory_.get(), t_stop, vector_.get(), &t_, CV_ONE_STEP);
     switch (status) {
       case CV_SUCCESS:
       case CV_TSTOP_RETURN:
-        return Advance::Done;
+        return AdvanceResult::Done;
       case CV_ERR_FAILURE:
-        return Advance::ErrorTooLarge;
+        return AdvanceResult::ErrorTooLarge;
       case CV_CONV_FAILURE:
-        return Advance::NotConverged;
+        return AdvanceResult::NotConverged;
       case CV_RHSFUNC_FAIL:
       case CV_FIRST_RHSFUNC_ERR:
       case CV_REPTD_RHSFUNC_ERR:
       case CV_UNREC_RHSFUNC_ERR:
-        return Advance::Refused;
+        return AdvanceResult::Refused;
       default:
-        return Advance::Failed;
+        return AdvanceResult::Failed;
     }
   }
 
@@ -95,7 +95,7 @@ class CvodeStepper final : public SundialsStepper {
     return CVodeGetEstLocalErrors(memory_.get(), error) == 0;
   }
 
-  void iterate_to(double share) override {
+  void set_newton_tolerance(double share) override {
     if (method_ == CvodeMethod::Bdf) CVodeSetNonlinConvCoef(memory_.get(), share);
   }
 

@@ -10,7 +10,7 @@ EmbeddedRungeKutta::EmbeddedRungeKutta(std::string name, const Tableau& tableau)
 
 void EmbeddedRungeKutta::prepare() {
   stages_.resize(tableau_, width());
-  error_before_ = 1.0;
+  previous_error_ = 1.0;
 }
 
 ExplicitStepper::Trial EmbeddedRungeKutta::attempt(double h, double t_new) {
@@ -20,10 +20,10 @@ ExplicitStepper::Trial EmbeddedRungeKutta::attempt(double h, double t_new) {
   return {Outcome::Ok, weighted_maximum(error_.data(), weights_.data(), width())};
 }
 
-void EmbeddedRungeKutta::save(Memory& memory) const { memory["error before"] = error_before_; }
+void EmbeddedRungeKutta::save(Memory& memory) const { memory["error before"] = previous_error_; }
 
 void EmbeddedRungeKutta::restore(const Memory& memory) {
-  error_before_ = memory.at("error before");
+  previous_error_ = memory.at("error before");
 }
 
 const double* EmbeddedRungeKutta::end_derivative() const { return stages_.end_derivative(); }
@@ -31,10 +31,10 @@ const double* EmbeddedRungeKutta::end_derivative() const { return stages_.end_de
 // h' = 0.9 h e^(-0.7/q) e_before^(0.4/q), q: power of the estimate: [gustafsson1991]; damps the
 // saw-tooth of contact vibration.
 double EmbeddedRungeKutta::growth(double error) {
-  const double q = tableau_.power_of_error();
+  const double q = tableau_.error_order();
   const double e = std::max(error, 1e-8);
-  const double factor = 0.9 * std::pow(e, -0.7 / q) * std::pow(error_before_, 0.4 / q);
-  error_before_ = std::min(e, 1.0);
+  const double factor = 0.9 * std::pow(e, -0.7 / q) * std::pow(previous_error_, 0.4 / q);
+  previous_error_ = std::min(e, 1.0);
   return std::clamp(factor, 0.2, 5.0);
 }
 

@@ -23,7 +23,7 @@ class EmbeddedRungeKutta final : public ExplicitStepper {
 
   const Tableau& tableau_;
   Stages stages_;
-  double error_before_ = 1.0;
+  double previous_error_ = 1.0;
 };
 
 }  // namespace adore::integrators

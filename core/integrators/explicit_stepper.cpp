@@ -29,12 +29,12 @@ void ExplicitStepper::attach(OdeSystem& system, double t0, std::span<const doubl
   width_ = padded(size_);
   t_ = t0;
   t_rounding_ = 0.0;
-  patience_ = 0;
+  failed_reduction_count_ = 0;
   for (auto* v : {&y_, &f_, &y_new_, &f_new_, &error_, &weights_}) v->assign(width_, 0.0);
   std::copy(y0.begin(), y0.end(), y_.begin());
   error_weights(system, control.tolerance, weights_);
   if (!all_finite(y_.data(), size_)) {
-    evaluate_.blame(worst_index(y_.data(), weights_.data(), size_));
+    evaluate_.set_invalid_component(worst_index(y_.data(), weights_.data(), size_));
     give_up(Outcome::NotFinite, 0.0);
   }
 }
@@ -55,7 +55,7 @@ Memory ExplicitStepper::memory() const {
   Memory out{{"next step", h_next_},
              {"time lost by rounding", t_rounding_},
              {"kept", kept_},
-             {"steps watched in vain", patience_}};
+             {"steps watched in vain", failed_reduction_count_}};
   // Not computed anew: a method whose last stage is the derivative rounds it in its own way.
   for (int i = 0; i < size_; ++i) out["rate[" + std::to_string(i) + "]"] = f_[i];
   save(out);
@@ -82,7 +82,8 @@ void ExplicitStepper::resume(OdeSystem& system, double t0, std::span<const doubl
   const auto kept = memory.find("kept"), patience = memory.find("steps watched in vain");
   kept_ = kept != memory.end() ? kept->second : system.kept().value;
   if (patience != memory.end())
-    patience_ = static_cast<int>(std::clamp(patience->second, -1.0 * kUnwatched, 1.0 * kStubborn));
+    failed_reduction_count_ =
+        static_cast<int>(std::clamp(patience->second, -1.0 * kUnwatched, 1.0 * kStubborn));
   prepare();
   restore(memory);
 }
@@ -91,7 +92,7 @@ ExplicitStepper::Trial ExplicitStepper::try_step(double h, double t_new, bool ac
   Trial trial = attempt(h, t_new);
   if (trial.outcome != Outcome::Ok) return trial;
   if (!all_finite(y_new_.data(), size_)) {
-    evaluate_.blame(worst_index(y_new_.data(), weights_.data(), size_));
+    evaluate_.set_invalid_component(worst_index(y_new_.data(), weights_.data(), size_));
     return {Outcome::NotFinite, 0.0};
   }
   if (trial.error > 1.0 && !accept_any_error) return trial;
@@ -126,7 +127,7 @@ StepInfo ExplicitStepper::step(double t_stop) {
     const bool last = reaches(t_, planned, t_stop);
     double h = last ? left : planned;
     // Two equal steps to the stop time rather than a long one and a sliver.
-    if (!last && !constant_step() && 2.0 * planned > left && 0.5 * left >= control_.minimum) {
+    if (!last && !has_constant_step() && 2.0 * planned > left && 0.5 * left >= control_.minimum) {
       h = 0.5 * left;
     }
     const double lossless = h - t_rounding_;
@@ -136,7 +137,8 @@ StepInfo ExplicitStepper::step(double t_stop) {
     const Trial trial = try_step(h, t_new, smallest);
     const bool good = trial.outcome == Outcome::Ok;
     bool leaks = false;
-    if (good && trial.error <= 1.0 && trial.lost > 1.0 && !smallest && patience_ >= 0) {
+    if (good && trial.error <= 1.0 && trial.lost > 1.0 && !smallest &&
+        failed_reduction_count_ >= 0) {
       const double shorter = h_before > 0.0 ? h / h_before : 1.0;
       if (h_before > 0.0)
         stubborn += trial.lost > lost_before * shorter * std::sqrt(shorter);
@@ -157,11 +159,12 @@ StepInfo ExplicitStepper::step(double t_stop) {
       counters_.at_minimum += at_minimum;
       const double factor = growth(trial.error);
       accepted(h);
-      const bool holds = failures > 0 || (trial.lost > kNearlyTooMuch && patience_ >= 0);
+      const bool holds =
+          failures > 0 || (trial.lost > kNearlyTooMuch && failed_reduction_count_ >= 0);
       double next = h * (holds ? std::min(factor, 1.0) : factor);
       if (h < planned) next = std::max(next, planned);  // only the stop time made it short
       if (stubborn == kStubborn) next = std::max(next, h_leaking);
-      be_patient(stubborn == kStubborn);
+      count_failed_reduction(stubborn == kStubborn);
       h_next_ = std::clamp(next, control_.minimum, control_.maximum);
       return {t_, h, h_next_, trial.error, at_minimum};
     }
@@ -182,17 +185,17 @@ StepInfo ExplicitStepper::step(double t_stop) {
   }
 }
 
-void ExplicitStepper::be_patient(bool in_vain) noexcept {
-  if (patience_ < 0)
-    ++patience_;
+void ExplicitStepper::count_failed_reduction(bool in_vain) noexcept {
+  if (failed_reduction_count_ < 0)
+    ++failed_reduction_count_;
   else
-    patience_ = in_vain ? patience_ + 1 : 0;
-  if (patience_ == kStubborn) patience_ = -kUnwatched;
+    failed_reduction_count_ = in_vain ? failed_reduction_count_ + 1 : 0;
+  if (failed_reduction_count_ == kStubborn) failed_reduction_count_ = -kUnwatched;
 }
 
 void ExplicitStepper::give_up(Outcome outcome, double h) const {
   int component = -1;
-  if (outcome == Outcome::NotFinite) component = evaluate_.culprit();
+  if (outcome == Outcome::NotFinite) component = evaluate_.invalid_component();
   if (outcome == Outcome::Ok) component = worst_index(error_.data(), weights_.data(), size_);
   throw_failure(evaluate_.system(),
                 {name_, cause_of(outcome), remedy_of(outcome), t_, h, component});

@@ -24,7 +24,7 @@ class ExplicitStepper : public Stepper {
 
   [[nodiscard]] std::string_view name() const noexcept final { return name_; }
   [[nodiscard]] int order() const noexcept final { return order_; }
-  [[nodiscard]] bool holds_constant_step() const noexcept final { return true; }
+  [[nodiscard]] bool can_hold_constant_step() const noexcept final { return true; }
   void start(OdeSystem& system, double t0, std::span<const double> y0,
              const StepControl& control) final;
   [[nodiscard]] Memory memory() const final;
@@ -62,7 +62,9 @@ class ExplicitStepper : public Stepper {
   /// Factor to the next step after an accepted trial of this error.
   [[nodiscard]] virtual double growth(double error) = 0;
 
-  [[nodiscard]] bool constant_step() const noexcept { return control_.minimum == control_.maximum; }
+  [[nodiscard]] bool has_constant_step() const noexcept {
+    return control_.minimum == control_.maximum;
+  }
   [[nodiscard]] int width() const noexcept { return width_; }
 
   Evaluator evaluate_;
@@ -81,7 +83,7 @@ class ExplicitStepper : public Stepper {
   /// Loss of a step from kept_ to the last evaluated state of the system.
   [[nodiscard]] double lost(double& kept) noexcept;
   /// Counts steps that were shortened without success.
-  void be_patient(bool in_vain) noexcept;
+  void count_failed_reduction(bool in_vain) noexcept;
 
   std::string name_;
   int order_ = 0;
@@ -91,7 +93,8 @@ class ExplicitStepper : public Stepper {
   double h_next_ = 0.0;
   double kept_ = 0.0;      ///< OdeSystem::kept() at (t_, y_)
   double kept_new_ = 0.0;  ///< at the end of the trial
-  int patience_ = 0;  ///< steps in a row checked without success; below 0: steps left unchecked
+  int failed_reduction_count_ =
+      0;  ///< steps in a row checked without success; below 0: steps left unchecked
 };
 
 }  // namespace adore::integrators

@@ -66,7 +66,7 @@ void PredictorCorrector::prepare() {
   const int n = width();
   memory_.assign(static_cast<std::size_t>(n) * order(), 0.0);
   for (int j = 0; j < order(); ++j) history_[j] = memory_.data() + static_cast<std::size_t>(j) * n;
-  for (auto* v : {&predicted_, &extrapolated_, &y_sub_, &f_sub_}) v->assign(n, 0.0);
+  for (auto* v : {&predicted_, &extrapolated_derivative_, &y_sub_, &f_sub_}) v->assign(n, 0.0);
   stages_.resize(fehlberg(4), n);
   forget_past();
 }
@@ -78,7 +78,7 @@ void PredictorCorrector::forget_past() {
 }
 
 ExplicitStepper::Trial PredictorCorrector::attempt(double h, double /*t_new*/) {
-  return starting() ? attempt_start(h) : attempt_adams(h);
+  return is_starting() ? attempt_start(h) : attempt_adams(h);
 }
 
 ExplicitStepper::Trial PredictorCorrector::attempt_adams(double h) {
@@ -86,13 +86,13 @@ ExplicitStepper::Trial PredictorCorrector::attempt_adams(double h) {
   const AdamsWeights w = adams_weights(times_.data(), k, h);
   const double* const* past = history_.data();
   combine(predicted_.data(), y_.data(), h, w.predict.data(), past, k, width());
-  combine(extrapolated_.data(), nullptr, 1.0, w.extrapolate.data(), past, k, width());
+  combine(extrapolated_derivative_.data(), nullptr, 1.0, w.extrapolate.data(), past, k, width());
   const Outcome outcome = evaluate_(t_ + h, predicted_.data(), f_new_.data());
   if (outcome != Outcome::Ok) return {outcome, 0.0};
   const double correct = h * w.correct;
   const double estimate = h * (w.correct - w.correct_higher);
   for (int i = 0; i < width(); ++i) {
-    const double surprise = f_new_[i] - extrapolated_[i];
+    const double surprise = f_new_[i] - extrapolated_derivative_[i];
     y_new_[i] = predicted_[i] + correct * surprise;
     error_[i] = estimate * surprise;
   }
@@ -119,7 +119,7 @@ Outcome PredictorCorrector::substeps(double h, int count, double& error) {
 }
 
 ExplicitStepper::Trial PredictorCorrector::attempt_start(double h) {
-  const int most = constant_step() ? 4096 : 64;
+  const int most = has_constant_step() ? 4096 : 64;
   double before = 0.0;
   for (int count = 1;; count *= 2) {
     double error = 0.0;
@@ -175,7 +175,7 @@ void PredictorCorrector::rejected(int in_a_row) {
 }
 
 double PredictorCorrector::growth(double error) {
-  if (starting()) return 1.0;  // an even grid to begin with
+  if (is_starting()) return 1.0;  // an even grid to begin with
   const double factor = 0.9 * std::pow(std::max(error, 1e-8), -1.0 / (order() + 1));
   return std::clamp(factor, 0.3, 2.0);
 }

@@ -47,7 +47,7 @@ class PredictorCorrector final : public ExplicitStepper {
   void rejected(int in_a_row) override;
   [[nodiscard]] double growth(double error) override;
 
-  [[nodiscard]] bool starting() const noexcept { return known_ < order(); }
+  [[nodiscard]] bool is_starting() const noexcept { return known_ < order(); }
   Trial attempt_start(double h);
   Trial attempt_adams(double h);
   Outcome substeps(double h, int count, double& error);
@@ -57,7 +57,7 @@ class PredictorCorrector final : public ExplicitStepper {
   std::array<double, kMaxAdamsOrder> times_{};
   std::array<double*, kMaxAdamsOrder> history_{};
   std::vector<double> memory_;
-  std::vector<double> predicted_, extrapolated_;
+  std::vector<double> predicted_, extrapolated_derivative_;
   Stages stages_;
   std::vector<double> y_sub_, f_sub_;
 };

@@ -32,7 +32,7 @@ void Evaluator::attach(OdeSystem& system, Counters& counters) noexcept {
   system_ = &system;
   counters_ = &counters;
   size_ = system.size();
-  culprit_ = -1;
+  invalid_component_ = -1;
 }
 
 Outcome Evaluator::operator()(double t, const double* y, double* dydt) noexcept {
@@ -41,7 +41,7 @@ Outcome Evaluator::operator()(double t, const double* y, double* dydt) noexcept 
   if (status == EvalStatus::Retry) return Outcome::Retry;
   if (status == EvalStatus::Fail) return Outcome::Fail;
   if (all_finite(dydt, size_)) return Outcome::Ok;
-  for (culprit_ = 0; std::isfinite(dydt[culprit_]);) ++culprit_;
+  for (invalid_component_ = 0; std::isfinite(dydt[invalid_component_]);) ++invalid_component_;
   return Outcome::NotFinite;
 }
 

@@ -38,14 +38,14 @@ class Evaluator {
   [[nodiscard]] Outcome operator()(double t, const double* y, double* dydt) noexcept;
   [[nodiscard]] OdeSystem& system() const noexcept { return *system_; }
   /// First component that was not finite in the last NotFinite outcome.
-  [[nodiscard]] int culprit() const noexcept { return culprit_; }
-  void blame(int component) noexcept { culprit_ = component; }
+  [[nodiscard]] int invalid_component() const noexcept { return invalid_component_; }
+  void set_invalid_component(int component) noexcept { invalid_component_ = component; }
 
  private:
   OdeSystem* system_ = nullptr;
   Counters* counters_ = nullptr;
   int size_ = 0;
-  int culprit_ = -1;
+  int invalid_component_ = -1;
 };
 
 /// @throws std::invalid_argument when control, scales or sizes make no sense.

@@ -23,8 +23,8 @@ constexpr int kFirstSundials = 15;
 
 }  // namespace
 
-EvalStatus OdeSystem::rhs_with_shares(RhsPart part, double t, const double* y, double* dydt,
-                                      double* shares) noexcept {
+EvalStatus OdeSystem::rhs_with_contributions(RhsPart part, double t, const double* y, double* dydt,
+                                             double* shares) noexcept {
   const auto numbers = blocks();
   const auto border = std::count(numbers.begin(), numbers.end(), -1);
   const int last = numbers.empty() ? -1 : *std::max_element(numbers.begin(), numbers.end());

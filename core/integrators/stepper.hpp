@@ -60,8 +60,8 @@ class OdeSystem {
   /// Also in a ring the share of a block depends only on that block and the border.
   /// Called only if there are blocks and a border; in this default the border's rates do
   /// not depend on blocks at all.
-  virtual EvalStatus rhs_with_shares(RhsPart part, double t, const double* y, double* dydt,
-                                     double* shares) noexcept;
+  virtual EvalStatus rhs_with_contributions(RhsPart part, double t, const double* y, double* dydt,
+                                            double* shares) noexcept;
   /// Called on every accepted state (normalises quaternions). True when that changes its rates.
   virtual bool project(double t, double* y) noexcept {
     (void)t, (void)y;
@@ -126,7 +126,7 @@ class Stepper {
   [[nodiscard]] virtual int order() const noexcept = 0;
   /// Can this method keep h fixed (minimum = maximum)? If not, a deck with a constant step is
   /// rejected with the method's name.
-  [[nodiscard]] virtual bool holds_constant_step() const noexcept = 0;
+  [[nodiscard]] virtual bool can_hold_constant_step() const noexcept = 0;
   /// Takes the system and the start state. `system` must outlive the stepper. May be called again
   /// (restart).
   /// @throws StepFailure when the right-hand side fails at the start, or the method cannot do what

@@ -87,7 +87,7 @@ void SundialsStepper::make_newton_tools(RhsPart part) {
   matrix_.reset(new_matrix(jacobian_.shape(), context_.get()));
   SUNLinearSolver solver = SUNLinSolNewEmpty(context_.get());
   if (!matrix_ || !solver)
-    refuse("there is not enough memory for the Jacobian", "Use an explicit method.");
+    throw_setup_failure("there is not enough memory for the Jacobian", "Use an explicit method.");
   solver->content = this;
   solver->ops->gettype = solver_type;
   solver->ops->getid = solver_id;
@@ -115,14 +115,14 @@ int SundialsStepper::jacobian(double t, N_Vector y, N_Vector f, SUNMatrix J, voi
 Outcome SundialsStepper::correct_quadratures(double* x, double gamma) {
   const auto controlled = static_cast<std::size_t>(system_->controlled_size());
   if (!newton_moves_quadratures() || controlled == state_.size()) return Outcome::Ok;
-  for (std::size_t i = 0; i < controlled; ++i) scratch_y_[i] = seen_y_[i] + x[i];
-  const Outcome outcome = evaluate_(seen_t_, scratch_y_.data(), scratch_f_.data());
+  for (std::size_t i = 0; i < controlled; ++i) scratch_y_[i] = cached_state_[i] + x[i];
+  const Outcome outcome = evaluate_(cached_time_, scratch_y_.data(), scratch_f_.data());
   if (outcome != Outcome::Ok) {
     static_cast<void>(report(outcome));
     return outcome;
   }
   for (std::size_t i = controlled; i < state_.size(); ++i) {
-    x[i] += gamma * (scratch_f_[i] - seen_f_[i]);
+    x[i] += gamma * (scratch_f_[i] - cached_rhs_[i]);
   }
   return Outcome::Ok;
 }

@@ -33,47 +33,50 @@ void SundialsStepper::start(OdeSystem& system, double t0, std::span<const double
   system_ = &system;
   control_ = control;
   counters_ = {};
-  before_restart_ = {};
+  statistics_before_restart_ = {};
   evaluate_.attach(system, counters_);
   t_ = t0;
-  relax_ = 1.0;
-  trouble_ = Outcome::Ok;
+  tolerance_factor_ = 1.0;
+  last_rhs_failure_ = Outcome::Ok;
   message_.clear();
-  if (constant_step() && !holds_constant_step()) {
-    refuse(
+  if (has_constant_step() && !can_hold_constant_step()) {
+    throw_setup_failure(
         "this method cannot use a constant step",
         "Give a minimum step below the maximum step, or choose rkf1-rkf7, pece1-pece8 or arkode.");
   }
   const std::size_t n = system.size();
   state_.assign(y0.begin(), y0.end());
-  for (auto* v : {&derivative_, &scratch_y_, &scratch_f_, &seen_y_, &seen_f_, &weights_}) {
+  for (auto* v :
+       {&derivative_, &scratch_y_, &scratch_f_, &cached_state_, &cached_rhs_, &weights_}) {
     v->assign(n, 0.0);
   }
-  seen_ = false;
+  has_cached_rhs_ = false;
   integrators::error_weights(system, control.tolerance, weights_);
   if (!all_finite(state_.data(), static_cast<int>(n))) {
-    evaluate_.blame(worst_index(state_.data(), weights_.data(), static_cast<int>(n)));
-    trouble_ = Outcome::NotFinite;
-    give_up(Advance::Refused, 0.0);
+    evaluate_.set_invalid_component(
+        worst_index(state_.data(), weights_.data(), static_cast<int>(n)));
+    last_rhs_failure_ = Outcome::NotFinite;
+    give_up(AdvanceResult::Refused, 0.0);
   }
   system.project(t_, state_.data());
-  trouble_ = evaluate_(t_, state_.data(), derivative_.data());
-  if (trouble_ != Outcome::Ok) give_up(Advance::Refused, 0.0);
-  derivative_known_ = true;
+  last_rhs_failure_ = evaluate_(t_, state_.data(), derivative_.data());
+  if (last_rhs_failure_ != Outcome::Ok) give_up(AdvanceResult::Refused, 0.0);
+  derivative_is_current_ = true;
 
   if (!context_) {
     SUNContext context = nullptr;
-    if (SUNContext_Create(nullptr, &context) != 0) refuse("SUNDIALS could not be set up", "");
+    if (SUNContext_Create(nullptr, &context) != 0)
+      throw_setup_failure("SUNDIALS could not be set up", "");
     context_.reset(context);
   }
   vector_.reset(N_VNew_Serial(static_cast<sunindextype>(n), context_.get()));
   vector_->ops->nvwrmsnorm = maximum_norm;
   error_.reset(N_VClone(vector_.get()));
   std::copy(state_.begin(), state_.end(), N_VGetArrayPointer(vector_.get()));
-  first_ = estimate_first_step();
+  initial_step_ = estimate_first_step();
   create();
-  expected_ = 0.0;
-  follow_error(0.0);
+  expected_error_ = 0.0;
+  update_newton_tolerance(0.0);
 }
 
 double SundialsStepper::estimate_first_step() {
@@ -82,8 +85,8 @@ double SundialsStepper::estimate_first_step() {
 }
 
 Memory SundialsStepper::memory() const {
-  return {{"next step", std::clamp(counters_.steps == 0 ? first_ : next_step(), control_.minimum,
-                                   control_.maximum)}};
+  return {{"next step", std::clamp(counters_.steps == 0 ? initial_step_ : next_step(),
+                                   control_.minimum, control_.maximum)}};
 }
 
 void SundialsStepper::resume(OdeSystem& system, double t0, std::span<const double> y0,
@@ -106,30 +109,30 @@ StepInfo SundialsStepper::step(double t_stop) {
   advance_or_throw(stop, at_minimum);
   ++counters_.steps;
   counters_.at_minimum += at_minimum;
-  derivative_known_ = false;
+  derivative_is_current_ = false;
 
   const double* y = N_VGetArrayPointer(vector_.get());
   const int n = system_->size();
   if (!all_finite(y, n)) {
-    evaluate_.blame(worst_index(y, weights_.data(), n));
-    trouble_ = Outcome::NotFinite;
-    give_up(Advance::Refused, t_ - before);
+    evaluate_.set_invalid_component(worst_index(y, weights_.data(), n));
+    last_rhs_failure_ = Outcome::NotFinite;
+    give_up(AdvanceResult::Refused, t_ - before);
   }
   StepInfo info{t_, t_ - before, 0.0, 0.0, at_minimum};
   if (local_error(error_.get())) {
     info.error = weighted_maximum(N_VGetArrayPointer(error_.get()), weights_.data(), n);
   }
-  follow_error(info.error);
+  update_newton_tolerance(info.error);
   gather_statistics();
   std::copy(y, y + n, state_.begin());
   if (at_minimum) {  // the widened tolerance ends with this step
-    relax_ = 1.0;
+    tolerance_factor_ = 1.0;
     if (system_->project(t_, state_.data())) {
       std::copy(state_.begin(), state_.end(), N_VGetArrayPointer(vector_.get()));
     }
     begin_afresh(control_.minimum);
   } else {
-    follow_projection();
+    project_accepted_state();
   }
   info.h_next = std::clamp(next_step(), control_.minimum, control_.maximum);
   return info;
@@ -141,31 +144,32 @@ StepInfo SundialsStepper::step(double t_stop) {
 void SundialsStepper::advance_or_throw(double t_stop, bool& at_minimum) {
   const double before = t_;
   const double resolution = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t_);
-  double h = std::min(counters_.steps == 0 ? first_ : next_step(), t_stop - t_);
+  double h = std::min(counters_.steps == 0 ? initial_step_ : next_step(), t_stop - t_);
   for (int attempt = 0;; ++attempt) {
-    trouble_ = Outcome::Ok;
-    const Advance result = advance(t_stop);
-    if (result == Advance::Done) {
+    last_rhs_failure_ = Outcome::Ok;
+    const AdvanceResult result = advance(t_stop);
+    if (result == AdvanceResult::Done) {
       if (t_ - before > resolution || t_ == t_stop) return;
-      give_up(Advance::Refused, t_ - before);
+      give_up(AdvanceResult::Refused, t_ - before);
     }
     t_ = before;
     gather_statistics();
-    const bool refused = trouble_ == Outcome::Retry || trouble_ == Outcome::NotFinite;
-    if (constant_step()) {
+    const bool refused =
+        last_rhs_failure_ == Outcome::Retry || last_rhs_failure_ == Outcome::NotFinite;
+    if (has_constant_step()) {
       give_up(result, h);
-    } else if (result == Advance::Refused && refused) {
+    } else if (result == AdvanceResult::Refused && refused) {
       if (h <= control_.minimum || 0.25 * h <= resolution) give_up(result, h);
       h = std::max(0.25 * h, control_.minimum);
-    } else if ((result == Advance::ErrorTooLarge || result == Advance::NotConverged) &&
-               control_.minimum > 0.0 && relax_ < kWidest) {
+    } else if ((result == AdvanceResult::ErrorTooLarge || result == AdvanceResult::NotConverged) &&
+               control_.minimum > 0.0 && tolerance_factor_ < kWidest) {
       // First with the tolerance as it is: the package may have given up at a longer step.
-      if (attempt > 0) relax_ *= 10.0;
+      if (attempt > 0) tolerance_factor_ *= 10.0;
       h = std::min(control_.minimum, t_stop - t_);
     } else {
       give_up(result, h);
     }
-    at_minimum = relax_ > 1.0;
+    at_minimum = tolerance_factor_ > 1.0;
     std::copy(state_.begin(), state_.end(), N_VGetArrayPointer(vector_.get()));
     begin_afresh(h);
   }
@@ -173,16 +177,16 @@ void SundialsStepper::advance_or_throw(double t_stop, bool& at_minimum) {
 
 void SundialsStepper::begin_afresh(double h) {
   const Statistics now = statistics();
-  before_restart_.rejected += now.rejected;
-  before_restart_.nonlinear_iterations += now.nonlinear_iterations;
+  statistics_before_restart_.rejected += now.rejected;
+  statistics_before_restart_.nonlinear_iterations += now.nonlinear_iterations;
   ++counters_.restarts;
   restart(h);
 }
 
 // The package continues with its state and returns the projected one, until they differ by a
 // few tolerances.
-void SundialsStepper::follow_projection() {
-  if (projects() || !system_->project(t_, state_.data())) return;
+void SundialsStepper::project_accepted_state() {
+  if (has_own_projection() || !system_->project(t_, state_.data())) return;
   double* y = N_VGetArrayPointer(vector_.get());
   double drift = 0.0;
   for (std::size_t i = 0; i < state_.size(); ++i) {
@@ -191,7 +195,7 @@ void SundialsStepper::follow_projection() {
   if (drift <= kDriftLimit) return;
   std::copy(state_.begin(), state_.end(), y);
   static_cast<void>(derivative());
-  if (!derivative_known_)
+  if (!derivative_is_current_)
     return;  // the model rejects the projected point: keep the package's state
   begin_afresh(std::min(estimate_first_step(), next_step()));
 }
@@ -199,57 +203,63 @@ void SundialsStepper::follow_projection() {
 // The remaining error of Newton's iteration is not reliably seen by an estimate: it is kept below a
 // tenth of the estimate of the steps so far, above rounding. A step without an estimate (ARKODE at
 // a constant step) counts as one without an error.
-void SundialsStepper::follow_error(double error) {
-  expected_ = std::max(error, kForget * expected_);
+void SundialsStepper::update_newton_tolerance(double error) {
+  expected_error_ = std::max(error, kForget * expected_error_);
   const double least = std::max(kLeastShare, kRounding / control_.tolerance);
-  iterate_to(std::clamp(kNewtonShare * expected_, std::min(least, kNewtonShare), kNewtonShare));
+  set_newton_tolerance(
+      std::clamp(kNewtonShare * expected_error_, std::min(least, kNewtonShare), kNewtonShare));
 }
 
 void SundialsStepper::gather_statistics() {
   const Statistics now = statistics();
-  counters_.rejected = before_restart_.rejected + now.rejected;
-  counters_.nonlinear_iterations = before_restart_.nonlinear_iterations + now.nonlinear_iterations;
+  counters_.rejected = statistics_before_restart_.rejected + now.rejected;
+  counters_.nonlinear_iterations =
+      statistics_before_restart_.nonlinear_iterations + now.nonlinear_iterations;
 }
 
 std::span<const double> SundialsStepper::derivative() const noexcept {
-  if (!derivative_known_ && evaluate_(t_, state_.data(), derivative_.data()) == Outcome::Ok) {
-    derivative_known_ = true;
+  if (!derivative_is_current_ && evaluate_(t_, state_.data(), derivative_.data()) == Outcome::Ok) {
+    derivative_is_current_ = true;
   }
   return derivative_;
 }
 
 int SundialsStepper::report(Outcome outcome) noexcept {
   if (outcome == Outcome::Ok) return 0;
-  trouble_ = outcome;
+  last_rhs_failure_ = outcome;
   return outcome == Outcome::Fail ? -1 : 1;
 }
 
 int SundialsStepper::full_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept {
   auto& me = stepper(self);
-  if (me.trouble_ == Outcome::Fail) return -1;  // CVODE's fixed-point iteration would try again
+  if (me.last_rhs_failure_ == Outcome::Fail)
+    return -1;  // CVODE's fixed-point iteration would try again
   return me.report(me.evaluate_(t, N_VGetArrayPointer(y), N_VGetArrayPointer(dydt)));
 }
 
-int SundialsStepper::see(double t, const double* y) noexcept {
-  if (seen_ && seen_t_ == t && std::equal(seen_y_.begin(), seen_y_.end(), y)) return 0;
-  seen_ = false;
-  if (trouble_ == Outcome::Fail) return -1;
-  std::copy_n(y, seen_y_.size(), seen_y_.begin());
-  const int status = report(evaluate_(t, y, seen_f_.data()));
-  seen_t_ = t;
-  seen_ = status == 0;
+int SundialsStepper::update_cached_rhs(double t, const double* y) noexcept {
+  if (has_cached_rhs_ && cached_time_ == t &&
+      std::equal(cached_state_.begin(), cached_state_.end(), y))
+    return 0;
+  has_cached_rhs_ = false;
+  if (last_rhs_failure_ == Outcome::Fail) return -1;
+  std::copy_n(y, cached_state_.size(), cached_state_.begin());
+  const int status = report(evaluate_(t, y, cached_rhs_.data()));
+  cached_time_ = t;
+  has_cached_rhs_ = status == 0;
   return status;
 }
 
-int SundialsStepper::seen_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept {
+int SundialsStepper::cached_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept {
   auto& me = stepper(self);
-  const int status = me.see(t, N_VGetArrayPointer(y));
-  if (status == 0) std::copy(me.seen_f_.begin(), me.seen_f_.end(), N_VGetArrayPointer(dydt));
+  const int status = me.update_cached_rhs(t, N_VGetArrayPointer(y));
+  if (status == 0)
+    std::copy(me.cached_rhs_.begin(), me.cached_rhs_.end(), N_VGetArrayPointer(dydt));
   return status;
 }
 
 int SundialsStepper::controlled_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept {
-  const int status = seen_rhs(t, y, dydt, self);
+  const int status = cached_rhs(t, y, dydt, self);
   double* out = N_VGetArrayPointer(dydt);
   const OdeSystem& system = *stepper(self).system_;
   std::fill(out + system.controlled_size(), out + system.size(), 0.0);
@@ -257,7 +267,7 @@ int SundialsStepper::controlled_rhs(double t, N_Vector y, N_Vector dydt, void* s
 }
 
 int SundialsStepper::quadrature_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept {
-  const int status = seen_rhs(t, y, dydt, self);
+  const int status = cached_rhs(t, y, dydt, self);
   std::fill_n(N_VGetArrayPointer(dydt), stepper(self).system_->controlled_size(), 0.0);
   return status;
 }
@@ -276,23 +286,23 @@ int SundialsStepper::stiff_rhs(double t, N_Vector y, N_Vector dydt, void* self) 
   const int controlled = me.system_->controlled_size();
   std::fill(out + controlled, out + me.system_->size(), 0.0);  // quadratures go with the rest
   if (all_finite(out, controlled)) return 0;
-  me.evaluate_.blame(worst_index(out, me.weights_.data(), controlled));
+  me.evaluate_.set_invalid_component(worst_index(out, me.weights_.data(), controlled));
   return me.report(Outcome::NotFinite);
 }
 
-int SundialsStepper::rest_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept {
+int SundialsStepper::nonstiff_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept {
   auto& me = stepper(self);
-  if (const int status = me.see(t, N_VGetArrayPointer(y)); status != 0) return status;
+  if (const int status = me.update_cached_rhs(t, N_VGetArrayPointer(y)); status != 0) return status;
   if (const int status = stiff_rhs(t, y, dydt, self); status != 0) return status;
   double* out = N_VGetArrayPointer(dydt);
-  for (std::size_t i = 0; i < me.seen_f_.size(); ++i) out[i] = me.seen_f_[i] - out[i];
+  for (std::size_t i = 0; i < me.cached_rhs_.size(); ++i) out[i] = me.cached_rhs_[i] - out[i];
   return 0;
 }
 
 int SundialsStepper::error_weights(N_Vector, N_Vector weights, void* self) noexcept {
   const auto& me = stepper(self);
   double* w = N_VGetArrayPointer(weights);
-  for (std::size_t i = 0; i < me.weights_.size(); ++i) w[i] = me.weights_[i] / me.relax_;
+  for (std::size_t i = 0; i < me.weights_.size(); ++i) w[i] = me.weights_[i] / me.tolerance_factor_;
   return 0;
 }
 
@@ -308,26 +318,26 @@ void SundialsStepper::keep_message(int, const char*, const char*, char* message,
 
 void SundialsStepper::check(int status, std::string_view call) const {
   if (status != 0) {
-    refuse(std::string(call) + " returned " + std::to_string(status) +
-               (message_.empty() ? std::string() : " (" + message_ + ")"),
-           "Choose another integrator.");
+    throw_setup_failure(std::string(call) + " returned " + std::to_string(status) +
+                            (message_.empty() ? std::string() : " (" + message_ + ")"),
+                        "Choose another integrator.");
   }
 }
 
-void SundialsStepper::refuse(std::string cause, std::string remedy) const {
+void SundialsStepper::throw_setup_failure(std::string cause, std::string remedy) const {
   throw_failure(*system_, {name_, std::move(cause), std::move(remedy), t_, control_.maximum, -1});
 }
 
-void SundialsStepper::give_up(Advance advance, double h) const {
-  Diagnosis d{name_, cause_of(trouble_), remedy_of(trouble_), t_, h, -1};
-  if (trouble_ == Outcome::NotFinite) {
-    d.component = evaluate_.culprit();
-  } else if (trouble_ == Outcome::Ok && advance == Advance::ErrorTooLarge) {
+void SundialsStepper::give_up(AdvanceResult advance, double h) const {
+  Diagnosis d{name_, cause_of(last_rhs_failure_), remedy_of(last_rhs_failure_), t_, h, -1};
+  if (last_rhs_failure_ == Outcome::NotFinite) {
+    d.component = evaluate_.invalid_component();
+  } else if (last_rhs_failure_ == Outcome::Ok && advance == AdvanceResult::ErrorTooLarge) {
     d.component = worst_index(N_VGetArrayPointer(error_.get()), weights_.data(), system_->size());
-  } else if (trouble_ == Outcome::Ok && advance == Advance::NotConverged) {
+  } else if (last_rhs_failure_ == Outcome::Ok && advance == AdvanceResult::NotConverged) {
     d.cause = "the implicit equations of the step did not converge";
     d.remedy = "Allow a smaller minimum step, or choose an explicit method.";
-  } else if (trouble_ == Outcome::Ok) {
+  } else if (last_rhs_failure_ == Outcome::Ok) {
     d.cause = message_.empty() ? "the SUNDIALS library stopped without a message" : message_;
   }
   throw_failure(*system_, d);

@@ -84,7 +84,7 @@ class SundialsStepper : public Stepper {
  protected:
   static constexpr int kMostIterations = 8;  ///< of Newton in a stage; the packages' own is 3
   /// Result of one call of the package.
-  enum class Advance : unsigned char { Done, ErrorTooLarge, NotConverged, Refused, Failed };
+  enum class AdvanceResult : unsigned char { Done, ErrorTooLarge, NotConverged, Refused, Failed };
   struct Statistics {
     long rejected = 0;
     long nonlinear_iterations = 0;
@@ -95,22 +95,24 @@ class SundialsStepper : public Stepper {
   /// Starts afresh from (t_, vector_) with this first step.
   virtual void restart(double h) = 0;
   /// One internal step, not beyond t_stop; sets t_, vector_ and last_status_.
-  virtual Advance advance(double t_stop) = 0;
+  virtual AdvanceResult advance(double t_stop) = 0;
   [[nodiscard]] virtual double next_step() const = 0;
   /// Local error of the last step into `error`; false when there is no estimate.
   virtual bool local_error(N_Vector error) = 0;
   /// From the next step on Newton's iteration ends when its error is below this share of the
   /// tolerance.
-  virtual void iterate_to(double share) { (void)share; }
+  virtual void set_newton_tolerance(double share) { (void)share; }
   /// Since the last create() or restart().
   [[nodiscard]] virtual Statistics statistics() const = 0;
   /// Does the package itself project the state with which it continues?
-  [[nodiscard]] virtual bool projects() const { return false; }
+  [[nodiscard]] virtual bool has_own_projection() const { return false; }
 
-  [[nodiscard]] bool constant_step() const noexcept { return control_.minimum == control_.maximum; }
+  [[nodiscard]] bool has_constant_step() const noexcept {
+    return control_.minimum == control_.maximum;
+  }
   /// Fails with the package's words when a set-up call did not return 0.
   void check(int status, std::string_view call) const;
-  [[noreturn]] void refuse(std::string cause, std::string remedy) const;
+  [[noreturn]] void throw_setup_failure(std::string cause, std::string remedy) const;
 
   /// Are quadratures among the unknowns of Newton's iteration?
   [[nodiscard]] virtual bool newton_moves_quadratures() const { return false; }
@@ -122,11 +124,11 @@ class SundialsStepper : public Stepper {
   // Callbacks; `self` is the SundialsStepper. Parts that add up to the whole: controlled and
   // quadratures, stiff and rest.
   static int full_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept;
-  static int seen_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept;
+  static int cached_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept;
   static int controlled_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept;
   static int quadrature_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept;
   static int stiff_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept;
-  static int rest_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept;
+  static int nonstiff_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept;
   static int error_weights(N_Vector y, N_Vector weights, void* self) noexcept;
   static int project_vector(double t, N_Vector y, void* self) noexcept;
   static int jacobian(double t, N_Vector y, N_Vector f, SUNMatrix J, void* self, N_Vector, N_Vector,
@@ -142,40 +144,41 @@ class SundialsStepper : public Stepper {
   OdeSystem* system_ = nullptr;
   StepControl control_;
   double t_ = 0.0;
-  double first_ = 0.0;  ///< first step after create()
+  double initial_step_ = 0.0;  ///< first step after create()
 
  private:
-  /// The whole right-hand side at (t, y) into seen_f_, unless it is there already: the packages ask
-  /// for its parts one after the other.
-  int see(double t, const double* y) noexcept;
+  /// The whole right-hand side at (t, y) into cached_rhs_, unless it is there already: the packages
+  /// ask for its parts one after the other.
+  int update_cached_rhs(double t, const double* y) noexcept;
   int report(Outcome outcome) noexcept;
   void begin_afresh(double h);
   void advance_or_throw(double t_stop, bool& at_minimum);
-  void follow_projection();
-  void follow_error(double error);
+  void project_accepted_state();
+  void update_newton_tolerance(double error);
   void gather_statistics();
-  [[noreturn]] void give_up(Advance advance, double h) const;
+  [[noreturn]] void give_up(AdvanceResult advance, double h) const;
   [[nodiscard]] double estimate_first_step();
 
   std::string name_;
   int order_ = 0;
   mutable Evaluator evaluate_;
   mutable Counters counters_;
-  Statistics before_restart_;
+  Statistics statistics_before_restart_;
   std::vector<double> state_;
   mutable std::vector<double> derivative_;
-  mutable bool derivative_known_ = false;
+  mutable bool derivative_is_current_ = false;
   std::vector<double> weights_;  ///< 1 / (scale * tolerance); 0 for quadratures
   std::vector<double> scratch_y_, scratch_f_;
   ArrowJacobian jacobian_;
-  bool seen_ = false;  ///< seen_f_ is the right-hand side at (seen_t_, seen_y_)
-  double seen_t_ = 0.0;
-  std::vector<double> seen_y_, seen_f_;
+  bool has_cached_rhs_ =
+      false;  ///< cached_rhs_ is the right-hand side at (cached_time_, cached_state_)
+  double cached_time_ = 0.0;
+  std::vector<double> cached_state_, cached_rhs_;
   SunVector error_;
-  double expected_ = 0.0;          ///< error of the coming step over the tolerance
-  double relax_ = 1.0;             ///< the tolerance is this much wider just now
-  Outcome trouble_ = Outcome::Ok;  ///< last refusal of the right-hand side
-  std::string message_;            ///< last words of the package
+  double expected_error_ = 0.0;             ///< error of the coming step over the tolerance
+  double tolerance_factor_ = 1.0;           ///< the tolerance is this much wider just now
+  Outcome last_rhs_failure_ = Outcome::Ok;  ///< last refusal of the right-hand side
+  std::string message_;                     ///< last words of the package
 };
 
 }  // namespace adore::integrators

@@ -53,8 +53,8 @@ void Stages::resize(const Tableau& tableau, int width) {
     error_weights_[s] = tableau.b[s] - tableau.b_high[s];
   }
   quadrature_weights_ = quadrature_error_weights(tableau);
-  sees_quadratures_ = std::all_of(quadrature_weights_.begin(), quadrature_weights_.end(),
-                                  [](double w) { return w == 0.0; });
+  error_covers_quadratures_ = std::all_of(quadrature_weights_.begin(), quadrature_weights_.end(),
+                                          [](double w) { return w == 0.0; });
 }
 
 Outcome Stages::run(Evaluator& evaluate, double t, double h, double t_end, const double* y,
@@ -71,7 +71,7 @@ Outcome Stages::run(Evaluator& evaluate, double t, double h, double t_end, const
     combine(y_new, y, h, tableau_->b.data(), k_.data(), tableau_->stages, width_);
   }
   combine(error, nullptr, h, error_weights_.data(), k_.data(), tableau_->stages, width_);
-  if (!sees_quadratures_) add_second_opinion(h, error);
+  if (!error_covers_quadratures_) add_quadrature_error_estimate(h, error);
   return Outcome::Ok;
 }
 
@@ -79,7 +79,7 @@ Outcome Stages::run(Evaluator& evaluate, double t, double h, double t_end, const
 // pair is blind: its estimate is nothing but rounding (pure quadrature), or the derivative is not
 // smooth over the nodes, so that their divided difference is of the size of its terms (the onset of
 // a contact).
-void Stages::add_second_opinion(double h, double* error) noexcept {
+void Stages::add_quadrature_error_estimate(double h, double* error) noexcept {
   constexpr double kRounding = 1e-8;
   constexpr double kRough = 0.05;
   for (int i = 0; i < width_; i += kBlock) {

@@ -22,7 +22,7 @@ struct Tableau {
   bool last_stage_is_end;  ///< last row of a equals b: the last stage is the derivative at the end
                            ///< of the step
   /// The error estimate goes with this power of the step.
-  [[nodiscard]] int power_of_error() const { return std::min(order, order_of_other) + 1; }
+  [[nodiscard]] int error_order() const { return std::min(order, order_of_other) + 1; }
   int order_of_other = order + 1;
 };
 
@@ -61,13 +61,13 @@ class Stages {
   [[nodiscard]] const double* end_derivative() const noexcept;
 
  private:
-  void add_second_opinion(double h, double* error) noexcept;
+  void add_quadrature_error_estimate(double h, double* error) noexcept;
 
   const Tableau* tableau_ = nullptr;
   int width_ = 0;
   std::array<double, kMaxStages> error_weights_{};
   std::array<double, kMaxStages> quadrature_weights_{};
-  bool sees_quadratures_ = true;
+  bool error_covers_quadratures_ = true;
   std::vector<double> memory_;
   std::array<const double*, kMaxStages> k_{};
 };

@@ -31,7 +31,7 @@ double stored(const std::map<std::string, double>& state, const std::string& nam
   return found->second;
 }
 
-void DamageSum::add_between(double seconds, const DamageRate& before, const DamageRate& after) {
+void DamageSum::add_trapezoidal(double seconds, const DamageRate& before, const DamageRate& after) {
   for (std::size_t i = 0; i < kDamageParts; ++i)
     damage_[i] += 0.5 * seconds * (before.damage[i] + after.damage[i]);
   seconds_ += seconds;
@@ -44,7 +44,7 @@ void DamageSum::add(const DamageParts& damage, double seconds, double revolution
   revolutions_ += revolutions;
 }
 
-double DamageSum::repeats(const DamageParts& slopes) const {
+double DamageSum::repetitions_to_failure(const DamageParts& slopes) const {
   DamageParts lives{};
   for (std::size_t i = 0; i < kDamageParts; ++i)
     lives[i] = damage_[i] > 0.0 ? 1.0 / damage_[i] : std::numeric_limits<double>::infinity();
@@ -52,12 +52,12 @@ double DamageSum::repeats(const DamageParts& slopes) const {
 }
 
 double DamageSum::life_hours(const DamageParts& slopes) const {
-  const double windows = repeats(slopes);
+  const double windows = repetitions_to_failure(slopes);
   return std::isfinite(windows) ? windows * seconds_ / 3600.0 : windows;
 }
 
 double DamageSum::life_mega_revolutions(const DamageParts& slopes) const {
-  const double windows = repeats(slopes);
+  const double windows = repetitions_to_failure(slopes);
   return std::isfinite(windows) ? windows * revolutions_ * 1e-6 : windows;
 }
 

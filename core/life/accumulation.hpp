@@ -22,9 +22,9 @@ struct DamageRate {
 class DamageSum {
  public:
   /// Conditions that last for a time.
-  void add(double seconds, const DamageRate& rate) { add_between(seconds, rate, rate); }
+  void add(double seconds, const DamageRate& rate) { add_trapezoidal(seconds, rate, rate); }
   /// Conditions whose damage rate changes linearly between two instants.
-  void add_between(double seconds, const DamageRate& before, const DamageRate& after);
+  void add_trapezoidal(double seconds, const DamageRate& before, const DamageRate& after);
 
   void add(const DamageParts& damage, double seconds, double revolutions);
 
@@ -33,7 +33,7 @@ class DamageSum {
   [[nodiscard]] const DamageParts& damage() const noexcept { return damage_; }
   /// How often the window could be repeated before 10 % of the bearings fail: Σ (n D_i)^e_i = 1;
   /// infinite without damage.
-  [[nodiscard]] double repeats(const DamageParts& slopes) const;
+  [[nodiscard]] double repetitions_to_failure(const DamageParts& slopes) const;
   [[nodiscard]] double life_hours(const DamageParts& slopes) const;
   [[nodiscard]] double life_mega_revolutions(const DamageParts& slopes) const;
 

@@ -1,5 +1,6 @@
 #include "life/bearing_life.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "base/validity.hpp"
 #include "life/capacity.hpp"
@@ -10,13 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace adore::life {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<LifeModel, 3> kStressModels{LifeModel::Updated, LifeModel::Zaretsky,
                                                  LifeModel::Harris};
 
@@ -48,6 +46,11 @@ std::optional<double> film_parameter(const BearingContacts& contacts, std::size_
   return outer && inner ? std::min(outer, inner) : std::nullopt;
 }
 
+Finding& add_note(std::vector<Finding>& notes, const char* code, std::string text) {
+  notes.push_back(make_finding(code, std::move(text)));
+  return notes.back();
+}
+
 /// Point or line contact, with the reason.
 void note_shapes(BearingLife& out, std::size_t slices) {
   const LifeState& state = out.state;
@@ -57,24 +60,28 @@ void note_shapes(BearingLife& out, std::size_t slices) {
     const double share = state.major_axis[i] / out.effective_length;
     lines = lines || state.model[0].line[i];
     if (!(share > 0.0)) {
-      out.notes.push_back(fmt::format(
-          "{}: line contact, because the rollers are unloaded at this race or have no crown",
-          name));
+      add_note(out.notes, "life.line_unloaded",
+               fmt::format("{}: line contact, because the rollers are unloaded at this race or "
+                           "have no crown",
+                           name))
+          .of(name);
       continue;
     }
     const std::string ellipse = fmt::format(
         "{}: the calculated contact ellipse of the most loaded roller is {:.3g} times as long as "
         "the effective roller length",
         name, share);
+    const auto shape = [&](const std::string& rest) {
+      add_note(out.notes, "life.shape", ellipse + rest).of(name).measure(share);
+    };
     switch (state.shape[i]) {
       case ContactShape::Point:
-        out.notes.push_back(ellipse +
-                            ", so the contact is a point contact (ratio below 1; rule of Harris, "
-                            "quoted from memory)");
+        shape(
+            ", so the contact is a point contact (ratio below 1; rule of Harris, quoted from "
+            "memory)");
         break;
       case ContactShape::Line:
-        out.notes.push_back(
-            ellipse +
+        shape(
             ", so the contact is a line contact (ratio above 1.5 with the straight land, or a land "
             "longer than the ellipse; rule of Harris, quoted from memory)");
         break;
@@ -89,20 +96,24 @@ void note_shapes(BearingLife& out, std::size_t slices) {
           return fmt::format("{} in{}", what, text);
         };
         const std::string point = list(points, "point contact"), line = list(all, "line contact");
-        out.notes.push_back(
-            fmt::format("{}, which is between point and line contact (rule of Harris, quoted from "
-                        "memory), so each model uses the shorter of both lives: {}{}{}",
-                        ellipse, point, point.empty() || line.empty() ? "" : "; ", line));
+        shape(
+            fmt::format(", which is between point and line contact (rule of Harris, quoted from "
+                        "memory), so each model uses the shorter of its lives of point and line "
+                        "contact: {}{}{}",
+                        point, point.empty() || line.empty() ? "" : "; ", line));
         break;
       }
     }
   }
   if (lines)
-    out.notes.push_back(slices > 1
-                            ? "line contacts are evaluated slice by slice; these lives do not "
-                              "include edge stresses above the slice pressures"
-                            : "line contacts are assumed uniform over the effective length, "
-                              "because the solution has one ellipse per contact and no slices");
+    out.notes.push_back(
+        slices > 1
+            ? make_finding("life.line_slices",
+                           "line contacts are evaluated slice by slice; these lives do not include "
+                           "edge stresses above the slice pressures")
+            : make_finding("life.line_contact",
+                           "line contacts are assumed uniform over the effective length, because "
+                           "the solution has one ellipse per contact and no slices"));
 }
 
 void set_temperatures(LifeParameters& out, const bearing::Bearing& bearing) {
@@ -140,8 +151,8 @@ double LifeCalculator::gamma(double angle) const {
   return geometry_.diameter * std::cos(angle) / geometry_.pitch_diameter;
 }
 
-LifeCalculator::Contacts LifeCalculator::taken(const BearingContacts& contacts, std::size_t race,
-                                               bool line) const {
+LifeCalculator::Contacts LifeCalculator::contacts_by_shape(const BearingContacts& contacts,
+                                                           std::size_t race, bool line) const {
   const RaceContacts& at = contacts.race[race];
   if (line || !geometry_.line) return {at.patches, contacts.slices, line};
   return {at.ellipses, 1, false};
@@ -182,10 +193,10 @@ double LifeCalculator::capacity(const RaceContacts& race, std::size_t index, dou
   return line ? line_capacity(g, factor) : point_capacity(g, factor);
 }
 
-double LifeCalculator::original_race_life(const BearingContacts& contacts, std::size_t index,
-                                          bool line) const {
+double LifeCalculator::lundberg_palmgren_race_life(const BearingContacts& contacts,
+                                                   std::size_t index, bool line) const {
   const RaceContacts& race = contacts.race[index];
-  const auto [patches, slices, _] = taken(contacts, index, line);
+  const auto [patches, slices, _] = contacts_by_shape(contacts, index, line);
   const double e = slope(index, line);
   std::vector<double> tracks;
   for (std::size_t k = 0; k < slices; ++k) {
@@ -199,7 +210,7 @@ double LifeCalculator::original_race_life(const BearingContacts& contacts, std::
     std::vector<double> lives;
     lives.reserve(patches.size() / slices);
     for (std::size_t at = k; at < patches.size(); at += slices)
-      lives.push_back(original_life(Q_c, patches[at].Q, line));
+      lives.push_back(lundberg_palmgren_life(Q_c, patches[at].Q, line));
     tracks.push_back(race_life(lives, race.rotating, e));
   }
   return tracks.empty() ? kInfinity : product(tracks, e);
@@ -208,25 +219,25 @@ double LifeCalculator::original_race_life(const BearingContacts& contacts, std::
 double LifeCalculator::stress_race_life(const BearingContacts& contacts, std::size_t index,
                                         std::size_t model, bool line) {
   const RaceContacts& race = contacts.race[index];
-  const auto [patches, slices, _] = taken(contacts, index, line);
+  const auto [patches, slices, _] = contacts_by_shape(contacts, index, line);
   const double nu = parameters_.part[index].poisson_ratio, e = slope(index, line);
-  const Track track = race_track(geometry_.pitch_diameter, gamma(race.angle), geometry_.count,
-                                 index == bearing::kInnerRacePart);
+  const TrackLoading track = race_track_loading(geometry_.pitch_diameter, gamma(race.angle),
+                                                geometry_.count, index == bearing::kInnerRacePart);
   std::vector<double> tracks;
   for (std::size_t k = 0; k < slices; ++k) {
     std::vector<double> lives;
     lives.reserve(patches.size() / slices);
     for (std::size_t at = k; at < patches.size(); at += slices)
-      lives.push_back(law(model, index, line).life(patches[at], track, nu, peaks_));
+      lives.push_back(law(model, index, line).life(patches[at], track, nu, peak_stress_cache_));
     tracks.push_back(race_life(lives, race.rotating, e));
   }
   return product(tracks, e);
 }
 
-double LifeCalculator::race_life_of(const BearingContacts& contacts, std::size_t race,
-                                    std::size_t model, ContactShape shape, bool& line) {
+double LifeCalculator::race_life_for_shape(const BearingContacts& contacts, std::size_t race,
+                                           std::size_t model, ContactShape shape, bool& line) {
   const auto life = [&](bool as_line) {
-    return model == 0 ? original_race_life(contacts, race, as_line)
+    return model == 0 ? lundberg_palmgren_race_life(contacts, race, as_line)
                       : stress_race_life(contacts, race, model - 1, as_line);
   };
   line = shape != ContactShape::Point;
@@ -243,17 +254,17 @@ double LifeCalculator::element_life(const BearingContacts& contacts, std::size_t
   const double e = slope(bearing::kElementPart, line[0] && line[1]);
   std::array<std::vector<double>, 2> tracks;  // by race: every slice another volume
   for (std::size_t race = 0; race < 2; ++race) {
-    Track track = element_track(geometry_.pitch_diameter, geometry_.diameter,
-                                gamma(contacts.race[race].angle));
+    TrackLoading track = element_track_loading(geometry_.pitch_diameter, geometry_.diameter,
+                                               gamma(contacts.race[race].angle));
     const double rolling = track.cycles;
-    const auto [patches, slices, _] = taken(contacts, race, line[race]);
+    const auto [patches, slices, _] = contacts_by_shape(contacts, race, line[race]);
     for (std::size_t k = 0; k < slices; ++k) {
       std::vector<double> lives;
       for (std::size_t at = k; at < patches.size(); at += slices) {
         if (!contacts.element_turns.empty()) track.cycles = contacts.element_turns[at / slices];
         if (!(track.cycles > 0.0)) track.cycles = rolling;
         lives.push_back(law(model, bearing::kElementPart, line[race])
-                            .life(patches[at], track, part.poisson_ratio, peaks_));
+                            .life(patches[at], track, part.poisson_ratio, peak_stress_cache_));
       }
       tracks[race].push_back(race_life(lives, true, e));
     }
@@ -291,10 +302,10 @@ ModificationFactors LifeCalculator::factors(const BearingContacts& contacts,
       if (out.film_parameter[i])
         out.asperity[i] = asperity_hazard(*out.film_parameter[i], part.asperity_slope.value,
                                           part.asperity_traction.value);
-      const ContactPatch* patch = heaviest(taken(contacts, i, line[i]).patches);
+      const ContactPatch* patch = heaviest(contacts_by_shape(contacts, i, line[i]).patches);
       if (part.residual_stress != 0.0 && patch != nullptr) {
         const double k = line[i] ? 0.0 : patch->b / patch->a;
-        const double shear = peaks_.at(k, part.poisson_ratio).max_shear * patch->p_max;
+        const double shear = peak_stress_cache_.at(k, part.poisson_ratio).max_shear * patch->p_max;
         const auto factor = residual_stress_factor(shear, -part.residual_stress);
         out.residual_refused[i] = !factor;
         out.residual[i] = factor.value_or(1.0);
@@ -334,7 +345,7 @@ LifeState LifeCalculator::evaluate(const BearingContacts& contacts,
     line = out.shape[i] != ContactShape::Point;
     // Only the shape is needed for another model; it is known except in between.
     if (!only || *only == LifeModel::Original || out.shape[i] == ContactShape::Between)
-      original[i] = race_life_of(contacts, i, 0, out.shape[i], line);
+      original[i] = race_life_for_shape(contacts, i, 0, out.shape[i], line);
   }
   out.relative_speed = contacts.relative_speed;
   out.factors = factors(contacts, out.model[0].line);
@@ -342,14 +353,14 @@ LifeState LifeCalculator::evaluate(const BearingContacts& contacts,
     const auto model = static_cast<LifeModel>(m);
     if (only && *only != model) {
       for (PartLives& lives : out.model[m].modified)
-        lives = {{kNone, kNone, kNone}, kNone, kNone, false};
+        lives = {{kNaN, kNaN, kNaN}, kNaN, kNaN, false};
       continue;
     }
     std::array<bool, 2>& line = out.model[m].line;
-    std::array<double, 3> basic{original[0], original[1], kNone};
+    std::array<double, 3> basic{original[0], original[1], kNaN};
     if (m > 0) {
       for (std::size_t i = 0; i < 2; ++i)
-        basic[i] = race_life_of(contacts, i, m, out.shape[i], line[i]);
+        basic[i] = race_life_for_shape(contacts, i, m, out.shape[i], line[i]);
       basic[bearing::kElementPart] = element_life(contacts, m - 1, line);
     }
     const bool lines = line[0] && line[1];
@@ -359,7 +370,7 @@ LifeState LifeCalculator::evaluate(const BearingContacts& contacts,
         std::array<double, 3>{1.0, 1.0, 1.0}, out.factors.stle, out.factors.tallian};
     for (std::size_t f = 0; f < kModifications; ++f) {
       PartLives& lives = out.model[m].modified[f];
-      lives.elements_counted = counts_elements(parameters_, model);
+      lives.elements_counted = includes_element_life(parameters_, model);
       std::vector<double> all, slopes;
       for (std::size_t i = 0; i < 3; ++i) {
         lives.part[i] = basic[i] * factor[f][i];
@@ -395,8 +406,8 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
     const RaceContacts& race = contacts.race[i];
     RaceReport& r = out.race[i];
     r.line = by_original[i];
-    r.major_axis = out.state.major_axis[i] > 0.0 ? out.state.major_axis[i] : kNone;
-    const Contacts used = taken(contacts, i, r.line);
+    r.major_axis = out.state.major_axis[i] > 0.0 ? out.state.major_axis[i] : kNaN;
+    const Contacts used = contacts_by_shape(contacts, i, r.line);
     r.angle = race.angle;
     r.gamma = gamma(race.angle);
     r.rotating = race.rotating;
@@ -404,60 +415,81 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
     const std::vector<double> loads = element_loads(used.patches, used.slices);
     r.Q_e = equivalent_load(loads, r.line, race.rotating);
     r.Q_max = *std::max_element(loads.begin(), loads.end());
-    r.stress_capacity = {kNone, kNone, kNone};
+    r.stress_capacity = {kNaN, kNaN, kNaN};
     const ContactPatch* patch = heaviest(used.patches);
     if (patch == nullptr) continue;
     r.p_max = patch->p_max;
     const double nu = parameters_.part[i].poisson_ratio;
-    r.peaks = peaks_.at(r.line ? 0.0 : patch->b / patch->a, nu);
-    const Track track = race_track(geometry_.pitch_diameter, r.gamma, geometry_.count, i == 1);
+    r.peaks = peak_stress_cache_.at(r.line ? 0.0 : patch->b / patch->a, nu);
+    const TrackLoading track =
+        race_track_loading(geometry_.pitch_diameter, r.gamma, geometry_.count, i == 1);
     for (std::size_t m = 0; m < 3; ++m)
-      r.stress_capacity[m] = law(m, i, r.line).stress_capacity(*patch, track, nu, peaks_);
+      r.stress_capacity[m] =
+          law(m, i, r.line).stress_capacity(*patch, track, nu, peak_stress_cache_);
     const std::string& name = parameters_.part[i].name;
     if (r.Q_max > r.Q_c)
-      out.notes.push_back(
-          fmt::format("WARNING: {}: the largest load exceeds the load capacity; life models are "
-                      "not valid below 1e6 revolutions",
-                      name));
-    if (!validity::range("life.pressure").bounds.contains(r.p_max))
-      out.notes.push_back(
-          fmt::format("WARNING: {}: the pressure {:.3g} GPa exceeds 4.2 GPa, the static rating; "
-                      "plastic deformation is not modeled",
-                      name, 1e-9 * r.p_max));
+      add_note(out.notes, "life.load",
+               fmt::format("WARNING: {}: the largest load exceeds the load capacity; life models "
+                           "are not valid below 1e6 revolutions",
+                           name))
+          .of(name)
+          .measure(r.Q_max, r.Q_c);
+    if (const validity::Range& range = validity::range("life.pressure");
+        !range.bounds.contains(r.p_max))
+      add_note(out.notes, "life.pressure",
+               fmt::format("WARNING: {}: the pressure {:.3g} GPa exceeds 4.2 GPa, the static "
+                           "rating; plastic deformation is not modeled",
+                           name, 1e-9 * r.p_max))
+          .of(name)
+          .measure(r.p_max / range.per, range.bounds.most / range.per);
     if (out.state.factors.residual_refused[i])
-      out.notes.push_back(fmt::format(
-          "WARNING: {}: the compressive residual stress is at least twice the largest shear "
-          "stress, so the residual-stress life factor is not valid and is not applied",
-          name));
+      add_note(out.notes, "life.residual_stress",
+               fmt::format("WARNING: {}: the compressive residual stress is at least twice the "
+                           "largest shear stress, so the residual-stress life factor is not valid "
+                           "and is not applied",
+                           name))
+          .of(name)
+          .measure(-1e-6 * parameters_.part[i].residual_stress,
+                   2e-6 * r.peaks.max_shear * patch->p_max);
   }
   const auto& films = out.state.factors.film_parameter;
   if (parameters_.choices.film_parameter) {
-    out.notes.push_back(
-        fmt::format("film parameter {} (run option lifeLambda) is used at every contact instead of "
-                    "the computed value",
-                    *parameters_.choices.film_parameter));
+    add_note(out.notes, "life.film_given",
+             fmt::format("film parameter {} (run option lifeLambda) is used at every contact "
+                         "instead of the computed value",
+                         *parameters_.choices.film_parameter))
+        .measure(*parameters_.choices.film_parameter);
   } else if (films[0] || films[1]) {
     for (std::size_t i = 0; i < 2; ++i)
       if (films[i] && *films[i] <= scene::kNoFilmLeft)
-        out.notes.push_back(
-            fmt::format("{}: there is no film at the most loaded contact; the film factor for the "
-                        "smallest tabulated film parameter is used",
-                        parameters_.part[i].name));
+        add_note(out.notes, "life.no_film_left",
+                 fmt::format("{}: there is no film at the most loaded contact; the film factor for "
+                             "the smallest tabulated film parameter is used",
+                             parameters_.part[i].name))
+            .of(parameters_.part[i].name);
       else if (films[i])
-        out.notes.push_back(
-            fmt::format("{}: film parameter {:.3g}, computed for the most loaded contact with the "
-                        "lubricant of the deck",
-                        parameters_.part[i].name, *films[i]));
+        add_note(out.notes, "life.film_computed",
+                 fmt::format("{}: film parameter {:.3g}, computed for the most loaded contact with "
+                             "the lubricant of the deck",
+                             parameters_.part[i].name, *films[i]))
+            .of(parameters_.part[i].name)
+            .measure(*films[i]);
   } else {
-    out.notes.push_back(
-        "no lubricant film is computed, so the lives assume a full film: the film factor is 1, and "
-        "the Tallian-type factor has no asperity term. To assume another film parameter, set the "
-        "run option lifeLambda");
+    add_note(out.notes, "life.no_film",
+             "no lubricant film is computed, so the lives assume a full film: the film factor is "
+             "1, and the Tallian-type factor has no asperity term. To assume another film "
+             "parameter, set the run option lifeLambda");
   }
-  if (out.state.factors.thin_film)
-    out.notes.push_back(
-        "thin film (film parameter below 1): the product of the STLE factors for material, process "
-        "and hardness is limited to 1");
+  if (out.state.factors.thin_film) {
+    double least = 1.0;
+    for (const std::optional<double>& film : films)
+      if (film) least = std::min(least, *film);
+    add_note(out.notes, "life.thin_film",
+             "thin film (film parameter below 1): the product of the STLE factors for material, "
+             "process and hardness is limited to 1")
+        .measure(least)
+        .at_least(1.0);
+  }
   return out;
 }
 

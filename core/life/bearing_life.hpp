@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "life/contact_shape.hpp"
 #include "life/contacts.hpp"
 #include "life/factors.hpp"
@@ -61,7 +62,7 @@ struct RaceReport {
   bool rotating = true;
   double Q_c = 0.0, Q_e = 0.0, Q_max = 0.0;  ///< LP capacity, equivalent and largest load [N]
   double p_max = 0.0;                        ///< [Pa]
-  PeakRatios peaks;                          ///< below the heaviest contact
+  PeakStressRatios peaks;                    ///< below the heaviest contact
   std::array<double, 3> stress_capacity{};   ///< p_c: updated, GZ, IH [Pa]; NaN without load
   double major_axis =
       0.0;            ///< 2a that the heaviest roller's ellipse has or would have; NaN: none [m]
@@ -88,7 +89,7 @@ struct IsoReport {
   bool outside = false;                                     ///< κ < 0.1
   std::optional<ReferenceLife> reference;                   ///< ISO 16281
   std::optional<double> L_nmr;
-  std::vector<std::string> notes;
+  std::vector<Finding> notes;
 };
 
 struct BearingLife {
@@ -98,7 +99,7 @@ struct BearingLife {
   std::array<RaceReport, 2> race;
   std::array<std::array<double, 3>, 3> pressure_exponent{};  ///< [model - 1][part]
   std::optional<IsoReport> iso;
-  std::vector<std::string> notes;
+  std::vector<Finding> notes;
 };
 
 /// All models of one bearing, calibrated once; evaluated for any set of contacts.
@@ -123,19 +124,20 @@ class LifeCalculator {
     bool line;
   };
   [[nodiscard]] double gamma(double angle) const;
-  [[nodiscard]] Contacts taken(const BearingContacts& contacts, std::size_t race, bool line) const;
+  [[nodiscard]] Contacts contacts_by_shape(const BearingContacts& contacts, std::size_t race,
+                                           bool line) const;
   [[nodiscard]] const StressLife& law(std::size_t model, std::size_t part, bool line) const;
   [[nodiscard]] double slope(std::size_t part, bool line) const;
   void set_shapes(const BearingContacts& contacts, LifeState& out) const;
   [[nodiscard]] double capacity(const RaceContacts& race, std::size_t index, double length,
                                 bool line) const;
-  [[nodiscard]] double original_race_life(const BearingContacts& contacts, std::size_t race,
-                                          bool line) const;
+  [[nodiscard]] double lundberg_palmgren_race_life(const BearingContacts& contacts,
+                                                   std::size_t race, bool line) const;
   [[nodiscard]] double stress_race_life(const BearingContacts& contacts, std::size_t race,
                                         std::size_t model, bool line);
   /// Of the race by its shape; sets whether that took it as a line. @param model 0: original
-  [[nodiscard]] double race_life_of(const BearingContacts& contacts, std::size_t race,
-                                    std::size_t model, ContactShape shape, bool& line);
+  [[nodiscard]] double race_life_for_shape(const BearingContacts& contacts, std::size_t race,
+                                           std::size_t model, ContactShape shape, bool& line);
   [[nodiscard]] double element_life(const BearingContacts& contacts, std::size_t model,
                                     const std::array<bool, 2>& line);
   [[nodiscard]] ModificationFactors factors(const BearingContacts& contacts,
@@ -144,7 +146,7 @@ class LifeCalculator {
   LifeGeometry geometry_;
   LifeParameters parameters_;
   std::vector<StressLife> models_;  ///< [point, line][model - 1][part]; no lines for balls
-  PeakCache peaks_;
+  PeakStressCache peak_stress_cache_;
 };
 
 /// ISO companions; of a roller bearing from its slices as laminae (without them no ISO 16281 life).

@@ -61,7 +61,7 @@ double line_capacity(const CapacityGeometry& g, double factor) {
          std::pow(static_cast<double>(g.count), -0.25);
 }
 
-double original_life(double capacity, double load, bool line) {
+double lundberg_palmgren_life(double capacity, double load, bool line) {
   if (!(load > 0.0)) return std::numeric_limits<double>::infinity();
   return std::pow(capacity / load, line ? 4.0 : 3.0);
 }

@@ -32,6 +32,6 @@ struct CapacityGeometry {
 [[nodiscard]] double line_capacity(const CapacityGeometry& geometry, double factor = 1.0);
 
 /// (Q_c/Q)^3 for a point, (Q_c/Q)^4 for a line contact; infinite for Q <= 0 [1e6 revolutions].
-[[nodiscard]] double original_life(double capacity, double load, bool line);
+[[nodiscard]] double lundberg_palmgren_life(double capacity, double load, bool line);
 
 }  // namespace adore::life

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-Marked marked(const Json& entry) {
+SourcedValue marked(const Json& entry) {
   return {entry.at("value").get<double>(), entry.at("provenance").get<std::string>()};
 }
 
@@ -28,8 +28,8 @@ LifeConstants::LoadFactors load_factors(const Json& table) {
   return out;
 }
 
-AisoForm aiso(const Json& entry, double divisor) {
-  AisoForm out;
+AisoFormula aiso(const Json& entry, double divisor) {
+  AisoFormula out;
   for (const Json& band : entry.at("bands"))
     out.bands.push_back({band.at(0).get<double>(), band.at(1).get<double>(),
                          band.at(2).get<double>(), band.at(3).get<double>()});
@@ -121,8 +121,8 @@ void read_iso(const Json& json, LifeConstants& c) {
   c.roller_lamina_load = roller.at("P_sk").get<double>();
 }
 
-std::map<int, Marked> load_limits() {
-  std::map<int, Marked> out;
+std::map<int, SourcedValue> load_limits() {
+  std::map<int, SourcedValue> out;
   const Json& json = bearing::material_json();
   for (const auto& [key, entry] : json.at("materials").items()) {
     const Json& limit = entry.at("von_mises_fatigue_limit");
@@ -146,8 +146,8 @@ const LifeConstants& constants() {
   return loaded;
 }
 
-std::optional<Marked> fatigue_limit_of_code(int code) {
-  static const std::map<int, Marked> limits = load_limits();
+std::optional<SourcedValue> fatigue_limit_of_code(int code) {
+  static const std::map<int, SourcedValue> limits = load_limits();
   const auto found = limits.find(code);
   if (found == limits.end()) return std::nullopt;
   return found->second;

@@ -13,7 +13,7 @@
 namespace adore::life {
 
 /// A number and where it comes from.
-struct Marked {
+struct SourcedValue {
   double value = 0.0;
   std::string origin;
 };
@@ -26,23 +26,23 @@ struct CalibrationContact {
   int count = 0;
 };
 
-struct AisoBand {
+struct AisoKappaRange {
   double from = 0.0, to = 0.0, c = 0.0, p = 0.0;  ///< κ range, coefficients
 };
 /// a_ISO = 0.1 [1 - (constant - c/κ^p)^inner (x/m)^load]^outer
-struct AisoForm {
-  std::vector<AisoBand> bands;
+struct AisoFormula {
+  std::vector<AisoKappaRange> bands;
   double constant = 0.0, inner = 1.0, load = 0.0, outer = 0.0, thrust_divisor = 1.0;
 };
 
 struct LifeConstants {
-  Marked point_constant, line_constant;  ///< A [N/mm^1.8], B [N/mm^(50/27)]
-  Marked stress_exponent, depth_exponent, point_slope, line_slope;  ///< c, h, e
-  Marked zaretsky_exponent;                                         ///< life exponent 9
+  SourcedValue point_constant, line_constant;  ///< A [N/mm^1.8], B [N/mm^(50/27)]
+  SourcedValue stress_exponent, depth_exponent, point_slope, line_slope;  ///< c, h, e
+  SourcedValue zaretsky_exponent;                                         ///< life exponent 9
   // Calibration of the stress models.
   double elastic_modulus = 0.0, poisson_ratio = 0.0, harris_limit = 0.0;
   CalibrationContact point, line;
-  Marked iso_equivalent_limit;  ///< [Pa]
+  SourcedValue iso_equivalent_limit;  ///< [Pa]
   // STLE.
   std::map<std::string, double> stle_material, stle_process;
   std::vector<std::pair<double, double>> film_table;  ///< Λ, factor
@@ -69,12 +69,12 @@ struct LifeConstants {
     std::vector<RelativeLoadRow> rows;
   };
   LoadFactors deep_groove, spindle;  ///< contact angles of 0 and of 15 degrees
-  struct AngularRow {
+  struct AngularContactRow {
     double degrees = 0.0, X = 0.0, Y = 0.0, e = 0.0;
   };
-  std::vector<AngularRow> angular;
+  std::vector<AngularContactRow> angular;
   std::vector<std::pair<double, double>> static_factor;  ///< γ, f0
-  AisoForm aiso_ball, aiso_roller;
+  AisoFormula aiso_ball, aiso_roller;
   std::map<std::string, std::pair<double, double>> contamination;  ///< C1, C2 by code
   // ISO 16281.
   double ball_inner = 0.0, ball_outer = 0.0, ball_bracket = 0.0;
@@ -87,6 +87,6 @@ struct LifeConstants {
 
 /// Fatigue limit (von Mises) of a material of the table and its provenance; empty where none is
 /// known [Pa].
-[[nodiscard]] std::optional<Marked> fatigue_limit_of_code(int code);
+[[nodiscard]] std::optional<SourcedValue> fatigue_limit_of_code(int code);
 
 }  // namespace adore::life

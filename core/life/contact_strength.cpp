@@ -12,21 +12,22 @@ using bearing::Material;
 
 constexpr std::array<const char*, 2> kRaceName{"outer", "inner"};
 
-void offer(HeaviestContact& heaviest, std::size_t index, double pressure, double ratio) {
+void offer(MaxPressureContact& heaviest, std::size_t index, double pressure, double ratio) {
   if (pressure > heaviest.pressure) heaviest = {static_cast<int>(index) + 1, pressure, ratio};
 }
 
-ContactStrength strength_of(const HeaviestContact& contact, const Material& material) {
+ContactStrength strength_of(const MaxPressureContact& contact, const Material& material) {
   ContactStrength out{contact.element, contact.pressure, 0.0,
                       material.elastic_strain_limit * material.elastic_modulus};
   if (contact.element > 0)
-    out.von_mises = contact.pressure * peak_ratios(contact.ratio, material.poisson_ratio).von_mises;
+    out.von_mises =
+        contact.pressure * peak_stress_ratios(contact.ratio, material.poisson_ratio).von_mises;
   return out;
 }
 
 }  // namespace
 
-RaceStrength contact_strength(const Bearing& bearing, const HeaviestContacts& heaviest) {
+RaceStrength contact_strength(const Bearing& bearing, const MaxPressureContacts& heaviest) {
   RaceStrength out;
   for (std::size_t race = 0; race < 2; ++race)
     out[race] = {strength_of(heaviest[race], bearing.race_material[race]),
@@ -35,7 +36,7 @@ RaceStrength contact_strength(const Bearing& bearing, const HeaviestContacts& he
 }
 
 RaceStrength contact_strength(const Bearing& bearing, const statics::StaticSolution& solution) {
-  HeaviestContacts heaviest;
+  MaxPressureContacts heaviest;
   for (std::size_t k = 0; k < solution.balls.size(); ++k)
     for (std::size_t race = 0; race < 2; ++race) {
       const statics::StaticBall& ball = solution.balls[k];
@@ -46,7 +47,7 @@ RaceStrength contact_strength(const Bearing& bearing, const statics::StaticSolut
 }
 
 RaceStrength contact_strength(const Bearing& bearing, const statics::RollerSolution& solution) {
-  HeaviestContacts heaviest;
+  MaxPressureContacts heaviest;
   for (std::size_t k = 0; k < solution.rollers.size(); ++k)
     for (std::size_t race = 0; race < 2; ++race) {
       const statics::RollerRaceContact& c = solution.rollers[k].race[race];
@@ -57,8 +58,9 @@ RaceStrength contact_strength(const Bearing& bearing, const statics::RollerSolut
   return contact_strength(bearing, heaviest);
 }
 
-HeaviestContacts heaviest_contacts(std::span<const scene::ElementSnapshot> elements, bool lines) {
-  HeaviestContacts heaviest;
+MaxPressureContacts max_pressure_contacts(std::span<const scene::ElementSnapshot> elements,
+                                          bool lines) {
+  MaxPressureContacts heaviest;
   for (std::size_t k = 0; k < elements.size(); ++k)
     for (std::size_t race = 0; race < 2; ++race) {
       const scene::RaceContactSnapshot& contact = elements[k].race[race];
@@ -69,23 +71,29 @@ HeaviestContacts heaviest_contacts(std::span<const scene::ElementSnapshot> eleme
   return heaviest;
 }
 
-std::vector<std::string> strength_warnings(const Bearing& bearing, const RaceStrength& strength) {
+std::vector<Finding> strength_warnings(const char* code, const Bearing& bearing,
+                                       const RaceStrength& strength) {
   const std::string element = bearing.rollers() ? "roller" : "ball";
-  std::vector<std::string> out;
+  std::vector<Finding> out;
   for (std::size_t race = 0; race < 2; ++race)
     for (std::size_t body = 0; body < 2; ++body) {
       const ContactStrength& s = strength[race][body];
       if (!s.yields()) continue;
-      const std::string where = body == 0 ? fmt::format("the {} race", kRaceName[race])
-                                          : fmt::format("{} {}", element, s.element);
+      const std::string race_name = fmt::format("{} race", kRaceName[race]);
+      const std::string where =
+          body == 0 ? "the " + race_name : fmt::format("{} {}", element, s.element);
       const Material& material = body == 0 ? bearing.race_material[race] : bearing.element_material;
       out.push_back(
-          fmt::format("{} ({}) yields at the contact of {} {} with the {} race: the von Mises "
-                      "stress is {:.4g} MPa at a pressure of {:.4g} MPa, but the elastic limit is "
-                      "{:.4g} MPa (strain limit {:.4g} times the modulus). Elastic contact loads "
-                      "and lives are not valid above this limit",
-                      where, material.name, element, s.element, kRaceName[race], 1e-6 * s.von_mises,
-                      1e-6 * s.pressure, 1e-6 * s.elastic_limit, material.elastic_strain_limit));
+          make_finding(
+              code,
+              fmt::format("{} ({}) yields at the contact of {} {} with the {}: the von Mises "
+                          "stress is {:.4g} MPa at a pressure of {:.4g} MPa, but the elastic limit "
+                          "is {:.4g} MPa (strain limit {:.4g} times the modulus). Elastic contact "
+                          "loads and lives are not valid above this limit",
+                          where, material.name, element, s.element, race_name, 1e-6 * s.von_mises,
+                          1e-6 * s.pressure, 1e-6 * s.elastic_limit, material.elastic_strain_limit))
+              .of(body == 0 ? race_name : fmt::format("{} {}, {}", element, s.element, race_name))
+              .measure(s.von_mises / s.elastic_limit, 1.0));
     }
   return out;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "bearing/bearing.hpp"
 #include "scene/snapshot.hpp"
 #include "statics/ball_statics.hpp"
@@ -37,21 +38,22 @@ using RaceStrength = std::array<std::array<ContactStrength, 2>, 2>;
 [[nodiscard]] RaceStrength contact_strength(const bearing::Bearing& bearing,
                                             const statics::RollerSolution& solution);
 /// The contact of largest pressure at one race.
-struct HeaviestContact {
+struct MaxPressureContact {
   int element = 0;        ///< 1-based; 0: none is loaded
   double pressure = 0.0;  ///< [Pa]
   double ratio = 0.0;     ///< b/a, 0: a line
 };
-using HeaviestContacts = std::array<HeaviestContact, 2>;  ///< outer, inner race
+using MaxPressureContacts = std::array<MaxPressureContact, 2>;  ///< outer, inner race
 /// Of one instant of a motion; quick. @param lines the elements are rollers
-[[nodiscard]] HeaviestContacts heaviest_contacts(std::span<const scene::ElementSnapshot> elements,
-                                                 bool lines);
+[[nodiscard]] MaxPressureContacts max_pressure_contacts(
+    std::span<const scene::ElementSnapshot> elements, bool lines);
 [[nodiscard]] RaceStrength contact_strength(const bearing::Bearing& bearing,
-                                            const HeaviestContacts& heaviest);
+                                            const MaxPressureContacts& heaviest);
 
-/// A sentence for each body that yields, naming element, race, stress and limit; empty when all
-/// stay elastic.
-[[nodiscard]] std::vector<std::string> strength_warnings(const bearing::Bearing& bearing,
-                                                         const RaceStrength& strength);
+/// A finding of this code for each body that yields, with element, race, stress and limit; empty
+/// when all stay elastic.
+[[nodiscard]] std::vector<Finding> strength_warnings(const char* code,
+                                                     const bearing::Bearing& bearing,
+                                                     const RaceStrength& strength);
 
 }  // namespace adore::life

@@ -33,7 +33,7 @@ struct LifeGeometry {
 /// Load on one half of a split race that does the damage of both contacts of a ball: lives of point
 /// contacts go with Q^-3. Both halves count as one track, up to 7 % more damage than on two
 /// [derived].
-[[nodiscard]] inline double load_of_both(double first, double second) {
+[[nodiscard]] inline double equivalent_split_race_load(double first, double second) {
   return second > 0.0 ? std::cbrt(first * first * first + second * second * second) : first;
 }
 

@@ -1,16 +1,14 @@
 #include "life/iso16281.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "life/constants.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace adore::life {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Loads of lamina k of every element.
 std::vector<double> lamina(const std::vector<double>& loads, std::size_t k, std::size_t n,
@@ -36,7 +34,7 @@ double equivalent_load(std::span<const double> loads, bool line, bool rotating) 
 ReferenceLife iso_reference_life_ball(const IsoGeometry& g, double rating,
                                       std::span<const double> inner, std::span<const double> outer,
                                       bool inner_rotates, bool outer_rotates,
-                                      const std::optional<IsoCondition>& condition) {
+                                      const std::optional<AisoInput>& condition) {
   const LifeConstants& c = constants();
   const double gamma = iso_gamma(g);
   const bool thrust = g.type == IsoType::ThrustBall;
@@ -79,7 +77,7 @@ double lamina_edge_factor(std::size_t k, std::size_t n) {
 RollerReferenceLife iso_reference_life_roller(const IsoGeometry& g, double rating,
                                               const LaminaLoads& loads, bool inner_rotates,
                                               bool outer_rotates, bool edge,
-                                              const std::optional<IsoCondition>& condition) {
+                                              const std::optional<AisoInput>& condition) {
   const LifeConstants& c = constants();
   const std::size_t n = loads.laminae;
   demand(n > 0 && loads.inner.size() % n == 0 && loads.outer.size() == loads.inner.size(),

@@ -11,7 +11,7 @@
 namespace adore::life {
 
 /// Source of an optional a_ISO.
-struct IsoCondition {
+struct AisoInput {
   double contamination = 0.0;  ///< e_C
   double fatigue_limit = 0.0;  ///< C_u [N]
   double kappa = 0.0;
@@ -34,7 +34,7 @@ struct ReferenceLife {
                                                     std::span<const double> inner,
                                                     std::span<const double> outer,
                                                     bool inner_rotates, bool outer_rotates,
-                                                    const std::optional<IsoCondition>& condition);
+                                                    const std::optional<AisoInput>& condition);
 
 /// Loads of a roller bearing by laminae: loads[j * laminae + k].
 struct LaminaLoads {
@@ -50,7 +50,7 @@ struct RollerReferenceLife : ReferenceLife {
 /// at least 30).
 [[nodiscard]] RollerReferenceLife iso_reference_life_roller(
     const IsoGeometry& geometry, double rating, const LaminaLoads& loads, bool inner_rotates,
-    bool outer_rotates, bool edge, const std::optional<IsoCondition>& condition);
+    bool outer_rotates, bool edge, const std::optional<AisoInput>& condition);
 
 /// f_k = 1 - 0.01/ln(1.985 |(2k - n - 1)/(2n - 2)|), k = 1..n; 2.328 at both ends.
 [[nodiscard]] double lamina_edge_factor(std::size_t k, std::size_t n);

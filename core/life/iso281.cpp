@@ -1,5 +1,6 @@
 #include "life/iso281.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
@@ -9,12 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace adore::life {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 bool is_ball(IsoType type) { return type == IsoType::RadialBall || type == IsoType::ThrustBall; }
 bool is_thrust(IsoType type) {
@@ -152,9 +150,10 @@ double iso_thrust_static_rating(const IsoGeometry& g) {
 }
 
 double iso_self_aligning_static_rating(const IsoGeometry& g) {
-  constexpr double kModulus = 207e9, kPoisson = 0.3, kPressure = 4.6e9, kShare = 5.0;
+  constexpr double kModulus = 207e9, kPoisson = 0.3, kPressure = 4.6e9, kSelfAligningDivisor = 5.0;
   return g.rows * g.count * std::cos(g.contact_angle) *
-         load_at_pressure(balls_of(g), kModulus, kPoisson, kPressure, g.contact_angle) / kShare;
+         load_at_pressure(balls_of(g), kModulus, kPoisson, kPressure, g.contact_angle) /
+         kSelfAligningDivisor;
 }
 
 std::optional<double> iso_static_rating(const IsoGeometry& g) {
@@ -228,11 +227,11 @@ AisoResult iso_life_factor(IsoType type, double kappa, double load_ratio) {
   AisoResult out;
   out.outside = !(kappa >= 0.1);
   if (out.outside) return out;
-  const AisoForm& form = is_ball(type) ? constants().aiso_ball : constants().aiso_roller;
+  const AisoFormula& form = is_ball(type) ? constants().aiso_ball : constants().aiso_roller;
   const double k = std::min(kappa, 4.0);
   const auto band = std::find_if(form.bands.begin(), form.bands.end(),
-                                 [&](const AisoBand& b) { return k < b.to; });
-  const AisoBand& at = band == form.bands.end() ? form.bands.back() : *band;
+                                 [&](const AisoKappaRange& b) { return k < b.to; });
+  const AisoKappaRange& at = band == form.bands.end() ? form.bands.back() : *band;
   const double divisor = is_thrust(type) ? form.thrust_divisor : 1.0;
   const double film = form.constant - at.c / std::pow(k, at.p);
   const double bracket =

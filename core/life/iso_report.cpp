@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "life/bearing_life.hpp"
 #include "life/constants.hpp"
 
@@ -10,8 +11,6 @@
 /// ISO companions of a bearing, from the model's geometry and loads.
 namespace adore::life {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// As it is made, which is what the standards rate: growths in operation would put a bearing of 15
 /// or 20 degrees below the limit of its table.
@@ -35,8 +34,7 @@ Nominal nominal(const bearing::Bearing& bearing) {
 
 /// Tables of the standard hold for grooves up to 0.52 (inner) and 0.53 (outer); wider grooves rate
 /// by their own.
-IsoGeometry iso_geometry_of_balls(const bearing::Bearing& bearing,
-                                  std::vector<std::string>& notes) {
+IsoGeometry iso_geometry_of_balls(const bearing::Bearing& bearing, std::vector<Finding>& notes) {
   const LifeConstants& c = constants();
   const bearing::BallGeometry& balls = bearing.balls();
   const Nominal made = nominal(bearing);
@@ -59,20 +57,29 @@ IsoGeometry iso_geometry_of_balls(const bearing::Bearing& bearing,
       c.rating_factor.at(thrust ? "thrust ball" : "radial and angular contact ball");
   if (degrees > 0.0 && out.contact_angle == 0.0)
     notes.push_back(
-        fmt::format("ISO: a bearing with a free contact angle of {:.3g} deg is rated as a "
-                    "deep-groove bearing (angle 0)",
-                    degrees));
+        make_finding("life.iso",
+                     fmt::format("ISO: a bearing with a free contact angle of {:.3g} deg is rated "
+                                 "as a deep-groove bearing (angle 0)",
+                                 degrees))
+            .measure("contact angle", degrees, "deg")
+            .at_least(15.0));
   else if (degrees > 15.0 + 1e-9 && degrees < 20.0 - 1e-9)
     notes.push_back(
-        fmt::format("ISO: X, Y and e for {:.3g} deg are interpolated between the values of the "
-                    "standard for 15 and 20 deg",
-                    degrees));
+        make_finding("life.iso",
+                     fmt::format("ISO: X, Y and e for {:.3g} deg are interpolated between the "
+                                 "values of the standard for 15 and 20 deg",
+                                 degrees))
+            .measure("contact angle", degrees, "deg"));
   const auto replaced = [&](const char* race, double own, double rated, double limit) {
     if (std::abs(own - rated) > 1e-9)
-      notes.push_back(fmt::format(
-          "ISO: the {} groove with factor {:g} is rated with factor {:g}, on which the tables of "
-          "the standard are based. The tables are valid for factors up to {:g}",
-          race, own, rated, limit));
+      notes.push_back(
+          make_finding("life.iso",
+                       fmt::format("ISO: the {} groove with factor {:g} is rated with factor {:g}, "
+                                   "on which the tables of the standard are based. The tables are "
+                                   "valid for factors up to {:g}",
+                                   race, own, rated, limit))
+              .of(fmt::format("{} race", race))
+              .measure("groove factor", own, "", limit));
   };
   replaced("outer", made.groove_factor[0], out.conformity_outer, thrust ? table : 0.53);
   replaced("inner", made.groove_factor[1], out.conformity_inner, thrust ? table : 0.52);
@@ -126,14 +133,18 @@ void add_viscosity(IsoReport& out, const bearing::Bearing& bearing, const Bearin
   out.oil_temperature = oil->given.bearing_temperature.value_or(races);
   constexpr double kOther = 5.0;  // [K]
   if (std::abs(out.oil_temperature - races) > kOther)
-    out.notes.push_back(fmt::format(
-        "ISO: the viscosity ratio is for {:.4g} K (oilTemp), but the mean temperature of the races "
-        "is {:.4g} K, which films and clearance use",
-        out.oil_temperature, races));
+    out.notes.push_back(
+        make_finding("life.iso",
+                     fmt::format("ISO: the viscosity ratio is for {:.4g} K (oilTemp), but the mean "
+                                 "temperature of the races is {:.4g} K, which films and clearance "
+                                 "use",
+                                 out.oil_temperature, races))
+            .measure("temperature of the oil", out.oil_temperature, "K"));
   if (!(out.oil_temperature > 0.0)) return;
   out.viscosity = oil->kinematic_viscosity(out.oil_temperature);
   if (const std::string estimates = oil->estimates(); !estimates.empty())
-    out.notes.push_back(fmt::format("oil of record X2: estimated are {}", estimates));
+    out.notes.push_back(make_finding(
+        "fluid.certainty", fmt::format("oil of record X2, estimated values: {}", estimates)));
   const double rpm = contacts.relative_speed * 30.0 / std::numbers::pi;
   if (!(rpm > 0.0)) return;
   out.required_viscosity = 1e-6 * iso_reference_viscosity(rpm, out.geometry.pitch_diameter);
@@ -145,13 +156,14 @@ void add_viscosity(IsoReport& out, const bearing::Bearing& bearing, const Bearin
 /// ISO 16281 life from the loads of the contacts.
 ReferenceLife reference_life(const IsoReport& report, const bearing::Bearing& bearing,
                              const BearingContacts& contacts,
-                             const std::optional<IsoCondition>& condition) {
+                             const std::optional<AisoInput>& condition) {
   std::vector<double> inner, outer;
   const std::size_t tracks = bearing.rollers() ? 1 : contacts.slices;
   const auto loads_of = [&](std::size_t race, std::vector<double>& loads) {
     const std::vector<ContactPatch>& patches = contacts.race[race].patches;
     for (std::size_t at = 0; at < patches.size(); at += tracks)
-      loads.push_back(tracks == 1 ? patches[at].Q : load_of_both(patches[at].Q, patches[at + 1].Q));
+      loads.push_back(tracks == 1 ? patches[at].Q
+                                  : equivalent_split_race_load(patches[at].Q, patches[at + 1].Q));
   };
   loads_of(0, outer);
   loads_of(1, inner);
@@ -189,16 +201,19 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
     out.equivalent->Y = 0.0;
   }
   if (!out.equivalent)
-    out.notes.push_back(
+    out.notes.push_back(make_finding(
+        "life.iso",
         "ISO: factors for a thrust bearing under radial load are not available, so the equivalent "
-        "load is not computed");
+        "load is not computed"));
   const double p = iso_load_exponent(out.geometry.type);
   if (out.equivalent && out.equivalent->P > 0.0) {
     out.L10 = std::pow(out.C / out.equivalent->P, p);
     if (out.C0 && out.equivalent->P > std::min(0.5 * out.C, *out.C0))
       out.notes.push_back(
-          "ISO: the equivalent load is above half the dynamic rating or above the static rating, "
-          "so the ISO life is not valid");
+          make_finding("life.iso",
+                       "ISO: the equivalent load is above half the dynamic rating or above the "
+                       "static rating, so the ISO life is not valid")
+              .measure("equivalent load", out.equivalent->P, "N", std::min(0.5 * out.C, *out.C0)));
   }
   out.a1 = iso_reliability_factor(parameters.survival.value);
   const bearing::Material& race = bearing.race_material[bearing::kInner];
@@ -220,13 +235,14 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
     out.kappa = std::pow(*film, 1.3);
     out.kappa_origin = "film";
   }
-  std::optional<IsoCondition> condition;
+  std::optional<AisoInput> condition;
   if (out.kappa && out.contamination && out.C_u)
-    condition = IsoCondition{*out.contamination, *out.C_u, *out.kappa};
+    condition = AisoInput{*out.contamination, *out.C_u, *out.kappa};
   else if (out.geometry.type != IsoType::ThrustRoller)
-    out.notes.push_back(
+    out.notes.push_back(make_finding(
+        "life.iso",
         "ISO: a_ISO needs the viscosity ratio and the contamination factor, which are not in the "
-        "deck. Set the run options isoKappa (or lifeLambda) and isoContamination");
+        "deck. Set the run options isoKappa (or lifeLambda) and isoContamination"));
   if (condition && out.L10) {
     const AisoResult a =
         iso_life_factor(out.geometry.type, condition->kappa,
@@ -236,16 +252,18 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
     out.L_nm = out.a1 * a.value * *out.L10;
   }
   if (out.geometry.type == IsoType::ThrustRoller) {
-    out.notes.push_back(
+    out.notes.push_back(make_finding(
+        "life.iso",
         "ISO: the static rating and the ISO 16281 formulas for thrust roller bearings (angle above "
         "45 deg) are not available, so Cu, aISO and L10r are not computed. C and L10 are those of "
-        "ISO 281 for a pure axial load");
+        "ISO 281 for a pure axial load"));
     return out;
   }
   if (bearing.rollers() && contacts.slices < 2) {
-    out.notes.push_back(
+    out.notes.push_back(make_finding(
+        "life.iso",
         "ISO 16281: not computed, because it needs roller slices and this solution has one ellipse "
-        "per contact");
+        "per contact"));
     return out;
   }
   out.reference = reference_life(out, bearing, contacts, condition);

@@ -64,9 +64,10 @@ BearingContacts on_one_track(const BearingContacts& of, bool line) {
 LoadDamage::LoadDamage(LifeCalculator& calculator, const BearingContacts& contacts) {
   const BearingContacts reference = on_one_track(contacts, calculator.parameters().line);
   const LifeParameters& parameters = calculator.parameters();
-  for (std::size_t j = 0; j < 2; ++j) rotating_[j] = reference.race[j].rotating;
+  for (std::size_t j = 0; j < 2; ++j) race_rotates_[j] = reference.race[j].rotating;
   for (std::size_t i = 0; i < kDamageParts; ++i)
-    slope_[i] = (parameters.line ? parameters.part[i].slope : parameters.part[i].point_slope).value;
+    weibull_slope_[i] =
+        (parameters.line ? parameters.part[i].slope : parameters.part[i].point_slope).value;
   shared_track_ = parameters.choices.shared_track;
   for (std::size_t j = 0; j < 2; ++j) make_table(calculator, reference, j);
 }
@@ -131,19 +132,20 @@ void LoadDamage::make_table(LifeCalculator& calculator, const BearingContacts& r
     const double within = static_cast<double>(k) / kPerOctave - octave;
     const double place = kEvaluatedPerOctave * (octave + std::log2(1.0 + within));
     const double damage = between(race_damage, place);
-    table.race.push_back(rotating_[race] ? damage : std::pow(damage, slope_[race]));
+    table.race.push_back(race_rotates_[race] ? damage : std::pow(damage, weibull_slope_[race]));
     table.element.push_back(between(element_damage, place));
   }
 }
 
-LoadDamage::Sums LoadDamage::mean(const Table& table, std::span<const double> loads) noexcept {
+LoadDamage::MeanDamage LoadDamage::mean(const Table& table,
+                                        std::span<const double> loads) noexcept {
   constexpr int kBias = 1023, kMantissa = 52;
   constexpr int kFine = 5;  // bits: kPerOctave
   static_assert(1 << kFine == kPerOctave);
   constexpr int kRest = kMantissa - kFine;
   constexpr double kPart = 1.0 / static_cast<double>(std::uint64_t{1} << kRest);
   const double scale = 1.0 / table.reference;
-  Sums sum;
+  MeanDamage sum;
   for (const double load : loads) {
     if (!(load > 0.0)) continue;
     // Exponent and leading bits of the ratio are the place in the table, the rest is the way to the
@@ -171,12 +173,13 @@ LoadDamage::Sums LoadDamage::mean(const Table& table, std::span<const double> lo
 
 DamageParts LoadDamage::at(std::span<const double> outer,
                            std::span<const double> inner) const noexcept {
-  const std::array<Sums, 2> sums{mean(table_[0], outer), mean(table_[1], inner)};
+  const std::array<MeanDamage, 2> sums{mean(table_[0], outer), mean(table_[1], inner)};
   DamageParts out{};
   for (std::size_t j = 0; j < 2; ++j)
-    out[j] = rotating_[j] || !(sums[j].race > 0.0) ? sums[j].race
-                                                   : std::pow(sums[j].race, 1.0 / slope_[j]);
-  const double e = slope_[kElements], a = sums[0].element, b = sums[1].element;
+    out[j] = race_rotates_[j] || !(sums[j].race > 0.0)
+                 ? sums[j].race
+                 : std::pow(sums[j].race, 1.0 / weibull_slope_[j]);
+  const double e = weibull_slope_[kElements], a = sums[0].element, b = sums[1].element;
   out[kElements] = shared_track_ || !(a > 0.0) || !(b > 0.0)
                        ? a + b
                        : std::pow(std::pow(a, e) + std::pow(b, e), 1.0 / e);
@@ -192,12 +195,12 @@ double LoadDamage::stamp() const noexcept {
 }
 
 void DamageBatches::add(const DamageParts& damage, double seconds, double revolutions) {
-  for (std::size_t i = 0; i < kDamageParts; ++i) open_.damage[i] += damage[i];
-  open_.seconds += seconds;
-  open_.revolutions += revolutions;
-  if (open_.revolutions < length_) return;
-  batches_.push_back(open_);
-  open_ = {};
+  for (std::size_t i = 0; i < kDamageParts; ++i) open_batch_.damage[i] += damage[i];
+  open_batch_.seconds += seconds;
+  open_batch_.revolutions += revolutions;
+  if (open_batch_.revolutions < length_) return;
+  batches_.push_back(open_batch_);
+  open_batch_ = {};
   if (batches_.size() < kBatches) return;
   for (std::size_t k = 0; k < kBatches / 2; ++k) {
     Batch joined = batches_[2 * k];
@@ -212,9 +215,9 @@ void DamageBatches::add(const DamageParts& damage, double seconds, double revolu
 }
 
 double DamageBatches::relative_error(const DamageParts& slopes) const {
-  constexpr std::size_t kLeast = 4;
+  constexpr std::size_t kMinBatches = 4;
   const auto count = static_cast<double>(batches_.size());
-  if (batches_.size() < kLeast) return std::numeric_limits<double>::quiet_NaN();
+  if (batches_.size() < kMinBatches) return std::numeric_limits<double>::quiet_NaN();
   double mean = 0.0, square = 0.0;
   for (const Batch& batch : batches_) {
     DamageSum one;
@@ -236,7 +239,7 @@ void DamageBatches::save(std::map<std::string, double>& state) const {
   };
   state["life.batches"] = static_cast<double>(batches_.size());
   state["life.batch length"] = length_;
-  put("life.batch.open", open_);
+  put("life.batch.open", open_batch_);
   for (std::size_t k = 0; k < batches_.size(); ++k)
     put(fmt::format("life.batch.{}", k), batches_[k]);
 }
@@ -253,129 +256,133 @@ void DamageBatches::restore(const std::map<std::string, double>& state) {
     return out;
   };
   length_ = stored(state, "life.batch length");
-  open_ = get("life.batch.open");
+  open_batch_ = get("life.batch.open");
   const double count = std::clamp(stored(state, "life.batches"), 0.0, double{kBatches});
   for (int k = 0; k < static_cast<int>(count); ++k)
     batches_.push_back(get(fmt::format("life.batch.{}", k)));
 }
 
-void DamageOfSteps::step(double time, std::span<const double> outer,
-                         std::span<const double> inner) noexcept {
+void StepDamageAccumulator::step(double time, std::span<const double> outer,
+                                 std::span<const double> inner) noexcept {
   const DamageParts now = loads_.at(outer, inner);
   const double passed = started_ ? std::max(time - time_, 0.0) : 0.0;
   DamageParts damage{};
   for (std::size_t i = 0; i < kDamageParts; ++i) {
     const double more = 0.5 * passed * (s_[i] + now[i]);
-    integral_[i] += more;
+    load_damage_integral_[i] += more;
     damage[i] = c_[i] * more;
-    due_ = due_ || (now[i] > 0.0 && !known_[i]);
+    evaluation_due_ = evaluation_due_ || (now[i] > 0.0 && !calibration_known_[i]);
   }
-  if (counted_ && passed > 0.0) {
+  if (in_damage_window_ && passed > 0.0) {
     ++counted_steps_;
-    batches_.add(damage, passed, passed * turns_);
+    batches_.add(damage, passed, passed * revolutions_per_second_);
   }
   s_ = now;
   time_ = time;
-  ++since_;
+  ++steps_since_evaluation_;
 }
 
-bool DamageOfSteps::due() const noexcept { return due_ || since_ >= kStepsPerEvaluation; }
+bool StepDamageAccumulator::due() const noexcept {
+  return evaluation_due_ || steps_since_evaluation_ >= kStepsPerEvaluation;
+}
 
-void DamageOfSteps::evaluate(double time, const std::array<std::vector<double>, 2>& loads,
-                             const DamageRate& rate, bool counted) {
+void StepDamageAccumulator::evaluate(double time, const std::array<std::vector<double>, 2>& loads,
+                                     const DamageRate& rate, bool counted) {
   const DamageParts now = loads_.at(loads[0], loads[1]);
   DamageParts c = c_, damage{};
   for (std::size_t i = 0; i < kDamageParts; ++i) {
     if (now[i] > 0.0) {
       c[i] = rate.damage[i] / now[i];
-      if (!known_[i]) c_[i] = c[i];
-      known_[i] = true;
+      if (!calibration_known_[i]) c_[i] = c[i];
+      calibration_known_[i] = true;
     }
-    damage[i] = integral_[i] * 0.5 * (c_[i] + c[i]);
+    damage[i] = load_damage_integral_[i] * 0.5 * (c_[i] + c[i]);
     const double larger = std::max(c_[i], c[i]);
-    if (counted_ && larger > 0.0) {
-      weight_ += damage[i];
-      change_ += damage[i] * std::abs(c[i] - c_[i]) / larger;
+    if (in_damage_window_ && larger > 0.0) {
+      change_weight_ += damage[i];
+      weighted_change_ += damage[i] * std::abs(c[i] - c_[i]) / larger;
     }
   }
-  const double seconds = time_ - evaluated_;
-  if (counted_ && started_) sum_.add(damage, seconds, 0.5 * seconds * (turns_ + rate.turns));
+  const double seconds = time_ - last_evaluation_time_;
+  if (in_damage_window_ && started_)
+    damage_sum_.add(damage, seconds, 0.5 * seconds * (revolutions_per_second_ + rate.turns));
   c_ = c;
-  turns_ = rate.turns;
+  revolutions_per_second_ = rate.turns;
   s_ = now;
-  integral_ = {};
-  time_ = evaluated_ = time;
-  since_ = 0;
+  load_damage_integral_ = {};
+  time_ = last_evaluation_time_ = time;
+  steps_since_evaluation_ = 0;
   started_ = true;
-  counted_ = counted;
-  due_ = false;
+  in_damage_window_ = counted;
+  evaluation_due_ = false;
   ++evaluations_;
 }
 
-DamageSum DamageOfSteps::damage() const {
-  DamageSum out = sum_;
-  if (!counted_) return out;
+DamageSum StepDamageAccumulator::damage() const {
+  DamageSum out = damage_sum_;
+  if (!in_damage_window_) return out;
   DamageParts damage{};
-  for (std::size_t i = 0; i < kDamageParts; ++i) damage[i] = integral_[i] * c_[i];
-  out.add(damage, time_ - evaluated_, (time_ - evaluated_) * turns_);
+  for (std::size_t i = 0; i < kDamageParts; ++i) damage[i] = load_damage_integral_[i] * c_[i];
+  out.add(damage, time_ - last_evaluation_time_,
+          (time_ - last_evaluation_time_) * revolutions_per_second_);
   return out;
 }
 
-double DamageOfSteps::mean_change() const noexcept {
-  return weight_ > 0.0 ? change_ / weight_ : 0.0;
+double StepDamageAccumulator::mean_calibration_change() const noexcept {
+  return change_weight_ > 0.0 ? weighted_change_ / change_weight_ : 0.0;
 }
 
 /// The only list of the values in MASTER in addition to sum and batches.
 template <class Self, class Visit>
-void DamageOfSteps::visit(Self& self, Visit visit) {
+void StepDamageAccumulator::visit(Self& self, Visit visit) {
   visit("life.steps.time", self.time_);
-  visit("life.steps.evaluated", self.evaluated_);
-  visit("life.steps.turns", self.turns_);
-  visit("life.steps.change", self.change_);
-  visit("life.steps.weight", self.weight_);
+  visit("life.steps.evaluated", self.last_evaluation_time_);
+  visit("life.steps.turns", self.revolutions_per_second_);
+  visit("life.steps.change", self.weighted_change_);
+  visit("life.steps.weight", self.change_weight_);
   for (std::size_t i = 0; i < kDamageParts; ++i) {
     visit(fmt::format("life.steps.s.{}", i), self.s_[i]);
-    visit(fmt::format("life.steps.integral.{}", i), self.integral_[i]);
+    visit(fmt::format("life.steps.integral.{}", i), self.load_damage_integral_[i]);
     visit(fmt::format("life.steps.c.{}", i), self.c_[i]);
   }
 }
 
-void DamageOfSteps::save(std::map<std::string, double>& state) const {
+void StepDamageAccumulator::save(std::map<std::string, double>& state) const {
   if (!started_) return;
-  sum_.save(state);
+  damage_sum_.save(state);
   batches_.save(state);
   visit(*this, [&](const std::string& key, double value) { state[key] = value; });
   state["life.steps.table"] = loads_.stamp();
-  state["life.steps.counted"] = counted_ ? 1.0 : 0.0;
-  state["life.steps.due"] = due_ ? 1.0 : 0.0;
-  state["life.steps.since"] = static_cast<double>(since_);
+  state["life.steps.counted"] = in_damage_window_ ? 1.0 : 0.0;
+  state["life.steps.due"] = evaluation_due_ ? 1.0 : 0.0;
+  state["life.steps.since"] = static_cast<double>(steps_since_evaluation_);
   state["life.steps.number"] = static_cast<double>(counted_steps_);
   state["life.steps.evaluations"] = static_cast<double>(evaluations_);
   for (std::size_t i = 0; i < kDamageParts; ++i)
-    state[fmt::format("life.steps.known.{}", i)] = known_[i] ? 1.0 : 0.0;
+    state[fmt::format("life.steps.known.{}", i)] = calibration_known_[i] ? 1.0 : 0.0;
 }
 
-void DamageOfSteps::restore(const std::map<std::string, double>& state) {
+void StepDamageAccumulator::restore(const std::map<std::string, double>& state) {
   if (state.count("life.steps.table") == 0) return;  // of a version that sampled: starts here
-  sum_.restore(state);
+  damage_sum_.restore(state);
   batches_.restore(state);
   visit(*this, [&](const std::string& key, double& value) { value = stored(state, key); });
-  counted_ = stored(state, "life.steps.counted") > 0.5;
-  due_ = stored(state, "life.steps.due") > 0.5;
-  since_ = std::lround(stored(state, "life.steps.since"));
+  in_damage_window_ = stored(state, "life.steps.counted") > 0.5;
+  evaluation_due_ = stored(state, "life.steps.due") > 0.5;
+  steps_since_evaluation_ = std::lround(stored(state, "life.steps.since"));
   counted_steps_ = std::lround(stored(state, "life.steps.number"));
   evaluations_ = std::lround(stored(state, "life.steps.evaluations"));
   for (std::size_t i = 0; i < kDamageParts; ++i)
-    known_[i] = stored(state, fmt::format("life.steps.known.{}", i)) > 0.5;
+    calibration_known_[i] = stored(state, fmt::format("life.steps.known.{}", i)) > 0.5;
   started_ = true;
   if (stored(state, "life.steps.table") == loads_.stamp()) return;
   // Other loads or another model: what is open is damage of the old ones, and c starts anew.
-  sum_ = damage();
-  integral_ = {};
-  evaluated_ = time_;
-  known_ = {};
+  damage_sum_ = damage();
+  load_damage_integral_ = {};
+  last_evaluation_time_ = time_;
+  calibration_known_ = {};
   s_ = {};
-  due_ = true;
+  evaluation_due_ = true;
 }
 
 }  // namespace adore::life

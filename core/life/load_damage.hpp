@@ -18,8 +18,8 @@
 ///   damage rate of part i = c_i(t) s_i(loads at t),
 /// s_i: damage of the model at these loads, everything else as in the equilibrium (LoadDamage);
 /// c_i: rate by the full model over s_i at the same instant, taken every kStepsPerEvaluation steps
-/// and taken as the mean of both ends in between (DamageOfSteps). c_i holds what s_i leaves out:
-/// contact angles, edge loads, films, spin of the elements, speed of the races.
+/// and taken as the mean of both ends in between (StepDamageAccumulator). c_i holds what s_i leaves
+/// out: contact angles, edge loads, films, spin of the elements, speed of the races.
 ///
 /// Error: the change of c_i between two evaluations, which is recorded; loads are integrated by the
 /// trapezoidal rule over the integrator's own steps (about five per period of the fastest contact
@@ -53,15 +53,15 @@ class LoadDamage {
                                   ///< if the race does not rotate relative to the load
     std::vector<double> element;  ///< likewise
   };
-  struct Sums {
+  struct MeanDamage {
     double race = 0.0, element = 0.0;
   };
   void make_table(LifeCalculator& calculator, const BearingContacts& reference, std::size_t race);
-  [[nodiscard]] static Sums mean(const Table& table, std::span<const double> loads) noexcept;
+  [[nodiscard]] static MeanDamage mean(const Table& table, std::span<const double> loads) noexcept;
 
   std::array<Table, 2> table_;
-  std::array<bool, 2> rotating_{};
-  std::array<double, 3> slope_{};
+  std::array<bool, 2> race_rotates_{};
+  std::array<double, 3> weibull_slope_{};
   bool shared_track_ = false;
 };
 
@@ -90,17 +90,17 @@ class DamageBatches {
   };
   double length_ = kFirstLength;
   std::vector<Batch> batches_;
-  Batch open_;
+  Batch open_batch_;
 };
 
 /// Adds up the damage of a run.
-class DamageOfSteps {
+class StepDamageAccumulator {
  public:
   /// Steps between two evaluations of the full model. Fixed, so that results depend on no output
   /// interval.
   static constexpr long kStepsPerEvaluation = 64;
 
-  explicit DamageOfSteps(LoadDamage loads) : loads_(std::move(loads)) {}
+  explicit StepDamageAccumulator(LoadDamage loads) : loads_(std::move(loads)) {}
 
   /// Loads at the end of an integration step.
   void step(double time, std::span<const double> outer, std::span<const double> inner) noexcept;
@@ -118,7 +118,7 @@ class DamageOfSteps {
   [[nodiscard]] long evaluations() const noexcept { return evaluations_; }
   /// Relative change of c from one evaluation to the next, mean weighted by damage: bounds the
   /// error of taking c between them as the mean of both. 0 before the second evaluation.
-  [[nodiscard]] double mean_change() const noexcept;
+  [[nodiscard]] double mean_calibration_change() const noexcept;
 
   void save(std::map<std::string, double>& state) const;
   /// Of a run with other tables c is unknown, and an evaluation is due.
@@ -129,18 +129,19 @@ class DamageOfSteps {
   static void visit(Self& self, Visit visit);
 
   LoadDamage loads_;
-  bool started_ = false, counted_ = false, due_ = true;
-  double time_ = 0.0;       ///< of the last step [s]
-  double evaluated_ = 0.0;  ///< time of the last evaluation [s]
-  double turns_ = 0.0;      ///< relative revolutions per second at the last evaluation [1/s]
-  DamageParts s_{};         ///< at the last step
-  DamageParts integral_{};  ///< of s since the last evaluation
-  DamageParts c_{};         ///< [1e6 rev/s]
-  std::array<bool, kDamageParts> known_{};  ///< c: a load was there at some evaluation
-  long since_ = 0;                          ///< steps since the last evaluation
+  bool started_ = false, in_damage_window_ = false, evaluation_due_ = true;
+  double time_ = 0.0;                  ///< of the last step [s]
+  double last_evaluation_time_ = 0.0;  ///< time of the last evaluation [s]
+  double revolutions_per_second_ =
+      0.0;           ///< relative revolutions per second at the last evaluation [1/s]
+  DamageParts s_{};  ///< at the last step
+  DamageParts load_damage_integral_{};                  ///< of s since the last evaluation
+  DamageParts c_{};                                     ///< [1e6 rev/s]
+  std::array<bool, kDamageParts> calibration_known_{};  ///< c: a load was there at some evaluation
+  long steps_since_evaluation_ = 0;                     ///< steps since the last evaluation
   long counted_steps_ = 0, evaluations_ = 0;
-  double change_ = 0.0, weight_ = 0.0;
-  DamageSum sum_;
+  double weighted_change_ = 0.0, change_weight_ = 0.0;
+  DamageSum damage_sum_;
   DamageBatches batches_;
 };
 

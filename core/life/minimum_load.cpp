@@ -21,8 +21,9 @@ double minimum_load_of_rollers(double kr, double speed_ratio, double mean_mm) {
 }
 
 double minimum_load_of_spherical_rollers(double static_rating, double speed_ratio) {
-  constexpr double kSlow = 0.3, kShare = 0.003;
-  return kShare * static_rating * (1.0 + 2.0 * std::sqrt(std::max(speed_ratio - kSlow, 0.0)));
+  constexpr double kThresholdSpeedRatio = 0.3, kRatingShare = 0.003;
+  return kRatingShare * static_rating *
+         (1.0 + 2.0 * std::sqrt(std::max(speed_ratio - kThresholdSpeedRatio, 0.0)));
 }
 
 double minimum_thrust(double A, double rpm, double static_rating) {

@@ -1,5 +1,6 @@
 #include "life/oscillation.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "life/constants.hpp"
 
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace adore::life {
 
@@ -20,7 +20,6 @@ Oscillation oscillation(const OscillationInput& in) {
         in.count, in.gamma));
   if (!(in.swing > 0.0))
     throw InputError("swing: it must be above 0. Enter the angle between both end positions.");
-  constexpr double kPi = std::numbers::pi;
   const double slope = in.ball ? constants().point_slope.value : constants().line_slope.value;
   Oscillation out;
   out.cycles_per_revolution = std::numeric_limits<double>::infinity();

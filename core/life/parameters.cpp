@@ -20,40 +20,40 @@ int table_code(const Material& material) { return material.code == 0 ? 100 : mat
 
 constexpr std::array<const char*, 3> kPartNames{"outer race", "inner race", "rolling elements"};
 
-Marked given_or(const std::optional<double>& value, const Marked& otherwise) {
-  return value ? Marked{*value, "deck"} : otherwise;
+SourcedValue given_or(const std::optional<double>& value, const SourcedValue& otherwise) {
+  return value ? SourcedValue{*value, "deck"} : otherwise;
 }
 
-ModelParameters model_parameters(const LifeModelInput& input, const Marked& stress,
-                                 const Marked& depth) {
+ModelParameters model_parameters(const LifeModelInput& input, const SourcedValue& stress,
+                                 const SourcedValue& depth) {
   ModelParameters out;
   out.factor = given_or(input.factor, {1.0, "default"});
   // No model has a stress exponent of 0: it selects the built-in one. A depth exponent of 0 has
   // a meaning, so it selects the built-in one only together with it.
   const bool blank = !input.stress_exponent || *input.stress_exponent == 0.0;
-  out.stress_exponent = blank ? stress : Marked{*input.stress_exponent, "deck"};
+  out.stress_exponent = blank ? stress : SourcedValue{*input.stress_exponent, "deck"};
   const bool own_depth = input.depth_exponent && (!blank || *input.depth_exponent != 0.0);
-  out.depth_exponent = own_depth ? Marked{*input.depth_exponent, "deck"} : depth;
+  out.depth_exponent = own_depth ? SourcedValue{*input.depth_exponent, "deck"} : depth;
   return out;
 }
 
 /// A modification factor of zero is a record left blank too.
-Marked factor_or(const std::optional<double>& value, const Marked& otherwise) {
-  return value && *value > 0.0 ? Marked{*value, "deck"} : otherwise;
+SourcedValue factor_or(const std::optional<double>& value, const SourcedValue& otherwise) {
+  return value && *value > 0.0 ? SourcedValue{*value, "deck"} : otherwise;
 }
 
 void set_factors(PartParameters& out, const LifeComponentInput& input, const Material& material,
-                 std::vector<std::string>& notes) {
+                 std::vector<Finding>& notes) {
   const LifeConstants& c = constants();
   const bool own = material.code == kDeckMaterial;
   const auto stle = c.stle_by_code.find(table_code(material));
   const auto tallian = c.tallian_by_code.find(table_code(material));
-  const Marked none{1.0, own ? "blank" : "none known"};
+  const SourcedValue none{1.0, own ? "blank" : "none known"};
   const bool has_stle = !own && stle != c.stle_by_code.end();
-  out.stle_material =
-      factor_or(input.stle_material, has_stle ? Marked{stle->second.first, c.stle_origin} : none);
-  out.stle_process =
-      factor_or(input.stle_process, has_stle ? Marked{stle->second.second, c.stle_origin} : none);
+  out.stle_material = factor_or(input.stle_material,
+                                has_stle ? SourcedValue{stle->second.first, c.stle_origin} : none);
+  out.stle_process = factor_or(input.stle_process,
+                               has_stle ? SourcedValue{stle->second.second, c.stle_origin} : none);
   out.stle_hardness = factor_or(input.stle_hardness, {1.0, "default"});
   const bool has_tallian = !own && tallian != c.tallian_by_code.end();
   const LifeConstants::TallianDefaults values =
@@ -67,16 +67,22 @@ void set_factors(PartParameters& out, const LifeComponentInput& input, const Mat
   out.asperity_traction = given_or(input.asperity_traction, {c.asperity_traction, "derived"});
   out.residual_stress = input.residual_stress;
   if (!own && !has_stle)
-    notes.push_back(fmt::format(
-        "{}: no STLE factors are known for {}; material and process factors are set to 1", out.name,
-        material.name));
+    notes.push_back(
+        make_finding("life.stle", fmt::format("{}: no STLE factors are known for {}; "
+                                              "material and process factors are set to 1",
+                                              out.name, material.name))
+            .of(out.name));
   if (!own && !has_tallian)
-    notes.push_back(fmt::format("{}: no Tallian factors are known for {}; the factors are set to 1",
-                                out.name, material.name));
+    notes.push_back(
+        make_finding(
+            "life.tallian",
+            fmt::format("{}: no Tallian factors are known for {}; the factors are set to 1",
+                        out.name, material.name))
+            .of(out.name));
 }
 
 void set_limit(PartParameters& out, const Material& material, double limit_factor,
-               std::vector<std::string>& notes) {
+               std::vector<Finding>& notes) {
   if (material.code == kDeckMaterial)
     out.fatigue_limit = {material.fatigue_limit_stress, "deck"};
   else if (const auto known = fatigue_limit_of_code(table_code(material)))
@@ -85,10 +91,13 @@ void set_limit(PartParameters& out, const Material& material, double limit_facto
     out.fatigue_limit = {0.0, "none known"};
   out.fatigue_limit.value *= limit_factor;
   if (out.fatigue_limit.value == 0.0)
-    notes.push_back(fmt::format(
-        "{}: no fatigue limit is known for {}. The limit is set to 0, so no life is infinite. The "
-        "Ioannides-Harris lives are far too short, because the model was calibrated with 684 MPa",
-        out.name, material.name));
+    notes.push_back(
+        make_finding("life.fatigue_limit",
+                     fmt::format("{}: no fatigue limit is known for {}. The limit is set to 0, so "
+                                 "no life is infinite. The Ioannides-Harris lives are far too "
+                                 "short, because the model was calibrated with 684 MPa",
+                                 out.name, material.name))
+            .of(out.name));
 }
 
 }  // namespace
@@ -100,7 +109,7 @@ LifeParameters life_parameters(const bearing::LifeInputs& inputs, bool line,
   out.line = line;
   out.choices = inputs.choices;
   out.limit_factor = inputs.limit_factor;
-  const Marked slope = line ? c.line_slope : c.point_slope;
+  const SourcedValue slope = line ? c.line_slope : c.point_slope;
   out.survival = given_or(inputs.survival, {0.9, "default"});
   out.bearing_slope = given_or(inputs.bearing_slope, slope);
   out.point_bearing_slope = given_or(inputs.bearing_slope, c.point_slope);
@@ -133,25 +142,32 @@ LifeParameters life_parameters(const bearing::LifeInputs& inputs, bool line,
       part.fatigue_limit = {*inputs.race_limit * inputs.limit_factor, "maker"};
     set_factors(part, input, material, out.notes);
     // Elastic constants are hidden in the constant of the original theory.
-    if (i != bearing::kElementPart &&
-        !(material.elastic_modulus > 185e9 && material.elastic_modulus < 225e9))
+    constexpr double kMinSteelModulus = 185e9, kMaxSteelModulus = 225e9;  // [Pa]
+    if (i != bearing::kElementPart && !(material.elastic_modulus > kMinSteelModulus &&
+                                        material.elastic_modulus < kMaxSteelModulus))
       out.notes.push_back(
-          fmt::format("{}: the original Lundberg-Palmgren life is valid for steel only, not for a "
-                      "modulus of {:.4g} GPa; the stress models account for the modulus",
-                      part.name, 1e-9 * material.elastic_modulus));
+          make_finding("life.not_steel",
+                       fmt::format("{}: the original Lundberg-Palmgren life is valid for steel "
+                                   "only, not for a modulus of {:.4g} GPa; the stress models "
+                                   "account for the modulus",
+                                   part.name, 1e-9 * material.elastic_modulus))
+              .of(part.name)
+              .measure(1e-9 * material.elastic_modulus, 1e-9 * kMaxSteelModulus)
+              .at_least(1e-9 * kMinSteelModulus));
   }
   constexpr double kCeramicModulus = 250e9;
   out.ceramic_elements =
       element.code == 150 || element.code == 151 ||
       (element.code == kDeckMaterial && element.elastic_modulus > kCeramicModulus);
   if (out.ceramic_elements && out.choices.elements == bearing::ElementLife::Zaretsky)
-    out.notes.push_back(
+    out.notes.push_back(make_finding(
+        "life.ceramic",
         "ceramic rolling elements follow other failure laws, so the life of the bearing does not "
-        "include them (run option lifeElements=all includes them)");
+        "include them (run option lifeElements=all includes them)"));
   return out;
 }
 
-bool counts_elements(const LifeParameters& parameters, bearing::LifeModel model) {
+bool includes_element_life(const LifeParameters& parameters, bearing::LifeModel model) {
   using bearing::ElementLife;
   if (model == bearing::LifeModel::Original) return false;
   switch (parameters.choices.elements) {

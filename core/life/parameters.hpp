@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "bearing/bearing.hpp"
 #include "bearing/life_inputs.hpp"
 #include "life/constants.hpp"
@@ -14,38 +15,40 @@
 namespace adore::life {
 
 struct ModelParameters {
-  Marked factor;           ///< of the stress capacity
-  Marked stress_exponent;  ///< as on the record: hazard exponent, Gupta-Zaretsky life exponent
-  Marked depth_exponent;   ///< 0 for Gupta-Zaretsky
+  SourcedValue factor;  ///< of the stress capacity
+  SourcedValue
+      stress_exponent;          ///< as on the record: hazard exponent, Gupta-Zaretsky life exponent
+  SourcedValue depth_exponent;  ///< 0 for Gupta-Zaretsky
 };
 
 struct PartParameters {
   std::string name;                      ///< "outer race"
   std::string material;                  ///< its name
-  Marked original_factor;                ///< races
+  SourcedValue original_factor;          ///< races
   std::array<ModelParameters, 3> model;  ///< updated, Zaretsky, Harris
-  Marked slope;                          ///< of balls, or of rollers that count as lines
-  Marked point_slope;                    ///< point contact or not
-  Marked fatigue_limit;                  ///< von Mises, with facStrLimit [Pa]; 0: no limit known
+  SourcedValue slope;                    ///< of balls, or of rollers that count as lines
+  SourcedValue point_slope;              ///< point contact or not
+  SourcedValue fatigue_limit;            ///< von Mises, with facStrLimit [Pa]; 0: no limit known
   double poisson_ratio = 0.3;
   double elastic_modulus = 0.0;  ///< behind the pressures [Pa]
   double temperature = 0.0;      ///< of the part; 0: not said [K]
   // Modification factors.
-  Marked stle_material, stle_process, stle_hardness;
-  Marked tallian_material, tallian_process, tallian_contamination;
-  Marked asperity_slope, asperity_traction;  ///< races
-  double residual_stress = 0.0;              ///< tension positive [Pa]
+  SourcedValue stle_material, stle_process, stle_hardness;
+  SourcedValue tallian_material, tallian_process, tallian_contamination;
+  SourcedValue asperity_slope, asperity_traction;  ///< races
+  double residual_stress = 0.0;                    ///< tension positive [Pa]
 };
 
 struct LifeParameters {
   bool line = false;
   std::array<PartParameters, 3> part;
-  Marked survival, bearing_slope, point_bearing_slope;
+  SourcedValue survival, bearing_slope, point_bearing_slope;
   double limit_factor = 1.0;
   bool ceramic_elements = false;
   bool modulus_follows_temperature = false;  ///< material laws on (kMatPropMod = 1)
   bearing::LifeChoices choices;
-  std::vector<std::string> notes;  ///< assumptions for unknown values
+  std::vector<Finding>
+      notes;  ///< life.stle, life.fatigue_limit ...: assumptions for unknown values
 };
 
 /// @param element, race materials; code 1 is the deck's own
@@ -55,6 +58,7 @@ struct LifeParameters {
                                              const std::array<bearing::Material, 2>& race);
 
 /// Does the element life count in the bearing's life of this model?
-[[nodiscard]] bool counts_elements(const LifeParameters& parameters, bearing::LifeModel model);
+[[nodiscard]] bool includes_element_life(const LifeParameters& parameters,
+                                         bearing::LifeModel model);
 
 }  // namespace adore::life

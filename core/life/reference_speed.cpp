@@ -1,5 +1,6 @@
 #include "life/reference_speed.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "bearing/rating_data.hpp"
 
@@ -8,13 +9,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace adore::life {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kSlow = 2000.0;  ///< nu n below which the oil torque is constant [mm^2/s rpm]
+/// nu n below which the oil torque is constant [mm^2/s rpm].
+constexpr double kConstantTorqueLimit = 2000.0;
 
 /// Root x > 0 of a x^5 + b x^3 = c: convex and increasing, Newton from above.
 double solve(double a, double b, double c) {
@@ -32,7 +32,7 @@ double solve(double a, double b, double c) {
 
 }  // namespace
 
-FrictionFactors reference_friction(std::string_view series) {
+FrictionFactors reference_friction_factors(std::string_view series) {
   const double share = bearing::rating_data("reference_conditions").at("radial").at("load_share");
   std::string known;
   for (const auto& row : bearing::rating_data("friction_factors").at("rows")) {
@@ -74,8 +74,9 @@ ReferenceSpeed reference_speed(const ReferenceBearing& b) {
   const double oil = 1e-7 * b.friction.f0r * dm * dm * dm;
   double n =
       std::pow(solve(per_speed * oil * std::pow(nu, 2.0 / 3.0), per_speed * M1, flow * area), 3.0);
-  if (nu * n < kSlow) n = flow * area / (per_speed * (160.0 * oil + M1));
-  const double M0 = oil * std::max(std::pow(nu * n, 2.0 / 3.0), nu * n < kSlow ? 160.0 : 0.0);
+  if (nu * n < kConstantTorqueLimit) n = flow * area / (per_speed * (160.0 * oil + M1));
+  const double M0 =
+      oil * std::max(std::pow(nu * n, 2.0 / 3.0), nu * n < kConstantTorqueLimit ? 160.0 : 0.0);
   out.speed = n;
   out.seat_area = 1e-6 * area;
   out.heat_flow = 1e6 * flow;

@@ -21,7 +21,7 @@ struct FrictionFactors {
   double f0r = 0.0, f1r = 0.0;
 };
 /// @param series "62", "NU2", "302", "811" ... @throws InputError with the known series
-[[nodiscard]] FrictionFactors reference_friction(std::string_view series);
+[[nodiscard]] FrictionFactors reference_friction_factors(std::string_view series);
 
 struct ReferenceBearing {
   double bore = 0.0, outside = 0.0, width = 0.0;  ///< [m]; width: tapered: total, thrust: not used

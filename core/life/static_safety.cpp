@@ -1,5 +1,6 @@
 #include "life/static_safety.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "bearing/rating_data.hpp"
 
@@ -8,13 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace adore::life {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kDegree = kPi / 180.0;
 constexpr const char* kPrinted = "seen: maker's catalogs, see resources/ratings.json";
 
 /// Y0 of one row, linear between the angles of the table; "seen" at 15, 30 and 40 degrees.
@@ -39,19 +37,19 @@ double angular_factor(double degrees, bool& seen) {
 
 }  // namespace
 
-StaticFactors static_factors(StaticType type, double angle, int rows) {
+StaticLoadFactors static_factors(StaticBearingType type, double angle, int rows) {
   const bool pair = rows > 1;
   const double degrees = angle / kDegree;
   switch (type) {
-    case StaticType::DeepGroove:
+    case StaticBearingType::DeepGroove:
       return {0.6, 0.5, true, kPrinted};
-    case StaticType::AngularContact: {
+    case StaticBearingType::AngularContact: {
       bool seen = false;
       const double Y0 = angular_factor(degrees, seen);
       return {pair ? 1.0 : 0.5, pair ? 2.0 * Y0 : Y0, !pair,
-              seen ? kPrinted : "recalled: between or beside printed angles"};
+              seen ? kPrinted : "recalled: not a printed angle"};
     }
-    case StaticType::SelfAligning: {
+    case StaticBearingType::SelfAligning: {
       if (!(degrees > 0.0 && degrees <= 45.0 + 1e-9))
         throw InputError(fmt::format(
             "contact angle = {:.4g} deg: it must be above 0 and up to 45 deg for this type. Enter "
@@ -60,9 +58,9 @@ StaticFactors static_factors(StaticType type, double angle, int rows) {
       const double Y0 = 0.22 / std::tan(angle);
       return {pair ? 1.0 : 0.5, pair ? 2.0 * Y0 : Y0, !pair, kPrinted};
     }
-    case StaticType::Cylindrical:
+    case StaticBearingType::Cylindrical:
       return {1.0, 0.0, true, kPrinted};
-    case StaticType::Thrust:
+    case StaticBearingType::Thrust:
       break;
   }
   if (degrees > 90.0 - 1e-9) return {0.0, 1.0, false, kPrinted};
@@ -74,7 +72,7 @@ StaticFactors static_factors(StaticType type, double angle, int rows) {
   return {2.3 * std::tan(angle), 1.0, false, "recalled"};
 }
 
-double equivalent_static_load(const StaticFactors& factors, double radial, double axial) {
+double equivalent_static_load(const StaticLoadFactors& factors, double radial, double axial) {
   const double Fr = std::abs(radial), Fa = std::abs(axial);
   if (factors.X0 == 0.0 && Fr > 0.0)
     throw InputError(

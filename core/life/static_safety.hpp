@@ -14,7 +14,7 @@
 /// Loads act in one direction of the bearing; signs do not matter. Loads [N], angles [rad].
 namespace adore::life {
 
-enum class StaticType : unsigned char {
+enum class StaticBearingType : unsigned char {
   DeepGroove,
   AngularContact,
   SelfAligning,  ///< ball; and tapered and spherical roller bearings
@@ -22,7 +22,7 @@ enum class StaticType : unsigned char {
   Thrust
 };
 
-struct StaticFactors {
+struct StaticLoadFactors {
   double X0 = 1.0, Y0 = 0.0;
   bool at_least_radial = true;  ///< P0 is not below Fr
   std::string provenance;       ///< "seen" or "recalled", with the source
@@ -30,10 +30,10 @@ struct StaticFactors {
 
 /// @param angle contact angle; tapered: half the cup angle @param rows 1 or 2
 /// @throws InputError for an angle that the type does not have
-[[nodiscard]] StaticFactors static_factors(StaticType type, double angle, int rows);
+[[nodiscard]] StaticLoadFactors static_factors(StaticBearingType type, double angle, int rows);
 
 /// @throws InputError for a radial load on a thrust bearing of 90 deg
-[[nodiscard]] double equivalent_static_load(const StaticFactors& factors, double radial,
+[[nodiscard]] double equivalent_static_load(const StaticLoadFactors& factors, double radial,
                                             double axial);
 
 }  // namespace adore::life

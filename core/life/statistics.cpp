@@ -1,18 +1,16 @@
 #include "life/statistics.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace adore::life {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void check_survival(double survival) {
   if (!(survival > 0.0 && survival < 1.0))

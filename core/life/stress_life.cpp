@@ -1,5 +1,6 @@
 #include "life/stress_life.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "bearing/bearing.hpp"
 #include "contact/groove.hpp"
@@ -12,20 +13,15 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 namespace adore::life {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Von Mises peak over orthogonal shear peak of a line contact at ν = 0.3: turns a von Mises limit
 /// into the shear limit that a line contact reaches at the same pressure (derived).
 double mises_over_shear() {
   static const double ratio = [] {
-    const PeakRatios line = peak_ratios(0.0, 0.3);
+    const PeakStressRatios line = peak_stress_ratios(0.0, 0.3);
     return line.von_mises / line.shear_amplitude;
   }();
   return ratio;
@@ -50,7 +46,7 @@ CalibrationState point_calibration() {
   out.patch.a = hertz.a_hat * std::cbrt(capacity);
   out.patch.b = hertz.b_hat * std::cbrt(capacity);
   out.patch.p_max = 1.5 * capacity / (kPi * out.patch.a * out.patch.b);
-  out.track = race_track(pitch, r.gamma, r.count, true);
+  out.track = race_track_loading(pitch, r.gamma, r.count, true);
   out.poisson = c.poisson_ratio;
   return out;
 }
@@ -68,7 +64,7 @@ CalibrationState line_calibration() {
   out.patch.a = 0.5 * r.length;
   out.patch.b = std::sqrt(4.0 * capacity * radius / (kPi * r.length * E_star));
   out.patch.p_max = 2.0 * capacity / (kPi * out.patch.b * r.length);
-  out.track = race_track(pitch, r.gamma, r.count, true);
+  out.track = race_track_loading(pitch, r.gamma, r.count, true);
   out.poisson = c.poisson_ratio;
   return out;
 }
@@ -81,7 +77,7 @@ const CalibrationState& calibration_state(bool line) {
   return line ? roller : point;
 }
 
-PeakRatios peak_ratios(double k, double poisson) {
+PeakStressRatios peak_stress_ratios(double k, double poisson) {
   // A line contact is the long ellipse: its ratios differ from the limit by about 0.2 k.
   const contact::SubsurfaceStress s =
       contact::subsurface_stress(1.0 / std::max(k, 1e-8), 1.0, 1.0, poisson);
@@ -89,30 +85,30 @@ PeakRatios peak_ratios(double k, double poisson) {
           s.max_shear_depth,  s.von_mises,        s.octahedral_depth};
 }
 
-const PeakRatios& PeakCache::at(double k, double poisson) {
+const PeakStressRatios& PeakStressCache::at(double k, double poisson) {
   // On a grid: what was asked before must not show in the answer.
   constexpr double kGrid = 1e10;
   k = std::round(k * kGrid) / kGrid;
   for (const Entry& entry : entries_)
     if (entry.k == k && entry.poisson == poisson) return entry.ratios;
   constexpr std::size_t kKept = 64;
-  const Entry entry{k, poisson, peak_ratios(k, poisson)};
+  const Entry entry{k, poisson, peak_stress_ratios(k, poisson)};
   if (entries_.size() < kKept) return entries_.emplace_back(entry).ratios;
   Entry& slot = entries_[next_++ % kKept];
   slot = entry;
   return slot.ratios;
 }
 
-Track race_track(double pitch_diameter, double gamma, int count, bool inner) {
+TrackLoading race_track_loading(double pitch_diameter, double gamma, int count, bool inner) {
   const double s = inner ? gamma : -gamma;
   return {kPi * pitch_diameter * (1.0 - s), 0.5 * count * (1.0 + s)};
 }
 
-Track element_track(double pitch_diameter, double diameter, double gamma) {
+TrackLoading element_track_loading(double pitch_diameter, double diameter, double gamma) {
   return {kPi * diameter, 0.5 * pitch_diameter * (1.0 - gamma * gamma) / diameter};
 }
 
-ContactPatch scaled_to_pressure(const ContactPatch& patch, double pressure, bool line) {
+ContactPatch scale_patch_to_pressure(const ContactPatch& patch, double pressure, bool line) {
   const double r = pressure / patch.p_max;
   return {patch.Q * (line ? r * r : r * r * r), line ? patch.a : patch.a * r, patch.b * r,
           pressure};
@@ -135,16 +131,16 @@ StressLife::StressLife(const StressModel& model) : model_(model) {
                     model.hazard_exponent, model.depth_exponent, model.line ? 1 : 2));
   n_ = power / model.slope;
   const CalibrationState& at = calibration_state(model.line);
-  PeakCache peaks;
+  PeakStressCache peaks;
   // The limit of the calibration stays at its value (684 MPa), independent of the limit in use.
   const double limit = model.model == LifeModel::Harris ? constants().harris_limit : 0.0;
   reference_ = log_hazard(at.patch, at.track, at.poisson, limit, peaks);
 }
 
-StressLife::Measure StressLife::measure(const ContactPatch& patch, double poisson, double limit,
-                                        PeakCache& peaks) const {
+StressLife::StressMeasure StressLife::measure(const ContactPatch& patch, double poisson,
+                                              double limit, PeakStressCache& peaks) const {
   const double k = model_.line ? 0.0 : patch.b / patch.a;
-  const PeakRatios& r = peaks.at(k, poisson);
+  const PeakStressRatios& r = peaks.at(k, poisson);
   switch (model_.model) {
     case LifeModel::Updated:
       return {r.shear_amplitude * patch.p_max, r.shear_depth * patch.b};
@@ -159,8 +155,8 @@ StressLife::Measure StressLife::measure(const ContactPatch& patch, double poisso
       "a subsurface stress was requested for the original Lundberg-Palmgren life, which has none");
 }
 
-double StressLife::log_hazard(const ContactPatch& patch, const Track& track, double poisson,
-                              double limit, PeakCache& peaks) const {
+double StressLife::log_hazard(const ContactPatch& patch, const TrackLoading& track, double poisson,
+                              double limit, PeakStressCache& peaks) const {
   const double c = model_.hazard_exponent, h = model_.depth_exponent;
   const double width = model_.line ? 1.5 * patch.a : patch.a;  // 3/4 of the length 2a
   const double common = std::log(width * track.length) + model_.slope * std::log(track.cycles);
@@ -169,7 +165,7 @@ double StressLife::log_hazard(const ContactPatch& patch, const Track& track, dou
     if (!(integral > 0.0)) return -kInfinity;
     return c * std::log(patch.p_max) + (1.0 - h) * std::log(patch.b) + std::log(integral) + common;
   }
-  const Measure m = measure(patch, poisson, limit, peaks);
+  const StressMeasure m = measure(patch, poisson, limit, peaks);
   if (!(m.stress > 0.0)) return -kInfinity;
   if (h != 1.0 && !(m.depth > 0.0))
     throw InputError(
@@ -179,20 +175,20 @@ double StressLife::log_hazard(const ContactPatch& patch, const Track& track, dou
   return c * std::log(m.stress) + (h == 1.0 ? 0.0 : (1.0 - h) * std::log(m.depth)) + common;
 }
 
-double StressLife::life(const ContactPatch& patch, const Track& track, double poisson,
-                        PeakCache& peaks) const {
+double StressLife::life(const ContactPatch& patch, const TrackLoading& track, double poisson,
+                        PeakStressCache& peaks) const {
   if (!(patch.Q > 0.0)) return kInfinity;
   const double hazard = log_hazard(patch, track, poisson, model_.limit, peaks);
   return std::exp((reference_ - hazard) / model_.slope + n_ * std::log(model_.factor));
 }
 
-double StressLife::stress_capacity(const ContactPatch& patch, const Track& track, double poisson,
-                                   PeakCache& peaks) const {
+double StressLife::stress_capacity(const ContactPatch& patch, const TrackLoading& track,
+                                   double poisson, PeakStressCache& peaks) const {
   // ln L falls steadily with ln p (from infinity where a limit acts): bisection, some 50 cheap
   // steps.
   const auto log_life = [&](double log_p) {
     return std::log(
-        life(scaled_to_pressure(patch, std::exp(log_p), model_.line), track, poisson, peaks));
+        life(scale_patch_to_pressure(patch, std::exp(log_p), model_.line), track, poisson, peaks));
   };
   double low = std::log(1e5), high = std::log(1e12);  // L(low) > 1 > L(high) for any real bearing
   for (int n = 0; n < 200 && high - low > 1e-14 * high; ++n) {

@@ -27,38 +27,40 @@ struct ContactPatch {
 };
 
 /// Largest subsurface stresses over the peak pressure, depths over b.
-struct PeakRatios {
+struct PeakStressRatios {
   double shear_amplitude = 0.0, shear_depth = 0.0;  ///< orthogonal shear
   double max_shear = 0.0, max_shear_depth = 0.0;    ///< largest shear on the axis
   double von_mises = 0.0, von_mises_depth = 0.0;    ///< largest von Mises stress on the axis
 };
 /// @param k b/a, 0..1; below 1e-8 (a line contact) the limit k -> 0 @param poisson of the stressed
 /// body
-[[nodiscard]] PeakRatios peak_ratios(double k, double poisson);
+[[nodiscard]] PeakStressRatios peak_stress_ratios(double k, double poisson);
 
 /// Remembers the ratios of the ellipticities seen: contacts of one race share theirs, and one costs
 /// 50 µs. Keeps the last few; a ratio is rounded to a multiple of 1e-10.
-class PeakCache {
+class PeakStressCache {
  public:
-  const PeakRatios& at(double k, double poisson);
+  const PeakStressRatios& at(double k, double poisson);
 
  private:
   struct Entry {
     double k, poisson;
-    PeakRatios ratios;
+    PeakStressRatios ratios;
   };
   std::vector<Entry> entries_;
   std::size_t next_ = 0;
 };
 
 /// Loading of a surface per relative ring revolution.
-struct Track {
+struct TrackLoading {
   double length = 0.0;  ///< l_t [m]: race π d_m (1∓γ), element π D
   double cycles = 0.0;  ///< u: race Z(1±γ)/2, element d_m(1-γ²)/(2D) per race
 };
 /// Upper sign inner race; γ = D cos α/d_m.
-[[nodiscard]] Track race_track(double pitch_diameter, double gamma, int count, bool inner);
-[[nodiscard]] Track element_track(double pitch_diameter, double diameter, double gamma);
+[[nodiscard]] TrackLoading race_track_loading(double pitch_diameter, double gamma, int count,
+                                              bool inner);
+[[nodiscard]] TrackLoading element_track_loading(double pitch_diameter, double diameter,
+                                                 double gamma);
 
 /// Exponents and factor of one model on one component.
 struct StressModel {
@@ -83,21 +85,21 @@ class StressLife {
   /// Life [1e6 rev] of a surface whose contacts are all like this one; infinite when it is open or
   /// stays under the limit. Shear peaks are taken at the patch's own ellipticity.
   /// @param poisson of the stressed body
-  [[nodiscard]] double life(const ContactPatch& patch, const Track& track, double poisson,
-                            PeakCache& peaks) const;
+  [[nodiscard]] double life(const ContactPatch& patch, const TrackLoading& track, double poisson,
+                            PeakStressCache& peaks) const;
   /// Dynamic stress capacity p_c: the peak pressure of life 1 at the patch's ellipticity [Pa].
-  [[nodiscard]] double stress_capacity(const ContactPatch& patch, const Track& track,
-                                       double poisson, PeakCache& peaks) const;
+  [[nodiscard]] double stress_capacity(const ContactPatch& patch, const TrackLoading& track,
+                                       double poisson, PeakStressCache& peaks) const;
   [[nodiscard]] const StressModel& model() const noexcept { return model_; }
 
  private:
-  struct Measure {
+  struct StressMeasure {
     double stress = 0.0, depth = 0.0;  ///< [Pa, m]; the integral form puts its own scale in both
   };
-  [[nodiscard]] Measure measure(const ContactPatch& patch, double poisson, double limit,
-                                PeakCache& peaks) const;
-  [[nodiscard]] double log_hazard(const ContactPatch& patch, const Track& track, double poisson,
-                                  double limit, PeakCache& peaks) const;
+  [[nodiscard]] StressMeasure measure(const ContactPatch& patch, double poisson, double limit,
+                                      PeakStressCache& peaks) const;
+  [[nodiscard]] double log_hazard(const ContactPatch& patch, const TrackLoading& track,
+                                  double poisson, double limit, PeakStressCache& peaks) const;
 
   StressModel model_;
   double n_ = 0.0;
@@ -107,13 +109,13 @@ class StressLife {
 /// A calibration contact at its Lundberg-Palmgren capacity load.
 struct CalibrationState {
   ContactPatch patch;
-  Track track;
+  TrackLoading track;
   double poisson = 0.0;
 };
 [[nodiscard]] const CalibrationState& calibration_state(bool line);
 
 /// The patch under another peak pressure: a point contact scales both axes, a line contact b only.
-[[nodiscard]] ContactPatch scaled_to_pressure(const ContactPatch& patch, double pressure,
-                                              bool line);
+[[nodiscard]] ContactPatch scale_patch_to_pressure(const ContactPatch& patch, double pressure,
+                                                   bool line);
 
 }  // namespace adore::life

@@ -1,6 +1,7 @@
 #include "listing/ball_warnings.hpp"
 
 #include "base/validity.hpp"
+#include "listing/print_words.hpp"
 #include "statics/race_text.hpp"
 
 #include <fmt/format.h>
@@ -15,9 +16,7 @@ namespace {
 
 using statics::StaticBall;
 
-constexpr std::array<const char*, 2> kRace{"outer", "inner"};
-
-std::string quantity(double si, const UnitPair& unit, UnitSystem units) {
+std::string rounded_quantity(double si, const UnitPair& unit, UnitSystem units) {
   return fmt::format("{:.4g} {}", from_si(si, unit, units), unit_name(unit, units));
 }
 
@@ -66,7 +65,7 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
   const auto add = [&](const char* code, const Offenders& of, std::size_t race,
                        std::string sentence) -> Finding& {
     out.push_back(make_finding(code, std::move(sentence)));
-    return out.back().of(fmt::format("ball {}, {} race", of.worst + 1, kRace[race]));
+    return out.back().of(fmt::format("ball {}, {} race", of.worst + 1, kRaceName[race]));
   };
   const std::vector<StaticBall>& balls = solution.balls;
   for (std::size_t j = 0; j < 2; ++j) {
@@ -80,7 +79,8 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
               "gyroscopic moment, but {}. Such balls slip about the gyroscopic axis: their actual "
               "spin, heat and contact angles differ from those shown. Increase the load, reduce "
               "the speed, or use ballFriction=balance or a dynamic run (mode 0)",
-              rule_text(bearing.spin_rule), slip.text(), balls[slip.worst].friction[j], kRace[j],
+              rule_text(bearing.spin_rule), slip.text(), balls[slip.worst].friction[j],
+              kRaceName[j],
               available
                   ? fmt::format("the traction law of the deck gives at most {:.3g}", *available)
                   : "lubricated contacts reach only about 0.06 (the deck has no traction law)"))
@@ -100,10 +100,12 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
               "balls together {:.3g} %), but a real race has no surface beyond the shoulder. The "
               "model does not truncate the ellipse: displacement, loads and life are optimistic, "
               "and the pressure at the shoulder edge is not computed",
-              over.text(), kRace[j], quantity(-worst.shoulder_depth[j], unit::kLength, units),
-              quantity(worst.beyond[j], unit::kForce, units),
-              quantity(worst.Q[j], unit::kForce, units), 100.0 * worst.beyond[j] / worst.Q[j],
-              100.0 * lost / carried));
+              over.text(), kRaceName[j],
+              rounded_quantity(-worst.shoulder_depth[j], unit::kLength, units),
+              rounded_quantity(worst.beyond[j], unit::kForce, units),
+              rounded_quantity(worst.Q[j], unit::kForce, units),
+              100.0 * worst.beyond[j] / worst.Q[j], 100.0 * lost / carried))
+          .measure(-worst.shoulder_depth[j] / validity::range("hertz.shoulder").per, 0.0);
     }
     const double radius = 0.5 * bearing.balls().diameter;
     const Offenders wide = offenders(balls, validity::range("hertz.ellipse").bounds.most * radius,
@@ -117,9 +119,10 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
               "pressure are approximate (groove factor {:.5g}). The half length grows with the "
               "cube root of the load and equals the ball radius at {}. A dynamic run ends when a "
               "contact reaches that load",
-              wide.text(), kRace[j], quantity(worst.a[j], unit::kLength, units),
-              quantity(radius, unit::kLength, units), bearing.balls().groove_factor[j],
-              quantity(worst.Q[j] * std::pow(radius / worst.a[j], 3), unit::kForce, units)));
+              wide.text(), kRaceName[j], rounded_quantity(worst.a[j], unit::kLength, units),
+              rounded_quantity(radius, unit::kLength, units), bearing.balls().groove_factor[j],
+              rounded_quantity(worst.Q[j] * std::pow(radius / worst.a[j], 3), unit::kForce, units)))
+          .measure(worst.a[j] / radius, validity::range("hertz.ellipse").bounds.most);
     }
   }
   return out;

@@ -20,7 +20,7 @@ Json number(double value) {
   return std::isinf(value) ? Json("infinite") : Json(value);
 }
 Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
-Json marked(const life::Marked& m) { return {{"value", m.value}, {"origin", m.origin}}; }
+Json marked(const life::SourcedValue& m) { return {{"value", m.value}, {"origin", m.origin}}; }
 
 Json lives(const life::LifeState& state) {
   Json out = Json::object();
@@ -30,14 +30,14 @@ Json lives(const life::LifeState& state) {
       Json entry = Json::object();
       for (std::size_t i = 0; i < 3; ++i)
         entry[std::string(kParts[i]) + " [Mrev]"] = number(at.part[i]);
-      entry["origin"] = life_origin(static_cast<bearing::LifeModel>(m),
-                                    static_cast<bearing::LifeModification>(f));
+      entry["origin"] = life_constants_origin(static_cast<bearing::LifeModel>(m),
+                                              static_cast<bearing::LifeModification>(f));
       entry["elements counted"] = at.elements_counted;
       entry["L10 [Mrev]"] = number(at.L10);
       entry["L10 [hr]"] = number(life::life_hours(at.L10, state.relative_speed));
       entry["at the survival probability [hr]"] =
           number(life::life_hours(at.L_S, state.relative_speed));
-      out[life_name(static_cast<bearing::LifeModel>(m), bearing::LifeModification::None)]
+      out[life_model_name(static_cast<bearing::LifeModel>(m), bearing::LifeModification::None)]
          [kForms[f]] = entry;
     }
   return out;
@@ -167,15 +167,15 @@ Json life_json(const life::BearingLife& life) {
   for (std::size_t i = 0; i < 2; ++i) out["races"][kParts[i]] = race(life, i);
   for (std::size_t i = 0; i < 3; ++i) out["parameters"][kParts[i]] = part(life, i);
   if (life.iso) out["ISO"] = iso(*life.iso, life.state.relative_speed);
-  out["notes"] = life.notes;
+  out["notes"] = sentences_of(life.notes);
   if (life.iso)
-    for (const std::string& note : life.iso->notes) out["notes"].push_back(note);
+    for (const Finding& note : life.iso->notes) out["notes"].push_back(note.message);
   return out;
 }
 
 Json run_life_json(const RunLife& run) {
-  Json out{{"model", life_name(run.model, run.modification)},
-           {"origin", life_origin(run.model, run.modification)},
+  Json out{{"model", life_model_name(run.model, run.modification)},
+           {"origin", life_constants_origin(run.model, run.modification)},
            {"skipped [rev]", run.skipped_turns},
            {"window [s]", run.damage.seconds()},
            {"window [rev]", run.damage.revolutions()},

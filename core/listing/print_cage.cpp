@@ -15,7 +15,7 @@ namespace {
 
 using bearing::Bearing;
 using bearing::Cage;
-using bearing::CagePlay;
+using bearing::CageClearance;
 using bearing::GuideLand;
 using bearing::PocketShape;
 
@@ -53,9 +53,9 @@ void lands(Report& report, const Cage& cage) {
     const GuideLand& land = cage.lands[i];
     if (land.guide == GuideLand::Guide::None || land.ideal()) continue;
     const auto [c_least, c_most] =
-        contact::land_extremes(contact::land_profile(0.5 * land.diameter, land.of_cage));
+        contact::land_deviation_range(contact::land_profile(0.5 * land.diameter, land.of_cage));
     const auto [r_least, r_most] =
-        contact::land_extremes(contact::land_profile(0.5 * land.diameter, land.of_race));
+        contact::land_deviation_range(contact::land_profile(0.5 * land.diameter, land.of_race));
     const bool outer = land.guide == GuideLand::Guide::Outer;
     const double c = 0.5 * land.clearance;
     report.item(fmt::format("Smallest radial clearance at land {} including form errors", i + 1),
@@ -83,17 +83,17 @@ void mass(Report& report, const Bearing& bearing, bool given) {
                   solid.mass_centre.x(), unit::kLength);
     if (bearing.rollers())
       report.text(
-          "The mass assumes roller pockets that have the length of the roller and its diameter at "
-          "mid-length plus the pocket clearance.");
+          "Mass: pockets are assumed to be as long as the roller and as wide as its mid-length "
+          "diameter plus the pocket clearance.");
   } catch (const InputError& error) {
     report.text(fmt::format("The mass of the cage is unknown: {}.", error.what()));
   }
 }
 
 /// The clearance that a radially moving cage uses up first: of its lands or its pockets.
-const CagePlay* least_play(const Bearing& bearing) {
-  const CagePlay* out = nullptr;
-  for (const CagePlay& play : bearing.operating->plays) {
+const CageClearance* least_play(const Bearing& bearing) {
+  const CageClearance* out = nullptr;
+  for (const CageClearance& play : bearing.operating->plays) {
     // Axial, or the wider end of a cone.
     const bool pocket_2 = play.name.starts_with("pocket clearance II");
     if (!pocket_2 && (out == nullptr || play.operating < out->operating)) out = &play;
@@ -142,11 +142,11 @@ void print_cage_operation(Report& report, const Bearing& bearing) {
   if (!bearing.cage || !bearing.operating) return;
   report.heading("Cage in operation");
   report.item("Cage speed (epicyclic)", bearing.operating->cage_speed, unit::kRotation);
-  for (const CagePlay& play : bearing.operating->plays)
+  for (const CageClearance& play : bearing.operating->plays)
     report.item(fmt::format("Diametral clearance: {}", play.name), play.operating, unit::kLength);
-  if (const CagePlay* least = least_play(bearing))
+  if (const CageClearance* least = least_play(bearing))
     report.item(
-        "Effective cage clearance (smallest of these radial limits)",
+        "Effective cage clearance (smallest of these radial clearances)",
         fmt::format("{} {}, {}",
                     Report::number(from_si(least->operating, unit::kLength, report.units())),
                     unit_name(unit::kLength, report.units()), least->name));
@@ -169,9 +169,10 @@ nlohmann::ordered_json cage_json(const Bearing& bearing) {
   const Cage& cage = *bearing.cage;
   nlohmann::ordered_json out{{"speed [rad/s]", bearing.operating->cage_speed}};
   nlohmann::ordered_json plays = nlohmann::ordered_json::object();
-  for (const CagePlay& play : bearing.operating->plays) plays[play.name + " [m]"] = play.operating;
+  for (const CageClearance& play : bearing.operating->plays)
+    plays[play.name + " [m]"] = play.operating;
   out["play, diametral"] = std::move(plays);
-  if (const CagePlay* least = least_play(bearing))
+  if (const CageClearance* least = least_play(bearing))
     out["effective play"] = {{"of", least->name}, {"diametral [m]", least->operating}};
   const bool known = cage.inertia.mass > 0.0;
   using Json = nlohmann::ordered_json;

@@ -16,7 +16,7 @@
 
 namespace adore::listing {
 
-PrintSections print_sections(int kPrtOpt) {
+PrintSections select_print_sections(int kPrtOpt) {
   PrintSections out;
   out.applied = kPrtOpt >= -1;
   out.bodies = kPrtOpt >= 0;
@@ -47,7 +47,7 @@ PrintFile PrintFile::continue_after(const WritePath& place, std::string run_id, 
                                     std::uintmax_t bytes) {
   const std::filesystem::path path = place.path();
   check(path, run_id);
-  PrintFile out(GrowingFile::append_after(place, bytes), std::move(run_id), units);
+  PrintFile out(GrowingFile::open_for_append(place, bytes), std::move(run_id), units);
   // The last page is in the last bytes.
   constexpr std::uintmax_t kMost = 1 << 16;
   const std::uintmax_t size = std::min(bytes, kMost);
@@ -60,8 +60,8 @@ PrintFile PrintFile::continue_after(const WritePath& place, std::string run_id, 
   return out;
 }
 
-std::pair<long, double> PrintFile::stored_end(const std::filesystem::path& path,
-                                              std::uintmax_t bytes) {
+std::pair<long, double> PrintFile::last_stored_step(const std::filesystem::path& path,
+                                                    std::uintmax_t bytes) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error || size <= bytes) return {};
@@ -94,11 +94,12 @@ std::pair<long, double> PrintFile::stored_end(const std::filesystem::path& path,
 void PrintFile::flush() {
   std::string text = report_.take();
   constexpr std::size_t kColumn = 20;  // of the version at the head of a page
-  if (!version_.empty())
+  if (!heading_version_.empty())
     for (std::size_t page = text.find('\f'); page != std::string::npos;
          page = text.find('\f', page + 1))
       if (page + 1 + kColumn <= text.size())
-        text.replace(page + 1, kColumn, fmt::format("{:<20}", version_.substr(0, kColumn - 1)));
+        text.replace(page + 1, kColumn,
+                     fmt::format("{:<20}", heading_version_.substr(0, kColumn - 1)));
   file_.append(text);
 }
 
@@ -111,8 +112,8 @@ void PrintFile::texts(std::string_view title, const std::vector<std::string>& li
   flush();
 }
 
-void PrintFile::front(const PrintFront& front) {
-  print_front(report_, front);
+void PrintFile::front(const FrontMatter& front) {
+  print_front_matter(report_, front);
   flush();
 }
 
@@ -161,7 +162,7 @@ void PrintFile::thermal(const thermal::SteadyState& steady) {
   flush();
 }
 
-void PrintFile::time_line(const thermal::TimeLine& line) {
+void PrintFile::time_line(const thermal::ThermalTransient& line) {
   print_time_line(report_, line);
   flush();
 }

@@ -32,7 +32,7 @@
 namespace adore::listing {
 
 /// Material of the front part.
-struct PrintFront {
+struct FrontMatter {
   const deck::Deck& deck;
   const bearing::Bearing& bearing;
   std::optional<scene::Scales> scales;  ///< dynamic runs
@@ -41,7 +41,7 @@ struct PrintFront {
 };
 
 /// Parameters of the friction of elements and races in a run.
-enum class RaceFriction : unsigned char {
+enum class RaceFrictionModel : unsigned char {
   None,    ///< it is left out
   Curve,   ///< hypothetical traction curve: no film, no contact temperature
   OfUser,  ///< routine of the user: likewise
@@ -53,7 +53,7 @@ struct PrintSections {
   int element_interval = 0;  ///< 0: no section 1; n: every n-th element
   bool bodies = false, applied = false;
 };
-[[nodiscard]] PrintSections print_sections(int kPrtOpt);
+[[nodiscard]] PrintSections select_print_sections(int kPrtOpt);
 
 class PrintFile {
  public:
@@ -68,20 +68,20 @@ class PrintFile {
 
   /// Step and time [s] of the last complete step within the first `bytes` of a file, or
   /// the end of a thermal step that is later; zeros when there is none.
-  [[nodiscard]] static std::pair<long, double> stored_end(const std::filesystem::path& path,
-                                                          std::uintmax_t bytes);
+  [[nodiscard]] static std::pair<long, double> last_stored_step(const std::filesystem::path& path,
+                                                                std::uintmax_t bytes);
 
   /// On the headings of pages from now on, in the place of the program's version; cut at its
   /// column.
-  void show_version(std::string version) { version_ = std::move(version); }
+  void set_heading_version(std::string version) { heading_version_ = std::move(version); }
   /// Before steps: whether they have films, and why not.
-  void show_friction(RaceFriction friction) { friction_ = friction; }
+  void set_friction_model(RaceFrictionModel friction) { friction_ = friction; }
   /// A page or part of one of texts, as user routines print them.
   void texts(std::string_view title, const std::vector<std::string>& lines, bool page);
 
   /// Input echo, geometry, materials, inertia, traction, initial conditions, scales, output
   /// control.
-  void front(const PrintFront& front);
+  void front(const FrontMatter& front);
   /// Operating fits, growths and clearances.
   void fits(const bearing::Bearing& bearing);
   /// The equilibrium, operating geometry and life on one page.
@@ -94,7 +94,7 @@ class PrintFile {
   void friction(const statics::FrictionEstimate& friction, const std::string& element);
   /// Temperatures that agree with it.
   void thermal(const thermal::SteadyState& steady);
-  void time_line(const thermal::TimeLine& line);
+  void time_line(const thermal::ThermalTransient& line);
   /// A thermal step of a run.
   void thermal_step(const thermal::BearingHeat& heat, long step, double time, bool geometry);
   /// Fatigue life at that equilibrium.
@@ -120,12 +120,12 @@ class PrintFile {
   void flush();
   GrowingFile file_;
   Report report_;
-  std::string version_;  ///< empty: the program's own
-  RaceFriction friction_ = RaceFriction::None;
+  std::string heading_version_;  ///< empty: the program's own
+  RaceFrictionModel friction_ = RaceFrictionModel::None;
 };
 
 // The parts, on any report.
-void print_front(Report& report, const PrintFront& front);
+void print_front_matter(Report& report, const FrontMatter& front);
 void print_quasi_static(Report& report, const statics::StaticSolution& solution,
                         const bearing::Bearing& bearing);
 void print_quasi_static(Report& report, const statics::RollerSolution& solution,
@@ -141,7 +141,8 @@ void print_stiffness_table(Report& report, const std::vector<statics::StiffnessR
                            double share);
 void print_step(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
                 const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt,
-                std::optional<long> life_step = {}, RaceFriction friction = RaceFriction::Curve);
+                std::optional<long> life_step = {},
+                RaceFrictionModel friction = RaceFrictionModel::Curve);
 void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan& plan,
                    const std::optional<RunLife>& life = std::nullopt);
 

@@ -1,21 +1,20 @@
 #include "listing/print_films.hpp"
 
+#include "base/constants.hpp"
+#include "listing/print_words.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace adore::listing {
 namespace {
 
-constexpr std::array<const char*, 2> kRaceName{"outer", "inner"};
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 std::string certainty(const std::string& provenance) {
   if (provenance == "given") return "from the deck";
   if (provenance == "seen") return "from a public source";
-  if (provenance == "recalled") return "at least one quoted from memory, not checked";
+  if (provenance == "recalled") return "at least one from memory, not checked";
   return "AT LEAST ONE IS AN ESTIMATE for the class of the lubricant, not a measured value";
 }
 
@@ -41,8 +40,8 @@ void print_films(Report& report, const statics::LubricantFilms& films, const std
       const statics::ElementFilm& f = race[k];
       const bool film = f.film.isothermal > 0.0;
       for (const double value :
-           {film ? f.film.central : kNone, film ? f.film.minimum : kNone,
-            film ? f.film.thermal : kNone, film ? f.film.starvation : kNone, f.lambda})
+           {film ? f.film.central : kNaN, film ? f.film.minimum : kNaN,
+            film ? f.film.thermal : kNaN, film ? f.film.starvation : kNaN, f.lambda})
         row.values.push_back(value);
     }
     rows.push_back(std::move(row));
@@ -77,8 +76,8 @@ void add_film_columns(results::StaticTable& elements, const statics::LubricantFi
     std::vector<double> central, minimum, lambda;
     for (const statics::ElementFilm& f : films.race[j]) {
       const bool film = f.film.isothermal > 0.0;
-      central.push_back(film ? f.film.central : kNone);
-      minimum.push_back(film ? f.film.minimum : kNone);
+      central.push_back(film ? f.film.central : kNaN);
+      minimum.push_back(film ? f.film.minimum : kNaN);
       lambda.push_back(f.lambda);
     }
     elements.add(race + "film", unit::kLength, std::move(central));

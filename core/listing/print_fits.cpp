@@ -1,12 +1,12 @@
 #include "listing/print_fits.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
-#include <limits>
 
 namespace adore::listing {
 namespace {
@@ -17,9 +17,7 @@ using bearing::Growth;
 using bearing::OperatingFits;
 using Json = nlohmann::ordered_json;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  // printed as "-"
-
-double known(double limit) { return limit > 0.0 ? limit : kNone; }
+double known(double limit) { return limit > 0.0 ? limit : kNaN; }
 
 void fits_table(Report& report, const OperatingFits& fits) {
   report.heading("Diametral fits (positive: interference; negative: clearance)");
@@ -157,8 +155,7 @@ Json limit_json(double limit) { return limit > 0.0 ? Json(limit) : Json(nullptr)
 }  // namespace
 
 void print_fits(Report& report, const bearing::Bearing& bearing) {
-  demand(bearing.operating.has_value(),
-         "the page of fits was requested without an operating geometry");
+  demand(bearing.operating.has_value(), "the page of fits needs an operating geometry");
   const OperatingFits& fits = *bearing.operating;
   report.new_page("OPERATING FITS AND CLEARANCES");
   report.text(
@@ -174,14 +171,14 @@ void print_fits(Report& report, const bearing::Bearing& bearing) {
   if (!fits.plays.empty()) {
     report.heading("Cage clearance, diametral");
     std::vector<Report::Row> rows;
-    for (const bearing::CagePlay& play : fits.plays)
+    for (const bearing::CageClearance& play : fits.plays)
       rows.push_back({play.name, {play.free, play.operating}});
     report.table("", {{"cold", &unit::kLength}, {"operating", &unit::kLength}}, rows, 34);
   }
   if (bearing.mounting.material_laws) warm_materials(report, bearing);
   if (fits.warnings.empty()) return;
   report.heading("Warnings");
-  for (const std::string& warning : fits.warnings) report.text(warning);
+  for (const Finding& warning : fits.warnings) report.text(warning.message);
 }
 
 Json fits_json(const OperatingFits& fits) {
@@ -212,13 +209,13 @@ Json fits_json(const OperatingFits& fits) {
   out["pitch diameter [m]"] = fits.pitch;
   if (!fits.plays.empty()) {
     Json plays = Json::object();
-    for (const bearing::CagePlay& play : fits.plays)
+    for (const bearing::CageClearance& play : fits.plays)
       plays[play.name] = {{"cold [m]", play.free}, {"operating [m]", play.operating}};
     out["cage play, diametral"] = std::move(plays);
     out["growth of the cage outside"] = growth_json(fits.cage[0]);
     out["growth of the cage bore"] = growth_json(fits.cage[1]);
   }
-  out["warnings"] = fits.warnings;
+  out["warnings"] = sentences_of(fits.warnings);
   return out;
 }
 

@@ -29,7 +29,7 @@ struct Place {
   double half_length = 0.0;  ///< of the ellipse up the face; 0: no contact
 };
 
-Place place_of(const statics::FlangePair& pair, const scene::Snapshot& snapshot,
+Place place_of(const statics::FlangeEndPair& pair, const scene::Snapshot& snapshot,
                const bearing::Bearing& bearing, double load) {
   const auto j = static_cast<std::size_t>(pair.race);
   const scene::ElementSnapshot& roller = snapshot.elements.front();
@@ -43,11 +43,11 @@ Place place_of(const statics::FlangePair& pair, const scene::Snapshot& snapshot,
                                Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix()};
   const Vec3 C = pose.point(centre), of_race = pose.direction(axis);
   double r = 0.0;
-  const contact::MeridianTurn turn = contact::meridian_turn(C[1], C[2], r);
+  const contact::MeridianRotation turn = contact::meridian_rotation(C[1], C[2], r);
   const contact::Triple<double> a = turn.into({of_race[0], of_race[1], of_race[2]});
   const Vec3 in_meridian(a.x, a.y, a.z);
   const contact::FlangeContact at =
-      contact::flange_overlap(pair.face, pair.end, {C[0], 0.0, r}, in_meridian);
+      contact::flange_contact_for_forces(pair.face, pair.end, {C[0], 0.0, r}, in_meridian);
   if (!(at.gap < 0.0)) return {};
   const contact::FlangeLoad hertz = contact::flange_load(
       pair.end, in_meridian, at,
@@ -103,9 +103,9 @@ void print_flange_wear(Report& report, const scene::Snapshot& snapshot,
   std::array<double, 2> E_star{};
   for (std::size_t j = 0; j < 2; ++j)
     E_star[j] = bearing::contact_modulus(bearing.element_material, bearing.race_material[j]);
-  const auto pairs = statics::flange_pairs(
+  const auto pairs = statics::flange_end_pairs(
       bearing.type, *rollers, E_star, contact::roller_profile(*rollers, rollers->deviation_of(0)));
-  for (const statics::FlangePair& pair : pairs) {
+  for (const statics::FlangeEndPair& pair : pairs) {
     const auto j = static_cast<std::size_t>(pair.race);
     const scene::FlangeContactSnapshot& flange =
         snapshot.elements.front().flange[j][static_cast<std::size_t>(pair.side)];

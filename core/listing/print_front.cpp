@@ -249,11 +249,11 @@ void traction(Report& report, const bearing::Bearing& bearing) {
   curve("Rolling element to race", bearing.race_traction);
   if (bearing.pocket_traction) curve("Rolling element to cage pocket", *bearing.pocket_traction);
   if (bearing.land_traction) curve("Cage to race", *bearing.land_traction);
-  report.item("Slip speed below which friction at rest is smoothed", tribology::kRegularisationSlip,
+  report.item("Slip speed below which friction at rest is smoothed", tribology::kRegularizationSlip,
               unit::kSpeed);
 }
 
-void operation(Report& report, const PrintFront& front) {
+void operation(Report& report, const FrontMatter& front) {
   const bearing::Bearing& bearing = front.bearing;
   report.new_page("INITIAL OPERATING CONDITIONS");
   report.item("Outer race speed", bearing.speed[0], unit::kRotation);
@@ -277,7 +277,7 @@ void operation(Report& report, const PrintFront& front) {
                      : bearing.spin_rule == bearing::SpinRule::RaceControl ? "race control"
                                                                            : "given direction";
   // kAngVel is a rule for balls.
-  statics::StaticsOptions statics;
+  statics::BallStaticsOptions statics;
   statics::RollerOptions rollers;
   for (const auto& [name, value] : front.options) {
     const bool asked =
@@ -315,7 +315,7 @@ void operation(Report& report, const PrintFront& front) {
   const int pieces =
       bearing.cage && front.deck.integer("mode") >= 0 ? bearing.cage->segments.count : 0;
   for (int piece = 0; piece < pieces; ++piece) {
-    const bearing::PieceStart& start = bearing.cage->start_of(static_cast<std::size_t>(piece));
+    const bearing::CageStartState& start = bearing.cage->start_of(static_cast<std::size_t>(piece));
     const std::string name = pieces > 1 ? fmt::format("cage segment {}", piece + 1) : "cage";
     report.heading(fmt::format("Initial state of the {}", name));
     report.item("Whirl speed divided by the angular speed of the cage", start.whirl_ratio,
@@ -365,7 +365,7 @@ void scales(Report& report, const scene::Scales& s) {
   report.item("Power", s.force * s.length / s.time, unit::kPower);
 }
 
-void output_control(Report& report, const PrintFront& front) {
+void output_control(Report& report, const FrontMatter& front) {
   const deck::Deck& deck = front.deck;
   if (deck.integer("mode") >= 0) {
     report.heading("Output control");
@@ -393,7 +393,7 @@ void output_control(Report& report, const PrintFront& front) {
 
 }  // namespace
 
-void print_front(Report& report, const PrintFront& front) {
+void print_front_matter(Report& report, const FrontMatter& front) {
   echo(report, front.deck);
   geometry(report, front.bearing, front.deck);
   print_imperfections(report, front.bearing);

@@ -1,6 +1,7 @@
 #include "listing/print_heat.hpp"
 
 #include "deck/unit_text.hpp"
+#include "listing/print_words.hpp"
 #include "results/quantities.hpp"
 
 #include <fmt/format.h>
@@ -13,8 +14,6 @@
 namespace adore::listing {
 namespace {
 
-constexpr std::array<const char*, 2> kRace{"outer race", "inner race"};
-
 struct Cause {
   std::string name;
   double power;
@@ -25,7 +24,7 @@ std::vector<Cause> causes(const statics::FrictionEstimate& f) {
   std::vector<Cause> out;
   for (const int j : {0, 1}) {
     const statics::FrictionOfContact sum = f.of_race(j);
-    const std::string at = fmt::format("{}", kRace[static_cast<std::size_t>(j)]);
+    const std::string at = fmt::format("{}", kRaceTitle[static_cast<std::size_t>(j)]);
     out.push_back({"spin, " + at, sum.spin});
     out.push_back({"sliding of the curved contact, " + at, sum.sliding});
     out.push_back({"viscous rolling, " + at, sum.rolling});
@@ -40,10 +39,10 @@ std::vector<Cause> causes(const statics::FrictionEstimate& f) {
   return out;
 }
 
-std::string certainty(const std::string& provenance) {
+std::string heat_certainty(const std::string& provenance) {
   if (provenance == "given") return "from the deck";
   if (provenance == "seen") return "from a public source";
-  if (provenance == "recalled") return "at least one quoted from memory, not checked";
+  if (provenance == "recalled") return "at least one from memory, not checked";
   return "AT LEAST ONE IS AN ESTIMATE, not a measured value";
 }
 
@@ -60,11 +59,12 @@ void network(Report& report, const thermal::BearingHeat& heat) {
   report.heading("Heat");
   const thermal::HeatSources& q = heat.sources;
   for (std::size_t j = 0; j < 2; ++j) {
-    report.item(fmt::format("Generated at the {}", kRace[j]), q.race[j], unit::kPower);
+    report.item(fmt::format("Generated at the {}", kRaceTitle[j]), q.race[j], unit::kPower);
     if (q.flange[j] > 0.0)
-      report.item(fmt::format("Generated at the flanges, {}", kRace[j]), q.flange[j], unit::kPower);
+      report.item(fmt::format("Generated at the flanges, {}", kRaceTitle[j]), q.flange[j],
+                  unit::kPower);
     if (q.land[j] > 0.0)
-      report.item(fmt::format("Generated at the guide lands, {}", kRace[j]), q.land[j],
+      report.item(fmt::format("Generated at the guide lands, {}", kRaceTitle[j]), q.land[j],
                   unit::kPower);
   }
   if (q.element_cage > 0.0)
@@ -81,9 +81,9 @@ void network(Report& report, const thermal::BearingHeat& heat) {
   if (!is_ladder) {
     report.heading("Conductances");
     for (std::size_t j = 0; j < 2; ++j) {
-      report.item(fmt::format("Contact film to rolling elements, {}", kRace[j]),
+      report.item(fmt::format("Contact film to rolling elements, {}", kRaceTitle[j]),
                   heat.contact[j].first, unit::kConductance);
-      report.item(fmt::format("Contact film to the {}", kRace[j]), heat.contact[j].second,
+      report.item(fmt::format("Contact film to the {}", kRaceTitle[j]), heat.contact[j].second,
                   unit::kConductance);
     }
     report.item("Housing to ambient", heat.to_ambient[0], unit::kConductance);
@@ -93,7 +93,7 @@ void network(Report& report, const thermal::BearingHeat& heat) {
     const thermal::Coolant& c = *heat.coolant;
     report.heading("Coolant");
     report.item("Coolant", c.name);
-    report.item("Source of the coolant properties", certainty(c.provenance));
+    report.item("Source of the coolant properties", heat_certainty(c.provenance));
     report.item("Density", c.density, unit::kDensity);
     report.item("Viscosity", c.viscosity, unit::kViscosity);
     report.item("Specific heat", c.specific_heat, unit::kSpecificHeat);
@@ -109,10 +109,10 @@ void network(Report& report, const thermal::BearingHeat& heat) {
     report.text(
         "Ladder (thermalModel=ladder): half of the heat of a contact flows into each body. "
         "Raceways have the temperature of the rolling elements. The heat balance is not closed.");
-  for (const std::string& note : heat.notes) report.text(note);
+  for (const Finding& note : heat.notes) report.text(note.message);
 }
 
-std::string quantity(double si, const UnitPair& unit, UnitSystem units) {
+std::string printed_quantity(double si, const UnitPair& unit, UnitSystem units) {
   return Report::number(from_si(si, unit, units)) + " " + std::string(unit_name(unit, units));
 }
 
@@ -124,7 +124,7 @@ void print_friction(Report& report, const statics::FrictionEstimate& f,
   report.item("Traction", f.law);
   if (!f.medium.empty()) {
     report.item("Churning medium", f.medium);
-    report.item("Source of the medium properties", certainty(f.medium_provenance));
+    report.item("Source of the medium properties", heat_certainty(f.medium_provenance));
   }
   if (const std::string why = f.why_none(); !why.empty()) {
     report.item("Power loss", "not computed");
@@ -164,13 +164,13 @@ void print_steady_state(Report& report, const thermal::SteadyState& steady) {
   report.new_page("THERMAL STEADY STATE");
   report.text(steady.as_built.thermal->geometry_every > 0
                   ? "Temperatures, operating geometry, loads and friction are consistent."
-                  : "Temperatures, oil and friction are consistent. Geometry and material are "
-                    "those at the temperatures of record 9.1.3 (kGeoMod = 0).");
+                  : "Temperatures, oil and friction are consistent. Geometry and material "
+                    "properties are those at the temperatures of record 9.1.3 (kGeoMod = 0).");
   report.item("Iterations", static_cast<long>(steady.passes));
   report.item("Largest temperature change in the last iteration", steady.change,
               unit::kTemperature);
-  report.item("Heat per kelvin / heat removal per kelvin (above 1: unstable)", steady.gain,
-              unit::kPure);
+  report.item("Change of heat per kelvin / change of heat removal per kelvin (above 1: unstable)",
+              steady.gain, unit::kPure);
   if (steady.friction.why_none().empty()) {
     report.item("Power loss", steady.friction.power(), unit::kPower);
     report.item("Friction torque", steady.friction.torque(), unit::kMoment);
@@ -218,7 +218,7 @@ void add_friction_columns(StaticTable& elements, const statics::FrictionEstimate
   }
 }
 
-StaticTable network_table(const thermal::BearingHeat& heat) {
+StaticTable thermal_network_table(const thermal::BearingHeat& heat) {
   StaticTable out{"thermal network", {}};
   for (const thermal::NodeTemperature& node : heat.nodes)
     out.add(node.name, unit::kTemperature, {node.temperature});
@@ -237,14 +237,14 @@ StaticTable network_table(const thermal::BearingHeat& heat) {
   return out;
 }
 
-StaticTable time_line_table(const thermal::TimeLine& line) {
+StaticTable time_line_table(const thermal::ThermalTransient& line) {
   StaticTable out{"thermal time line", {}};
   const auto add = [&](const char* name, const UnitPair& unit, auto&& value) {
     std::vector<double> values;
-    for (const thermal::TimeLinePoint& point : line.points) values.push_back(value(point));
+    for (const thermal::ThermalTransientPoint& point : line.points) values.push_back(value(point));
     out.add(name, unit, std::move(values));
   };
-  using Point = thermal::TimeLinePoint;
+  using Point = thermal::ThermalTransientPoint;
   add("time", unit::kTime, [](const Point& p) { return p.time; });
   add("heat", unit::kPower, [](const Point& p) { return p.heat; });
   add("heat that warms the parts", unit::kPower, [](const Point& p) { return p.stored; });
@@ -255,7 +255,7 @@ StaticTable time_line_table(const thermal::TimeLine& line) {
   return out;
 }
 
-void print_time_line(Report& report, const thermal::TimeLine& line) {
+void print_time_line(Report& report, const thermal::ThermalTransient& line) {
   report.new_page("THERMAL TIME LINE");
   report.text(
       "Transient from the temperatures of record 9.1.3 to the steady state at constant speed and "
@@ -266,7 +266,7 @@ void print_time_line(Report& report, const thermal::TimeLine& line) {
   std::vector<Report::Row> rows;
   for (std::size_t i = 0; i < line.points.size(); ++i) {
     if (i % every != 0 && i + 1 != line.points.size()) continue;
-    const thermal::TimeLinePoint& p = line.points[i];
+    const thermal::ThermalTransientPoint& p = line.points[i];
     rows.push_back({std::to_string(i),
                     {p.time, p.heat, p.bulk.race[0], p.bulk.race[1], p.bulk.element, p.bulk.housing,
                      p.bulk.shaft, p.clearance}});
@@ -290,19 +290,20 @@ std::vector<std::string> heat_lines(const statics::FrictionEstimate& f,
   out.push_back(!why.empty()
                     ? "friction torque: not computed: " + why
                     : fmt::format("friction torque: {}, power loss {} (estimate without {})",
-                                  quantity(f.torque(), unit::kMoment, units),
-                                  quantity(f.power(), unit::kPower, units),
+                                  printed_quantity(f.torque(), unit::kMoment, units),
+                                  printed_quantity(f.power(), unit::kPower, units),
                                   f.oil ? "the cage" : "cage and oil"));
   if (steady == nullptr) return out;
   const thermal::BulkTemperatures& T = steady->heat.bulk;
   std::string line = fmt::format("temperatures: outer race {}, inner race {}, elements {}",
-                                 quantity(T.race[0], unit::kTemperature, units),
-                                 quantity(T.race[1], unit::kTemperature, units),
-                                 quantity(T.element, unit::kTemperature, units));
+                                 printed_quantity(T.race[0], unit::kTemperature, units),
+                                 printed_quantity(T.race[1], unit::kTemperature, units),
+                                 printed_quantity(T.element, unit::kTemperature, units));
   if (steady->heat.coolant)
-    line += fmt::format(", coolant {} to {}",
-                        quantity(steady->heat.temperature.coolant_in, unit::kTemperature, units),
-                        quantity(steady->heat.temperature.coolant_out, unit::kTemperature, units));
+    line += fmt::format(
+        ", coolant {} to {}",
+        printed_quantity(steady->heat.temperature.coolant_in, unit::kTemperature, units),
+        printed_quantity(steady->heat.temperature.coolant_out, unit::kTemperature, units));
   out.push_back(std::move(line));
   return out;
 }

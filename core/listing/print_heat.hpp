@@ -27,10 +27,10 @@ void print_thermal_step(Report& report, const thermal::BearingHeat& heat, long s
 /// Columns of "elements": heat of each contact by cause.
 void add_friction_columns(StaticTable& elements, const statics::FrictionEstimate& friction);
 /// "thermal network": one row; temperatures of the nodes, heat flows between them.
-[[nodiscard]] StaticTable network_table(const thermal::BearingHeat& heat);
+[[nodiscard]] StaticTable thermal_network_table(const thermal::BearingHeat& heat);
 /// "thermal time line": a row for each step.
-[[nodiscard]] StaticTable time_line_table(const thermal::TimeLine& line);
-void print_time_line(Report& report, const thermal::TimeLine& line);
+[[nodiscard]] StaticTable time_line_table(const thermal::ThermalTransient& line);
+void print_time_line(Report& report, const thermal::ThermalTransient& line);
 
 /// Friction torque and, with a thermal analysis, temperatures: a line each.
 [[nodiscard]] std::vector<std::string> heat_lines(const statics::FrictionEstimate& friction,

@@ -3,6 +3,7 @@
 #include "bearing/given_surface.hpp"
 #include "contact/groove.hpp"
 #include "contact/race_errors.hpp"
+#include "listing/print_words.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,8 +15,6 @@ namespace adore::listing {
 namespace {
 
 using bearing::RaceErrors;
-
-constexpr std::array<const char*, 2> kRaceName{"outer", "inner"};
 
 /// One column of the table of deviations.
 struct Deviation {
@@ -43,7 +42,7 @@ std::vector<Deviation> element_deviations(const bearing::Bearing& b) {
   };
   add("diameter", "diameter [m]", &bearing::RollerDeviation::diameter);
   if (b.rollers()->shape != bearing::RollerShape::Crowned ||
-      b.imperfections.elements != bearing::ElementErrors::Random)
+      b.imperfections.elements != bearing::ElementErrorSource::Random)
     return out;
   add("crown rad", "crown radius [m]", &bearing::RollerDeviation::crown_radius);
   add("length", "length [m]", &bearing::RollerDeviation::length);
@@ -92,8 +91,9 @@ void print_wave(Report& report, const std::string& label, const bearing::Harmoni
 void print_race(Report& report, const bearing::Bearing& b, std::size_t race) {
   const RaceErrors& e = b.imperfections.race[race];
   if (e.given) {
-    const bearing::GivenRace& given = *e.given;
-    const auto range = [&](const char* what, const bearing::TurnSeries& of, const UnitPair& unit) {
+    const bearing::SurfaceSeries& given = *e.given;
+    const auto range = [&](const char* what, const bearing::AzimuthSeries& of,
+                           const UnitPair& unit) {
       if (of.pairs.empty()) return;
       report.item(
           fmt::format("User routine ADRX6, {} of the {} race: smallest", what, kRaceName[race]),
@@ -138,7 +138,7 @@ void print_race(Report& report, const bearing::Bearing& b, std::size_t race) {
 
 bool imperfect(const bearing::Bearing& b) {
   const bearing::Imperfections& i = b.imperfections;
-  return i.elements != bearing::ElementErrors::None || i.race_given[0] || i.race_given[1];
+  return i.elements != bearing::ElementErrorSource::None || i.race_given[0] || i.race_given[1];
 }
 
 void print_columns(Report& report, const std::string& heading, const bearing::Bearing& b,
@@ -162,7 +162,7 @@ void print_imperfections(Report& report, const bearing::Bearing& b) {
   if (!imperfect(b)) return;
   report.new_page("GEOMETRIC IMPERFECTIONS");
   const bearing::Imperfections& i = b.imperfections;
-  if (i.elements == bearing::ElementErrors::Random) {
+  if (i.elements == bearing::ElementErrorSource::Random) {
     report.text(
         "Deviations of the rolling elements: rms values of the deck times normally distributed "
         "random numbers. The random numbers depend only on the seed (option seed), the element "

@@ -14,14 +14,14 @@ namespace {
 using bearing::LifeModel;
 using bearing::LifeModification;
 using life::BearingLife;
-using life::Marked;
+using life::SourcedValue;
 
 constexpr std::array<const char*, 4> kModelNames{"Original Lundberg-Palmgren",
                                                  "Updated Lundberg-Palmgren", "Gupta-Zaretsky type",
                                                  "Ioannides-Harris type"};
 constexpr std::array<const char*, 3> kModificationNames{"", "STLE factors", "Tallian-type factors"};
 
-std::string marked(const Marked& m) {
+std::string marked(const SourcedValue& m) {
   return fmt::format("{} ({})", Report::number(m.value), m.origin);
 }
 
@@ -53,13 +53,13 @@ void lives(Report& report, const BearingLife& life) {
   for (std::size_t m = 0; m < life::kModels; ++m)
     for (std::size_t f = 0; f < life::kModifications; ++f) {
       const life::PartLives& at = life.state.model[m].modified[f];
-      std::string elements = std::isnan(at.part[2]) ? "-" : life_text(at.part[2]);
+      std::string elements = std::isnan(at.part[2]) ? "-" : format_life_value(at.part[2]);
       if (!std::isnan(at.part[2]) && !at.elements_counted) elements = "(" + elements + ")";
       const double n = life.state.relative_speed;
       rows.push_back({f == 0 ? kModelNames[m] : std::string("  with ") + kModificationNames[f],
-                      life_text(at.part[0]), life_text(at.part[1]), elements, life_text(at.L10),
-                      life_text(life::life_hours(at.L10, n)),
-                      life_text(life::life_hours(at.L_S, n)),
+                      format_life_value(at.part[0]), format_life_value(at.part[1]), elements,
+                      format_life_value(at.L10), format_life_value(life::life_hours(at.L10, n)),
+                      format_life_value(life::life_hours(at.L_S, n)),
                       f == 0 ? model_origin(static_cast<LifeModel>(m))
                              : "+ " + factor_origin(static_cast<LifeModification>(f))});
     }
@@ -75,15 +75,15 @@ void lives(Report& report, const BearingLife& life) {
   report.blank();
   const bearing::LifeChoices& choices = life.parameters.choices;
   report.item("Life model in SOL7, terminal and sweeps (sol7Life)",
-              life_name(choices.stored_model, choices.stored_modification));
+              life_model_name(choices.stored_model, choices.stored_modification));
   report.item("Specified survival probability", marked(life.parameters.survival));
   report.item("Weibull slope of the bearing", marked(life.parameters.bearing_slope));
   report.text(
       "Column \"origin\": origin of the model constants; with +, origin of the life factors. The "
-      "constant of the original theory is published (seen). This program CALIBRATED the constants "
-      "of the three stress models to that constant, at one contact where all models agree. They "
-      "are not the constants of the authors of the models. The STLE tables are quoted from memory "
-      "of the literature (recalled; film curve +-30 %). The asperity term of the Tallian-type "
+      "constant of the original theory is published (seen). The constants of the three stress "
+      "models are CALIBRATED: at one reference contact, all models give the life of the original "
+      "theory. They are not the constants of the authors of the models. The STLE tables are from "
+      "memory (recalled; film curve +-30 %). The asperity term of the Tallian-type "
       "factor was derived for this program.");
 }
 
@@ -255,7 +255,7 @@ void iso(Report& report, const life::IsoReport& r) {
       "Additional results of ISO 281 and ISO 16281 (from public implementations; separate from the "
       "lives above)");
   const auto optional_life = [&](const char* name, const std::optional<double>& life) {
-    report.item(name, life ? life_text(*life) + " Mrev" : std::string("not available"));
+    report.item(name, life ? format_life_value(*life) + " Mrev" : std::string("not available"));
   };
   const auto optional_force = [&](const char* name, const std::optional<double>& force) {
     if (force)
@@ -325,18 +325,18 @@ void iso(Report& report, const life::IsoReport& r) {
 
 }  // namespace
 
-std::string life_text(double life) {
+std::string format_life_value(double life) {
   return std::isinf(life) ? std::string("INFINITE") : Report::number(life);
 }
 
-std::string life_name(LifeModel model, LifeModification modification) {
+std::string life_model_name(LifeModel model, LifeModification modification) {
   std::string out = kModelNames[static_cast<std::size_t>(model)];
   if (modification != LifeModification::None)
     out += std::string(" with ") + kModificationNames[static_cast<std::size_t>(modification)];
   return out;
 }
 
-std::string life_origin(LifeModel model, LifeModification modification) {
+std::string life_constants_origin(LifeModel model, LifeModification modification) {
   std::string out = model_origin(model);
   if (modification != LifeModification::None) out += ", " + factor_origin(modification);
   return out;
@@ -351,19 +351,19 @@ void print_life(Report& report, const BearingLife& life) {
   factors(report, life);
   if (life.iso) iso(report, *life.iso);
   report.heading("Notes on life");
-  for (const std::string& note : life.notes) report.text(note);
+  for (const Finding& note : life.notes) report.text(note.message);
   if (life.iso)
-    for (const std::string& note : life.iso->notes) report.text(note);
+    for (const Finding& note : life.iso->notes) report.text(note.message);
 }
 
 void print_run_life(Report& report, const RunLife& run) {
   report.heading("Fatigue life of the run (Palmgren-Miner sum over the window)");
-  report.item("Model", life_name(run.model, run.modification));
-  report.item("Origin of the constants", life_origin(run.model, run.modification));
-  report.item("Excluded at the start", run.skipped_turns * 2.0 * unit::kPi, unit::kRevolution);
+  report.item("Model", life_model_name(run.model, run.modification));
+  report.item("Origin of the constants", life_constants_origin(run.model, run.modification));
+  report.item("Excluded at the start", run.skipped_turns * 2.0 * kPi, unit::kRevolution);
   report.item("Window", run.damage.seconds(), unit::kTime);
   report.item("Window, revolutions of one race relative to the other",
-              run.damage.revolutions() * 2.0 * unit::kPi, unit::kRevolution);
+              run.damage.revolutions() * 2.0 * kPi, unit::kRevolution);
   constexpr std::array<const char*, 3> kParts{"outer race", "inner race", "rolling elements"};
   for (std::size_t i = 0; i < kParts.size(); ++i)
     report.item(fmt::format("Damage in the window, {}", kParts[i]), run.damage.damage()[i],
@@ -376,9 +376,9 @@ void print_run_life(Report& report, const RunLife& run) {
   report.item("Evaluations of the full life model", fmt::format("{}", run.evaluations));
   report.item("Mean change of damage between evaluations (equal loads)", run.change, unit::kPure);
   report.item("Life at 90 % survival if the window repeats",
-              life_text(run.damage.life_mega_revolutions(run.slopes)) + " Mrev");
+              format_life_value(run.damage.life_mega_revolutions(run.slopes)) + " Mrev");
   report.item("Life at 90 % survival if the window repeats",
-              life_text(run.damage.life_hours(run.slopes)) + " hr");
+              format_life_value(run.damage.life_hours(run.slopes)) + " hr");
   if (std::isnan(run.relative_error))
     report.text(
         fmt::format("Standard error: not computed. {} batches of {:.3g} revolutions are too few. "

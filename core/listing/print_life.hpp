@@ -14,14 +14,14 @@
 namespace adore::listing {
 
 /// "INFINITE", or seven significant digits.
-[[nodiscard]] std::string life_text(double life);
+[[nodiscard]] std::string format_life_value(double life);
 
 /// Life accumulated over a dynamic run.
 struct RunLife {
   life::DamageSum damage;
   long steps = 0;        ///< integration steps whose loads are in it
   long evaluations = 0;  ///< of the full life model
-  double change = 0.0;   ///< DamageOfSteps::mean_change()
+  double change = 0.0;   ///< StepDamageAccumulator::mean_calibration_change()
   std::size_t batches = 0;
   double revolutions_per_batch = 0.0;
   /// Standard error of the life over the life; NaN: too few batches.
@@ -41,11 +41,11 @@ void print_run_life(Report& report, const RunLife& run);
 [[nodiscard]] nlohmann::ordered_json run_life_json(const RunLife& run);
 
 /// "Gupta-Zaretsky type with STLE factors"
-[[nodiscard]] std::string life_name(bearing::LifeModel model,
-                                    bearing::LifeModification modification);
+[[nodiscard]] std::string life_model_name(bearing::LifeModel model,
+                                          bearing::LifeModification modification);
 /// Words for where the constants of that life come from: "seen", "calibrated, recalled"; they go
 /// with every printed life.
-[[nodiscard]] std::string life_origin(bearing::LifeModel model,
-                                      bearing::LifeModification modification);
+[[nodiscard]] std::string life_constants_origin(bearing::LifeModel model,
+                                                bearing::LifeModification modification);
 
 }  // namespace adore::listing

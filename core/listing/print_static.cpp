@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "listing/print_cage.hpp"
 #include "listing/print_file.hpp"
 #include "listing/print_films.hpp"
@@ -9,13 +10,10 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 /// Quasi-static page of PRINT.txt.
 namespace adore::listing {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 void ball_contacts(Report& report, const statics::StaticSolution& solution) {
   report.item("Race control criterion (above 1: outer race control)", solution.race_control_ratio,
@@ -55,13 +53,13 @@ void balls(Report& report, const statics::StaticSolution& solution,
                      {b.azimuth, b.Q[0], b.Q[1], b.alpha[0], b.alpha[1], b.delta[0], b.delta[1],
                       b.p_max[0], b.p_max[1]}});
     ellipses.push_back({name,
-                        {b.a[0], b.b[0], b.a[1], b.b[1], without_rounding(b.spin_roll[0]),
-                         without_rounding(b.spin_roll[1])}});
+                        {b.a[0], b.b[0], b.a[1], b.b[1], zero_rounding_noise(b.spin_roll[0]),
+                         zero_rounding_noise(b.spin_roll[1])}});
     edges.push_back({name,
                      {b.azimuth, b.shoulder_depth[0], b.inner_chord[0], b.shoulder_depth[1],
                       b.inner_chord[1]}});
     const Vec3 omega(b.omega_x, -b.omega_theta, b.omega_r);
-    const Direction direction = theta_phi(omega);
+    const DirectionAngles direction = direction_angles(omega);
     motions.push_back({name,
                        {b.x, b.r, b.orbital_speed, omega.norm(), direction.theta, direction.phi,
                         b.centrifugal_force, b.gyroscopic_moment}});
@@ -92,8 +90,8 @@ void balls(Report& report, const statics::StaticSolution& solution,
   report.heading("Contact edges in the grooves");
   report.text(
       "s: depth of the contact edge next to the shoulder, below the shoulder (negative: beyond the "
-      "shoulder). t: distance of the other contact edge from the middle plane of the groove, where "
-      "a split race has its gap.");
+      "shoulder). t: distance of the other contact edge from the middle plane of the groove (the "
+      "gap of a split race).");
   for (std::size_t race = 0; race < 2; ++race)
     report.text(edge_limits(bearing, race, report.units()));
   report.table("ball",
@@ -128,7 +126,7 @@ void split_races(Report& report, const statics::StaticSolution& solution,
       const statics::StaticBall& b = solution.balls[k];
       const statics::SecondContact& second = b.second[race];
       const bool dual = second.Q > 0.0;
-      const auto of_second = [&](double value) { return dual ? value : kNone; };
+      const auto of_second = [&](double value) { return dual ? value : kNaN; };
       rows.push_back(
           {std::to_string(k + 1),
            {b.azimuth, b.inner_chord[race] - 0.5 * bearing.balls().shim[race], b.other_half[race],
@@ -161,10 +159,10 @@ void print_race_equilibrium(Report& report, const statics::RaceResult& solution,
   report.text(
       "Inner race relative to the outer race, in the base frame. Loads: applied by the shaft to "
       "the inner race.");
-  report.text(datum_text(bearing, report.units()));
+  report.text(displacement_datum_text(bearing, report.units()));
   const double radius = 0.5 * bearing.pitch_diameter();
-  const auto displacement = without_rounding(solution.displacement, radius);
-  const auto found_load = without_rounding(solution.load, 1.0 / radius);
+  const auto displacement = zero_rounding_noise(solution.displacement, radius);
+  const auto found_load = zero_rounding_noise(solution.load, 1.0 / radius);
   std::vector<std::vector<std::string>> rows;
   const char* const names[] = {"x", "y", "z", "about y", "about z"};
   for (std::size_t k = 0; k < 5; ++k) {
@@ -205,7 +203,7 @@ void print_race_stiffness(Report& report, const statics::RaceResult& solution) {
   const auto motion_unit = [](std::size_t k) -> const UnitPair& {
     return k < 3 ? unit::kLength : unit::kRadian;
   };
-  const auto K = without_rounding(solution.stiffness);
+  const auto K = zero_rounding_noise(solution.stiffness);
   std::vector<Report::Column> columns;
   std::vector<Report::Row> rows;
   for (std::size_t i = 0; i < 5; ++i) {
@@ -233,7 +231,7 @@ void print_quasi_static(Report& report, const statics::StaticSolution& solution,
   print_cage_operation(report, bearing);
   if (solution.notes.empty()) return;
   report.heading("Notes");
-  for (const std::string& note : solution.notes) report.text(note);
+  for (const Finding& note : solution.notes) report.text(note.message);
 }
 
 }  // namespace adore::listing

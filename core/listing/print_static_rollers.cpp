@@ -1,6 +1,7 @@
 #include "listing/print_cage.hpp"
 #include "listing/print_file.hpp"
 #include "listing/print_films.hpp"
+#include "listing/print_words.hpp"
 #include "listing/rounding.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +14,6 @@
 namespace adore::listing {
 namespace {
 
-constexpr std::array<const char*, 2> kRaceName{"outer", "inner"};
 constexpr std::array<const char*, 2> kSideName{"-x", "+x"};
 
 const char* shape_name(bearing::RollerShape shape) {
@@ -90,7 +90,7 @@ void summary(Report& report, const statics::RollerSolution& s) {
     }
     skew = "Rollers without friction equilibrium have no skew and the speeds of pure rolling. ";
   }
-  report.text(skew + s.unloaded_rule);
+  report.text(skew + s.unloaded_position_rule);
 }
 
 /// Position of the largest pressure: the middle of the neighboring slices that carry it (to 1e-9,
@@ -114,7 +114,7 @@ void contacts(Report& report, const statics::RollerSolution& s, std::size_t race
   for (std::size_t k = 0; k < s.rollers.size(); ++k) {
     const statics::RollerRaceContact& c = s.rollers[k].race[race];
     rows.push_back({std::to_string(k + 1) + (c.at_edge ? " *" : ""),
-                    {c.load, without_rounding(c.moment, c.load * c.length), c.contact_angle,
+                    {c.load, zero_rounding_noise(c.moment, c.load * c.length), c.contact_angle,
                      c.delta, c.peak_pressure, peak_position(c, s), c.half_width, c.length}});
   }
   report.heading(fmt::format("Contacts with the {} race", kRaceName[race]));
@@ -277,7 +277,7 @@ void print_quasi_static(Report& report, const statics::RollerSolution& solution,
   print_cage_operation(report, bearing);
   if (solution.notes.empty()) return;
   report.heading("Notes");
-  for (const std::string& note : solution.notes) report.text(note);
+  for (const Finding& note : solution.notes) report.text(note.message);
 }
 
 }  // namespace adore::listing

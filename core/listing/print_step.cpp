@@ -44,14 +44,14 @@ void element_table(Report& report, const StepRecord& record, int interval,
 }
 
 /// Why there are no films and temperatures of contacts.
-std::string_view no_films(RaceFriction friction) {
+std::string_view no_films(RaceFrictionModel friction) {
   switch (friction) {
-    case RaceFriction::Curve:
+    case RaceFrictionModel::Curve:
       return "hypothetical traction";
-    case RaceFriction::OfUser:
+    case RaceFrictionModel::OfUser:
       return "user routine ADRX7";
-    case RaceFriction::None:
-    case RaceFriction::Film:
+    case RaceFrictionModel::None:
+    case RaceFrictionModel::Film:
       break;
   }
   return "no race friction";
@@ -158,9 +158,9 @@ void heat_of_elements(Report& report, const StepRecord& record, int interval, bo
 }
 
 void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
-              const bearing::Bearing& bearing, RaceFriction friction, int interval) {
+              const bearing::Bearing& bearing, RaceFrictionModel friction, int interval) {
   // Films that have collapsed or stand still are 0, and so is a rise without slip.
-  const bool film = friction == RaceFriction::Film;
+  const bool film = friction == RaceFrictionModel::Film;
   const auto& roughness =
       bearing.rollers() != nullptr ? bearing.rollers()->roughness : bearing.balls().roughness;
   const bool lambda = roughness[0] > 0.0 || roughness[1] > 0.0;
@@ -535,8 +535,8 @@ std::string_view take_line(std::string_view& text, std::size_t width) {
 
 void print_step(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
                 const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt,
-                std::optional<long> life_step, RaceFriction friction) {
-  const PrintSections sections = print_sections(kPrtOpt);
+                std::optional<long> life_step, RaceFrictionModel friction) {
+  const PrintSections sections = select_print_sections(kPrtOpt);
   const long step = life_step.value_or(snapshot.step);
   report.new_page(fmt::format("STEP {}", snapshot.step));
   if (sections.element_interval > 0)

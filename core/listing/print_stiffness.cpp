@@ -1,5 +1,6 @@
 #include "deck/unit_text.hpp"
 #include "listing/print_file.hpp"
+#include "listing/print_words.hpp"
 #include "listing/rounding.hpp"
 #include "statics/stiffness_difference.hpp"
 
@@ -14,7 +15,6 @@ namespace {
 constexpr std::array<const char*, 5> kLoads{"Fx", "Fy", "Fz", "My", "Mz"},
     kMotions{"x", "y", "z", "rot y", "rot z"};
 
-const UnitPair& load_unit(std::size_t k) { return k < 3 ? unit::kForce : unit::kMoment; }
 const UnitPair& motion_unit(std::size_t k) { return k < 3 ? unit::kLength : unit::kRadian; }
 
 /// Text of one entry in the deck's units.
@@ -31,7 +31,7 @@ std::string titled(const char* name, const UnitPair& unit, UnitSystem units) {
 }
 
 std::vector<std::string> warnings_of(const statics::StiffnessRow& row) {
-  return row.operating ? row.operating->warnings : std::vector<std::string>();
+  return row.operating ? sentences_of(row.operating->warnings) : std::vector<std::string>();
 }
 
 void print_row(Report& report, const statics::StiffnessRow& row) {
@@ -53,18 +53,18 @@ void print_row(Report& report, const statics::StiffnessRow& row) {
     rows.push_back({std::move(name), how});
     for (std::size_t j = 0; j < 5; ++j) rows.back().push_back(entry(report, K, i, j));
   };
-  const auto exact = without_rounding(row.result.stiffness);
+  const auto exact = zero_rounding_noise(row.result.stiffness);
   for (std::size_t i = 0; i < 5; ++i) {
     add(i, titled(kLoads[i], load_unit(i), report.units()), "exact", exact);
-    if (differences) add(i, "", "by difference", without_rounding(*differences));
+    if (differences) add(i, "", "by difference", zero_rounding_noise(*differences));
   }
   report.text_table(columns, rows);
   report.item("Largest contact load", row.result.max_load, unit::kForce);
   if (differences)
     report.item("Deviation between the two methods / largest entry (same unit)",
                 statics::stiffness_disagreement(row.result.stiffness, *differences), unit::kPure);
-  for (const std::string& note : row.result.notes)
-    report.text(deck::message_in_units(note, report.units()));
+  for (const Finding& note : row.result.notes)
+    report.text(deck::message_in_units(note.message, report.units()));
   if (!row.operating) return;
   const bearing::OperatingFits& fits = *row.operating;
   report.item(fits.axial_setting ? "Change of the diametral clearance at this speed"
@@ -81,13 +81,14 @@ void print_stiffness_table(Report& report, const std::vector<statics::StiffnessR
                            double share) {
   report.new_page("STIFFNESS OVER SPEED");
   report.text(
-      "Change of the load on the inner race (rows) per displacement of the inner race (columns) at "
-      "constant speed. All rolling elements are in equilibrium. Exact linearization.");
+      "Rows: load on the inner race. Columns: displacement of the inner race. Each value is the "
+      "exact "
+      "derivative at constant speed with all rolling elements in equilibrium.");
   if (share > 0.0)
-    report.text(
-        fmt::format("By difference: from displacements of the inner race of +- {:.4g} % of the "
-                    "largest contact deflection.",
-                    100.0 * share));
+    report.text(fmt::format(
+        "Rows \"by difference\": finite differences for displacements of the inner race by +- "
+        "{:.4g} % of the largest contact deflection.",
+        100.0 * share));
   for (const statics::StiffnessRow& row : rows) print_row(report, row);
 }
 

@@ -27,14 +27,14 @@ std::string Report::number(double value) {
 }
 
 void Report::put(std::string_view line) {
-  if (line_ >= kLines) new_page(title_);
+  if (lines_used_ >= kLines) new_page(title_);
   out_ += without_trailing_blanks(line.substr(0, kColumns));
   out_ += '\n';
-  ++line_;
+  ++lines_used_;
 }
 
-void Report::need(int lines) {
-  if (line_ + lines > kLines) new_page(title_);
+void Report::ensure_lines(int lines) {
+  if (lines_used_ + lines > kLines) new_page(title_);
 }
 
 void Report::new_page(std::string_view title) {
@@ -42,7 +42,7 @@ void Report::new_page(std::string_view title) {
   const bool again = text == title_ && !title_.empty();
   title_ = text;
   out_ += '\f';
-  line_ = 0;
+  lines_used_ = 0;
   put(fmt::format("{:<20}{:<44}{}{}", kProgramVersion, run_id_.substr(0, 40), text,
                   again ? kContinued : ""));
   put("");
@@ -52,7 +52,7 @@ void Report::resume(std::string_view text) {
   const std::size_t page = text.rfind('\f');
   if (page == std::string_view::npos) return;  // the next line begins a page
   text.remove_prefix(page + 1);
-  line_ = static_cast<int>(
+  lines_used_ = static_cast<int>(
       std::min<std::ptrdiff_t>(std::count(text.begin(), text.end(), '\n'), kLines));
   // The heading: version in 20 columns, run code in 44, title; columns are characters, not bytes.
   std::string_view heading = text.substr(0, text.find('\n'));
@@ -66,8 +66,8 @@ void Report::resume(std::string_view text) {
 }
 
 void Report::heading(std::string_view title) {
-  need(10);
-  if (line_ > 2) put("");
+  ensure_lines(10);
+  if (lines_used_ > 2) put("");
   put(fmt::format("  {}", title));
   put(fmt::format("  {}", std::string(title.size(), '-')));
 }
@@ -90,10 +90,10 @@ void Report::text(std::string_view line, int indent) {
   }
 }
 
-void Report::item(std::string_view label, double si_value, const UnitPair& unit) {
+void Report::item(std::string_view label, double si, const UnitPair& unit) {
   const std::string_view name =
       &unit == &unit::kPure ? std::string_view() : unit_name(unit, units_);
-  put(fmt::format("  {:<62} {:>16}  {}", label, number(from_si(si_value, unit, units_)), name));
+  put(fmt::format("  {:<62} {:>16}  {}", label, number(from_si(si, unit, units_)), name));
 }
 
 void Report::item(std::string_view label, long value) {
@@ -125,10 +125,11 @@ void Report::table(std::string_view name_title, const std::vector<Column>& colum
     put(titles);
     put(unit_line);
   };
-  need(rows.size() <= 12 ? static_cast<int>(rows.size()) + 2 : 6);  // short tables stay whole
+  ensure_lines(rows.size() <= 12 ? static_cast<int>(rows.size()) + 2
+                                 : 6);  // short tables stay whole
   header();
   for (const Row& row : rows) {
-    if (line_ >= kLines) {
+    if (lines_used_ >= kLines) {
       new_page(title_);
       header();
     }
@@ -156,10 +157,11 @@ void Report::text_table(const std::vector<std::pair<std::string, std::size_t>>& 
     put(line);
   };
   const auto header = [&] { print([&](std::size_t k) { return columns[k].first; }); };
-  need(rows.size() <= 12 ? static_cast<int>(rows.size()) + 2 : 6);  // short tables stay whole
+  ensure_lines(rows.size() <= 12 ? static_cast<int>(rows.size()) + 2
+                                 : 6);  // short tables stay whole
   header();
   for (const auto& row : rows) {
-    if (line_ >= kLines) {
+    if (lines_used_ >= kLines) {
       new_page(title_);
       header();
     }

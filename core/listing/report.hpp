@@ -20,7 +20,7 @@ class Report {
   Report(std::string run_id, UnitSystem units) : run_id_(std::move(run_id)), units_(units) {}
   [[nodiscard]] UnitSystem units() const noexcept { return units_; }
   /// Lines that the present page still has room for.
-  [[nodiscard]] int lines_left() const noexcept { return kLines - line_; }
+  [[nodiscard]] int lines_left() const noexcept { return kLines - lines_used_; }
 
   void new_page(std::string_view title);
   /// Continues the last page of `text`, which was printed earlier.
@@ -32,7 +32,7 @@ class Report {
   /// indented).
   void text(std::string_view line, int indent = 2);
   /// "  label . . . .   value unit": an SI value in the deck's unit. Not-a-number is shown as "-".
-  void item(std::string_view label, double si_value, const UnitPair& unit);
+  void item(std::string_view label, double si, const UnitPair& unit);
   void item(std::string_view label, long value);
   void item(std::string_view label, std::string_view value);
 
@@ -62,11 +62,11 @@ class Report {
   static constexpr std::size_t kTitleColumn = 64;
   static constexpr std::string_view kContinued = " (continued)";
   void put(std::string_view line);
-  void need(int lines);
+  void ensure_lines(int lines);
   std::string run_id_;
   UnitSystem units_;
   std::string out_, title_;
-  int line_ = kLines;
+  int lines_used_ = kLines;
 };
 
 }  // namespace adore::listing

@@ -12,7 +12,8 @@ namespace adore::listing {
 /// Zero for entries below 1e-10 of the largest of five displacements or loads of a race: x, y, z,
 /// about y, about z. `arm` [m] compares one kind with the other (radius for displacements: r φ with
 /// a length; for loads pass 1/r).
-[[nodiscard]] inline std::array<double, 5> without_rounding(std::array<double, 5> v, double arm) {
+[[nodiscard]] inline std::array<double, 5> zero_rounding_noise(std::array<double, 5> v,
+                                                               double arm) {
   double largest = 0.0;
   for (std::size_t k = 0; k < 5; ++k)
     largest = std::fmax(largest, std::abs(v[k]) * (k < 3 ? 1.0 : arm));
@@ -23,7 +24,8 @@ namespace adore::listing {
 
 /// Zero for entries of a stiffness below 1e-9 of the geometric mean of their diagonal entries (the
 /// differences of a race are good to that).
-[[nodiscard]] inline Eigen::Matrix<double, 5, 5> without_rounding(Eigen::Matrix<double, 5, 5> K) {
+[[nodiscard]] inline Eigen::Matrix<double, 5, 5> zero_rounding_noise(
+    Eigen::Matrix<double, 5, 5> K) {
   const Eigen::Matrix<double, 5, 1> diagonal = K.diagonal().cwiseAbs().cwiseSqrt();
   for (Eigen::Index i = 0; i < 5; ++i)
     for (Eigen::Index j = 0; j < 5; ++j)
@@ -32,7 +34,7 @@ namespace adore::listing {
 }
 
 /// Zero below 1e-12 of what the value would be compared with (1: a ratio of order one).
-[[nodiscard]] inline double without_rounding(double value, double scale = 1.0) {
+[[nodiscard]] inline double zero_rounding_noise(double value, double scale = 1.0) {
   return std::abs(value) < 1e-12 * scale ? 0.0 : value;
 }
 

@@ -1,5 +1,6 @@
 #include "listing/solution_tables.hpp"
 
+#include "base/constants.hpp"
 #include "contact/groove.hpp"
 #include "listing/print_films.hpp"
 
@@ -8,23 +9,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace adore::listing {
 namespace {
 
 using bearing::Bearing;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Angle at which the groove of a race ends at its shoulder, measured as contact angles are; NaN
 /// when the deck gives no shoulder or the groove does not reach it.
 double shoulder_angle(const Bearing& bearing, const contact::GrooveGeometry& groove,
                       std::size_t race) {
   const double shoulder = 0.5 * bearing.balls().shoulder_diameter[race];
-  if (!(shoulder > 0.0)) return kNone;
+  if (!(shoulder > 0.0)) return kNaN;
   const double height = (race == 0 ? 1.0 : -1.0) * (shoulder - groove.centre_radius[race]);
   const double cosine = height / groove.groove_radius[race];
-  return std::abs(cosine) <= 1.0 ? std::acos(cosine) : kNone;
+  return std::abs(cosine) <= 1.0 ? std::acos(cosine) : kNaN;
 }
 
 }  // namespace
@@ -56,12 +55,12 @@ StaticTables static_tables(const statics::StaticSolution& solution, const Bearin
     elements.add(race + "pressure", unit::kPressure,
                  column([&](const auto& b) { return b.Q[j] > 0.0 ? b.p_max[j] : 0.0; }));
     elements.add(race + "spin to roll", unit::kPure,
-                 column([&](const auto& b) { return b.Q[j] > 0.0 ? b.spin_roll[j] : kNone; }));
+                 column([&](const auto& b) { return b.Q[j] > 0.0 ? b.spin_roll[j] : kNaN; }));
     if (bearing.balls().shim[j] > 0.0) {  // contact with the other half of a split race
       elements.add(race + "second load", unit::kForce,
                    column([&](const auto& b) { return b.second[j].Q; }));
       elements.add(race + "second contact angle", unit::kAngle, column([&](const auto& b) {
-                     return b.second[j].Q > 0.0 ? b.second[j].alpha : kNone;
+                     return b.second[j].Q > 0.0 ? b.second[j].alpha : kNaN;
                    }));
       elements.add(race + "second pressure", unit::kPressure,
                    column([&](const auto& b) { return b.second[j].p_max; }));
@@ -161,7 +160,7 @@ StaticTable stiffness_over_speed(const std::vector<statics::StiffnessRow>& rows)
   };
   const auto solved = [&](std::string name, const UnitPair& unit, auto&& value) {
     add(std::move(name), unit, [&](const statics::StiffnessRow& row) {
-      return row.failure.empty() ? value(row.result) : kNone;
+      return row.failure.empty() ? value(row.result) : kNaN;
     });
   };
   add("outer speed", unit::kRotation, [](const auto& row) { return row.speed[0]; });
@@ -173,10 +172,10 @@ StaticTable stiffness_over_speed(const std::vector<statics::StiffnessRow>& rows)
   // If the caller knows the fits at each speed.
   if (std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.operating; })) {
     add("clearance", unit::kLength,
-        [](const auto& row) { return row.operating ? row.operating->operating.clearance : kNone; });
+        [](const auto& row) { return row.operating ? row.operating->operating.clearance : kNaN; });
     add("free contact angle", unit::kAngle, [](const auto& row) {
       return row.operating && row.operating->locus[0] > 0.0 ? row.operating->operating.contact_angle
-                                                            : kNone;
+                                                            : kNaN;
     });
   }
   const bool differences = std::any_of(rows.begin(), rows.end(), [](const auto& row) {
@@ -191,7 +190,7 @@ StaticTable stiffness_over_speed(const std::vector<statics::StiffnessRow>& rows)
       solved(name, unit, [&](const statics::RaceResult& r) { return r.stiffness(i, j); });
       if (differences)
         solved(name + " by difference", unit, [&](const statics::RaceResult& r) {
-          return r.stiffness_by_difference ? (*r.stiffness_by_difference)(i, j) : kNone;
+          return r.stiffness_by_difference ? (*r.stiffness_by_difference)(i, j) : kNaN;
         });
     }
   return out;

@@ -1,21 +1,19 @@
 #include "listing/static_cut.hpp"
 
+#include "base/constants.hpp"
 #include "contact/groove.hpp"
 #include "contact/roller_shape.hpp"
+#include "listing/print_words.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace adore::listing {
 namespace {
 
 using bearing::Bearing;
-constexpr double kPi = std::numbers::pi;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array<const char*, 2> kRace{"outer", "inner"};
 
 struct Point {
   double x = 0.0, r = 0.0;
@@ -48,7 +46,7 @@ class Outline {
 
 /// Margins of both contacts, [race][side: -x, +x].
 using Margins = std::array<std::array<double, 2>, 2>;
-constexpr Margins kNoMargins{std::array{kNone, kNone}, std::array{kNone, kNone}};
+constexpr Margins kNoMargins{std::array{kNaN, kNaN}, std::array{kNaN, kNaN}};
 
 void add_row(StaticTables& out, std::size_t element, double azimuth,
              const std::array<double, 2>& load, const Margins& margins) {
@@ -56,7 +54,7 @@ void add_row(StaticTables& out, std::size_t element, double azimuth,
   row.add("element", unit::kPure, {static_cast<double>(element + 1)});
   row.add("azimuth", unit::kAngle, {azimuth});
   for (std::size_t j = 0; j < 2; ++j) {
-    const std::string race(kRace[j]);
+    const std::string race(kRaceName[j]);
     row.add(race + " load", unit::kForce, {load[j]});
     row.add(race + " -x margin", unit::kLength, {margins[j][0]});
     row.add(race + " +x margin", unit::kLength, {margins[j][1]});
@@ -139,7 +137,8 @@ const Element* heaviest(const std::vector<Element>& elements, Load load) {
 
 }  // namespace
 
-void add_cut(StaticTables& out, const statics::StaticSolution& solution, const Bearing& bearing) {
+void add_radial_section(StaticTables& out, const statics::StaticSolution& solution,
+                        const Bearing& bearing) {
   const statics::StaticBall* ball =
       heaviest(solution.balls, [](const auto& b, std::size_t j) { return b.Q[j]; });
   if (ball == nullptr) return;
@@ -171,7 +170,7 @@ void add_cut(StaticTables& out, const statics::StaticSolution& solution, const B
   }
   circle.add_to(out, "cut element");
   for (std::size_t j = 0; j < 2; ++j) {
-    const std::string race = std::string("cut ") + kRace[j];
+    const std::string race = std::string("cut ") + kRaceName[j];
     races[j].add_to(out, race + " race");
     contacts[j].add_to(out, race + " contact");
   }
@@ -338,7 +337,8 @@ std::array<double, 2> extent(const statics::RollerRaceContact& contact,
 
 }  // namespace
 
-void add_cut(StaticTables& out, const statics::RollerSolution& solution, const Bearing& bearing) {
+void add_radial_section(StaticTables& out, const statics::RollerSolution& solution,
+                        const Bearing& bearing) {
   const statics::StaticRoller* roller =
       heaviest(solution.rollers, [](const auto& r, std::size_t j) { return r.race[j].load; });
   if (roller == nullptr) return;
@@ -369,7 +369,7 @@ void add_cut(StaticTables& out, const statics::RollerSolution& solution, const B
   add_row(out, number, roller->azimuth, {roller->race[0].load, roller->race[1].load}, margins);
   outline.add_to(out, "cut element");
   for (std::size_t j = 0; j < 2; ++j) {
-    const std::string race = std::string("cut ") + kRace[j];
+    const std::string race = std::string("cut ") + kRaceName[j];
     races[j].add_to(out, race + " race");
     contacts[j].add_to(out, race + " contact");
   }

@@ -15,9 +15,9 @@
 /// would be invisible at this scale, at their nominal position.
 namespace adore::listing {
 
-void add_cut(StaticTables& out, const statics::StaticSolution& solution,
-             const bearing::Bearing& bearing);
-void add_cut(StaticTables& out, const statics::RollerSolution& solution,
-             const bearing::Bearing& bearing);
+void add_radial_section(StaticTables& out, const statics::StaticSolution& solution,
+                        const bearing::Bearing& bearing);
+void add_radial_section(StaticTables& out, const statics::RollerSolution& solution,
+                        const bearing::Bearing& bearing);
 
 }  // namespace adore::listing

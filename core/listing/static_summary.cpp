@@ -4,6 +4,7 @@
 #include "contact/groove.hpp"
 #include "life/statistics.hpp"
 #include "listing/print_life.hpp"
+#include "listing/print_words.hpp"
 #include "listing/rounding.hpp"
 
 #include <fmt/format.h>
@@ -17,16 +18,14 @@ using bearing::Bearing;
 using TextRow = std::vector<std::string>;
 
 constexpr std::array<const char*, 5> kDirection{"x", "y", "z", "about y", "about z"};
-constexpr std::array<const char*, 2> kRace{"outer race", "inner race"};
 
 const UnitPair& motion_unit(std::size_t k) { return k < 3 ? unit::kLength : unit::kAngle; }
-const UnitPair& load_unit(std::size_t k) { return k < 3 ? unit::kForce : unit::kMoment; }
 
-void raise(AtElement& most, double value, std::size_t index) {
+void raise(ElementValue& most, double value, std::size_t index) {
   if (most.element == 0 ? std::isfinite(value) : value > most.value)
     most = {value, static_cast<int>(index) + 1};
 }
-void lower(AtElement& least, double value, std::size_t index) {
+void lower(ElementValue& least, double value, std::size_t index) {
   if (least.element == 0 ? std::isfinite(value) : value < least.value)
     least = {value, static_cast<int>(index) + 1};
 }
@@ -44,7 +43,7 @@ std::string quantity(double si, const UnitPair& unit, UnitSystem units) {
 }
 
 /// "4208.27 N    ball 1"
-std::string where(const AtElement& at, const UnitPair& unit, const StaticSummary& s,
+std::string where(const ElementValue& at, const UnitPair& unit, const StaticSummary& s,
                   UnitSystem units) {
   if (at.element == 0) return "-";
   return fmt::format("{:<24}{} {}", quantity(at.value, unit, units), s.element, at.element);
@@ -57,8 +56,8 @@ std::string elastic_limit(const life::ContactStrength& s, UnitSystem units) {
 void inner_race(Report& report, const StaticSummary& s, const Bearing& bearing) {
   const UnitSystem units = report.units();
   const statics::RaceResult& r = s.result;
-  const auto displacement = without_rounding(r.displacement, pitch_radius(bearing));
-  const auto load = without_rounding(r.load, 1.0 / pitch_radius(bearing));
+  const auto displacement = zero_rounding_noise(r.displacement, pitch_radius(bearing));
+  const auto load = zero_rounding_noise(r.load, 1.0 / pitch_radius(bearing));
   std::vector<TextRow> rows;
   for (std::size_t k = 0; k < 5; ++k) {
     const bool given = bearing.constraints.displacement_given[k];
@@ -85,13 +84,13 @@ void inner_race(Report& report, const StaticSummary& s, const Bearing& bearing) 
         quantity(outer[0], unit::kAngle, units), quantity(outer[1], unit::kAngle, units),
         quantity(tilt[0], unit::kAngle, units), quantity(tilt[1], unit::kAngle, units)));
   }
-  report.text(datum_text(bearing, units));
+  report.text(displacement_datum_text(bearing, units));
 }
 
 void contacts(Report& report, const StaticSummary& s) {
   const UnitSystem units = report.units();
   std::vector<TextRow> rows;
-  const auto row = [&](std::string name, const UnitPair& unit, AtElement RaceSummary::*member) {
+  const auto row = [&](std::string name, const UnitPair& unit, ElementValue RaceSummary::*member) {
     if ((s.race[0].*member).element == 0 && (s.race[1].*member).element == 0) return;
     rows.push_back({std::move(name), where(s.race[0].*member, unit, s, units),
                     where(s.race[1].*member, unit, s, units)});
@@ -121,7 +120,7 @@ void contacts(Report& report, const StaticSummary& s) {
   };
   counts(fmt::format("loaded {}s", s.element), &RaceSummary::loaded);
   if (s.element == "roller") counts("at a corner or land edge", &RaceSummary::at_edge);
-  report.text_table({{"contacts", 28}, {kRace[0], 46}, {kRace[1], 46}}, rows);
+  report.text_table({{"contacts", 28}, {kRaceTitle[0], 46}, {kRaceTitle[1], 46}}, rows);
 }
 
 void geometry(Report& report, const bearing::OperatingFits& fits) {
@@ -140,7 +139,7 @@ void geometry(Report& report, const bearing::OperatingFits& fits) {
     row("free contact angle", unit::kAngle, &bearing::ClearanceState::contact_angle);
     row("free end play", unit::kLength, &bearing::ClearanceState::end_play);
   }
-  for (const bearing::CagePlay& play : fits.plays)
+  for (const bearing::CageClearance& play : fits.plays)
     rows.push_back({"cage: " + play.name, cell(play.free, unit::kLength), "",
                     cell(play.operating, unit::kLength)});
   report.text_table({{"operating geometry", 42}, {"cold", 22}, {"mounted", 22}, {"operating", 22}},
@@ -172,7 +171,8 @@ std::string origin(const life::BearingLife& life, std::size_t model) {
   bool own = false, built_in = false;
   for (std::size_t i = 0; i < 2; ++i) {
     const life::PartParameters& part = life.parameters.part[i];
-    const life::Marked& factor = model == 0 ? part.original_factor : part.model[model - 1].factor;
+    const life::SourcedValue& factor =
+        model == 0 ? part.original_factor : part.model[model - 1].factor;
     (factor.origin == "deck" ? own : built_in) = true;
   }
   const std::string ours = model == 0 ? "seen" : "calibrated";
@@ -192,11 +192,11 @@ void lives(Report& report, const life::BearingLife& life) {
   for (std::size_t m = 0; m < life::kModels; ++m) {
     const life::PartLives& at = life.state.model[m].modified[0];
     const std::string elements = millions(at.part[2]);
-    rows.push_back({life_name(static_cast<bearing::LifeModel>(m), bearing::LifeModification::None),
-                    millions(at.part[0]), millions(at.part[1]),
-                    std::isnan(at.part[2]) || at.elements_counted ? elements : "(" + elements + ")",
-                    millions(at.L10), hours_text(at.L10, speed), hours_text(at.L_S, speed),
-                    origin(life, m)});
+    rows.push_back(
+        {life_model_name(static_cast<bearing::LifeModel>(m), bearing::LifeModification::None),
+         millions(at.part[0]), millions(at.part[1]),
+         std::isnan(at.part[2]) || at.elements_counted ? elements : "(" + elements + ")",
+         millions(at.L10), hours_text(at.L10, speed), hours_text(at.L_S, speed), origin(life, m)});
   }
   if (life.iso) {
     const auto iso = [&](const char* name, double L, const char* from) {
@@ -221,7 +221,7 @@ void lives(Report& report, const life::BearingLife& life) {
 }
 
 void remarks(Report& report, const std::vector<std::string>& warnings,
-             const std::vector<std::string>& notes) {
+             const std::vector<Finding>& notes) {
   report.text(fmt::format("Warnings: {}. Notes: {}.", warnings.size(), notes.size()));
   // Complete if there is room, cut to one line otherwise; the last line is kept free.
   const auto shown = [&](const std::string& text) {
@@ -232,9 +232,10 @@ void remarks(Report& report, const std::vector<std::string>& warnings,
     report.text(whole ? text : text.substr(0, kWidth - 4) + " ...", 6);
     return true;
   };
-  for (const auto* list : {&warnings, &notes})
-    for (const std::string& text : *list)
-      if (!shown(text)) return report.text("    More on the following pages.", 0);
+  std::vector<std::string> all = warnings;
+  for (const Finding& note : notes) all.push_back(note.message);
+  for (const std::string& text : all)
+    if (!shown(text)) return report.text("    More on the following pages.", 0);
 }
 
 /// "55.3 kN (maker's)"
@@ -275,7 +276,7 @@ std::vector<std::string> iso_lines(const life::IsoReport& iso, double speed, Uni
 
 }  // namespace
 
-StaticSummary summarise(const statics::StaticSolution& solution, const Bearing& bearing) {
+StaticSummary summarize(const statics::StaticSolution& solution, const Bearing& bearing) {
   StaticSummary out{"ball", static_cast<int>(solution.balls.size()), {}, {}, solution};
   out.strength = life::contact_strength(bearing, solution);
   for (std::size_t k = 0; k < solution.balls.size(); ++k)
@@ -293,7 +294,7 @@ StaticSummary summarise(const statics::StaticSolution& solution, const Bearing& 
   return out;
 }
 
-StaticSummary summarise(const statics::RollerSolution& solution, const Bearing& bearing) {
+StaticSummary summarize(const statics::RollerSolution& solution, const Bearing& bearing) {
   StaticSummary out{"roller", static_cast<int>(solution.rollers.size()), {}, {}, solution};
   out.strength = life::contact_strength(bearing, solution);
   for (std::size_t k = 0; k < solution.rollers.size(); ++k)
@@ -329,7 +330,7 @@ std::array<double, 2> relative_tilt(const std::array<double, 2>& inner,
   return tilt;
 }
 
-std::string datum_text(const Bearing& bearing, UnitSystem units) {
+std::string displacement_datum_text(const Bearing& bearing, UnitSystem units) {
   const bool cones =
       bearing.type == bearing::Type::Tapered || bearing.type == bearing::Type::SphericalTapered;
   std::string place = cones               ? "both races touch the rollers without load"
@@ -352,14 +353,14 @@ std::string datum_text(const Bearing& bearing, UnitSystem units) {
                                : "the middle plane of the row";
   return fmt::format(
       "Datum of displacements: unmounted bearing at room temperature, not rotating, races coaxial. "
-      "At x = 0, {}. Fits, temperatures and speeds move the raceways, but not the datum: on each "
-      "race, {} does not move. Axial growth of the rings relative to their faces is not modeled.",
+      "At x = 0, {}. Fits, temperatures and speeds move the raceways, but not the datum: {} of "
+      "each race is fixed. Axial growth of the rings relative to their faces is not modeled.",
       place, kept);
 }
 
 void print_static_summary(Report& report, const StaticSummary& s, const Bearing& bearing,
                           const life::BearingLife& life, const std::vector<std::string>& warnings,
-                          const std::vector<std::string>& notes) {
+                          const std::vector<Finding>& notes) {
   report.new_page("QUASI-STATIC SOLUTION: SUMMARY");
   report.text(fmt::format(
       "{} {}s; outer race {:.6g} rpm, inner race {:.6g} rpm. Tables of every contact follow.",
@@ -376,8 +377,8 @@ void print_static_summary(Report& report, const StaticSummary& s, const Bearing&
   }
   lives(report, life);
   report.text(
-      "Origin of constants. seen: found in a public source. recalled: quoted from memory of the "
-      "literature, not checked. calibrated, derived: determined by this program, not by the "
+      "Origin of constants. seen: found in a public source. recalled: from memory, not checked. "
+      "calibrated, derived: determined by this program, not by the "
       "authors of the model. deck: given in the deck.");
   report.blank();
   remarks(report, warnings, notes);
@@ -386,22 +387,23 @@ void print_static_summary(Report& report, const StaticSummary& s, const Bearing&
 std::vector<std::string> summary_lines(const StaticSummary& s, const Bearing& bearing,
                                        const life::BearingLife& life, UnitSystem units) {
   std::vector<std::string> out;
-  const auto displacement = without_rounding(s.result.displacement, pitch_radius(bearing));
+  const auto displacement = zero_rounding_noise(s.result.displacement, pitch_radius(bearing));
   std::string moved;
   for (std::size_t k = 0; k < 5; ++k)
     moved += fmt::format("{}{} {}", k == 0 ? "" : ", ", kDirection[k],
                          quantity(displacement[k], motion_unit(k), units));
   out.push_back(fmt::format("displacement of the inner race: {}", moved));
-  const auto largest = [&](const char* name, const UnitPair& unit, AtElement RaceSummary::*member) {
+  const auto largest = [&](const char* name, const UnitPair& unit,
+                           ElementValue RaceSummary::*member) {
     const std::size_t j = (s.race[1].*member).element != 0 &&
                                   !((s.race[0].*member).value >= (s.race[1].*member).value)
                               ? 1
                               : 0;
-    const AtElement& at = s.race[j].*member;
+    const ElementValue& at = s.race[j].*member;
     out.push_back(at.element == 0
                       ? fmt::format("{}: none (no contact)", name)
                       : fmt::format("{}: {} ({} {}, {})", name, quantity(at.value, unit, units),
-                                    s.element, at.element, kRace[j]));
+                                    s.element, at.element, kRaceTitle[j]));
   };
   largest("largest contact load", unit::kForce, &RaceSummary::load);
   largest("largest pressure", unit::kPressure, &RaceSummary::pressure);
@@ -412,7 +414,7 @@ std::vector<std::string> summary_lines(const StaticSummary& s, const Bearing& be
     out.push_back(fmt::format(
         "life at {:.4g} % survival: {}{}{} ({}; constants {})",
         100.0 * life.parameters.survival.value, millions(L), std::isfinite(L) ? " Mrev" : "", hours,
-        life_name(model, modification), origin(life, static_cast<std::size_t>(model))));
+        life_model_name(model, modification), origin(life, static_cast<std::size_t>(model))));
   };
   if (life.iso)
     for (std::string& line : iso_lines(*life.iso, life.state.relative_speed, units))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "bearing/bearing.hpp"
 #include "life/bearing_life.hpp"
 #include "life/contact_strength.hpp"
@@ -17,20 +18,20 @@
 namespace adore::listing {
 
 /// A number and the rolling element (1-based; 0: none) that it belongs to.
-struct AtElement {
+struct ElementValue {
   double value = std::numeric_limits<double>::quiet_NaN();
   int element = 0;
 };
 
 /// Extremes over the contacts of one race.
 struct RaceSummary {
-  AtElement load;                     ///< largest Q [N]
-  AtElement pressure;                 ///< largest p [Pa]
-  AtElement least_angle, most_angle;  ///< of the loaded contacts [rad]
-  AtElement shoulder;                 ///< least depth below the shoulder (balls) [m]
-  AtElement flange;                   ///< largest load on a flange of this race (rollers) [N]
-  int loaded = 0;                     ///< elements with a load
-  int at_edge = 0;                    ///< rollers whose contact reaches a corner or land edge
+  ElementValue load;                     ///< largest Q [N]
+  ElementValue pressure;                 ///< largest p [Pa]
+  ElementValue least_angle, most_angle;  ///< of the loaded contacts [rad]
+  ElementValue shoulder;                 ///< least depth below the shoulder (balls) [m]
+  ElementValue flange;                   ///< largest load on a flange of this race (rollers) [N]
+  int loaded = 0;                        ///< elements with a load
+  int at_edge = 0;                       ///< rollers whose contact reaches a corner or land edge
 };
 
 struct StaticSummary {
@@ -41,16 +42,16 @@ struct StaticSummary {
   statics::RaceResult result;
 };
 
-[[nodiscard]] StaticSummary summarise(const statics::StaticSolution& solution,
+[[nodiscard]] StaticSummary summarize(const statics::StaticSolution& solution,
                                       const bearing::Bearing& bearing);
-[[nodiscard]] StaticSummary summarise(const statics::RollerSolution& solution,
+[[nodiscard]] StaticSummary summarize(const statics::RollerSolution& solution,
                                       const bearing::Bearing& bearing);
 
 /// The page. `warnings` and `notes` are counted, and shown as far as the page has room.
 void print_static_summary(Report& report, const StaticSummary& summary,
                           const bearing::Bearing& bearing, const life::BearingLife& life,
                           const std::vector<std::string>& warnings,
-                          const std::vector<std::string>& notes);
+                          const std::vector<Finding>& notes);
 
 /// Displacement, largest contact load and pressure, life: one line each, in the deck's units.
 [[nodiscard]] std::vector<std::string> summary_lines(const StaticSummary& summary,
@@ -59,7 +60,8 @@ void print_static_summary(Report& report, const StaticSummary& summary,
                                                      UnitSystem units);
 
 /// In words, what displacements are measured from (decision 140).
-[[nodiscard]] std::string datum_text(const bearing::Bearing& bearing, UnitSystem units);
+[[nodiscard]] std::string displacement_datum_text(const bearing::Bearing& bearing,
+                                                  UnitSystem units);
 
 /// Tilt of the inner race relative to a misaligned outer one, about the outer race's y and then z
 /// [rad]; both tilts are R = R_y R_z of the base frame.

@@ -40,93 +40,96 @@ RunAverages::Totals RunAverages::totals(const scene::Snapshot& snapshot) {
 }
 
 void RunAverages::add(const scene::Snapshot& snapshot) {
-  const Totals before = now_;
-  now_ = totals(snapshot);
+  const Totals before = last_totals_;
+  last_totals_ = totals(snapshot);
   const scene::Vec3& force = snapshot.races[1].carried_force;
   if (started_) {
-    const double passed = now_.time - before.time;
+    const double passed = last_totals_.time - before.time;
     const scene::Vec3 impulse = 0.5 * passed * (force_ + force);
     impulse_ += impulse;
     if (!race_heat_known_)
       race_heat_known_ = true;
     else
-      stored_.add(
+      stored_step_sums_.add(
           passed,
-          {now_.shaft - before.shaft, now_.elements - before.elements, now_.cage - before.cage,
-           now_.heat - before.heat, now_.race_heat[0] - before.race_heat[0],
-           now_.race_heat[1] - before.race_heat[1], impulse[0], impulse[1], impulse[2]});
+          {last_totals_.shaft - before.shaft, last_totals_.elements - before.elements,
+           last_totals_.cage - before.cage, last_totals_.heat - before.heat,
+           last_totals_.race_heat[0] - before.race_heat[0],
+           last_totals_.race_heat[1] - before.race_heat[1], impulse[0], impulse[1], impulse[2]});
   } else {
-    largest_time_ = now_.time;
+    max_load_time_ = last_totals_.time;
   }
   force_ = force;
-  add_largest(now_.time, largest_contact_load(snapshot));
+  add_max_load(last_totals_.time, largest_contact_load(snapshot));
   residual_ = std::max(residual_, std::abs(snapshot.energy.residual()));
-  loss_ = snapshot.power.total_loss;
-  if (!started_) start_ = now_;
+  power_loss_ = snapshot.power.total_loss;
+  if (!started_) start_ = last_totals_;
   started_ = true;
-  if (snapshot.cages.size() == 1) add_cage_position(now_.time, snapshot.cages.front().position);
+  if (snapshot.cages.size() == 1)
+    add_cage_position(last_totals_.time, snapshot.cages.front().position);
   if (snapshot.cages.size() < 2) return;
   scene::Vec3 mean = scene::Vec3::Zero();
   for (const scene::CageSnapshot& cage : snapshot.cages)
     mean += cage.mass_centre / static_cast<double>(snapshot.cages.size());
-  add_cage_position(now_.time, mean);
+  add_cage_position(last_totals_.time, mean);
 }
 
 void RunAverages::add_loads(double time, std::span<const double> outer,
                             std::span<const double> inner) {
-  if (started_) add_largest(time, std::max(largest_of(outer), largest_of(inner)));
+  if (started_) add_max_load(time, std::max(largest_of(outer), largest_of(inner)));
 }
 
 /// A run that continues from before its last sample passes that time twice: it counts once.
-void RunAverages::add_largest(double time, double largest) {
-  const double passed = std::max(time - largest_time_, 0.0);
-  const double impulse = 0.5 * passed * (largest_ + largest);
-  largest_impulse_ += impulse;
-  stepped_.add(passed, {impulse});
-  largest_time_ += passed;
-  largest_ = largest;
-  peak_ = std::max(peak_, largest);
+void RunAverages::add_max_load(double time, double largest) {
+  const double passed = std::max(time - max_load_time_, 0.0);
+  const double impulse = 0.5 * passed * (max_load_ + largest);
+  max_load_integral_ += impulse;
+  step_sums_.add(passed, {impulse});
+  max_load_time_ += passed;
+  max_load_ = largest;
+  peak_load_ = std::max(peak_load_, largest);
 }
 
 void RunAverages::add_cage_position(double time, const scene::Vec3& position) {
   const double angle = orbit_motion(position, Vec3::Zero(), Vec3::Zero()).theta;
-  whirl_now_ = whirl_started_ ? nearest_branch(angle, whirl_now_) : angle;
-  if (!whirl_started_) whirl_start_ = whirl_now_;
+  whirl_angle_ = whirl_started_ ? nearest_branch(angle, whirl_angle_) : angle;
+  if (!whirl_started_) whirl_start_angle_ = whirl_angle_;
   whirl_started_ = true;
-  const double y = position[1], z = position[2], passed = time - swept_time_;
-  if (swept_started_ && !(passed > 0.0))
+  const double y = position[1], z = position[2], passed = time - last_center_time_;
+  if (has_last_center_ && !(passed > 0.0))
     return;  // of a run that continues from before its last sample
-  if (swept_started_) {
-    const double area = swept_y_ * z - swept_z_ * y;
+  if (has_last_center_) {
+    const double area = last_center_y_ * z - last_center_z_ * y;
     const double square =
-        0.5 * passed * (swept_y_ * swept_y_ + swept_z_ * swept_z_ + y * y + z * z);
+        0.5 * passed *
+        (last_center_y_ * last_center_y_ + last_center_z_ * last_center_z_ + y * y + z * z);
     swept_area_ += area;
-    swept_square_ += square;
-    whirled_.add(passed, {area, square});
+    radius_squared_integral_ += square;
+    whirl_sums_.add(passed, {area, square});
   }
-  swept_started_ = true;
-  swept_time_ = time;
-  swept_y_ = y;
-  swept_z_ = z;
+  has_last_center_ = true;
+  last_center_time_ = time;
+  last_center_y_ = y;
+  last_center_z_ = z;
 }
 
 MeanSeries RunAverages::series() const {
   MeanSeries out;
-  if (now_.shaft != start_.shaft) {
-    out.orbital_ratio = stored_.ratio(1, 0);
-    out.cage_ratio = stored_.ratio(2, 0);
-    const double speed = (now_.shaft - start_.shaft) / (now_.time - start_.time);
-    out.swept_whirl_ratio = whirled_.ratio(0, 1);
+  if (last_totals_.shaft != start_.shaft) {
+    out.orbital_ratio = stored_step_sums_.ratio(1, 0);
+    out.cage_ratio = stored_step_sums_.ratio(2, 0);
+    const double speed = (last_totals_.shaft - start_.shaft) / (last_totals_.time - start_.time);
+    out.swept_whirl_ratio = whirl_sums_.ratio(0, 1);
     for (double& square : out.swept_whirl_ratio.s) square *= speed;
   }
-  out.power_loss = stored_.rate(3);
-  out.heat_outer = stored_.rate(4);
-  out.heat_inner = stored_.rate(5);
+  out.power_loss = stored_step_sums_.rate(3);
+  out.heat_outer = stored_step_sums_.rate(4);
+  out.heat_inner = stored_step_sums_.rate(5);
   out.heat_elsewhere = out.power_loss;
   for (std::size_t b = 0; b < out.heat_elsewhere.a.size(); ++b)
     out.heat_elsewhere.a[b] -= out.heat_outer.a[b] + out.heat_inner.a[b];
-  for (std::size_t k = 0; k < 3; ++k) out.load[k] = stored_.rate(6 + k);
-  out.largest_load = stepped_.rate(0);
+  for (std::size_t k = 0; k < 3; ++k) out.load[k] = stored_step_sums_.rate(6 + k);
+  out.largest_load = step_sums_.rate(0);
   return out;
 }
 
@@ -147,19 +150,19 @@ MeanErrors errors_of(const MeanSeries& series) {
 
 Averages RunAverages::averages() const {
   Averages out;
-  out.time = now_.time - start_.time;
-  const double turned = now_.shaft - start_.shaft;
+  out.time = last_totals_.time - start_.time;
+  const double turned = last_totals_.shaft - start_.shaft;
   if (turned != 0.0) {
-    out.orbital_ratio = (now_.elements - start_.elements) / turned;
-    out.cage_ratio = (now_.cage - start_.cage) / turned;
-    out.whirl_ratio = (whirl_now_ - whirl_start_) / turned;
-    if (swept_square_ > 0.0)
-      out.swept_whirl_ratio = swept_area_ / swept_square_ * (out.time / turned);
+    out.orbital_ratio = (last_totals_.elements - start_.elements) / turned;
+    out.cage_ratio = (last_totals_.cage - start_.cage) / turned;
+    out.whirl_ratio = (whirl_angle_ - whirl_start_angle_) / turned;
+    if (radius_squared_integral_ > 0.0)
+      out.swept_whirl_ratio = swept_area_ / radius_squared_integral_ * (out.time / turned);
   }
-  out.power_loss = out.time > 0.0 ? (now_.heat - start_.heat) / out.time : loss_;
-  const double looked = largest_time_ - start_.time;
-  out.largest_load = looked > 0.0 ? largest_impulse_ / looked : largest_;
-  out.peak_load = peak_;
+  out.power_loss = out.time > 0.0 ? (last_totals_.heat - start_.heat) / out.time : power_loss_;
+  const double looked = max_load_time_ - start_.time;
+  out.largest_load = looked > 0.0 ? max_load_integral_ / looked : max_load_;
+  out.peak_load = peak_load_;
   out.largest_residual = residual_;
   out.load = out.time > 0.0 ? scene::Vec3(impulse_ / out.time) : force_;
   return out;
@@ -173,31 +176,31 @@ void RunAverages::visit(Self& self, Visit visit) {
   visit("average start elements", self.start_.elements);
   visit("average start cage", self.start_.cage);
   visit("average start heat", self.start_.heat);
-  visit("average time", self.now_.time);
-  visit("average shaft", self.now_.shaft);
-  visit("average elements", self.now_.elements);
-  visit("average cage", self.now_.cage);
-  visit("average heat", self.now_.heat);
-  visit("average outer heat", self.now_.race_heat[0]);
-  visit("average inner heat", self.now_.race_heat[1]);
-  visit("average whirl start", self.whirl_start_);
-  visit("average whirl", self.whirl_now_);
-  visit("average swept time", self.swept_time_);
-  visit("average swept y", self.swept_y_);
-  visit("average swept z", self.swept_z_);
+  visit("average time", self.last_totals_.time);
+  visit("average shaft", self.last_totals_.shaft);
+  visit("average elements", self.last_totals_.elements);
+  visit("average cage", self.last_totals_.cage);
+  visit("average heat", self.last_totals_.heat);
+  visit("average outer heat", self.last_totals_.race_heat[0]);
+  visit("average inner heat", self.last_totals_.race_heat[1]);
+  visit("average whirl start", self.whirl_start_angle_);
+  visit("average whirl", self.whirl_angle_);
+  visit("average swept time", self.last_center_time_);
+  visit("average swept y", self.last_center_y_);
+  visit("average swept z", self.last_center_z_);
   visit("average swept area", self.swept_area_);
-  visit("average swept square", self.swept_square_);
-  visit("average loss", self.loss_);
+  visit("average swept square", self.radius_squared_integral_);
+  visit("average loss", self.power_loss_);
   visit("average force x", self.force_[0]);
   visit("average force y", self.force_[1]);
   visit("average force z", self.force_[2]);
   visit("average impulse x", self.impulse_[0]);
   visit("average impulse y", self.impulse_[1]);
   visit("average impulse z", self.impulse_[2]);
-  visit("average largest time", self.largest_time_);
-  visit("average largest load", self.largest_);
-  visit("average largest impulse", self.largest_impulse_);
-  visit("average peak load", self.peak_);
+  visit("average largest time", self.max_load_time_);
+  visit("average largest load", self.max_load_);
+  visit("average largest impulse", self.max_load_integral_);
+  visit("average peak load", self.peak_load_);
   visit("average largest residual", self.residual_);
 }
 
@@ -205,10 +208,10 @@ void RunAverages::save(std::map<std::string, double>& state) const {
   if (!started_) return;
   visit(*this, [&](const char* key, double value) { state[key] = value; });
   state["average whirl started"] = whirl_started_ ? 1.0 : 0.0;
-  state["average swept started"] = swept_started_ ? 1.0 : 0.0;
-  stored_.save(state, "batch stored");
-  stepped_.save(state, "batch stepped");
-  whirled_.save(state, "batch whirled");
+  state["average swept started"] = has_last_center_ ? 1.0 : 0.0;
+  stored_step_sums_.save(state, "batch stored");
+  step_sums_.save(state, "batch stepped");
+  whirl_sums_.save(state, "batch whirled");
 }
 
 void RunAverages::restore(const std::map<std::string, double>& state) {
@@ -221,13 +224,13 @@ void RunAverages::restore(const std::map<std::string, double>& state) {
     if (const auto found = state.find(key); found != state.end()) value = found->second;
   });
   race_heat_known_ = state.count("average outer heat") > 0;
-  stored_.restore(state, "batch stored");
-  stepped_.restore(state, "batch stepped");
-  whirled_.restore(state, "batch whirled");
+  stored_step_sums_.restore(state, "batch stored");
+  step_sums_.restore(state, "batch stepped");
+  whirl_sums_.restore(state, "batch whirled");
   const auto swept = state.find("average swept started");  // earlier runs have none: from here on
-  swept_started_ = swept != state.end() && swept->second != 0.0;
+  has_last_center_ = swept != state.end() && swept->second != 0.0;
   // Of runs that looked at loads in snapshots alone.
-  if (state.count("average largest time") == 0) largest_time_ = now_.time;
+  if (state.count("average largest time") == 0) max_load_time_ = last_totals_.time;
 }
 
 }  // namespace adore::results

@@ -70,30 +70,32 @@ class RunAverages {
     std::array<double, 2> race_heat{};  ///< [J]
   };
   static Totals totals(const scene::Snapshot& snapshot);
-  void add_largest(double time, double largest);
+  void add_max_load(double time, double largest);
   template <class Self, class Visit>
   static void visit(Self& self, Visit visit);
 
   bool started_ = false, whirl_started_ = false;
-  Totals start_, now_;
-  double whirl_start_ = 0.0,
-         whirl_now_ = 0.0;  ///< continuous azimuth of the cage's mass center [rad]
-  double loss_ = 0.0;       ///< of the last snapshot [W]
-  bool swept_started_ = false;
-  double swept_time_ = 0.0, swept_y_ = 0.0, swept_z_ = 0.0;  ///< of the last look [s, m]
-  double swept_area_ = 0.0, swept_square_ = 0.0;  ///< ∫ (y dz - z dy), ∫ r² dt [m², m² s]
-  scene::Vec3 force_ = scene::Vec3::Zero();       ///< on the inner race, last snapshot [N]
-  scene::Vec3 impulse_ = scene::Vec3::Zero();     ///< its time integral [N s]
-  double largest_time_ = 0.0;                     ///< of the last look [s]
-  double largest_ = 0.0;                          ///< contact load then [N]
-  double largest_impulse_ = 0.0;                  ///< its time integral [N s]
-  double peak_ = 0.0;                             ///< [N]
+  Totals start_, last_totals_;
+  double whirl_start_angle_ = 0.0,
+         whirl_angle_ = 0.0;  ///< continuous azimuth of the cage's mass center [rad]
+  double power_loss_ = 0.0;   ///< of the last snapshot [W]
+  bool has_last_center_ = false;
+  double last_center_time_ = 0.0, last_center_y_ = 0.0,
+         last_center_z_ = 0.0;  ///< of the last look [s, m]
+  double swept_area_ = 0.0,
+         radius_squared_integral_ = 0.0;       ///< ∫ (y dz - z dy), ∫ r² dt [m², m² s]
+  scene::Vec3 force_ = scene::Vec3::Zero();    ///< on the inner race, last snapshot [N]
+  scene::Vec3 impulse_ = scene::Vec3::Zero();  ///< its time integral [N s]
+  double max_load_time_ = 0.0;                 ///< of the last look [s]
+  double max_load_ = 0.0;                      ///< contact load then [N]
+  double max_load_integral_ = 0.0;             ///< its time integral [N s]
+  double peak_load_ = 0.0;                     ///< [N]
   /// Of the stored steps: shaft, elements, cage [rad], heat in all, of the outer and of the inner
   /// race [J], impulse [N s]. Of every step: impulse of the largest load. Of looks at the cage:
   /// area and square that its center sweeps.
-  BatchSums<9> stored_;
-  BatchSums<1> stepped_;
-  BatchSums<2> whirled_;
+  BatchSums<9> stored_step_sums_;
+  BatchSums<1> step_sums_;
+  BatchSums<2> whirl_sums_;
   bool race_heat_known_ = true;  ///< false: MASTER of an earlier release, until the next look
   double residual_ = 0.0;        ///< [J]
 };

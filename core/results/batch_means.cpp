@@ -6,7 +6,7 @@
 namespace adore::results {
 namespace {
 
-constexpr std::size_t kLeast = 8;  ///< batches
+constexpr std::size_t kMinBatches = 8;  ///< batches
 
 /// Two-sided 95 % quantile of Student's t for 3 to 7 degrees of freedom.
 constexpr std::array<double, 5> kStudent{3.182, 2.776, 2.571, 2.447, 2.365};
@@ -110,7 +110,7 @@ PairedScatter paired_scatter(const RatioSeries& one, const RatioSeries& other) {
   const double seconds = std::max(p.seconds, q.seconds);
   if (!join(p, seconds) || !join(q, seconds)) return out;
   const std::size_t n = std::min(p.a.size(), q.a.size());
-  if (n < kLeast) return out;
+  if (n < kMinBatches) return out;
   for (RatioSeries* x : {&p, &q}) {
     x->a.resize(n);
     x->s.resize(n);
@@ -135,7 +135,8 @@ PairedScatter paired_scatter(const RatioSeries& one, const RatioSeries& other) {
 }
 
 double ratio_half_width(std::span<const double> a, std::span<const double> s) {
-  if (a.size() < kLeast || a.size() != s.size()) return std::numeric_limits<double>::quiet_NaN();
+  if (a.size() < kMinBatches || a.size() != s.size())
+    return std::numeric_limits<double>::quiet_NaN();
   const double sum = std::accumulate(s.begin(), s.end(), 0.0);
   if (!(std::abs(sum) > 0.0)) return std::numeric_limits<double>::quiet_NaN();
   const double ratio = std::accumulate(a.begin(), a.end(), 0.0) / sum;

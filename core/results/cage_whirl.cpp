@@ -9,7 +9,7 @@ std::string_view whirl_class_name(WhirlClass of) {
   return kNames.at(static_cast<std::size_t>(of));
 }
 
-Whirl judge_whirl(const std::vector<CageInstant>& instants) {
+Whirl classify_whirl(const std::vector<CageInstant>& instants) {
   Whirl out;
   if (instants.empty()) return out;
   const auto n = static_cast<double>(instants.size());

@@ -42,6 +42,6 @@ struct CageInstant {
   double y = 0.0, z = 0.0, vy = 0.0, vz = 0.0, omega = 0.0;
 };
 
-[[nodiscard]] Whirl judge_whirl(const std::vector<CageInstant>& instants);
+[[nodiscard]] Whirl classify_whirl(const std::vector<CageInstant>& instants);
 
 }  // namespace adore::results

@@ -14,29 +14,29 @@ namespace {
 
 /// A channel that is looked at between stored steps, as its extremes and mean are called.
 struct Band {
-  scene::Looked what;
+  scene::ExtremeQuantity what;
   std::string_view name;
 };
-constexpr std::array kBands{Band{scene::Looked::ContactLoad, "contact load"},
-                            Band{scene::Looked::ContactHeat, "contact heat"},
-                            Band{scene::Looked::ContactSlip, "slip velocity"},
-                            Band{scene::Looked::FlangeForce, "flange force"},
-                            Band{scene::Looked::FlangeSlip, "flange slip velocity"},
-                            Band{scene::Looked::PocketForce, "pocket force"},
-                            Band{scene::Looked::PairForce, "force between elements"},
-                            Band{scene::Looked::LandForce, "guide land force"},
-                            Band{scene::Looked::RaceForceX, "applied force x"},
-                            Band{scene::Looked::RaceForceY, "applied force y"},
-                            Band{scene::Looked::RaceForceZ, "applied force z"},
-                            Band{scene::Looked::RaceMomentX, "applied moment x"},
-                            Band{scene::Looked::RaceMomentY, "applied moment y"},
-                            Band{scene::Looked::RaceMomentZ, "applied moment z"}};
+constexpr std::array kBands{Band{scene::ExtremeQuantity::ContactLoad, "contact load"},
+                            Band{scene::ExtremeQuantity::ContactHeat, "contact heat"},
+                            Band{scene::ExtremeQuantity::ContactSlip, "slip velocity"},
+                            Band{scene::ExtremeQuantity::FlangeForce, "flange force"},
+                            Band{scene::ExtremeQuantity::FlangeSlip, "flange slip velocity"},
+                            Band{scene::ExtremeQuantity::PocketForce, "pocket force"},
+                            Band{scene::ExtremeQuantity::PairForce, "force between elements"},
+                            Band{scene::ExtremeQuantity::LandForce, "guide land force"},
+                            Band{scene::ExtremeQuantity::RaceForceX, "applied force x"},
+                            Band{scene::ExtremeQuantity::RaceForceY, "applied force y"},
+                            Band{scene::ExtremeQuantity::RaceForceZ, "applied force z"},
+                            Band{scene::ExtremeQuantity::RaceMomentX, "applied moment x"},
+                            Band{scene::ExtremeQuantity::RaceMomentY, "applied moment y"},
+                            Band{scene::ExtremeQuantity::RaceMomentZ, "applied moment z"}};
 
-template <Per P, double (StepBand::*value)(scene::Looked, std::size_t) const>
+template <Per P, double (StepBand::*value)(scene::ExtremeQuantity, std::size_t) const>
 void fill_band(ChannelSource s, const Shape& shape, double* out) {
   for (std::size_t k = 0; k < places(P, shape); ++k) out[k] = (s.band->*value)(*s.looked, k);
 }
-template <double (StepBand::*value)(scene::Looked, std::size_t) const>
+template <double (StepBand::*value)(scene::ExtremeQuantity, std::size_t) const>
 ChannelValues band_values(Per per) {
   switch (per) {
     case Per::Contact:
@@ -58,7 +58,7 @@ ChannelValues band_values(Per per) {
 
 }  // namespace
 
-std::vector<Channel> with_bands(std::span<const Channel> table) {
+std::vector<Channel> with_band_channels(std::span<const Channel> table) {
   static std::deque<std::string> texts;
   std::vector<Channel> out;
   for (const Channel& channel : table) {

@@ -69,7 +69,7 @@ double over_race_speed(const Source& s, double speed) {
 /// A life as a plot file of fixed width stores it: 9.9999999E+30 stands for infinity (N77).
 double plotted_life(double life) { return std::isinf(life) ? 9.9999999e30 : life; }
 double cage_clearance(const Source& s) {
-  return cage_clearance_scale(*s.bearing->cage, s.unit_length);
+  return cage_scale_length(*s.bearing->cage, s.unit_length);
 }
 /// Guide land values; lands that the cage does not have show 0.
 template <class Get>
@@ -108,10 +108,10 @@ constexpr auto kTable = std::to_array<Channel>({
     {"element.axial_position", "axial position", &unit::kLength, "N", false,
      each<Per::Element, 1>([](const Source& s) { return s.ball().x; }), "along the bearing axis"},
     {"element.theta", "orientation theta", &unit::kAngle, "A", true,
-     each<Per::Element, 1>([](const Source& s) { return theta_of(s.ball().x_axis); }),
+     each<Per::Element, 1>([](const Source& s) { return direction_theta(s.ball().x_axis); }),
      "of the principal x axis; 0 if the orientation is not integrated"},
     {"element.phi", "orientation phi", &unit::kAngle, "A", false,
-     each<Per::Element, 1>([](const Source& s) { return phi_of(s.ball().x_axis); }),
+     each<Per::Element, 1>([](const Source& s) { return direction_phi(s.ball().x_axis); }),
      "of the principal x axis; 0 if the orientation is not integrated"},
     {"element.rotation", "total rotation", &unit::kAngle, "A", false,
      each<Per::Element, 1>([](const Source& s) { return s.ball().total_rotation; }),
@@ -120,10 +120,10 @@ constexpr auto kTable = std::to_array<Channel>({
      each<Per::Element, 1>([](const Source& s) { return s.ball().omega.norm(); }),
      "magnitude of the angular velocity vector"},
     {"element.angular_velocity_theta", "angular velocity theta", &unit::kAngle, "A", true,
-     each<Per::Element, 1>([](const Source& s) { return theta_of(s.ball().omega); }),
+     each<Per::Element, 1>([](const Source& s) { return direction_theta(s.ball().omega); }),
      "direction of the angular velocity vector"},
     {"element.angular_velocity_phi", "angular velocity phi", &unit::kAngle, "A", false,
-     each<Per::Element, 1>([](const Source& s) { return phi_of(s.ball().omega); }),
+     each<Per::Element, 1>([](const Source& s) { return direction_phi(s.ball().omega); }),
      "direction of the angular velocity vector"},
     {"element.orientation", "orientation quaternion", &unit::kPure, "N", false,
      each<Per::Element, 4>([](const Source& s) { return s.ball().orientation[s.component]; }),
@@ -266,7 +266,7 @@ constexpr auto kTable = std::to_array<Channel>({
      "0: the cage drives the element; 180 deg: the element drives the cage"},
     {"pocket.phi", "pocket contact angle phi", &unit::kAngle, "P", false,
      each<Per::Pocket, 1>([](const Source& s) { return s.pocket().phi; }),
-     "cone angle or latitude; 0 for cylindrical pockets"},
+     "conical pocket: cone angle; spherical pocket: latitude of the contact; cylindrical: 0"},
     {"pocket.position", "pocket contact position", &unit::kLength, "P", false,
      each<Per::Pocket, 1>([](const Source& s) { return s.pocket().position; }),
      "axial position of the contact on the roller surface; 0 for balls"},
@@ -282,13 +282,13 @@ constexpr auto kTable = std::to_array<Channel>({
      each<Per::Cage, 1>(
          [](const Source& s) { return over_race_speed(s, cage_orbit(s).theta_dot); }),
      "whirl speed of the cage center divided by the speed of the faster race; segments: center of "
-     "the uncut cage"},
+     "the complete cage"},
     {"cage.radial_velocity", "radial velocity", &unit::kSpeed, "N", false,
      each<Per::Cage, 1>([](const Source& s) { return cage_orbit(s).r_dot; }),
-     "of the cage center; segments: center of the uncut cage"},
+     "of the cage center; segments: center of the complete cage"},
     {"cage.axial_velocity", "axial velocity", &unit::kSpeed, "N", false,
      each<Per::Cage, 1>([](const Source& s) { return s.cage_body().velocity.x(); }),
-     "of the cage center; segments: center of the uncut cage"},
+     "of the cage center; segments: center of the complete cage"},
     {"cage.land1_force", "land 1 force", &unit::kForce, "-", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return land_value(s, 0, [](const auto& l) { return l.force; }); }),
@@ -315,13 +315,13 @@ constexpr auto kTable = std::to_array<Channel>({
      "azimuth of the smallest gap"},
     {"cage.orbital_acceleration", "orbital acceleration", &unit::kRotationRate, "N", false,
      each<Per::Cage, 1>([](const Source& s) { return cage_orbit(s).theta_ddot; }),
-     "of the cage center about the bearing axis; segments: center of the uncut cage"},
+     "of the cage center about the bearing axis; segments: center of the complete cage"},
     {"cage.radial_acceleration", "radial acceleration", &unit::kAcceleration, "N", false,
      each<Per::Cage, 1>([](const Source& s) { return cage_orbit(s).r_ddot; }),
      "second derivative of the radial position"},
     {"cage.axial_acceleration", "axial acceleration", &unit::kAcceleration, "N", false,
      each<Per::Cage, 1>([](const Source& s) { return s.cage_body().acceleration.x(); }),
-     "of the cage center; segments: center of the uncut cage"},
+     "of the cage center; segments: center of the complete cage"},
     {"cage.x_over_clearance", "x position / clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.x() / cage_clearance(s); }),
@@ -339,20 +339,20 @@ constexpr auto kTable = std::to_array<Channel>({
      "the radial pocket clearance I"},
     {"cage.orbital_position", "orbital position", &unit::kAngle, "N", true,
      each<Per::Cage, 1>([](const Source& s) { return cage_orbit(s).theta; }),
-     "azimuth of the cage center; segments: center of the uncut cage"},
+     "azimuth of the cage center; segments: center of the complete cage"},
     {"cage.radial_position", "radial position", &unit::kLength, "N", false,
      each<Per::Cage, 1>([](const Source& s) { return cage_orbit(s).r; }),
-     "of the cage center; segments: center of the uncut cage"},
+     "of the cage center; segments: center of the complete cage"},
     {"cage.axial_position", "axial position", &unit::kLength, "N", false,
      each<Per::Cage, 1>([](const Source& s) { return s.cage_body().position.x(); }),
-     "of the cage center; segments: center of the uncut cage"},
+     "of the cage center; segments: center of the complete cage"},
     {"cage.theta", "orientation theta", &unit::kAngle, "N", true,
      each<Per::Cage, 1>(
-         [](const Source& s) { return theta_of(body_x_axis(s.cage_body().orientation)); }),
+         [](const Source& s) { return direction_theta(body_x_axis(s.cage_body().orientation)); }),
      "of the cage axis"},
     {"cage.phi", "orientation phi", &unit::kAngle, "N", false,
      each<Per::Cage, 1>(
-         [](const Source& s) { return phi_of(body_x_axis(s.cage_body().orientation)); }),
+         [](const Source& s) { return direction_phi(body_x_axis(s.cage_body().orientation)); }),
      "of the cage axis"},
     {"cage.rotation", "total rotation", &unit::kAngle, "K", false,
      each<Per::Cage, 1>([](const Source& s) { return s.cage_body().total_rotation; }),
@@ -362,19 +362,19 @@ constexpr auto kTable = std::to_array<Channel>({
          [](const Source& s) { return std::abs(over_race_speed(s, s.cage_body().omega.norm())); }),
      "magnitude of the angular velocity divided by the speed of the faster race"},
     {"cage.angular_velocity_theta", "angular velocity theta", &unit::kAngle, "N", true,
-     each<Per::Cage, 1>([](const Source& s) { return theta_of(s.cage_body().omega); }),
+     each<Per::Cage, 1>([](const Source& s) { return direction_theta(s.cage_body().omega); }),
      "direction of the angular velocity vector"},
     {"cage.angular_velocity_phi", "angular velocity phi", &unit::kAngle, "N", false,
-     each<Per::Cage, 1>([](const Source& s) { return phi_of(s.cage_body().omega); }),
+     each<Per::Cage, 1>([](const Source& s) { return direction_phi(s.cage_body().omega); }),
      "direction of the angular velocity vector"},
     {"cage.position", "position", &unit::kLength, "N", false,
      each<Per::Cage, 3>(
          [](const Source& s) { return s.cage_body().position[static_cast<int>(s.component)]; }),
-     "of the cage center; segments: center of the uncut cage"},
+     "of the cage center; segments: center of the complete cage"},
     {"cage.velocity", "velocity", &unit::kSpeed, "N", false,
      each<Per::Cage, 3>(
          [](const Source& s) { return s.cage_body().velocity[static_cast<int>(s.component)]; }),
-     "of the cage center; segments: center of the uncut cage"},
+     "of the cage center; segments: center of the complete cage"},
     {"cage.orientation", "orientation quaternion", &unit::kPure, "N", false,
      each<Per::Cage, 4>([](const Source& s) { return s.cage_body().orientation[s.component]; }),
      "body to base frame"},
@@ -471,11 +471,11 @@ constexpr auto kTable = std::to_array<Channel>({
      "of the mass center"},
     {"race.theta", "orientation theta", &unit::kAngle, "N", true,
      each<Per::Race, 1>(
-         [](const Source& s) { return theta_of(body_x_axis(s.race_body().orientation)); }),
+         [](const Source& s) { return direction_theta(body_x_axis(s.race_body().orientation)); }),
      "of the race axis"},
     {"race.phi", "orientation phi", &unit::kAngle, "N", false,
      each<Per::Race, 1>(
-         [](const Source& s) { return phi_of(body_x_axis(s.race_body().orientation)); }),
+         [](const Source& s) { return direction_phi(body_x_axis(s.race_body().orientation)); }),
      "of the race axis"},
     {"race.rotation", "total rotation", &unit::kAngle, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().total_rotation; }),
@@ -484,10 +484,10 @@ constexpr auto kTable = std::to_array<Channel>({
      each<Per::Race, 1>([](const Source& s) { return s.race_body().omega.norm(); }),
      "magnitude of the angular velocity vector"},
     {"race.angular_velocity_theta", "angular velocity theta", &unit::kAngle, "N", true,
-     each<Per::Race, 1>([](const Source& s) { return theta_of(s.race_body().omega); }),
+     each<Per::Race, 1>([](const Source& s) { return direction_theta(s.race_body().omega); }),
      "direction of the angular velocity vector"},
     {"race.angular_velocity_phi", "angular velocity phi", &unit::kAngle, "N", false,
-     each<Per::Race, 1>([](const Source& s) { return phi_of(s.race_body().omega); }),
+     each<Per::Race, 1>([](const Source& s) { return direction_phi(s.race_body().omega); }),
      "direction of the angular velocity vector"},
     {"race.orientation", "orientation quaternion", &unit::kPure, "N", false,
      each<Per::Race, 4>([](const Source& s) { return s.race_body().orientation[s.component]; }),
@@ -593,7 +593,7 @@ constexpr auto kTable = std::to_array<Channel>({
 }  // namespace
 
 std::span<const Channel> channels() {
-  static const std::vector<Channel> all = with_bands(kTable);
+  static const std::vector<Channel> all = with_band_channels(kTable);
   return all;
 }
 

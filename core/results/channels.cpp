@@ -84,19 +84,19 @@ std::size_t channel_size(const Channel& channel, const Shape& shape) {
 ChannelRecorder::ChannelRecorder(bearing::Bearing bearing, UnitSystem units, ChannelTable table)
     : bearing_(std::move(bearing)),
       table_(std::move(table)),
-      unit_length_(to_si(1.0, unit::kLength, units)) {
+      length_unit_(to_si(1.0, unit::kLength, units)) {
   record_.shape = shape_of(bearing_);
   for (const Channel& channel : table_.all()) {
     record_.values.emplace_back(channel_size(channel, record_.shape), 0.0);
-    std::optional<scene::Looked>& looked = looked_.emplace_back();
-    for (std::size_t k = 0; k < scene::kLooked; ++k)
-      if (channel_of(static_cast<scene::Looked>(k)) == channel.id)
-        looked = static_cast<scene::Looked>(k);
+    std::optional<scene::ExtremeQuantity>& looked = band_quantities_.emplace_back();
+    for (std::size_t k = 0; k < scene::kExtremeQuantityCount; ++k)
+      if (channel_of(static_cast<scene::ExtremeQuantity>(k)) == channel.id)
+        looked = static_cast<scene::ExtremeQuantity>(k);
   }
 }
 
 void ChannelRecorder::set_bearing(bearing::Bearing bearing) {
-  demand(shape_of(bearing) == record_.shape, "a thermal step changed the parts of the bearing");
+  demand(shape_of(bearing) == record_.shape, "a thermal step changed the number of bearing parts");
   bearing_ = std::move(bearing);
 }
 
@@ -122,7 +122,7 @@ const StepRecord& ChannelRecorder::record(const scene::Snapshot& snapshot, StepB
            "a ball of the snapshot lacks the contact with the second half of a split race");
 
   demand(!shape.thermal || snapshot.thermal.has_value(),
-         "the snapshot of a run with thermal analysis lacks the last thermal step");
+         "the snapshot lacks the last thermal step of the thermal analysis");
 
   record_.step = snapshot.step;
   record_.time = snapshot.time;
@@ -131,30 +131,30 @@ const StepRecord& ChannelRecorder::record(const scene::Snapshot& snapshot, StepB
   ChannelSource source;
   source.snapshot = &snapshot;
   if (band == nullptr) {
-    instant_.clear();
-    band = &instant_;
+    instant_band_.clear();
+    band = &instant_band_;
   }
   source.band = band;
-  for (std::size_t c = 0; c < looked_.size(); ++c) {
-    if (!looked_[c]) continue;
+  for (std::size_t c = 0; c < band_quantities_.size(); ++c) {
+    if (!band_quantities_[c]) continue;
     table_.all()[c].get(source, shape, record_.values[c].data());
-    band->look(*looked_[c], record_.values[c]);
+    band->look(*band_quantities_[c], record_.values[c]);
   }
   band->stored();
   source.bearing = &bearing_;
-  source.unit_length = unit_length_;
+  source.unit_length = length_unit_;
   for (std::size_t c = 0; c < record_.values.size(); ++c) {
     const Channel& channel = table_.all()[c];
     std::vector<double>& values = record_.values[c];
-    if (values.empty() || looked_[c]) continue;
+    if (values.empty() || band_quantities_[c]) continue;
     source.term = channel.term;
     source.looked = channel.looked;
     const bool follows = channel.continuous && has_previous_;
-    if (follows) previous_ = values;
+    if (follows) previous_values_ = values;
     channel.get(source, shape, values.data());
     if (!follows) continue;
     for (std::size_t k = 0; k < values.size(); ++k)
-      values[k] = nearest_branch(values[k], previous_[k]);
+      values[k] = nearest_branch(values[k], previous_values_[k]);
   }
   has_previous_ = true;
   return record_;

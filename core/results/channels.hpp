@@ -40,10 +40,10 @@ struct ChannelSource {
   const scene::Snapshot* snapshot = nullptr;
   const StepBand* band = nullptr;  ///< since the step stored last
   const bearing::Bearing* bearing = nullptr;
-  double unit_length = 1.0;  ///< the deck's unit of length [m], see cage_clearance_scale()
+  double unit_length = 1.0;  ///< the deck's unit of length [m], see cage_scale_length()
   std::size_t element = 0, race = 0, side = 0, surface = 0, cage = 0, land = 0, component = 0;
-  const scene::LedgerTerm* term = nullptr;  ///< that of the channel
-  std::optional<scene::Looked> looked;      ///< whose extremes the channel contains
+  const scene::LedgerTerm* term = nullptr;       ///< that of the channel
+  std::optional<scene::ExtremeQuantity> looked;  ///< whose extremes the channel contains
 
   [[nodiscard]] const scene::ElementSnapshot& ball() const { return snapshot->elements[element]; }
   [[nodiscard]] const scene::RaceContactSnapshot& contact() const { return ball().race[race]; }
@@ -57,7 +57,7 @@ struct ChannelSource {
                               : snapshot->cages[element - elements].last_half[surface];
   }
   /// An element and the next one, in a bearing without cage.
-  [[nodiscard]] const scene::NeighbourSnapshot& pair() const { return *ball().to_next; }
+  [[nodiscard]] const scene::NeighborContactSnapshot& pair() const { return *ball().to_next; }
   [[nodiscard]] const scene::ThermalSnapshot& thermal() const { return *snapshot->thermal; }
   [[nodiscard]] const scene::CageSnapshot& cage_body() const { return snapshot->cages[cage]; }
   [[nodiscard]] const scene::RaceSnapshot& race_body() const { return snapshot->races[race]; }
@@ -77,7 +77,7 @@ struct Channel : ChannelValues {
   constexpr Channel(std::string_view named, std::string_view shown, const UnitPair* in,
                     std::string_view of_frame, bool is_continuous, ChannelValues values,
                     std::string_view meaning, const scene::LedgerTerm* item = nullptr,
-                    std::optional<scene::Looked> band_of = {})
+                    std::optional<scene::ExtremeQuantity> band_of = {})
       : ChannelValues(values),
         id(named),
         label(shown),
@@ -94,8 +94,8 @@ struct Channel : ChannelValues {
   std::string_view frame;  ///< N base, A azimuth frame of the element, K cage, P pocket, - none
   bool continuous;         ///< an angle kept continuous between records (N101)
   std::string_view help;
-  const scene::LedgerTerm* term;        ///< of channels that show an item of the ledger
-  std::optional<scene::Looked> looked;  ///< of channels "X_low", "X_high", "X_mean"
+  const scene::LedgerTerm* term;                 ///< of channels that show an item of the ledger
+  std::optional<scene::ExtremeQuantity> looked;  ///< of channels "X_low", "X_high", "X_mean"
 };
 
 /// The channels of every run, in a fixed order.
@@ -172,11 +172,12 @@ class ChannelRecorder {
  private:
   bearing::Bearing bearing_;
   ChannelTable table_;
-  double unit_length_;
+  double length_unit_;
   StepRecord record_;
-  std::vector<double> previous_;                      ///< of a channel, while it is recorded
-  std::vector<std::optional<scene::Looked>> looked_;  ///< of each channel that has a band
-  StepBand instant_;                                  ///< of a record alone
+  std::vector<double> previous_values_;  ///< of a channel, while it is recorded
+  std::vector<std::optional<scene::ExtremeQuantity>>
+      band_quantities_;    ///< of each channel that has a band
+  StepBand instant_band_;  ///< of a record alone
   bool has_previous_ = false;
 };
 

@@ -13,7 +13,7 @@ namespace adore::results {
 namespace {
 
 constexpr std::string_view kRemedy =
-    "use the values of the old deck, or start new files with kIcOpt = -1";
+    "use the values of the earlier deck, or start new files with kIcOpt = -1";
 
 template <class T>
 void compare(const std::filesystem::path& path, std::string_view what, const T& found,
@@ -67,7 +67,7 @@ void check_sol_file(const std::filesystem::path& path, const std::string& expect
   compare_headers(path, SolParser(stream, path.string()), expected_header);
 }
 
-std::pair<long, double> stored_end(const std::filesystem::path& path) {
+std::pair<long, double> last_stored_step(const std::filesystem::path& path) {
   InputFile stream = open_existing(path);
   SolParser found(stream, path.string());
   SolStep step, last;
@@ -81,14 +81,14 @@ GrowingFile continue_sol_file(const WritePath& place, const std::string& expecte
   InputFile stream = open_existing(path);
   SolParser found(stream, path.string());
   compare_headers(path, found, expected_header);
-  std::uintmax_t bytes = found.good_bytes();
-  bool terminated = found.good_end_terminated();
+  std::uintmax_t bytes = found.complete_bytes();
+  bool terminated = found.ends_with_newline();
   SolStep step;
   while (found.next(step, false) == BlockStatus::Complete && step.step <= last_step) {
-    bytes = found.good_bytes();
-    terminated = found.good_end_terminated();
+    bytes = found.complete_bytes();
+    terminated = found.ends_with_newline();
   }
-  GrowingFile file = GrowingFile::append_after(place, bytes);
+  GrowingFile file = GrowingFile::open_for_append(place, bytes);
   if (!terminated) file.append("\n");
   return file;
 }

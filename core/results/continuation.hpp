@@ -18,7 +18,7 @@ namespace adore::results {
 
 /// Step and time [s] of the last whole record of a SOL file; zeros when it has none.
 /// @throws InputError when there is no such file
-[[nodiscard]] std::pair<long, double> stored_end(const std::filesystem::path& path);
+[[nodiscard]] std::pair<long, double> last_stored_step(const std::filesystem::path& path);
 
 /// The checks of continue_sol_file() alone; nothing is touched. @throws InputError
 void check_sol_file(const std::filesystem::path& path, const std::string& expected_header);

@@ -1,5 +1,6 @@
 #include "results/convert.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "base/input_file.hpp"
 #include "base/json_text.hpp"
@@ -14,7 +15,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <ostream>
 
 namespace adore::results {
@@ -67,7 +67,7 @@ Json to_json(const MasterState& state) {
   Json out = to_json(state.last);
   out["averages"] = state.averages;
   out["files"] = Json::array();
-  for (const MasterFile& file : state.files)
+  for (const MasterFileEntry& file : state.files)
     out["files"].push_back({{"role", file.role}, {"name", file.name}, {"bytes", file.bytes}});
   return out;
 }
@@ -80,7 +80,7 @@ std::string number(double value, std::string_view missing) {
 
 /// RFC 4180, with control characters made visible.
 std::string csv_text(const std::string& raw) {
-  const std::string text = terminal_text(raw);
+  const std::string text = escape_for_terminal(raw);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";
   for (char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -150,7 +150,6 @@ void add_line(std::string& out, std::string_view name, std::string_view value) {
 
 /// Number of complete steps, and the range of each column; not-a-numbers are passed over.
 struct TableRanges {
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   explicit TableRanges(ResultTable& table) : ranges(table.columns.size(), {kInfinity, -kInfinity}) {
     std::vector<double> row;
     for (; table.next(row); ++steps)
@@ -238,10 +237,12 @@ std::string describe(const FinalState& state, std::string_view kind,
 
 FileKind file_kind(const std::filesystem::path& path) {
   const std::string bytes = first_bytes(path);
-  const FileSort sort = sort_of(bytes);
-  if (sort == FileSort::Deck || sort == FileSort::Listing || sort == FileSort::SweepTable)
+  const AdoreFileType sort = detect_file_type(bytes);
+  if (sort == AdoreFileType::Deck || sort == AdoreFileType::Listing ||
+      sort == AdoreFileType::SweepTable)
     throw InputError(fmt::format("{}: this is {}, not a result file that can be displayed; {}",
-                                 path.string(), sort_name(sort), sort_use(sort)));
+                                 path.string(), describe_file_type(sort),
+                                 file_type_usage_hint(sort)));
   if (bytes.substr(0, 4) == "\x89HDF") return FileKind::ResultsH5;
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
   if (start != std::string::npos && bytes[start] == '{') return FileKind::RunJson;
@@ -260,7 +261,7 @@ std::string describe_file(const std::filesystem::path& path) {
       std::string out = describe(state.last, "bookkeeping of a run (MASTER)", path);
       for (const auto& [name, value] : state.averages)
         add_line(out, name, fmt::format("{}", value));
-      for (const MasterFile& file : state.files)
+      for (const MasterFileEntry& file : state.files)
         add_line(out, "file " + file.role, fmt::format("{} ({} bytes)", file.name, file.bytes));
       return out;
     }

@@ -30,8 +30,8 @@ struct Shares {
 
 }  // namespace
 
-EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic, double largest) {
-  EnergyJudgement out;
+EnergyJudgment judge_energy(const scene::EnergyLedger& energy, double elastic, double largest) {
+  EnergyJudgment out;
   double residual = std::abs(energy.residual());
   const double moved = energy_scale(energy);
   Shares shares(residual, moved, elastic);

@@ -18,7 +18,7 @@ inline constexpr double kHeatWarning = 0.05;
 
 enum class Trust : unsigned char { Full, Warned, None };
 
-struct EnergyJudgement {
+struct EnergyJudgment {
   Trust trust = Trust::Full;
   double over_moved = 0.0;    ///< |residual| / energy moved; 0 when nothing moved
   double over_heat = 0.0;     ///< |residual| / heat; 0 without heat
@@ -32,7 +32,7 @@ struct EnergyJudgement {
 /// @param largest largest |residual| of the run at any stored step [J]: a temporary one is
 /// warned of (contacts that open and close take energy and return it within a vibration). If one
 /// above a limit ends above a warning, the run is not trusted (decision 482)
-[[nodiscard]] EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic,
-                                           double largest = 0.0);
+[[nodiscard]] EnergyJudgment judge_energy(const scene::EnergyLedger& energy, double elastic,
+                                          double largest = 0.0);
 
 }  // namespace adore::results

@@ -26,12 +26,12 @@ using Sum = std::uint64_t (*)(std::string_view, std::uint64_t) noexcept;
 
 /// Of at most `bytes` bytes. Finished files have sums of words; earlier versions, and MASTER of
 /// text files, sums of bytes.
-FileSum sum_of_start(const fs::path& path, std::uintmax_t bytes, Sum sum) {
+FileChecksum sum_of_start(const fs::path& path, std::uintmax_t bytes, Sum sum) {
   InputFile stream(path);
   if (!stream)
     throw InputError(fmt::format("{}: the file cannot be opened; check its name and permissions",
                                  path.string()));
-  FileSum out{path.filename().string(), 0, checksum({})};
+  FileChecksum out{path.filename().string(), 0, checksum({})};
   std::string block(std::size_t{1} << 16, '\0');
   while (out.bytes < bytes) {
     const auto most =
@@ -57,7 +57,7 @@ FileCheck compare(const fs::path& path, std::uintmax_t bytes, const std::string&
     return out;
   }
   try {
-    const FileSum found = sum_of_file(path);
+    const FileChecksum found = file_checksum(path);
     if (found.bytes != bytes)
       out.detail = fmt::format("the file has {} bytes, but the run wrote {}", found.bytes, bytes);
     else if (hex(found.sum) != sum && hex(sum_of_start(path, UINTMAX_MAX, checksum).sum) != sum)
@@ -79,7 +79,7 @@ FileCheck check_summary(const fs::path& path, const std::string& text, const Jso
   if (measured == json.end() || !measured->is_object() || !measured->contains(kOwnChecksum))
     return out;
   const Json& stored = measured->at(kOwnChecksum);
-  const bool same = stored.is_string() && stored.get<std::string>() == own_checksum(text);
+  const bool same = stored.is_string() && stored.get<std::string>() == run_json_checksum(text);
   out.state = same ? State::Intact : State::Damaged;
   out.detail = same ? fmt::format("{} bytes", text.size())
                     : "the text does not match the checksum in the file";
@@ -90,12 +90,12 @@ FileCheck check_summary(const fs::path& path, const std::string& text, const Jso
 void check_parts(const fs::path& folder, std::vector<FileCheck>& out) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    if (sort_of_file(entry.path()) != FileSort::Master) continue;
+    if (read_file_type(entry.path()) != AdoreFileType::Master) continue;
     try {
       const MasterState master = read_master(entry.path());
       out.push_back({entry.path(), State::Intact, "checksum in the file"});
       const auto saved = master.averages.find(kLastSaved);
-      for (const MasterFile& file : master.files) {
+      for (const MasterFileEntry& file : master.files) {
         const fs::path path = folder / file.name;
         if (!file.sum) continue;
         if (!fs::exists(path, error)) {
@@ -104,7 +104,7 @@ void check_parts(const fs::path& folder, std::vector<FileCheck>& out) {
         }
         std::string damage;
         try {
-          damage = damage_of(
+          damage = describe_file_damage(
               file, path, static_cast<long>(saved == master.averages.end() ? -1.0 : saved->second));
         } catch (const InputError& refused) {
           damage = refused.what();
@@ -156,11 +156,13 @@ bool verify_one(const fs::path& folder, std::vector<FileCheck>& out) {
 
 }  // namespace
 
-FileSum sum_of_file(const fs::path& path) { return sum_of_start(path, UINTMAX_MAX, word_checksum); }
+FileChecksum file_checksum(const fs::path& path) {
+  return sum_of_start(path, UINTMAX_MAX, word_checksum);
+}
 
 namespace {
 
-/// sum_of_values() or word_sum_of_values().
+/// checksum_of_values() or word_checksum_of_values().
 using SumOfValues = std::uint64_t (*)(std::span<const double>, std::uint64_t) noexcept;
 
 std::uint64_t sum_of_steps_by(SumOfValues sum_of, const H5Reader& file, std::size_t rows) {
@@ -179,11 +181,12 @@ std::uint64_t sum_of_steps_by(SumOfValues sum_of, const H5Reader& file, std::siz
 
 }  // namespace
 
-std::uint64_t sum_of_steps(const H5Reader& file, std::size_t rows) {
-  return sum_of_steps_by(word_sum_of_values, file, rows);
+std::uint64_t steps_checksum(const H5Reader& file, std::size_t rows) {
+  return sum_of_steps_by(word_checksum_of_values, file, rows);
 }
 
-std::string damage_of(const MasterFile& file, const fs::path& path, long last_step) {
+std::string describe_file_damage(const MasterFileEntry& file, const fs::path& path,
+                                 long last_step) {
   if (!file.sum) return {};
   constexpr const char* kDiffers =
       "the part up to the last checkpoint has the checksum {}, but the run wrote {}";
@@ -192,12 +195,12 @@ std::string damage_of(const MasterFile& file, const fs::path& path, long last_st
     const std::vector<long> steps = reader.step_numbers();
     const auto rows = static_cast<std::size_t>(
         std::upper_bound(steps.begin(), steps.end(), last_step) - steps.begin());
-    const std::uint64_t sum = sum_of_steps(reader, rows);
-    const bool same =
-        sum == *file.sum || sum_of_steps_by(sum_of_values, reader, rows) == *file.sum;  // earlier
+    const std::uint64_t sum = steps_checksum(reader, rows);
+    const bool same = sum == *file.sum ||
+                      sum_of_steps_by(checksum_of_values, reader, rows) == *file.sum;  // earlier
     return same ? std::string() : fmt::format(kDiffers, hex(sum), hex(*file.sum));
   }
-  const FileSum found = sum_of_start(path, file.bytes, checksum);
+  const FileChecksum found = sum_of_start(path, file.bytes, checksum);
   if (found.bytes < file.bytes)
     return fmt::format("the file has {} bytes, but had {} at the last checkpoint of the run",
                        found.bytes, file.bytes);

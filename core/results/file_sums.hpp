@@ -14,22 +14,22 @@ namespace adore::results {
 
 class H5Reader;
 
-struct FileSum {
+struct FileChecksum {
   std::string name;
   std::uintmax_t bytes = 0;
   std::uint64_t sum = 0;
 };
 
 /// Length and checksum of a whole file. @throws InputError when it cannot be read
-[[nodiscard]] FileSum sum_of_file(const std::filesystem::path& path);
+[[nodiscard]] FileChecksum file_checksum(const std::filesystem::path& path);
 
 /// Checksum of the values of the first `rows` steps of RESULTS.h5, as H5Writer::sum() forms it.
-[[nodiscard]] std::uint64_t sum_of_steps(const H5Reader& file, std::size_t rows);
+[[nodiscard]] std::uint64_t steps_checksum(const H5Reader& file, std::size_t rows);
 
 /// Why the part of a file that MASTER names is not as the run left it; empty: it is, or MASTER has
 /// no checksum of it. @param last_step stored in RESULTS.h5 at MASTER's step
-[[nodiscard]] std::string damage_of(const MasterFile& file, const std::filesystem::path& path,
-                                    long last_step);
+[[nodiscard]] std::string describe_file_damage(const MasterFileEntry& file,
+                                               const std::filesystem::path& path, long last_step);
 
 /// A file of a run or a study, as `adore verify` judges it.
 struct FileCheck {

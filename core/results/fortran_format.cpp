@@ -55,14 +55,14 @@ void write_digits(double value, int count, char* out, int& exponent) {
 }
 
 /// "E-99" to "E+99".
-constexpr int kMostExponent = 99;
+constexpr int kMaxExponent = 99;
 constexpr auto kExponents = [] {
-  std::array<std::array<char, 4>, 2 * kMostExponent + 1> out{};
-  for (int k = -kMostExponent; k <= kMostExponent; ++k) {
+  std::array<std::array<char, 4>, 2 * kMaxExponent + 1> out{};
+  for (int k = -kMaxExponent; k <= kMaxExponent; ++k) {
     const int size = k < 0 ? -k : k;
-    out[static_cast<std::size_t>(k + kMostExponent)] = {'E', k < 0 ? '-' : '+',
-                                                        static_cast<char>('0' + size / 10),
-                                                        static_cast<char>('0' + size % 10)};
+    out[static_cast<std::size_t>(k + kMaxExponent)] = {'E', k < 0 ? '-' : '+',
+                                                       static_cast<char>('0' + size / 10),
+                                                       static_cast<char>('0' + size % 10)};
   }
   return out;
 }();
@@ -116,7 +116,7 @@ template <int width, int digits, Scale scale>
   const std::uint64_t behind = all >> 8U;
   std::memcpy(at + 2, &behind, digits);
   std::memcpy(at + 2 + digits,
-              kExponents[static_cast<std::size_t>(found.exponent + kMostExponent)].data(), 4);
+              kExponents[static_cast<std::size_t>(found.exponent + kMaxExponent)].data(), 4);
   return true;
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 /// If the two sums of the revolutions of a long run differ by rounding.
-constexpr double kLeastTurns = 1e-9;
+constexpr double kRevolutionRounding = 1e-9;
 
 /// Relative resolution of the (1p,e16.7) fields of SOL1-SOL7 with some room.
 constexpr double kSolDigits = 1e-6;
@@ -118,12 +118,12 @@ struct StepBlock {
 
 /// `at`: where each step stands in RESULTS.h5, or `nowhere`.
 std::vector<StepBlock> blocks_of(const std::vector<std::size_t>& at, std::size_t nowhere) {
-  constexpr std::size_t kMostSteps = 2048;
+  constexpr std::size_t kMaxSteps = 2048;
   std::vector<StepBlock> out;
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (at[i] == nowhere) continue;
     StepBlock* last = out.empty() || out.back().step + out.back().count != i ||
-                              out.back().count == kMostSteps || at[i] <= at[i - 1]
+                              out.back().count == kMaxSteps || at[i] <= at[i - 1]
                           ? nullptr
                           : &out.back();
     if (last != nullptr && last->count == 1) last->every = at[i] - at[i - 1];
@@ -193,8 +193,8 @@ void add_steps(SolFile& file, const H5Reader& reader, const std::vector<double>&
 
 }  // namespace
 
-FullPrecision use_full_precision(SolFile& file, std::size_t most_added) {
-  FullPrecision out;
+FullPrecisionStatus use_full_precision(SolFile& file, std::size_t most_added) {
+  FullPrecisionStatus out;
   const auto reader = open_beside(file.path, file.header.run_id, out.why_not);
   if (!reader) return out;
   take_first_pocket(file.header, *reader);
@@ -227,7 +227,7 @@ FullPrecision use_full_precision(SolFile& file, std::size_t most_added) {
       SolStep& step = file.steps[i];
       step.time = times[at[i]];
       if (const double turns = shaft[at[i]] / kTurn;
-          fits(step.revolutions, turns, kSolDigits, kLeastTurns))
+          fits(step.revolutions, turns, kSolDigits, kRevolutionRounding))
         step.revolutions = turns;
     }
 
@@ -270,7 +270,7 @@ void widen(ColumnBand& band, std::size_t step, double low, double high) {
 std::map<std::size_t, ColumnBand> bands_of(const SolFile& file,
                                            const std::set<std::size_t>& wanted) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  constexpr std::size_t kMostRows = 2048;
+  constexpr std::size_t kMaxRows = 2048;
   std::map<std::size_t, ColumnBand> out;
   std::string why_not;
   const auto reader = open_beside(file.path, file.header.run_id, why_not);
@@ -319,8 +319,8 @@ std::map<std::size_t, ColumnBand> bands_of(const SolFile& file,
       if (at < width)
         out[c] = {std::vector<double>(file.steps.size(), kNone),
                   std::vector<double>(file.steps.size(), kNone)};
-    for (std::size_t first = 0; first < rows.size(); first += kMostRows) {
-      const std::size_t count = std::min(kMostRows, rows.size() - first);
+    for (std::size_t first = 0; first < rows.size(); first += kMaxRows) {
+      const std::size_t count = std::min(kMaxRows, rows.size() - first);
       const auto used = [&](std::size_t row) { return step_of[row] < file.steps.size(); };
       bool any = false;
       for (std::size_t row = first; row < first + count; ++row) any = any || used(row);

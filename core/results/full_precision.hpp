@@ -14,7 +14,7 @@
 namespace adore::results {
 
 /// Parts of a classic file that came from RESULTS.h5.
-struct FullPrecision {
+struct FullPrecisionStatus {
   std::string why_not;      ///< empty: values were replaced
   std::size_t exact = 0;    ///< of the file's own steps have all digits
   long end = 0;             ///< the last step of RESULTS.h5
@@ -31,7 +31,7 @@ struct FullPrecision {
 /// If the file is not changed, `why_not` has the reason, for example that there is no RESULTS.h5,
 /// or that it belongs to another run: its run code differs, or a number beyond the digits that the
 /// classic file shows. Never throws for a bad RESULTS.h5.
-[[nodiscard]] FullPrecision use_full_precision(SolFile& file, std::size_t most_added = 0);
+[[nodiscard]] FullPrecisionStatus use_full_precision(SolFile& file, std::size_t most_added = 0);
 
 /// Extremes of a column since the step before in the file, one per step, in the file's unit; NaN
 /// where they are not known.

@@ -75,16 +75,16 @@ GrowingFile::GrowingFile(GrowingFile&& other) noexcept
       descriptor_(std::exchange(other.descriptor_, -1)),
       bytes_(other.bytes_),
       sum_(other.sum_),
-      collects_(other.collects_),
-      waiting_(std::exchange(other.waiting_, {})) {}
+      is_buffering_(other.is_buffering_),
+      pending_text_(std::exchange(other.pending_text_, {})) {}
 
 GrowingFile& GrowingFile::operator=(GrowingFile&& other) noexcept {
   std::swap(path_, other.path_);
   std::swap(descriptor_, other.descriptor_);
   std::swap(bytes_, other.bytes_);
   std::swap(sum_, other.sum_);
-  std::swap(collects_, other.collects_);
-  std::swap(waiting_, other.waiting_);
+  std::swap(is_buffering_, other.is_buffering_);
+  std::swap(pending_text_, other.pending_text_);
   return *this;
 }
 
@@ -102,7 +102,7 @@ GrowingFile GrowingFile::create(const WritePath& place) {
   return {place.path(), place.folder().create(place.name()), 0};
 }
 
-GrowingFile GrowingFile::append_after(const WritePath& place, std::uintmax_t bytes) {
+GrowingFile GrowingFile::open_for_append(const WritePath& place, std::uintmax_t bytes) {
   const fs::path path = place.path();
   const int descriptor = place.folder().open_own(place.name());
   GrowingFile file(path, descriptor, bytes);
@@ -122,22 +122,22 @@ GrowingFile GrowingFile::append_after(const WritePath& place, std::uintmax_t byt
 }
 
 void GrowingFile::append(std::string_view piece) {
-  constexpr std::size_t kMost = std::size_t{1} << 16U;
-  if (!collects_) {
+  constexpr std::size_t kMaxWaitingBytes = std::size_t{1} << 16U;
+  if (!is_buffering_) {
     write(piece);
     return;
   }
-  waiting_ += piece;
-  if (waiting_.size() >= kMost) flush();
+  pending_text_ += piece;
+  if (pending_text_.size() >= kMaxWaitingBytes) flush();
 }
 
 void GrowingFile::flush() {
-  if (waiting_.empty()) return;
+  if (pending_text_.empty()) return;
   std::string pieces;
-  pieces.swap(waiting_);  // tried once
+  pieces.swap(pending_text_);  // tried once
   write(pieces);
   pieces.clear();
-  waiting_.swap(pieces);  // and their room kept
+  pending_text_.swap(pieces);  // and their room kept
 }
 
 void GrowingFile::write(std::string_view pieces) {

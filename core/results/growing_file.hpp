@@ -19,7 +19,7 @@ class GrowingFile {
   static GrowingFile create(const WritePath& place);
   /// Continues a file after its first `bytes` bytes; the rest is cut off.
   /// @throws InputError when the file is missing, shorter than that, or cannot be written.
-  static GrowingFile append_after(const WritePath& place, std::uintmax_t bytes);
+  static GrowingFile open_for_append(const WritePath& place, std::uintmax_t bytes);
 
   GrowingFile(GrowingFile&& other) noexcept;
   GrowingFile& operator=(GrowingFile&& other) noexcept;
@@ -32,7 +32,7 @@ class GrowingFile {
   void append(std::string_view piece);
   /// From now on pieces wait in memory until flush(), or until there are 64 kB of them. What waits
   /// at the end of this object is written without a word of errors: call flush() before.
-  void collect() noexcept { collects_ = true; }
+  void collect() noexcept { is_buffering_ = true; }
   /// Hands the pieces that wait to the system. @throws as append()
   void flush();
   /// Of the pieces that the system has.
@@ -48,8 +48,8 @@ class GrowingFile {
   int descriptor_ = -1;
   std::uintmax_t bytes_ = 0;
   std::uint64_t sum_ = checksum({});
-  bool collects_ = false;
-  std::string waiting_;
+  bool is_buffering_ = false;
+  std::string pending_text_;
 };
 
 }  // namespace adore::results

@@ -283,7 +283,7 @@ void use_safe_driver(const Handle& access, const WriteFolder& folder) {
   H5Pset_driver(access, driver(), &place);
 }
 
-void clean_image(std::string& bytes) {
+void clear_open_mark(std::string& bytes) {
   Superblock block{};
   if (bytes.size() < block.size()) return;
   std::memcpy(block.data(), bytes.data(), block.size());

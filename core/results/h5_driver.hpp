@@ -26,6 +26,6 @@ void use_safe_driver(const Handle& access, const WriteFolder& folder);
 
 /// The bytes of a file as the library hands them out, with the first block in order: it takes the
 /// mark away and leaves the checksum as it was.
-void clean_image(std::string& bytes);
+void clear_open_mark(std::string& bytes);
 
 }  // namespace adore::results::h5

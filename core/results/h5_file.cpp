@@ -14,11 +14,11 @@ namespace adore::results::h5 {
 namespace {
 
 /// Limits far above what any run writes.
-constexpr int kMostDimensions = 8;
-constexpr std::size_t kMostDatasets = 4096, kMostAttributes = 4096;
-constexpr std::uint64_t kMostValuesPerStep = 50'000'000;
-constexpr std::size_t kLongestText = std::size_t{1} << 14;
-constexpr unsigned kMostReadAttempts = 20;  ///< a writer may be in the middle of a block
+constexpr int kMaxDimensions = 8;
+constexpr std::size_t kMaxDatasets = 4096, kMaxAttributes = 4096;
+constexpr std::uint64_t kMaxValuesPerStep = 50'000'000;
+constexpr std::size_t kMaxTextLength = std::size_t{1} << 14;
+constexpr unsigned kMaxReadAttempts = 20;  ///< a writer may be in the middle of a block
 /// Deflate makes at most 1032 bytes of one.
 constexpr std::uint64_t kLargestCompression = 1032;
 
@@ -42,7 +42,7 @@ std::string read_text(hid_t object, const char* name) {
       H5Sget_simple_extent_npoints(space) != 1)
     damaged(fmt::format("the attribute {} is not a string", name));
   const std::size_t size = H5Tget_size(type);
-  if (size > kLongestText) damaged(fmt::format("the attribute {} has {} bytes", name, size));
+  if (size > kMaxTextLength) damaged(fmt::format("the attribute {} has {} bytes", name, size));
   std::string text(size, '\0');
   if (H5Aread(attribute, type, text.data()) < 0) damaged(last_error());
   text.resize(std::min(text.find('\0'), text.size()));
@@ -80,7 +80,7 @@ bool holds_doubles(const Handle& dataset) {
 std::vector<hsize_t> extent(const Handle& dataset, const std::string& path) {
   const Handle space(H5Dget_space(dataset));
   const int rank = H5Sget_simple_extent_ndims(space);
-  if (rank < 1 || rank > kMostDimensions)
+  if (rank < 1 || rank > kMaxDimensions)
     damaged(fmt::format("{} has {}", path, counted(rank, "dimension")));
   std::vector<hsize_t> dims(static_cast<std::size_t>(rank));
   if (H5Sget_simple_extent_dims(space, dims.data(), nullptr) != rank) damaged(last_error());
@@ -97,7 +97,7 @@ struct Walk {
 
 herr_t add_link(hid_t group, const char* name, const H5L_info_t* link, void* data) {
   Walk& walk = *static_cast<Walk*>(data);
-  if (++walk.links > kMostDatasets) return -1;
+  if (++walk.links > kMaxDatasets) return -1;
   H5O_info_t info;
   if (link->type != H5L_TYPE_HARD) return 0;
   if (H5Oget_info_by_name2(group, name, &info, H5O_INFO_BASIC, H5P_DEFAULT) < 0) return -1;
@@ -115,8 +115,8 @@ herr_t add_link(hid_t group, const char* name, const H5L_info_t* link, void* dat
 File::File(const std::filesystem::path& path) {
   if (H5Fis_hdf5(path.c_str()) <= 0)
     throw InputError("this is not an HDF5 file, or it is damaged; give the RESULTS.h5 of a run");
-  const Handle access = access_list();
-  H5Pset_metadata_read_attempts(access, kMostReadAttempts);
+  const Handle access = file_access_properties();
+  H5Pset_metadata_read_attempts(access, kMaxReadAttempts);
   file_ = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access));
   if (!file_.valid()) file_ = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access));
   if (!file_.valid())
@@ -171,7 +171,7 @@ void File::add_dataset(const std::string& path) {
   H5Reader::ChannelInfo info;
   Dataset made{path, {}, 1, compressed};
   for (std::size_t k = 1; k < dims.size(); ++k) {
-    if (dims[k] == 0 || dims[k] > kMostValuesPerStep / made.width)
+    if (dims[k] == 0 || dims[k] > kMaxValuesPerStep / made.width)
       damaged(fmt::format("{} has a size of {}", path, dims[k]));
     made.width *= dims[k];
     made.dimensions.push_back(dims[k]);
@@ -211,7 +211,7 @@ void File::read_geometry() {
         std::string key(name);
         clean(key);
         geometry[key] = value;
-        return geometry.size() > kMostAttributes ? -1 : 0;
+        return geometry.size() > kMaxAttributes ? -1 : 0;
       },
       &content_.geometry);
   if (done < 0) damaged("the bearing geometry cannot be read");
@@ -229,16 +229,16 @@ std::vector<double> File::read(const std::string& id, std::uint64_t first, std::
   }
   std::vector<double> values(count * found->second.width);
   if (values.empty()) return values;
-  if (open_id_ != id) {
-    open_ = Handle(H5Dopen2(file_, found->second.path.c_str(), H5P_DEFAULT));
-    open_id_ = id;
+  if (open_channel_id_ != id) {
+    open_dataset_ = Handle(H5Dopen2(file_, found->second.path.c_str(), H5P_DEFAULT));
+    open_channel_id_ = id;
   }
-  const Handle source(H5Dget_space(open_));
+  const Handle source(H5Dget_space(open_dataset_));
   const Handle target(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr));
   if (H5Sget_simple_extent_ndims(source) != static_cast<int>(size.size()) ||
       H5Sselect_hyperslab(source, H5S_SELECT_SET, start.data(), stride.data(), size.data(),
                           nullptr) < 0 ||
-      H5Dread(open_, H5T_NATIVE_DOUBLE, target, source, H5P_DEFAULT, values.data()) < 0)
+      H5Dread(open_dataset_, H5T_NATIVE_DOUBLE, target, source, H5P_DEFAULT, values.data()) < 0)
     throw InputError(
         fmt::format("channel '{}' cannot be read ({}); the file is damaged", id, last_error()));
   return values;

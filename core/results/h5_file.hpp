@@ -47,8 +47,8 @@ class File {
   Handle file_;
   Content content_;
   std::map<std::string, Dataset> datasets_;  ///< by id
-  Handle open_;                              ///< the dataset that was read last
-  std::string open_id_;
+  Handle open_dataset_;                      ///< the dataset that was read last
+  std::string open_channel_id_;
 };
 
 }  // namespace adore::results::h5

@@ -28,7 +28,7 @@ inline std::string dataset_path(std::string_view id) {
 
 /// Access properties: newest format (single-writer mode needs it), and no failure where a file
 /// system cannot lock.
-inline Handle access_list() {
+inline Handle file_access_properties() {
   Handle list(H5Pcreate(H5P_FILE_ACCESS));
   H5Pset_libver_bounds(list, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
   H5Pset_file_locking(list, true, true);

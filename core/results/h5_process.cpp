@@ -37,7 +37,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t kPiece = std::size_t{1} << 17;  ///< values in one answer
-constexpr std::size_t kLargestContent = std::size_t{64} << 20, kLongestSentence = 1 << 16;
+constexpr std::size_t kMaxContentBytes = std::size_t{64} << 20, kMaxSentenceLength = 1 << 16;
 
 enum class Kind : std::uint8_t { Refused, Content, Values };
 
@@ -91,7 +91,7 @@ Content from_json(const Json& json) {
   return content;
 }
 
-void limit_memory(const Limits& limits) {
+void limit_memory(const ReaderLimits& limits) {
 #ifdef ADORE_SANITIZED
   (void)limits;  // their shadow memory alone is terabytes
 #else
@@ -104,7 +104,7 @@ void limit_memory(const Limits& limits) {
 }
 
 /// So much processor time from now on; SIGXCPU ends the process.
-void limit_time(const Limits& limits) {
+void limit_time(const ReaderLimits& limits) {
   struct rusage used {};
   ::getrusage(RUSAGE_SELF, &used);
   const rlim_t soft =
@@ -115,7 +115,7 @@ void limit_time(const Limits& limits) {
 
 /// The child's own surroundings: its parent's handlers, terminal and files are none of its
 /// business.
-void settle_in(int socket, const Limits& limits) {
+void settle_in(int socket, const ReaderLimits& limits) {
   for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGPIPE})
     std::signal(number, SIG_DFL);
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(number, SIG_IGN);
@@ -144,9 +144,9 @@ bool receive_all(int socket, void* data, std::size_t count) {
 
 /// Does what it shall, or says in a sentence why it cannot.
 void answer_with(int socket, const std::function<void()>& act) {
-  const Quiet quiet;
+  const Hdf5Lock quiet;
   const auto refuse = [&](std::string_view why) {
-    return send_answer(socket, Kind::Refused, why.data(), std::min(why.size(), kLongestSentence));
+    return send_answer(socket, Kind::Refused, why.data(), std::min(why.size(), kMaxSentenceLength));
   };
   try {
     act();
@@ -161,7 +161,7 @@ void answer_with(int socket, const std::function<void()>& act) {
 }
 
 /// Answers until the parent closes its end.
-void serve(int socket, const std::filesystem::path& path, const Limits& limits) {
+void serve(int socket, const std::filesystem::path& path, const ReaderLimits& limits) {
   File file(path);
   const std::vector<std::uint8_t> content = Json::to_cbor(to_json(file.content()));
   if (!send_answer(socket, Kind::Content, content.data(), content.size())) return;
@@ -177,27 +177,28 @@ void serve(int socket, const std::filesystem::path& path, const Limits& limits) 
 
 }  // namespace
 
-Process::Process(std::filesystem::path path, Limits limits)
-    : Process(path, limits, [&](int socket) { serve(socket, path, limits); }) {
+ReaderProcess::ReaderProcess(std::filesystem::path path, ReaderLimits limits)
+    : ReaderProcess(path, limits, [&](int socket) { serve(socket, path, limits); }) {
   try {
-    content_ = from_json(Json::from_cbor(answer(kLargestContent)));
+    content_ = from_json(Json::from_cbor(answer(kMaxContentBytes)));
   } catch (const nlohmann::json::exception&) {
     fail("the file is damaged");
   }
 }
 
-Process::Process(std::filesystem::path path, Limits limits, const std::function<void(int)>& serving)
+ReaderProcess::ReaderProcess(std::filesystem::path path, ReaderLimits limits,
+                             const std::function<void(int)>& serving)
     : path_(std::move(path)), limits_(limits) {
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    fail_outside(
+    throw_reader_killed(
         fmt::format("cannot start a process that reads the file ({})", std::strerror(errno)));
   {
-    const std::scoped_lock nobody_inside(library_mutex());
-    child_ = ::fork();
+    const std::scoped_lock nobody_inside(hdf5_mutex());
+    child_pid_ = ::fork();
   }
-  if (child_ == 0) {
-    std::construct_at(&library_mutex());  // locked by a thread that is not here
+  if (child_pid_ == 0) {
+    std::construct_at(&hdf5_mutex());  // locked by a thread that is not here
     settle_in(ends[1], limits_);
     answer_with(ends[1], [&] { serving(ends[1]); });
     if (__gcov_dump != nullptr) __gcov_dump();
@@ -206,65 +207,65 @@ Process::Process(std::filesystem::path path, Limits limits, const std::function<
   const int reason = errno;
   ::close(ends[1]);
   socket_ = ends[0];
-  if (child_ < 0)
-    fail_outside(
+  if (child_pid_ < 0)
+    throw_reader_killed(
         fmt::format("cannot start a process that reads the file ({})", std::strerror(reason)));
 }
 
-std::string read_apart(const std::filesystem::path& path,
-                       const std::function<std::string()>& reader, std::size_t most,
-                       Limits limits) {
-  Process process(path, limits, [&](int socket) {
+std::string read_in_child_process(const std::filesystem::path& path,
+                                  const std::function<std::string()>& reader, std::size_t most,
+                                  ReaderLimits limits) {
+  ReaderProcess process(path, limits, [&](int socket) {
     const std::string bytes = reader();
     send_answer(socket, Kind::Content, bytes.data(), bytes.size());
   });
   return process.answer(most);
 }
 
-Process::~Process() { end(); }
+ReaderProcess::~ReaderProcess() { end(); }
 
-void Process::end() {
+void ReaderProcess::end() {
   if (socket_ >= 0) ::close(socket_);
   socket_ = -1;
-  if (child_ <= 0) return;
-  if (__gcov_dump == nullptr) ::kill(child_, SIGKILL);
-  while (::waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
+  if (child_pid_ <= 0) return;
+  if (__gcov_dump == nullptr) ::kill(child_pid_, SIGKILL);
+  while (::waitpid(child_pid_, nullptr, 0) < 0 && errno == EINTR) {
   }
-  child_ = -1;
+  child_pid_ = -1;
 }
 
-void Process::fail(std::string_view why) {
+void ReaderProcess::fail(std::string_view why) {
   end();
   throw InputError(fmt::format("{}: {}", path_.string(), why));
 }
 
-void Process::fail_outside(std::string_view why) {
+void ReaderProcess::throw_reader_killed(std::string_view why) {
   end();
   throw ReaderKilled(fmt::format("{}: {}", path_.string(), why));
 }
 
-void Process::child_gone() {
+void ReaderProcess::throw_child_ended() {
   ::close(socket_);  // should it live after all, it ends now
   socket_ = -1;
   int status = 0;
   pid_t gone = 0;
-  while ((gone = ::waitpid(child_, &status, 0)) < 0 && errno == EINTR) {
+  while ((gone = ::waitpid(child_pid_, &status, 0)) < 0 && errno == EINTR) {
   }
-  child_ = -1;
+  child_pid_ = -1;
   const int signal = gone > 0 && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU)
     fail(fmt::format(
         "reading the file did not end within {} s of processor time; the file is damaged",
         limits_.cpu.count()));
   if (signal == SIGKILL)  // somebody, or the system when memory ends; our limits do not
-    fail_outside("the process that read the file was killed; try again");
+    throw_reader_killed("the process that read the file was killed; try again");
   fail(signal != 0
            ? fmt::format("the HDF5 library failed to read the file ({}); the file is damaged",
                          ::strsignal(signal))
            : std::string("the HDF5 library failed to read the file; the file is damaged"));
 }
 
-void Process::receive(char* bytes, std::size_t count) {
+void ReaderProcess::receive(char* bytes, std::size_t count) {
   using Clock = std::chrono::steady_clock;
   auto patience = Clock::now() + limits_.silence;
   while (count > 0) {
@@ -276,23 +277,23 @@ void Process::receive(char* bytes, std::size_t count) {
     const int any = ::poll(&ready, 1, static_cast<int>(std::max<long>(left, 0)));
     if (any < 0 && errno == EINTR) continue;
     if (any == 0)
-      fail_outside(
+      throw_reader_killed(
           fmt::format("reading the file did not end within {} s; the file is damaged, or the disk "
                       "does not respond",
                       limits_.silence.count()));
     const ssize_t got = ::recv(socket_, bytes, count, 0);
     if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) child_gone();
+    if (got <= 0) throw_child_ended();
     bytes += got;
     count -= static_cast<std::size_t>(got);
     patience = Clock::now() + limits_.silence;
   }
 }
 
-std::string Process::answer(std::size_t most) {
+std::string ReaderProcess::answer(std::size_t most) {
   Head head;
   receive(reinterpret_cast<char*>(&head), sizeof head);
-  if (head.kind == Kind::Refused) most = kLongestSentence;
+  if (head.kind == Kind::Refused) most = kMaxSentenceLength;
   if (head.bytes > most) fail("the file is damaged");
   std::string bytes(head.bytes, '\0');
   receive(bytes.data(), bytes.size());
@@ -300,8 +301,8 @@ std::string Process::answer(std::size_t most) {
   return bytes;
 }
 
-std::vector<double> Process::read(const std::string& id, std::size_t width, std::size_t first,
-                                  std::size_t count, std::size_t every) {
+std::vector<double> ReaderProcess::read(const std::string& id, std::size_t width, std::size_t first,
+                                        std::size_t count, std::size_t every) {
   if (socket_ < 0) fail("an earlier attempt to read the file failed; the file is damaged");
   std::vector<double> values;
   values.reserve(count * width);
@@ -309,7 +310,7 @@ std::vector<double> Process::read(const std::string& id, std::size_t width, std:
   for (std::size_t done = 0; done < count; done += rows) {
     const Request request{first + done * every, std::min(rows, count - done), every, id.size()};
     if (!send_all(socket_, &request, sizeof request) || !send_all(socket_, id.data(), id.size()))
-      child_gone();
+      throw_child_ended();
     const std::string bytes = answer(request.count * width * sizeof(double));
     if (bytes.size() != request.count * width * sizeof(double)) fail("the file is damaged");
     const std::size_t old = values.size();

@@ -12,20 +12,20 @@
 /// writes nothing, and ends with its Process or when its parent dies.
 namespace adore::results::h5 {
 
-struct Limits {
+struct ReaderLimits {
   std::chrono::seconds silence{30};             ///< without an answer
   std::chrono::seconds cpu{20};                 ///< of processor time for one answer
   std::size_t memory = std::size_t{256} << 20;  ///< beyond what the parent has mapped [bytes]
 };
 
-class Process {
+class ReaderProcess {
  public:
   /// Opens the file in a new process. @throws InputError with the file's error, or
   /// the end of the process; ReaderKilled when the cause is not the file.
-  explicit Process(std::filesystem::path path, Limits limits = {});
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
-  ~Process();
+  explicit ReaderProcess(std::filesystem::path path, ReaderLimits limits = {});
+  ReaderProcess(const ReaderProcess&) = delete;
+  ReaderProcess& operator=(const ReaderProcess&) = delete;
+  ~ReaderProcess();
 
   [[nodiscard]] const Content& content() const noexcept { return content_; }
   /// As File::read(), in pieces. The caller has checked steps against content(). @throws InputError
@@ -33,30 +33,31 @@ class Process {
                                          std::size_t first, std::size_t count, std::size_t every);
 
  private:
-  friend std::string read_apart(const std::filesystem::path& path,
-                                const std::function<std::string()>& reader, std::size_t most,
-                                Limits limits);
+  friend std::string read_in_child_process(const std::filesystem::path& path,
+                                           const std::function<std::string()>& reader,
+                                           std::size_t most, ReaderLimits limits);
   /// A process that answers at its end of the socket. @throws ReaderKilled
-  Process(std::filesystem::path path, Limits limits, const std::function<void(int)>& serving);
+  ReaderProcess(std::filesystem::path path, ReaderLimits limits,
+                const std::function<void(int)>& serving);
   [[nodiscard]] std::string answer(std::size_t most);
   void receive(char* bytes, std::size_t count);
   [[noreturn]] void fail(std::string_view why);
-  [[noreturn]] void fail_outside(std::string_view why);  ///< @throws ReaderKilled
+  [[noreturn]] void throw_reader_killed(std::string_view why);  ///< @throws ReaderKilled
   /// Its end of the socket is closed: reports how it ended.
-  [[noreturn]] void child_gone();
+  [[noreturn]] void throw_child_ended();
   void end();
 
   std::filesystem::path path_;
-  Limits limits_;
-  pid_t child_ = -1;
+  ReaderLimits limits_;
+  pid_t child_pid_ = -1;
   int socket_ = -1;
   Content content_;
 };
 
 /// Result of `reader` for another kind of HDF5 file, in such a process: at most `most` bytes.
 /// @throws InputError naming the file, as Process()
-[[nodiscard]] std::string read_apart(const std::filesystem::path& path,
-                                     const std::function<std::string()>& reader, std::size_t most,
-                                     Limits limits = {});
+[[nodiscard]] std::string read_in_child_process(const std::filesystem::path& path,
+                                                const std::function<std::string()>& reader,
+                                                std::size_t most, ReaderLimits limits = {});
 
 }  // namespace adore::results::h5

@@ -14,7 +14,7 @@ namespace adore::results::h5 {
 
 /// Held by whoever is in the library: not every build of it knows threads, and a process that is
 /// forked while another thread is inside would never get in.
-inline std::recursive_mutex& library_mutex() {
+inline std::recursive_mutex& hdf5_mutex() {
   static std::recursive_mutex mutex;
   return mutex;
 }
@@ -22,18 +22,18 @@ inline std::recursive_mutex& library_mutex() {
 /// While it exists, only this thread uses the library, which prints no error stack to the terminal.
 /// A nested one costs only a lock: destructors of handles are quiet anyway, and a block of
 /// stored steps destroys hundreds.
-class Quiet {
+class Hdf5Lock {
  public:
-  Quiet() : lock_(library_mutex()) {
+  Hdf5Lock() : lock_(hdf5_mutex()) {
     if (depth()++ > 0) return;
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }
-  ~Quiet() {
+  ~Hdf5Lock() {
     if (--depth() == 0) H5Eset_auto2(H5E_DEFAULT, function_, data_);
   }
-  Quiet(const Quiet&) = delete;
-  Quiet& operator=(const Quiet&) = delete;
+  Hdf5Lock(const Hdf5Lock&) = delete;
+  Hdf5Lock& operator=(const Hdf5Lock&) = delete;
 
  private:
   /// Of the thread that holds the lock; the library's error stack is its own in each thread, too.
@@ -62,7 +62,7 @@ class Handle {
   ~Handle() { reset(); }
   void reset() {
     if (id_ < 0) return;
-    const Quiet quiet;
+    const Hdf5Lock quiet;
     switch (H5Iget_type(id_)) {
       case H5I_FILE:
         H5Fclose(id_);
@@ -101,7 +101,7 @@ class Handle {
 
 /// Text of `width` bytes, padded with zeros. Declared ASCII where it is: programs that read ASCII
 /// alone (Octave) take such texts and leave those of UTF-8.
-inline Handle text_type(std::size_t width, std::string_view text) {
+inline Handle string_datatype(std::size_t width, std::string_view text) {
   const bool ascii = std::all_of(text.begin(), text.end(),
                                  [](char c) { return static_cast<unsigned char>(c) < 0x80; });
   Handle type(H5Tcopy(H5T_C_S1));

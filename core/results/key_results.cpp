@@ -65,20 +65,22 @@ constexpr KeyResultSpec kSpecs[] = {
     {"preload_N", "Preload of the set", "in operation", &unit::kForce, "",
      "without external load, with fits, temperatures and speed"},
     {"unloading_force_plus_N", "Unloading force", "towards +x", &unit::kForce, "",
-     "smallest axial force that takes all load from a row of an assembly"},
+     "smallest axial force that unloads a row of an assembly"},
     {"unloading_force_minus_N", "Unloading force", "towards -x", &unit::kForce},
     {"gyroscopic_ratio", "Gyroscopic friction ratio", "", &unit::kNone, "",
-     "largest friction coefficient that holds a ball against its gyroscopic moment, divided by "
-     "that of the traction law (0.06 without a traction law); above 1 the ball pivots"},
+     "friction coefficient that prevents gyroscopic pivoting (largest of all balls) divided by "
+     "that "
+     "of the traction law (0.06 without one); above 1 a ball pivots"},
     {"viscosity_ratio", "Viscosity ratio kappa", "", &unit::kNone, "",
-     "kinematic viscosity divided by the ISO 281 reference viscosity; of an oil by grade at the "
-     "temperature of the bearing, else at the hotter race inlet"},
-    {"variable_compliance_m", "Variable compliance", "between minus under load", &unit::kLength, "",
-     "displacement along the radial load with the load between two elements, minus that with an "
-     "element under the load; computed by adore find only"},
+     "kinematic viscosity divided by the ISO 281 reference viscosity; for an oil by grade at the "
+     "bearing temperature, otherwise at the inlet of the hotter race"},
+    {"variable_compliance_m", "Variable compliance", "load between elements minus load on element",
+     &unit::kLength, "",
+     "displacement along the radial load if the load acts between two elements, minus the "
+     "displacement if it acts on an element; computed only by adore find"},
     {"variable_compliance_span_m", "Variable compliance", "peak to peak", &unit::kLength, "",
-     "of the displacement along the radial load over one element pitch (12 positions); computed by "
-     "adore find only"},
+     "range of the displacement along the radial load while the elements move by one pitch (12 "
+     "positions); computed only by adore find"},
     {"friction_torque_Nm", "Friction torque", "", &unit::kMoment},
     {"friction_power_W", "Friction power", "", &unit::kPower},
     {"outer_race_temperature_K", "Temperature", "outer race", &unit::kTemperature},

@@ -16,13 +16,13 @@ class LineReader {
       : stream_(stream), buffer_(std::size_t{1} << 16, '\0') {}
 
   /// Next line without its end; false at the end of the stream or after a line longer than 64 KiB
-  /// (see too_long()).
+  /// (see is_line_too_long()).
   bool next(std::string_view& line) {
     line_.clear();
     terminated_ = false;
     for (;;) {
-      if (at_ == filled_ && !refill()) break;
-      const std::string_view rest(buffer_.data() + at_, filled_ - at_);
+      if (at_ == filled_bytes_ && !refill()) break;
+      const std::string_view rest(buffer_.data() + at_, filled_bytes_ - at_);
       const std::size_t end = rest.find('\n');
       const std::size_t taken = end == std::string_view::npos ? rest.size() : end;
       line_.append(rest.substr(0, taken));
@@ -44,7 +44,7 @@ class LineReader {
   [[nodiscard]] bool terminated() const noexcept {
     return terminated_;
   }  ///< did the last line have an end?
-  [[nodiscard]] bool too_long() const noexcept { return too_long_; }
+  [[nodiscard]] bool is_line_too_long() const noexcept { return too_long_; }
   [[nodiscard]] long number() const noexcept { return number_; }  ///< of the last line, from 1
   [[nodiscard]] std::uintmax_t offset() const noexcept {
     return offset_;
@@ -54,13 +54,13 @@ class LineReader {
   static constexpr std::size_t kLongest = std::size_t{1} << 16;
   bool refill() {
     stream_.read(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-    filled_ = static_cast<std::size_t>(stream_.gcount());
+    filled_bytes_ = static_cast<std::size_t>(stream_.gcount());
     at_ = 0;
-    return filled_ > 0;
+    return filled_bytes_ > 0;
   }
   std::istream& stream_;
   std::string buffer_, line_;
-  std::size_t at_ = 0, filled_ = 0;
+  std::size_t at_ = 0, filled_bytes_ = 0;
   std::uintmax_t offset_ = 0;
   long number_ = 0;
   bool terminated_ = false, too_long_ = false;

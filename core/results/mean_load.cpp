@@ -27,11 +27,12 @@ double off(const MeanLoad& load) { return std::hypot(off(load, 0), off(load, 1),
 /// "appLoadX 1500, appLoadZ 500" of the directions with a given load that is not 0, or with one of
 /// 0 that is not kept.
 std::string named(const MeanLoad& load, const scene::Vec3& values, UnitSystem units) {
-  constexpr double kSmall = 0.2;  // of all that is off
+  constexpr double kMinDifferenceShare = 0.2;  // of all that is off
   std::string out;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    if (!load.given[k] || (load.asked[i] == 0.0 && off(load, k) <= kSmall * off(load))) continue;
+    if (!load.given[k] || (load.asked[i] == 0.0 && off(load, k) <= kMinDifferenceShare * off(load)))
+      continue;
     out += fmt::format("{}appLoad{} {:.4g}", out.empty() ? "" : ", ", "XYZ"[k],
                        from_si(values[i], unit::kForce, units));
   }
@@ -60,7 +61,7 @@ MeanLoad mean_load(const Averages& averages, const bearing::Bearing& bearing,
     out.tilts = out.tilts || (free && !(free->rotation_held[1] && free->rotation_held[2]));
   for (std::size_t k = 0; k < 3; ++k) {
     out.given[k] = !bearing.constraints.displacement_given[k];
-    const auto& turning = plan.race_motions.turning_load;
+    const auto& turning = plan.race_motions.rotating_load_parameters;
     if (k > 0 && turning && (turning->fraction[0] != 0.0 || turning->fraction[1] != 0.0))
       out.given[k] = false;
     if (out.given[k]) out.asked[static_cast<Eigen::Index>(k)] = bearing.constraints.load[k];
@@ -93,13 +94,13 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
     if (off(load, k) > off(load, furthest)) furthest = k;
   if (load.balanced)
     return out +
-           "in mode 2 the inner race has no inertia. Centrifugal force, gravity or the cage move "
-           "the elements more than the load does, so the elements lose contact for short times. "
+           "in mode 2 the inner race has no inertia. Centrifugal force, gravity or the cage "
+           "dominate over the load, so the elements lose contact for short times. "
            "Increase the load or preload, or set mode = 0 with kDCR = 1 and kFD = 0";
   if (load.moves[furthest])
     return out + fmt::format(
-                     "a race is free to move along {}, and in this short time part of the load "
-                     "accelerates the race. A longer run reduces the difference",
+                     "a race is free to move along {}, and in this short run part of the load "
+                     "accelerates it. Extend the run to reduce the difference",
                      "xyz"[furthest]);
   if (load.tilts)
     return out +
@@ -111,9 +112,9 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
            "record 9.3B makes a race vibrate about its quasi-static position. The mean load "
            "changes because contacts stiffen under load, or because the last period is incomplete. "
            "Compare with a run without vibration before changing the load";
-  constexpr double kMost =
-      0.5;  // fraction of the difference: another load along the specified one corrects the rest
-  if (across(load) > kMost * off(load))
+  // Fraction of the difference: another load along the specified one corrects the rest.
+  constexpr double kMaxAcrossShare = 0.5;
+  if (across(load) > kMaxAcrossShare * off(load))
     return out +
            "the inner race is fixed at its quasi-static position, where the moving elements exert "
            "forces perpendicular to the specified load. A different load in the specified "

@@ -1,26 +1,25 @@
 #include "results/motion.hpp"
 
+#include "base/constants.hpp"
 #include "base/rotation.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace adore::results {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kOnAxis = 1e-12;  // [m], far below any clearance or deflection
 
 }  // namespace
 
-Direction theta_phi(const Vec3& v) { return {theta_of(v), phi_of(v)}; }
+DirectionAngles direction_angles(const Vec3& v) { return {direction_theta(v), direction_phi(v)}; }
 
-double theta_of(const Vec3& v) {
+double direction_theta(const Vec3& v) {
   if (!(v.squaredNorm() > 0.0)) return 0.0;
   return tilt_of_axis(Vec3(v.x(), v.y(), -v.z()).normalized())[0];
 }
 
-double phi_of(const Vec3& v) {
+double direction_phi(const Vec3& v) {
   if (!(v.squaredNorm() > 0.0)) return 0.0;
   return tilt_of_axis(Vec3(v.x(), v.y(), -v.z()).normalized())[1];
 }
@@ -50,7 +49,7 @@ OrbitMotion orbit_motion(const Vec3& position, const Vec3& velocity, const Vec3&
 }
 
 Vec3 body_x_axis(const scene::Quat& orientation) {
-  return rotation_matrix(normalise(orientation)).col(0);
+  return rotation_matrix(normalize_quaternion(orientation)).col(0);
 }
 
 double wrapped(double angle) { return std::remainder(angle, 2.0 * kPi); }
@@ -68,19 +67,19 @@ double faster_race_speed(const scene::Snapshot& snapshot) {
   return std::abs(speed[0]) > std::abs(speed[1]) ? speed[0] : speed[1];
 }
 
-std::string_view name_of(CageScale::Of of) {
+std::string_view name_of(CageLengthScale::Of of) {
   switch (of) {
-    case CageScale::Of::GuideLands:
+    case CageLengthScale::Of::GuideLands:
       return "guide lands";
-    case CageScale::Of::Pockets:
+    case CageLengthScale::Of::Pockets:
       return "pockets";
-    case CageScale::Of::UnitOfLength:
+    case CageLengthScale::Of::UnitOfLength:
       break;
   }
   return "unit of length";
 }
 
-CageScale cage_scale(const bearing::Cage& cage, double unit_length) {
+CageLengthScale cage_length_scale(const bearing::Cage& cage, double unit_length) {
   double sum = 0.0;
   int lands = 0;
   for (const bearing::GuideLand& land : cage.lands) {
@@ -88,9 +87,10 @@ CageScale cage_scale(const bearing::Cage& cage, double unit_length) {
     sum += land.clearance / 2.0;
     ++lands;
   }
-  if (lands > 0 && sum > 0.0) return {sum / lands, CageScale::Of::GuideLands};
-  if (cage.pocket_clearance_1 > 0.0) return {cage.pocket_clearance_1 / 2.0, CageScale::Of::Pockets};
-  return {unit_length, CageScale::Of::UnitOfLength};
+  if (lands > 0 && sum > 0.0) return {sum / lands, CageLengthScale::Of::GuideLands};
+  if (cage.pocket_clearance_1 > 0.0)
+    return {cage.pocket_clearance_1 / 2.0, CageLengthScale::Of::Pockets};
+  return {unit_length, CageLengthScale::Of::UnitOfLength};
 }
 
 double average_wear_rate(const bearing::Material& material, double load_slip_integral,

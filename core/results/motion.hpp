@@ -15,13 +15,13 @@ using scene::Vec3;
 /// |v|) [rad]: tilt_of_axis of the mirror
 /// image, which counts theta the other way. Both are 0 for a zero vector and near 0 for one along
 /// +x. Frame: that of the vector.
-struct Direction {
+struct DirectionAngles {
   double theta = 0.0, phi = 0.0;
 };
-[[nodiscard]] Direction theta_phi(const Vec3& v);
+[[nodiscard]] DirectionAngles direction_angles(const Vec3& v);
 /// One of them alone.
-[[nodiscard]] double theta_of(const Vec3& v);
-[[nodiscard]] double phi_of(const Vec3& v);
+[[nodiscard]] double direction_theta(const Vec3& v);
+[[nodiscard]] double direction_phi(const Vec3& v);
 
 /// Motion of a mass center in the plane across the bearing axis, base frame, angle from +Z as
 /// azimuths: y = -r sin θ, z = r cos θ. On the axis itself (r below 1 pm) θ is taken from the
@@ -48,17 +48,17 @@ struct OrbitMotion {
 /// Reference length of the cage's mass center (N71): the mean radial clearance of the guided lands,
 /// so that 1 means contact; without guided lands the radial pocket clearance I; if that is not
 /// positive either, the deck's unit of length.
-struct CageScale {
+struct CageLengthScale {
   enum class Of : unsigned char { GuideLands, Pockets, UnitOfLength };
   double length = 1.0;  ///< [m]
   Of of = Of::UnitOfLength;
 };
 /// "guide lands", "pockets", "unit of length"; as RUN.json has them.
-[[nodiscard]] std::string_view name_of(CageScale::Of of);
-[[nodiscard]] CageScale cage_scale(const bearing::Cage& cage, double unit_length);
+[[nodiscard]] std::string_view name_of(CageLengthScale::Of of);
+[[nodiscard]] CageLengthScale cage_length_scale(const bearing::Cage& cage, double unit_length);
 /// Its length alone [m].
-[[nodiscard]] inline double cage_clearance_scale(const bearing::Cage& cage, double unit_length) {
-  return cage_scale(cage, unit_length).length;
+[[nodiscard]] inline double cage_scale_length(const bearing::Cage& cage, double unit_length) {
+  return cage_length_scale(cage, unit_length).length;
 }
 
 /// Archard's wear volume per time, averaged over the run (N50): W(T) = K/(H T) ∫ Q V dt [m³/s].

@@ -161,7 +161,7 @@ std::optional<MotionFile> MotionFile::beside(const Sol8File& file, std::string& 
 
 void MotionFile::read_frames(std::size_t most_frames) {
   const std::size_t steps = reader_->steps();
-  every_ = (steps + most_frames - 1) / most_frames;
+  steps_per_frame_ = (steps + most_frames - 1) / most_frames;
   const auto size = [this](const char* name, double otherwise) {
     const auto found = geometry().find(name);
     return found != geometry().end() && std::isfinite(found->second) ? found->second : otherwise;
@@ -177,18 +177,18 @@ void MotionFile::read_frames(std::size_t most_frames) {
     file_.geometry.*field.value = from_si(size(field.name, 0.0), unit::kLength, units_);
 
   // The last stored step is always a frame.
-  const std::size_t count = (steps - 1) / every_ + 1;
+  const std::size_t count = (steps - 1) / steps_per_frame_ + 1;
   const auto n = static_cast<std::size_t>(file_.elements);
   const auto read = [&](const char* id, std::size_t width) {
     const H5Reader::ChannelInfo* info = reader_->find(id);
     if (info == nullptr || info->size() != width) return std::vector<double>(count * width, 0.0);
-    std::vector<double> values = reader_->read(id, 0, count, every_);
+    std::vector<double> values = reader_->read(id, 0, count, steps_per_frame_);
     const UnitPair* unit = unit_of(id);
     if (!stays(unit) && unit != nullptr)
       for (double& value : values) value = from_si(value, *unit, units_);
     return values;
   };
-  const std::vector<double> shaft = reader_->read("shaft_rotation", 0, count, every_);
+  const std::vector<double> shaft = reader_->read("shaft_rotation", 0, count, steps_per_frame_);
   const std::vector<long> numbers = reader_->step_numbers();
   const auto* cages = reader_->find("cage.position");
   const std::size_t parts = cages == nullptr ? 0 : cages->size() / 3;
@@ -201,8 +201,8 @@ void MotionFile::read_frames(std::size_t most_frames) {
   file_.frames.assign(count, {});
   for (std::size_t i = 0; i < count; ++i) {
     Sol8Frame& frame = file_.frames[i];
-    frame.step = numbers[i * every_];
-    frame.time = times_[i * every_];
+    frame.step = numbers[i * steps_per_frame_];
+    frame.time = times_[i * steps_per_frame_];
     frame.revolutions = shaft[i] / (2.0 * std::numbers::pi);
     frame.elements.resize(n);
   }
@@ -277,18 +277,18 @@ std::size_t MotionFile::pocket_surfaces() const {
 }
 
 const MotionChannel* MotionFile::channel(const std::string& id) const {
-  const auto kept = kept_.find(id);
-  if (kept != kept_.end()) return &kept->second;
+  const auto kept = channel_cache_.find(id);
+  if (kept != channel_cache_.end()) return &kept->second;
   const H5Reader::ChannelInfo* info = reader_->find(id);
   if (info == nullptr || info->size() == 0) return nullptr;
   MotionChannel out;
   out.width = info->size();
-  out.values = reader_->read(id, 0, file_.frames.size(), every_);
+  out.values = reader_->read(id, 0, file_.frames.size(), steps_per_frame_);
   const UnitPair* unit = unit_of(id);
   out.unit = shown_unit(stays(unit) ? std::string_view(info->unit) : unit_name(*unit, units_));
   if (!stays(unit))
     for (double& value : out.values) value = from_si(value, *unit, units_);
-  return &kept_.emplace(id, std::move(out)).first->second;
+  return &channel_cache_.emplace(id, std::move(out)).first->second;
 }
 
 std::vector<double> MotionFile::series(const std::string& id, std::size_t place,

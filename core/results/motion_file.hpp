@@ -45,7 +45,9 @@ class MotionFile {
     return segments_;
   }
   [[nodiscard]] std::size_t stored_steps() const noexcept { return reader_->steps(); }
-  [[nodiscard]] std::size_t every() const noexcept { return every_; }  ///< stored steps per frame
+  [[nodiscard]] std::size_t every() const noexcept {
+    return steps_per_frame_;
+  }  ///< stored steps per frame
   /// Sizes of the bearing in SI, as /geometry names them.
   [[nodiscard]] const std::map<std::string, double>& geometry() const noexcept {
     return reader_->geometry();
@@ -70,11 +72,11 @@ class MotionFile {
 
   std::unique_ptr<H5Reader> reader_;
   UnitSystem units_ = UnitSystem::SI;
-  std::size_t every_ = 1;
+  std::size_t steps_per_frame_ = 1;
   std::vector<double> times_;
   Sol8File file_;
   std::vector<std::vector<Sol8Body>> segments_;
-  mutable std::map<std::string, MotionChannel> kept_;
+  mutable std::map<std::string, MotionChannel> channel_cache_;
 };
 
 }  // namespace adore::results

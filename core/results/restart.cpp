@@ -20,19 +20,17 @@ namespace {
 
 constexpr std::string_view kFinal = "FINAL", kMaster = "MASTER";
 /// Format 1 had no deck, format 2 no checksum of itself, format 3 none of the other files.
-constexpr int kFormat = 4;
+constexpr int kRestartFormat = 4;
 /// Far beyond any run: thirty years of simulated time, whole numbers that a double can count.
-constexpr double kLongestTime = 1e9;
-constexpr long kMostSteps = 1'000'000'000'000'000;
+constexpr double kMaxTime = 1e9;
+constexpr long kMaxSteps = 1'000'000'000'000'000;
 
 void append_title(std::string& out, std::string_view kind) {
   out += fmt::format("{} {}: {}\n", kProgramVersion, kind,
                      kind == kFinal ? "last solution vector of a run, start state of another run"
                                     : "bookkeeping and state of a run, for its continuation");
-  out +=
-      "SI units and radians. Made by the program: a changed line is found by the checksum at the "
-      "end.\n";
-  out += fmt::format("format {}\n", kFormat);
+  out += "SI units and radians. Do not edit: the checksum at the end detects changed lines.\n";
+  out += fmt::format("format {}\n", kRestartFormat);
 }
 
 void append_state(std::string& out, const FinalState& state) {
@@ -82,11 +80,11 @@ class Reader {
     check_title(path, kind, line());
     line();
     format_ = integer("format");
-    if (format_ < 1 || format_ > kFormat)
+    if (format_ < 1 || format_ > kRestartFormat)
       throw InputError(
           fmt::format("{}: the file has format {}, but this program reads formats 1 to {}; use the "
                       "program version that wrote it",
-                      path.string(), format_, kFormat));
+                      path.string(), format_, kRestartFormat));
   }
   [[nodiscard]] long format() const { return format_; }
   std::string text(std::string_view keyword) {
@@ -116,7 +114,7 @@ class Reader {
   /// A step number.
   long step() {
     const long value = integer("step");
-    if (value < 0 || value > kMostSteps)
+    if (value < 0 || value > kMaxSteps)
       fail(fmt::format("step is {}; it must be 0 or more", value));
     return value;
   }
@@ -173,8 +171,8 @@ FinalState read_state(Reader& reader) {
   state.version = reader.text("version");
   state.run_id = reader.text("run");
   state.step = reader.step();
-  state.time = reader.real("time", 0.0, kLongestTime);
-  state.step_size = reader.real("step_size", 0.0, kLongestTime);
+  state.time = reader.real("time", 0.0, kMaxTime);
+  state.step_size = reader.real("step_size", 0.0, kMaxTime);
   state.shaft_rotation = reader.real("shaft_rotation", -1e18, 1e18);
   state.scales.length = reader.real("scale_length", 1e-12, 1e6);
   state.scales.force = reader.real("scale_force", 1e-12, 1e18);
@@ -204,9 +202,9 @@ std::string bodies_text(const std::vector<std::string>& components) {
 
 }  // namespace
 
-const MasterFile* MasterState::file(std::string_view role) const {
+const MasterFileEntry* MasterState::file(std::string_view role) const {
   const auto found = std::find_if(files.begin(), files.end(),
-                                  [&](const MasterFile& file) { return file.role == role; });
+                                  [&](const MasterFileEntry& file) { return file.role == role; });
   return found == files.end() ? nullptr : &*found;
 }
 
@@ -225,7 +223,7 @@ void write_master(const MasterState& state, const WritePath& place) {
   out += fmt::format("averages {}\n", state.averages.size());
   for (const auto& [name, value] : state.averages) out += fmt::format("{} {}\n", value, name);
   out += fmt::format("files {}\n", state.files.size());
-  for (const MasterFile& file : state.files)
+  for (const MasterFileEntry& file : state.files)
     out += fmt::format("{} {} {} {}\n", file.bytes,
                        file.sum ? fmt::format("{:016x}", *file.sum) : "-", file.role, file.name);
   append_end(out);

@@ -30,7 +30,7 @@ struct FinalState {
   std::string deck;  ///< the deck that was run, in deck syntax; empty in files of format 1
 };
 
-struct MasterFile {
+struct MasterFileEntry {
   std::string role;  ///< "PRINT", "SOL1" ... "SOL8", "RESULTS"
   std::string name;  ///< relative to MASTER's folder
   std::uintmax_t bytes =
@@ -44,10 +44,10 @@ inline constexpr const char* kLastSaved = "last step in RESULTS";
 struct MasterState {
   FinalState last;                         ///< version, run code and state at MASTER's step
   std::map<std::string, double> averages;  ///< of RunAverages and ChannelRecorder
-  std::vector<MasterFile> files;
+  std::vector<MasterFileEntry> files;
 
   /// nullptr when the run has no such file.
-  [[nodiscard]] const MasterFile* file(std::string_view role) const;
+  [[nodiscard]] const MasterFileEntry* file(std::string_view role) const;
 };
 
 /// Replace the file atomically. @throws InputError when it cannot be written.

@@ -112,7 +112,7 @@ std::string_view dimension_names(const Channel& channel) {
 }
 
 void write_attribute(hid_t object, const std::string& name, std::string_view text) {
-  const Handle type = text_type(text.size(), text);
+  const Handle type = string_datatype(text.size(), text);
   const Handle space(H5Screate(H5S_SCALAR));
   const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT));
   const std::string padded = text.empty() ? std::string(1, '\0') : std::string(text);
@@ -252,7 +252,7 @@ struct H5Writer::Impl {
     double bytes = sizeof(double) * kSeries.size();
     for (const Channel& channel : channels())
       bytes += static_cast<double>(sizeof(double) * channel_size(channel, shape));
-    rows = static_cast<std::size_t>(block_of(bytes));
+    rows = static_cast<std::size_t>(steps_per_block(bytes));
     block = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(most, 1)), 1, rows);
   }
   Series plan(int channel) const {
@@ -379,7 +379,7 @@ struct H5Writer::Impl {
             "{}: writing to the file failed ({}); free some disk space or choose another disk",
             path.string(), error != 0 ? std::generic_category().message(error) : h5::last_error()));
       }
-      one.sum = word_sum_of_values(one.waiting, one.sum);
+      one.sum = word_checksum_of_values(one.waiting, one.sum);
       one.waiting.clear();
     }
     written += waiting;
@@ -388,7 +388,7 @@ struct H5Writer::Impl {
   }
 };
 
-int H5Writer::block_of(double step_bytes) noexcept {
+int H5Writer::steps_per_block(double step_bytes) noexcept {
   constexpr double kBytes = 4.0 * 1024 * 1024;
   return std::clamp(static_cast<int>(kBytes / std::max(step_bytes, 1.0)), kLeastBlock, kBlock);
 }
@@ -398,7 +398,7 @@ H5Writer::H5Writer(H5Writer&&) noexcept = default;
 H5Writer& H5Writer::operator=(H5Writer&&) noexcept = default;
 H5Writer::~H5Writer() {
   if (!impl_) return;
-  const Quiet quiet;
+  const Hdf5Lock quiet;
   try {
     if (!impl_->broken) flush();
   } catch (const std::exception&) {
@@ -411,7 +411,7 @@ H5Writer::~H5Writer() {
 std::string H5Writer::Impl::empty_file(const bearing::Bearing& bearing,
                                        const FindingsText& findings) {
   constexpr std::size_t kGrowth = 1 << 16;
-  const Handle creation(H5Pcreate(H5P_FILE_CREATE)), access = access_list();
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE)), access = file_access_properties();
   H5Pset_obj_track_times(creation, false);
   H5Pset_fapl_core(access, kGrowth, false);
   // With a unique name: the library treats files in memory with the same name as one file.
@@ -442,7 +442,7 @@ std::string H5Writer::Impl::empty_file(const bearing::Bearing& bearing,
   if (size <= 0 || H5Fget_file_image(file, bytes.data(), bytes.size()) < 0)
     fail(path, "the file cannot be created");
   file.reset();
-  clean_image(bytes);
+  clear_open_mark(bytes);
   return bytes;
 }
 
@@ -450,7 +450,7 @@ void H5Writer::Impl::open_empty(const WritePath& place, const bearing::Bearing& 
                                 const FindingsText& findings) {
   const std::string bytes = empty_file(bearing, findings);
   write_file_atomically(place, bytes);
-  const Handle access = access_list();
+  const Handle access = file_access_properties();
   use_safe_driver(access, place.folder());
   file = Handle(H5Fopen(place.name().c_str(), H5F_ACC_RDWR, access));
   if (!file.valid()) fail(path, "the file cannot be created");
@@ -468,7 +468,7 @@ void H5Writer::Impl::open_empty(const WritePath& place, const bearing::Bearing& 
 
 H5Writer H5Writer::create(const WritePath& place, const bearing::Bearing& bearing,
                           const ChannelTable& table, int block, std::span<const Finding> findings) {
-  const Quiet quiet;
+  const Hdf5Lock quiet;
   auto impl = std::make_unique<Impl>(table);
   impl->path = place.path();
   impl->shape = shape_of(bearing);
@@ -512,7 +512,7 @@ void H5Writer::check(const std::filesystem::path& path, const bearing::Bearing& 
   check_file(H5Reader(path), path, bearing, table);
 }
 
-std::filesystem::path H5Writer::unfinished(const std::filesystem::path& path) {
+std::filesystem::path H5Writer::unfinished_path(const std::filesystem::path& path) {
   return path.parent_path() / fmt::format(".{}.new", path.filename().string());
 }
 
@@ -525,14 +525,14 @@ H5Writer H5Writer::continue_after(const WritePath& place, const bearing::Bearing
   const std::vector<long> steps = old.step_numbers();
   const auto rows = static_cast<std::size_t>(
       std::upper_bound(steps.begin(), steps.end(), last_step) - steps.begin());
-  const Quiet quiet;
+  const Hdf5Lock quiet;
   auto impl = std::make_unique<Impl>(table);
   impl->path = path;
   impl->shape = shape_of(bearing);
   impl->set_block(block);
   // A new file, and the steps that stay: the bytes are those of a run that was never interrupted,
   // and damage of the old file is found before it is given up.
-  const std::string next = unfinished(place.name()).string();
+  const std::string next = unfinished_path(place.name()).string();
   try {
     impl->open_empty({place.folder(), next}, bearing, findings_text(findings));
     while (impl->written < rows) {
@@ -570,9 +570,9 @@ void H5Writer::write(const StepRecord& record) {
     }
   }
   ++impl_->waiting;
-  constexpr std::chrono::seconds kLongest{1};
+  constexpr std::chrono::seconds kFlushInterval{1};
   if (impl_->waiting + impl_->written % impl_->block >= impl_->block ||
-      std::chrono::steady_clock::now() - impl_->flushed >= kLongest)
+      std::chrono::steady_clock::now() - impl_->flushed >= kFlushInterval)
     flush();
 }
 
@@ -583,12 +583,12 @@ std::uint64_t H5Writer::sum() const noexcept {
 }
 
 void H5Writer::flush() {
-  const Quiet quiet;
+  const Hdf5Lock quiet;
   impl_->write_waiting();
 }
 
 void H5Writer::close() {
-  const Quiet quiet;
+  const Hdf5Lock quiet;
   impl_->write_waiting();
   impl_->series.clear();
   H5Fflush(impl_->file, H5F_SCOPE_GLOBAL);

@@ -31,7 +31,7 @@ class H5Writer {
   /// Steps that are collected before they go to the file as one block, which is also the chunk of
   /// its datasets: as many as 4 MB hold, 64 to 256.
   static constexpr int kLeastBlock = 64, kBlock = 256;
-  [[nodiscard]] static int block_of(double step_bytes) noexcept;
+  [[nodiscard]] static int steps_per_block(double step_bytes) noexcept;
 
   /// A new file, replacing what was there; `table` is that of the records. `block` at most;
   /// smaller blocks lose less when the process is killed. A block that has waited for a second
@@ -49,7 +49,7 @@ class H5Writer {
                                  std::span<const Finding> findings = {});
 
   /// Path of the new file of continue_after(): left behind if the process is killed there.
-  [[nodiscard]] static std::filesystem::path unfinished(const std::filesystem::path& path);
+  [[nodiscard]] static std::filesystem::path unfinished_path(const std::filesystem::path& path);
 
   /// The checks of continue_after() alone; nothing is touched. @throws InputError
   static void check(const std::filesystem::path& path, const bearing::Bearing& bearing,

@@ -16,7 +16,7 @@ namespace adore::results {
 struct H5Reader::Impl {
   explicit Impl(const std::filesystem::path& file) : path(file), process(file) {}
   std::filesystem::path path;
-  h5::Process process;
+  h5::ReaderProcess process;
 };
 
 std::size_t H5Reader::ChannelInfo::size() const {
@@ -26,7 +26,7 @@ std::size_t H5Reader::ChannelInfo::size() const {
 }
 
 H5Reader::H5Reader(const std::filesystem::path& path) {
-  refuse_pipe(path);
+  reject_special_file(path);
   if (!is_plain_file(path))
     throw InputError(
         fmt::format("{}: there is no such file; give the RESULTS.h5 of a run", path.string()));

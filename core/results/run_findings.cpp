@@ -19,15 +19,15 @@ namespace {
 using h5::Handle;
 
 /// Bytes of the list: attributes of HDF5 hold 64 kB.
-constexpr std::size_t kMostText = 60000;
+constexpr std::size_t kMaxFindingsBytes = 60000;
 
-std::string read_text(hid_t object, const char* name) {
+std::string read_findings_text(hid_t object, const char* name) {
   if (H5Aexists(object, name) <= 0) return {};
   const Handle attribute(H5Aopen(object, name, H5P_DEFAULT));
   const Handle type(H5Aget_type(attribute)), space(H5Aget_space(attribute));
   const std::size_t size = H5Tget_size(type);
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 ||
-      H5Sget_simple_extent_npoints(space) != 1 || size > kMostText)
+      H5Sget_simple_extent_npoints(space) != 1 || size > kMaxFindingsBytes)
     throw InputError("the list of findings is not a string");
   std::string text(size, '\0');
   if (H5Aread(attribute, type, text.data()) < 0)
@@ -50,11 +50,11 @@ FindingsText findings_text(std::span<const Finding> findings) {
   }
   FindingsText out;
   out.list = dump_json(findings_json(known));
-  if (out.list.size() > kMostText) {
+  if (out.list.size() > kMaxFindingsBytes) {
     std::erase_if(known, [](const Finding& one) { return one.severity == Severity::Note; });
     out.list = dump_json(findings_json(known));
   }
-  while (out.list.size() > kMostText) {
+  while (out.list.size() > kMaxFindingsBytes) {
     known.resize(known.size() / 2);
     out.list = dump_json(findings_json(known));
   }
@@ -63,19 +63,19 @@ FindingsText findings_text(std::span<const Finding> findings) {
 }
 
 std::vector<Finding> stored_findings(const fs::path& results_h5) {
-  refuse_pipe(results_h5);
+  reject_special_file(results_h5);
   const auto read = [&] {
-    const Handle file(
-        H5Fopen(results_h5.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, h5::access_list()));
+    const Handle file(H5Fopen(results_h5.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ,
+                              h5::file_access_properties()));
     if (!file.valid()) throw InputError("the file cannot be opened");
     const Handle root(H5Gopen2(file, "/", H5P_DEFAULT));
-    const std::string text = read_text(root, FindingsText::kList);
+    const std::string text = read_findings_text(root, FindingsText::kList);
     if (!text.empty() &&
-        read_text(root, FindingsText::kSum) != fmt::format("{:016x}", checksum(text)))
+        read_findings_text(root, FindingsText::kSum) != fmt::format("{:016x}", checksum(text)))
       throw InputError("the list of findings is damaged: the checksum differs");
     return text;
   };
-  const std::string text = h5::read_apart(results_h5, read, kMostText);
+  const std::string text = h5::read_in_child_process(results_h5, read, kMaxFindingsBytes);
   return text.empty() ? std::vector<Finding>{}
                       : read_findings(parse_json(text, results_h5.string()));
 }

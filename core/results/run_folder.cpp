@@ -34,7 +34,7 @@ std::vector<std::string> listed(const fs::path& folder) {
   return out;
 }
 
-void add(const fs::path& file, RunFolder& out) {
+void add(const fs::path& file, PlottableFiles& out) {
   try {
     if (sol_kind(file) == SolKind::Animation) {
       if (!out.animation) out.animation = file;
@@ -47,8 +47,8 @@ void add(const fs::path& file, RunFolder& out) {
 
 }  // namespace
 
-RunFolder run_folder(const fs::path& folder) {
-  RunFolder out;
+PlottableFiles run_folder(const fs::path& folder) {
+  PlottableFiles out;
   std::error_code ignored;
   for (int number = 1; number <= 7; ++number)
     if (const fs::path file = folder / fmt::format("SOL{}", number);

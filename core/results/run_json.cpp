@@ -91,9 +91,9 @@ std::vector<std::pair<std::string, double>> momentum_items(const scene::Momentum
 
 std::vector<std::pair<std::string, std::string>> arithmetic_items(const RunSummary& run) {
   std::vector<std::pair<std::string, std::string>> items{
-      {"math functions", portable_math_functions()
+      {"math functions", has_portable_math()
                              ? "built in, identical on every processor"
-                             : "from the C library, different between processors"}};
+                             : "from the C library, may differ between processors"}};
   if (run.integrator.empty()) return items;  // the equilibrium does not use a contact kernel
   items.emplace_back("instruction set of the contacts", run.instruction_set);
   items.emplace_back("note",
@@ -222,16 +222,16 @@ Json run_json(const RunSummary& run) {
   }
   out["measured"] = {{"seconds", run.seconds}, {"accounted seconds", accounted}, {"cost", cost}};
   if (run.measured_from > 0) out["measured"]["from step"] = run.measured_from;
-  for (const FileSum& file : run.sums)
+  for (const FileChecksum& file : run.sums)
     out["measured"]["checksums"][file.name] = {{"bytes", file.bytes},
                                                {"checksum", fmt::format("{:016x}", file.sum)}};
   out["measured"][kOwnChecksum] = std::string(kNoChecksum);
   return out;
 }
 
-RunMark read_run_mark(const std::filesystem::path& path) {
-  RunMark out;
-  if (!is_own_file(path)) return out;
+RunRequestStatus read_request_status(const std::filesystem::path& path) {
+  RunRequestStatus out;
+  if (!is_written_by_adore(path)) return out;
   InputFile stream(path);
   // Members of the outer object stand two blanks in; those looked for come before anything long.
   std::string line;
@@ -246,7 +246,7 @@ RunMark read_run_mark(const std::filesystem::path& path) {
 }
 
 nlohmann::json read_run_member(const std::filesystem::path& path, const char* name) {
-  if (!is_own_file(path)) return {};
+  if (!is_written_by_adore(path)) return {};
   try {
     const auto run = parse_json(read_text_file(path), path.string());
     return run.is_object() ? run.value(name, nlohmann::json()) : nlohmann::json();
@@ -255,7 +255,7 @@ nlohmann::json read_run_member(const std::filesystem::path& path, const char* na
   }
 }
 
-std::string own_checksum(std::string text) {
+std::string run_json_checksum(std::string text) {
   const std::string key = fmt::format("\"{}\": \"", kOwnChecksum);
   const std::size_t at = text.rfind(key);
   if (at == std::string::npos || text.size() < at + key.size() + kNoChecksum.size()) return {};
@@ -269,7 +269,7 @@ namespace {
 void write_with_checksum(const nlohmann::ordered_json& run, const WritePath& place) {
   std::string text = dump_json(run, 2) + "\n";
   const std::string key = fmt::format("\"{}\": \"", kOwnChecksum);
-  text.replace(text.rfind(key) + key.size(), kNoChecksum.size(), own_checksum(text));
+  text.replace(text.rfind(key) + key.size(), kNoChecksum.size(), run_json_checksum(text));
   write_file_atomically(place, text);
 }
 
@@ -287,7 +287,8 @@ void amend_run(const WriteFolder& folder, const nlohmann::ordered_json& members,
     throw InputError(file.string() + " is not the RUN.json of a finished run");
   const std::filesystem::path listing = folder.path() / "PRINT.txt";
   if (!print.empty())
-    GrowingFile::append_after(WritePath(folder, "PRINT.txt"), std::filesystem::file_size(listing))
+    GrowingFile::open_for_append(WritePath(folder, "PRINT.txt"),
+                                 std::filesystem::file_size(listing))
         .append(print);
   nlohmann::ordered_json run;
   for (const auto& [name, value] : old.items()) {
@@ -297,7 +298,7 @@ void amend_run(const WriteFolder& folder, const nlohmann::ordered_json& members,
   }
   for (const auto& [key, member] : members.items()) run[key] = member;
   nlohmann::ordered_json& measured = run["measured"];
-  if (const FileSum sum = sum_of_file(listing); measured.contains("checksums"))
+  if (const FileChecksum sum = file_checksum(listing); measured.contains("checksums"))
     measured["checksums"]["PRINT.txt"] = {{"bytes", sum.bytes},
                                           {"checksum", fmt::format("{:016x}", sum.sum)}};
   measured[kOwnChecksum] = std::string(kNoChecksum);

@@ -70,9 +70,9 @@ struct RunSummary {
   nlohmann::ordered_json thermal_network;
   // Measured.
   std::vector<scene::CostLedger::Row> cost;
-  std::vector<FileSum> sums;  ///< of the files; empty while the run is under way
-  double seconds = 0.0;       ///< of this process
-  long measured_from = 0;     ///< step at which it took the run over; 0: the start
+  std::vector<FileChecksum> sums;  ///< of the files; empty while the run is under way
+  double seconds = 0.0;            ///< of this process
+  long measured_from = 0;          ///< step at which it took the run over; 0: the start
 
   std::string instruction_set;  ///< of the contact kernel, chosen at run time
 };
@@ -92,14 +92,14 @@ void amend_run(const WriteFolder& folder, const nlohmann::ordered_json& members,
 /// Under "measured": checksum of the text with zeros in its place.
 inline constexpr const char* kOwnChecksum = "checksum of this file";
 /// As write_run_json() puts it into the text; empty where the text has none.
-[[nodiscard]] std::string own_checksum(std::string text);
+[[nodiscard]] std::string run_json_checksum(std::string text);
 
 /// First members of an earlier RUN.json, as far as present; empty strings without a file
 /// of this program.
-struct RunMark {
+struct RunRequestStatus {
   std::string request, status;
 };
-[[nodiscard]] RunMark read_run_mark(const std::filesystem::path& path);
+[[nodiscard]] RunRequestStatus read_request_status(const std::filesystem::path& path);
 /// Member of the outer object of a RUN.json; null where the file or the member is missing.
 [[nodiscard]] nlohmann::json read_run_member(const std::filesystem::path& path, const char* name);
 

@@ -17,12 +17,12 @@ namespace adore::results {
 namespace {
 
 namespace ff = fortran;
-constexpr int kValuesPerLine = 13;
-constexpr int kMostElements = 88;  // 11 n + 22 must fit three columns
+constexpr int kSol8ValuesPerLine = 13;
+constexpr int kMaxSol8Elements = 88;  // 11 n + 22 must fit three columns
 
 void append_block(std::string& out, const std::vector<double>& values) {
   if (!values.empty()) out += "  ";
-  ff::append_reals(out, values, 10, 3, ff::Scale::Zero, kValuesPerLine, "\n  ");
+  ff::append_reals(out, values, 10, 3, ff::Scale::Zero, kSol8ValuesPerLine, "\n  ");
   out += '\n';
 }
 
@@ -109,11 +109,11 @@ void check_allowed(const bearing::Bearing& bearing) {
 }  // namespace
 
 std::optional<std::string> sol8_refusal(int elements, int cage_segments) {
-  if (elements > kMostElements)
+  if (elements > kMaxSol8Elements)
     return fmt::format(
         "SOL8 is not written: its format allows at most {} rolling elements, this bearing has {}; "
         "AGORE draws the motion from RESULTS.h5",
-        kMostElements, elements);
+        kMaxSol8Elements, elements);
   if (cage_segments > 1)
     return fmt::format(
         "SOL8 is not written: its format allows one cage, this bearing has {} segments; AGORE "

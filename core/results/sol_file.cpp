@@ -18,7 +18,7 @@ InputFile open_file(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, error))
     throw InputError(
         fmt::format("{}: this is a folder; give the name of a SOL file in it", path.string()));
-  refuse_pipe(path);
+  reject_special_file(path);
   InputFile stream(path);
   if (!stream)
     throw InputError(fmt::format("{}: the file cannot be opened; check its name and permissions",
@@ -29,8 +29,8 @@ InputFile open_file(const std::filesystem::path& path) {
 void check(const SolRange& range) {
   if (range.from < 1 || range.to < range.from || range.every < 1)
     throw InputError(
-        fmt::format("stored steps {} to {}, every {}: the first must be at least 1, the last not "
-                    "below the first, the interval at least 1",
+        fmt::format("stored steps {} to {}, every {}: impossible range. Give a first step of 1 or "
+                    "more, a last step not below the first, and an interval of 1 or more",
                     range.from, range.to, range.every));
 }
 
@@ -112,8 +112,9 @@ Sol8Geometry make_geometry(const std::vector<double>& geometry) {
 }  // namespace
 
 FileVersion file_version(std::string_view version) {
-  constexpr std::size_t kShortest = 10;  // columns of a version field
-  const std::size_t user = version.size() > kShortest ? version.find('+') : std::string_view::npos;
+  constexpr std::size_t kVersionFieldWidth = 10;  // columns of a version field
+  const std::size_t user =
+      version.size() > kVersionFieldWidth ? version.find('+') : std::string_view::npos;
   if (user == std::string_view::npos) return {version, {}};
   return {version.substr(0, user), version.substr(user)};
 }
@@ -152,7 +153,7 @@ SolFile read_steps(std::istream& stream, const std::string& name, const SolRange
   constexpr std::size_t kLook = 1000;  // steps
   file.note = for_each_step(parser, name, range, file.last_step, [&](SolStep& step) {
     if (watch && bytes > 0 && file.steps.size() % kLook == 0 &&
-        !watch(static_cast<double>(parser.good_bytes()) / static_cast<double>(bytes)))
+        !watch(static_cast<double>(parser.complete_bytes()) / static_cast<double>(bytes)))
       throw ReadStopped(fmt::format("reading {} was stopped", name));
     if (file.columns.empty()) {
       file.steps.push_back(std::move(step));
@@ -222,9 +223,9 @@ long stored_steps(const std::filesystem::path& path) {
   InputFile stream = open_file(path);
   SolParser parser(stream, path.string());
   SolStep step;
-  const std::uintmax_t header = parser.good_bytes();
+  const std::uintmax_t header = parser.complete_bytes();
   if (parser.next(step, false) != BlockStatus::Complete) return 0;
-  const std::uintmax_t first = parser.good_bytes() - header;
+  const std::uintmax_t first = parser.complete_bytes() - header;
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error || first == 0) return 1;

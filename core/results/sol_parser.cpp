@@ -15,8 +15,8 @@ namespace {
 
 namespace ff = fortran;
 
-constexpr long long kMostElements = 100'000;
-constexpr long long kMostValues = 1'000'000;
+constexpr long long kMaxElements = 100'000;
+constexpr long long kMaxValues = 1'000'000;
 
 /// Integers in columns of one width after two blanks. Fields beyond the line's end are empty.
 std::vector<std::optional<long long>> integer_fields(std::string_view line, int count, int width) {
@@ -35,11 +35,11 @@ std::string_view without_trailing_blanks(std::string_view line) {
 
 SolParser::SolParser(std::istream& stream, std::string name)
     : reader_(stream), name_(std::move(name)) {
-  const std::string first(header_line("the version and the run code"));
-  if (const FileSort sort = sort_of(first); sort != FileSort::Unknown)
-    throw InputError(fmt::format("{}: this is {}, not one of SOL1-SOL8; {}", name_, sort_name(sort),
-                                 sort_use(sort)));
-  const std::string second(header_line("a title or integers"));
+  const std::string first(read_header_line("the version and the run code"));
+  if (const AdoreFileType sort = detect_file_type(first); sort != AdoreFileType::Unknown)
+    throw InputError(fmt::format("{}: this is {}, not one of SOL1-SOL8; {}", name_,
+                                 describe_file_type(sort), file_type_usage_hint(sort)));
+  const std::string second(read_header_line("a title or integers"));
   if (first.find('\0') != std::string::npos || second.find('\0') != std::string::npos)
     reject("it contains binary data");
   const bool titled = second.find('$') != std::string::npos;
@@ -52,8 +52,8 @@ SolParser::SolParser(std::istream& stream, std::string name)
     read_animation_header(first, second);
   else
     read_plot_header(first, second);
-  good_bytes_ = reader_.offset();
-  good_terminated_ = reader_.terminated();
+  complete_bytes_ = reader_.offset();
+  ends_with_newline_ = reader_.terminated();
 }
 
 void SolParser::reject(const std::string& why) const {
@@ -61,10 +61,10 @@ void SolParser::reject(const std::string& why) const {
       "{}: this is not a SOL1-SOL8 file ({}); give a result file of a dynamic run", name_, why));
 }
 
-std::string_view SolParser::header_line(std::string_view what) {
+std::string_view SolParser::read_header_line(std::string_view what) {
   std::string_view line;
   if (reader_.next(line)) return line;
-  if (reader_.too_long()) reject("it contains binary data or a line that is too long");
+  if (reader_.is_line_too_long()) reject("it contains binary data or a line that is too long");
   reject(fmt::format("line {} of the header, {}, is missing", reader_.number() + 1, what));
 }
 
@@ -74,15 +74,15 @@ void SolParser::read_identity(std::string_view first) {
   const bool twelve = !ff::trimmed(ff::columns(first, 13, 14)).empty();
   header_.version = ff::trimmed(ff::columns(first, 3, twelve ? 14 : 12));
   header_.run_id = ff::trimmed(ff::columns(first, twelve ? 20 : 18, 55));
-  constexpr int kMostColumns = 400;
+  constexpr int kMaxColumns = 400;
   if (const std::string_view user =
-          ff::trimmed(ff::columns(first, kUserVersionColumn, kMostColumns));
+          ff::trimmed(ff::columns(first, kUserVersionColumn, kMaxColumns));
       user.starts_with('+'))
     header_.version += user;
 }
 
 void SolParser::read_units(const std::array<int, 10>& lengths) {
-  const std::string_view line = header_line("the units");
+  const std::string_view line = read_header_line("the units");
   for (int k = 0; k < 10; ++k) {
     const std::string_view field = ff::columns(line, 3 + 12 * k, 12 + 12 * k);
     const auto length =
@@ -94,7 +94,7 @@ void SolParser::read_units(const std::array<int, 10>& lengths) {
 void SolParser::read_plot_header(std::string_view, std::string_view title) {
   const std::size_t mark = title.find('$');
   header_.title = ff::trimmed(title.substr(0, mark));
-  const auto integers = integer_fields(header_line("twenty integers"), 20, 6);
+  const auto integers = integer_fields(read_header_line("twenty integers"), 20, 6);
   for (int k = 0; k < 5; ++k)
     if (!integers[static_cast<std::size_t>(k)])
       reject(fmt::format("integer {} of line 3 is missing", k + 1));
@@ -107,10 +107,10 @@ void SolParser::read_plot_header(std::string_view, std::string_view title) {
                          integer(number), least, most));
     return static_cast<int>(integer(number));
   };
-  header_.value_count = check(1, 1, kMostValues);
-  header_.elements = check(2, 1, kMostElements);
-  header_.per_segment = check(3, 0, kMostElements);
-  header_.segments = check(4, 0, kMostElements);
+  header_.value_count = check(1, 1, kMaxValues);
+  header_.elements = check(2, 1, kMaxElements);
+  header_.per_segment = check(3, 0, kMaxElements);
+  header_.segments = check(4, 0, kMaxElements);
   header_.index = check(5, 0, integer(2) + integer(4) + 2);
   header_.outer_flange = integer(6) != 0;
   header_.inner_flange = integer(7) != 0;
@@ -157,7 +157,8 @@ BlockStatus SolParser::read_values(int count, int width, long step, std::vector<
   int found = 0;
   while (found < count) {
     std::string_view line;
-    if (!reader_.next(line)) return reader_.too_long() ? BlockStatus::Wrong : BlockStatus::Cut;
+    if (!reader_.next(line))
+      return reader_.is_line_too_long() ? BlockStatus::Wrong : BlockStatus::Cut;
     const bool last_line = !reader_.terminated();
     line = without_trailing_blanks(line);
     if (line.size() <= 2) return last_line ? BlockStatus::Cut : BlockStatus::Wrong;
@@ -169,7 +170,7 @@ BlockStatus SolParser::read_values(int count, int width, long step, std::vector<
       const auto value = ff::parse_real(ff::columns(line, 3 + k * width, 2 + (k + 1) * width));
       if (!value) return BlockStatus::Wrong;
       values->push_back(*value);
-      if (!std::isfinite(*value) && missing_++ == 0) first_missing_ = step;
+      if (!std::isfinite(*value) && missing_count_++ == 0) first_missing_step_ = step;
     }
     found += fields;
   }
@@ -179,7 +180,8 @@ BlockStatus SolParser::read_values(int count, int width, long step, std::vector<
 BlockStatus SolParser::read_step_line(SolStep& step) {
   std::string_view line;
   do {
-    if (!reader_.next(line)) return reader_.too_long() ? BlockStatus::Wrong : BlockStatus::End;
+    if (!reader_.next(line))
+      return reader_.is_line_too_long() ? BlockStatus::Wrong : BlockStatus::End;
   } while (reader_.terminated() && ff::trimmed(line).empty());  // blank lines at the end do no harm
   const bool last_line = !reader_.terminated();
   const int reals = kind_ == SolKind::Animation ? 2 : 4;
@@ -213,8 +215,8 @@ BlockStatus SolParser::next(SolStep& step, bool with_values) {
     status = read_values(header_.value_count, kind_ == SolKind::Animation ? 10 : 16, step.step,
                          with_values ? &step.values : nullptr);
   if (status == BlockStatus::Complete) {
-    good_bytes_ = reader_.offset();
-    good_terminated_ = reader_.terminated();
+    complete_bytes_ = reader_.offset();
+    ends_with_newline_ = reader_.terminated();
     return status;
   }
   const std::string where =
@@ -228,10 +230,11 @@ BlockStatus SolParser::next(SolStep& step, bool with_values) {
 }
 
 std::string SolParser::gaps() const {
-  if (missing_ == 0) return {};
+  if (missing_count_ == 0) return {};
   return fmt::format(
       "{} not finite (stars: value too wide for its field); first occurrence: step {}",
-      missing_ == 1 ? "1 value is" : fmt::format("{} values are", missing_), first_missing_);
+      missing_count_ == 1 ? "1 value is" : fmt::format("{} values are", missing_count_),
+      first_missing_step_);
 }
 
 }  // namespace adore::results

@@ -41,8 +41,8 @@ class SolParser {
   /// they are read as NaN (stars) or unchanged.
   [[nodiscard]] std::string gaps() const;
   /// First byte after the header or the last complete step, and whether that ended with a line end.
-  [[nodiscard]] std::uintmax_t good_bytes() const noexcept { return good_bytes_; }
-  [[nodiscard]] bool good_end_terminated() const noexcept { return good_terminated_; }
+  [[nodiscard]] std::uintmax_t complete_bytes() const noexcept { return complete_bytes_; }
+  [[nodiscard]] bool ends_with_newline() const noexcept { return ends_with_newline_; }
 
  private:
   struct Field {
@@ -52,7 +52,7 @@ class SolParser {
   void read_animation_header(std::string_view first, std::string_view integers);
   void read_identity(std::string_view first);
   void read_units(const std::array<int, 10>& lengths);
-  std::string_view header_line(std::string_view what);
+  std::string_view read_header_line(std::string_view what);
   [[noreturn]] void reject(const std::string& why) const;
   BlockStatus read_step_line(SolStep& step);
   /// @param step whose values they are
@@ -64,9 +64,9 @@ class SolParser {
   SolHeader header_;
   std::vector<double> geometry_;
   std::string note_;
-  long missing_ = 0, first_missing_ = 0;  ///< values, and the step of the first
-  std::uintmax_t good_bytes_ = 0;
-  bool good_terminated_ = true;
+  long missing_count_ = 0, first_missing_step_ = 0;  ///< values, and the step of the first
+  std::uintmax_t complete_bytes_ = 0;
+  bool ends_with_newline_ = true;
 };
 
 /// The readers of sol_file.hpp on an open stream.

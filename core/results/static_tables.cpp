@@ -1,5 +1,6 @@
 #include "results/static_tables.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "base/input_file.hpp"
 #include "base/json_text.hpp"
@@ -9,13 +10,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace adore::results {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Every unit that a column may have; a name of the SI system means one of them.
 constexpr std::array kUnits{&unit::kPure,
@@ -104,7 +103,7 @@ StaticTables read_static_tables(const std::filesystem::path& run_json) {
         if (pair == nullptr) throw refuse(fmt::format("unit \"{}\" is not known", unit));
         std::vector<double> numbers;
         for (const Json& value : values)
-          numbers.push_back(value.is_null() ? kNone
+          numbers.push_back(value.is_null() ? kNaN
                                             : to_si(value.get<double>(), *pair, UnitSystem::SI));
         table.add(title.substr(0, bracket), *pair, std::move(numbers));
       }

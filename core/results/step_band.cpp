@@ -11,14 +11,14 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* kLooks = "band looks";
 
-std::string key(scene::Looked what, const char* quantity, std::size_t place) {
+std::string key(scene::ExtremeQuantity what, const char* quantity, std::size_t place) {
   return fmt::format("band {} {} {}", channel_of(what), quantity, place);
 }
 
 }  // namespace
 
-std::string_view channel_of(scene::Looked what) {
-  constexpr std::array<std::string_view, scene::kLooked> kIds{
+std::string_view channel_of(scene::ExtremeQuantity what) {
+  constexpr std::array<std::string_view, scene::kExtremeQuantityCount> kIds{
       "contact.load",          "contact.heat",         "contact.slip",
       "flange.force",          "flange.slip",          "pocket.force",
       "neighbour.force",       "land.force",           "race.applied_force_x",
@@ -27,11 +27,12 @@ std::string_view channel_of(scene::Looked what) {
   return kIds[static_cast<std::size_t>(what)];
 }
 
-void StepBand::look(scene::Looked what, std::span<const double> values) {
+void StepBand::look(scene::ExtremeQuantity what, std::span<const double> values) {
   std::vector<Range>& ranges = ranges_[static_cast<std::size_t>(what)];
   // Parts that the scene does not have are always 0.
   if (values.size() > ranges.size()) ranges.resize(values.size());
-  const bool slip = what == scene::Looked::ContactSlip || what == scene::Looked::FlangeSlip;
+  const bool slip =
+      what == scene::ExtremeQuantity::ContactSlip || what == scene::ExtremeQuantity::FlangeSlip;
   Range* range = ranges.data();
   for (const double value : values) {
     if (range->looks == 0.0) {
@@ -47,26 +48,26 @@ void StepBand::look(scene::Looked what, std::span<const double> values) {
 }
 
 void StepBand::look(const scene::Look& at) {
-  for (std::size_t k = 0; k < scene::kLooked; ++k)
-    look(static_cast<scene::Looked>(k), at.values[k]);
-  ++looks_;
+  for (std::size_t k = 0; k < scene::kExtremeQuantityCount; ++k)
+    look(static_cast<scene::ExtremeQuantity>(k), at.values[k]);
+  ++sample_count_;
 }
 
 void StepBand::clear() noexcept {
-  looks_ = 0;
+  sample_count_ = 0;
   // No value of before may stand for one that is not looked at.
   for (std::vector<Range>& ranges : ranges_) std::fill(ranges.begin(), ranges.end(), Range{});
 }
 
-double StepBand::low(scene::Looked what, std::size_t place) const {
+double StepBand::low(scene::ExtremeQuantity what, std::size_t place) const {
   const Range* range = at(what, place);
   return range == nullptr ? kUnknown : range->low;
 }
-double StepBand::high(scene::Looked what, std::size_t place) const {
+double StepBand::high(scene::ExtremeQuantity what, std::size_t place) const {
   const Range* range = at(what, place);
   return range == nullptr ? kUnknown : range->high;
 }
-double StepBand::mean(scene::Looked what, std::size_t place) const {
+double StepBand::mean(scene::ExtremeQuantity what, std::size_t place) const {
   const Range* range = at(what, place);
   // Rounding of the sum must not lead out of the range.
   return range == nullptr
@@ -76,9 +77,9 @@ double StepBand::mean(scene::Looked what, std::size_t place) const {
 
 void StepBand::save(std::map<std::string, double>& state) const {
   if (empty()) return;
-  state[kLooks] = looks_;
-  for (std::size_t k = 0; k < scene::kLooked; ++k) {
-    const auto what = static_cast<scene::Looked>(k);
+  state[kLooks] = sample_count_;
+  for (std::size_t k = 0; k < scene::kExtremeQuantityCount; ++k) {
+    const auto what = static_cast<scene::ExtremeQuantity>(k);
     for (std::size_t i = 0; i < ranges_[k].size(); ++i) {
       state[key(what, "low", i)] = ranges_[k][i].low;
       state[key(what, "high", i)] = ranges_[k][i].high;
@@ -94,13 +95,13 @@ void StepBand::restore(const std::map<std::string, double>& state) {
     return found == state.end() ? nullptr : &found->second;
   };
   const double* looks = number(kLooks);
-  looks_ = looks == nullptr ? 0.0 : *looks;
+  sample_count_ = looks == nullptr ? 0.0 : *looks;
   bool any = false;
-  for (std::size_t k = 0; k < scene::kLooked; ++k) {
-    const auto what = static_cast<scene::Looked>(k);
+  for (std::size_t k = 0; k < scene::kExtremeQuantityCount; ++k) {
+    const auto what = static_cast<scene::ExtremeQuantity>(k);
     std::vector<Range>& ranges = ranges_[k];
     ranges.clear();
-    for (std::size_t i = 0; looks_ > 0.0; ++i) {
+    for (std::size_t i = 0; sample_count_ > 0.0; ++i) {
       const double *low = number(key(what, "low", i)), *high = number(key(what, "high", i)),
                    *sum = number(key(what, "sum", i)), *seen = number(key(what, "looks", i));
       if (low == nullptr || high == nullptr || sum == nullptr || seen == nullptr) break;
@@ -108,7 +109,7 @@ void StepBand::restore(const std::map<std::string, double>& state) {
     }
     any = any || !ranges.empty();
   }
-  if (!any) looks_ = 0.0;
+  if (!any) sample_count_ = 0.0;
 }
 
 }  // namespace adore::results

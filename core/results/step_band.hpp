@@ -22,23 +22,23 @@
 namespace adore::results {
 
 /// The channel of which a look has the values, in the same order.
-[[nodiscard]] std::string_view channel_of(scene::Looked what);
+[[nodiscard]] std::string_view channel_of(scene::ExtremeQuantity what);
 
 class StepBand {
  public:
   /// One look between stored steps.
   void look(const scene::Look& at);
   /// The look at a step that is stored, of one channel; all of them, then stored().
-  void look(scene::Looked what, std::span<const double> values);
-  void stored() noexcept { ++looks_; }
+  void look(scene::ExtremeQuantity what, std::span<const double> values);
+  void stored() noexcept { ++sample_count_; }
   /// After a stored step: the next look begins anew.
   void clear() noexcept;
 
-  [[nodiscard]] bool empty() const noexcept { return looks_ == 0; }
+  [[nodiscard]] bool empty() const noexcept { return sample_count_ == 0; }
   // Of all samples. NaN: no samples. @pre not empty
-  [[nodiscard]] double low(scene::Looked what, std::size_t place) const;
-  [[nodiscard]] double high(scene::Looked what, std::size_t place) const;
-  [[nodiscard]] double mean(scene::Looked what, std::size_t place) const;
+  [[nodiscard]] double low(scene::ExtremeQuantity what, std::size_t place) const;
+  [[nodiscard]] double high(scene::ExtremeQuantity what, std::size_t place) const;
+  [[nodiscard]] double mean(scene::ExtremeQuantity what, std::size_t place) const;
 
   /// For MASTER, and back. restore() leaves it empty when the map holds none.
   void save(std::map<std::string, double>& state) const;
@@ -49,12 +49,12 @@ class StepBand {
     double low = 0.0, high = 0.0, sum = 0.0, looks = 0.0;
   };
   /// Null: nobody looked there.
-  [[nodiscard]] const Range* at(scene::Looked what, std::size_t place) const {
+  [[nodiscard]] const Range* at(scene::ExtremeQuantity what, std::size_t place) const {
     const std::vector<Range>& ranges = ranges_[static_cast<std::size_t>(what)];
     return place < ranges.size() ? &ranges[place] : nullptr;
   }
-  std::array<std::vector<Range>, scene::kLooked> ranges_;
-  double looks_ = 0;
+  std::array<std::vector<Range>, scene::kExtremeQuantityCount> ranges_;
+  double sample_count_ = 0;
 };
 
 }  // namespace adore::results

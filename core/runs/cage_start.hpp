@@ -16,6 +16,6 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start);
 /// For a start state without forces: rejected with record 9.6 when it puts the cage so far away
 /// that elements are outside their pockets.
 /// @throws InputError, or `error` when the cage is not the reason
-[[noreturn]] void refuse_start(const Prepared& prepared, const SolverError& error);
+[[noreturn]] void reject_cage_start(const Prepared& prepared, const SolverError& error);
 
 }  // namespace adore::runs

@@ -9,33 +9,33 @@
 
 namespace adore::runs {
 
-CageState::CageState(const bearing::Bearing& bearing, double unit_length)
-    : cage_(bearing.cage.has_value()) {
-  if (!cage_) return;
-  const results::CageScale scale = results::cage_scale(*bearing.cage, unit_length);
+CageStateMonitor::CageStateMonitor(const bearing::Bearing& bearing, double unit_length)
+    : has_cage_(bearing.cage.has_value()) {
+  if (!has_cage_) return;
+  const results::CageLengthScale scale = results::cage_length_scale(*bearing.cage, unit_length);
   scale_ = scale.length;
   of_ = scale.of;
 }
 
-void CageState::follow(const dynamics::StateLayout& layout) {
-  if (!cage_) return;
+void CageStateMonitor::follow(const dynamics::StateLayout& layout) {
+  if (!has_cage_) return;
   for (const dynamics::StateLayout::Group& group : layout.groups()) {
     if (!group.name.starts_with("cage")) continue;
     if (group.name.ends_with(".position")) {
-      ++pieces_;
-      position_ = group.slice.first;
+      ++segment_count_;
+      position_index_ = group.slice.first;
     } else if (group.name.ends_with(".velocity")) {
-      velocity_ = group.slice.first;
+      velocity_index_ = group.slice.first;
     } else if (group.name.ends_with(".omega")) {
-      omega_ = group.slice.first;
+      omega_index_ = group.slice.first;
     }
   }
 }
 
-void CageState::look(double time, std::span<const double> y) {
-  if (pieces_ != 1 || velocity_ < 0 || omega_ < 0) return;
-  if (seen_++ % every_ != 0) return;
-  if (instants_.size() == kMostInstants) {
+void CageStateMonitor::add_step(double time, std::span<const double> y) {
+  if (segment_count_ != 1 || velocity_index_ < 0 || omega_index_ < 0) return;
+  if (instant_count_++ % sampling_interval_ != 0) return;
+  if (instants_.size() == kMaxInstants) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < instants_.size(); i += 2, ++kept) {
       instants_[kept] = instants_[i];
@@ -43,19 +43,21 @@ void CageState::look(double time, std::span<const double> y) {
     }
     instants_.resize(kept);
     times_.resize(kept);
-    every_ *= 2;
+    sampling_interval_ *= 2;
   }
   const auto at = [&](int first, int axis) { return y[static_cast<std::size_t>(first + axis)]; };
   times_.push_back(time);
-  instants_.push_back({at(position_, 1) / scale_, at(position_, 2) / scale_,
-                       at(velocity_, 1) / scale_, at(velocity_, 2) / scale_, at(omega_, 0)});
+  instants_.push_back({at(position_index_, 1) / scale_, at(position_index_, 2) / scale_,
+                       at(velocity_index_, 1) / scale_, at(velocity_index_, 2) / scale_,
+                       at(omega_index_, 0)});
 }
 
-std::optional<Finding> CageState::finding() const {
-  if (!cage_ || pieces_ == 0) return std::nullopt;
-  if (pieces_ > 1)
-    return make_finding("cage.not_judged",
-                        "State of the cage: not judged, because its segments have no common center")
+std::optional<Finding> CageStateMonitor::finding() const {
+  if (!has_cage_ || segment_count_ == 0) return std::nullopt;
+  if (segment_count_ > 1)
+    return make_finding(
+               "cage.not_judged",
+               "State of the cage: not determined, because its segments have no common center")
         .of("cage");
   std::size_t first = 0;
   if (!times_.empty()) {
@@ -68,16 +70,16 @@ std::optional<Finding> CageState::finding() const {
   for (std::size_t i = first + 1; i < instants_.size(); ++i)
     turned += 0.5 * (instants_[i].omega + instants_[i - 1].omega) * (times_[i] - times_[i - 1]);
   const double turns = std::abs(turned) / (2.0 * std::numbers::pi);
-  if (turns < kLeastTurns)
+  if (turns < kMinCageRevolutions)
     return make_finding(
                "cage.not_judged",
-               fmt::format("State of the cage: not judged, because the second half of the run "
-                           "covers {} of the cage. Simulate at least {:.3g} times as long",
+               fmt::format("State of the cage: not determined, because the cage makes only {} in "
+                           "the second half of the run. Simulate at least {:.3g} times as long",
                            counted(fmt::format("{:.3g}", turns), "revolution"),
-                           turns > 0.0 ? std::ceil(kLeastTurns / turns) : 2.0))
+                           turns > 0.0 ? std::ceil(kMinCageRevolutions / turns) : 2.0))
         .measure(turns)
         .of("cage");
-  const results::Whirl whirl = results::judge_whirl(late);
+  const results::Whirl whirl = results::classify_whirl(late);
   const double scatter = std::abs(whirl.deviation / whirl.ratio);
   const std::string orbit =
       fmt::format("The orbit of its center is {:.3g} times the clearance ({})", whirl.orbit,

@@ -1,8 +1,8 @@
 #include "runs/changed_equilibrium.hpp"
 
 #include "runs/continued_deck.hpp"
-#include "runs/kept_races.hpp"
 #include "runs/ring_growth.hpp"
+#include "runs/stored_races.hpp"
 #include "runs/thermal_run.hpp"
 #include "scene/user_laws.hpp"
 
@@ -12,28 +12,29 @@
 
 namespace adore::runs {
 
-std::string specified_shocks(const Prepared& prepared) {
+std::string user_routine_motion_text(const Prepared& prepared) {
   const auto& laws = prepared.options.system.user;
   return laws && laws->motion != nullptr ? "routine ADRX1 specifies loads or motions of the races, "
                                            "which an equilibrium does not include"
                                          : std::string();
 }
 
-std::string specified_jumps(const Prepared& prepared) {
+std::string user_routine_jumps_text(const Prepared& prepared) {
   const auto& laws = prepared.options.system.user;
   if (!laws || laws->motion == nullptr) return {};
-  const scene::UserMotion::Promise& promise = laws->motion->promise();
+  const scene::UserMotion::MotionDeclaration& motion_declaration =
+      laws->motion->motion_declaration();
   std::string out;
   const auto add = [&](const std::string& text) { out += (out.empty() ? "" : "; ") + text; };
-  for (const double kink : promise.kinks)
+  for (const double kink : motion_declaration.kinks)
     if (kink > 0.0) add(fmt::format("the loads jump at t = {:.4g} s", kink));
   for (std::size_t j = 0; j < 2; ++j) {
     const char* const race = j == 0 ? "outer" : "inner";
-    if (const double speed = promise.start_velocity[j].norm(); speed > 0.0)
+    if (const double speed = motion_declaration.start_velocity[j].norm(); speed > 0.0)
       add(fmt::format("the {} race starts with {:.4g} m/s", race, speed));
-    if (promise.start_spin[j] != 0.0)
+    if (motion_declaration.start_spin[j] != 0.0)
       add(fmt::format("the {} race starts with an additional speed of {:.4g} rad/s", race,
-                      promise.start_spin[j]));
+                      motion_declaration.start_spin[j]));
   }
   return out.empty()
              ? out
@@ -41,34 +42,43 @@ std::string specified_jumps(const Prepared& prepared) {
                    out;
 }
 
-std::string change_remark(const dynamics::NewEquilibrium& change, const std::string& cause,
-                          const std::string& specified) {
+Finding excess_energy_finding(const std::string& text, double ratio) {
+  return make_finding("run.start_excess", text)
+      .measure(100.0 * ratio, 100.0 * dynamics::kExcessWarned);
+}
+
+std::optional<Finding> equilibrium_change_finding(const dynamics::EquilibriumChange& change,
+                                                  const std::string& cause,
+                                                  const std::string& specified) {
   if (!change.why_not.empty())
-    return fmt::format(
-        "{}: {}, so the stored state is kept unchanged. The next revolutions contain a vibration",
-        cause, change.why_not);
+    return make_finding("run.start_excess",
+                        fmt::format("{}: {}, so the stored state is kept unchanged. The next "
+                                    "revolutions contain a vibration",
+                                    cause, change.why_not));
   const double ratio = change.ratio();
-  if (!(ratio > dynamics::kExcessWarned)) return {};
+  if (!(ratio > dynamics::kExcessWarned)) return std::nullopt;
   const std::string text = fmt::format(
       "{}: excess energy = {:.3g} J, {:.0f} % of the elastic energy of the equilibrium ({:.3g} J)",
       cause, change.excess, 100.0 * ratio, change.elastic);
-  if (!specified.empty()) return text + ": " + specified + "; the run continues";
+  if (!specified.empty())
+    return excess_energy_finding(text + ": " + specified + "; the run continues", ratio);
   if (ratio > dynamics::kExcessRefused)
     throw SolverError(text +
                       ": this change of the bearing acts like an impact on the contacts. Change "
                       "it in smaller steps, or start from the equilibrium (kIcOpt = 0)");
-  return text + ", so the loads of the next revolutions contain a vibration";
+  return excess_energy_finding(text + ", so the loads of the next revolutions contain a vibration",
+                               ratio);
 }
 
-dynamics::MovingScene moving_scene(const Prepared& prepared, dynamics::System& system) {
-  statics::StaticsOptions balls = ball_options(prepared);
+dynamics::EquilibriumContext moving_scene(const Prepared& prepared, dynamics::System& system) {
+  statics::BallStaticsOptions balls = ball_statics_options(prepared);
   balls.curvature = prepared.options.system.moving_angle ? statics::Curvature::Potential
                                                          : statics::Curvature::Fixed;
   balls.fixed_angle = prepared.fixed_angle;
   return {system, prepared.plan, balls, prepared.options.rollers};
 }
 
-void take_state(const results::FinalState& from, const dynamics::System& system,
+void copy_state(const results::FinalState& from, const dynamics::System& system,
                 std::vector<double>& y) {
   std::map<std::string, double> stored;
   for (std::size_t i = 0; i < from.components.size(); ++i)
@@ -84,7 +94,7 @@ StoredScene stored_scene(const results::FinalState& stored,
                          const std::filesystem::path& file) {
   LoadedDeck input;
   input.path = file;
-  input.deck = deck_in(stored.deck, file);
+  input.deck = read_stored_deck(stored.deck, file);
   input.deck.set("kStif", "0");
   input.option_values = now.input.option_values;
   input.user = now.input.user;
@@ -99,12 +109,12 @@ StoredScene stored_scene(const results::FinalState& stored,
     const dynamics::PrescribedRaces races =
         out.system->prescribed_races(out.time, out.system->initial_state());
     const std::array<double, 2> speed{races[0].speed, races[1].speed};
-    move_to_speeds(out.prepared, nullptr, growth.speeds(growth.levels(speed), speed));
+    apply_race_speeds(out.prepared, nullptr, growth.speeds(growth.levels(speed), speed));
     out.system = std::make_unique<dynamics::System>(make_system(out.prepared));
   }
   out.y = out.system->initial_state();
-  take_state(stored, *out.system, out.y);
-  if (const auto races = kept_races(stored.extras)) out.system->go_on(*races, out.time, out.y);
+  copy_state(stored, *out.system, out.y);
+  if (const auto races = stored_races(stored.extras)) out.system->go_on(*races, out.time, out.y);
   return out;
 }
 

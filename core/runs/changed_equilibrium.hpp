@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,21 +16,25 @@ namespace adore::runs {
 
 /// Loads and motions that routine ADRX1 gives to the races, as a clause; empty: none. The deck
 /// specifies them, and no equilibrium has them: excess energy is then reported and ends no run.
-[[nodiscard]] std::string specified_shocks(const Prepared& prepared);
+[[nodiscard]] std::string user_routine_motion_text(const Prepared& prepared);
 /// Jumps of ADRX1 that a run reports at its start: instants at which its loads jump (kinks), start
 /// velocities and spins; empty: none.
-[[nodiscard]] std::string specified_jumps(const Prepared& prepared);
+[[nodiscard]] std::string user_routine_jumps_text(const Prepared& prepared);
 
-/// Message about a change; empty: none. @param cause noun phrase: "thermal step 2"
-/// @param specified from specified_shocks()
+/// Finding run.start_excess with the ratio of an excess energy to the elastic energy.
+[[nodiscard]] Finding excess_energy_finding(const std::string& text, double ratio);
+
+/// Finding about a change; empty: none. @param cause noun phrase: "thermal step 2"
+/// @param specified from user_routine_motion_text()
 /// @throws SolverError when the excess energy is above dynamics::kExcessRefused, unless shocks are
 /// specified
-[[nodiscard]] std::string change_remark(const dynamics::NewEquilibrium& change,
-                                        const std::string& cause, const std::string& specified);
+[[nodiscard]] std::optional<Finding> equilibrium_change_finding(
+    const dynamics::EquilibriumChange& change, const std::string& cause,
+    const std::string& specified);
 
 /// @param prepared outlives it
-[[nodiscard]] dynamics::MovingScene moving_scene(const Prepared& prepared,
-                                                 dynamics::System& system);
+[[nodiscard]] dynamics::EquilibriumContext moving_scene(const Prepared& prepared,
+                                                        dynamics::System& system);
 
 /// The scene of a stored run at its last instant.
 struct StoredScene {
@@ -47,7 +52,7 @@ struct StoredScene {
                                        const Prepared& now, const std::filesystem::path& file);
 
 /// Controlled components of a stored state by name; others of y stay.
-void take_state(const results::FinalState& from, const dynamics::System& system,
+void copy_state(const results::FinalState& from, const dynamics::System& system,
                 std::vector<double>& y);
 
 }  // namespace adore::runs

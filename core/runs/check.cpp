@@ -7,9 +7,9 @@
 #include "runs/unused_request.hpp"
 #include "setup/build_bearing.hpp"
 #include "setup/build_life.hpp"
-#include "setup/no_part.hpp"
 #include "setup/run_control.hpp"
 #include "setup/scene_plan.hpp"
+#include "setup/unused_values.hpp"
 #include "statics/ball_model.hpp"
 #include "statics/roller_model.hpp"
 #include "thermal/operating.hpp"
@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace adore::runs {
@@ -33,7 +32,7 @@ bool has_error(const Remarks& issues) {
 /// Builds the model of a deck without solving it. @throws InputError
 void check_rest(const deck::Deck& deck, const bearing::Bearing& operating) {
   (void)setup::build_run_control(deck);
-  const bearing::LifeInputs life_inputs = setup::build_life(deck);
+  const bearing::LifeInputs life_inputs = setup::build_life_inputs(deck);
   const bool line = operating.rollers() != nullptr;
   (void)life::life_parameters(life_inputs, line, operating.element_material,
                               operating.race_material);
@@ -61,15 +60,19 @@ std::vector<std::string> effects_to_leave_out(const deck::Deck& deck,
 
 }  // namespace
 
-std::vector<Issue> check_model(const deck::Deck& deck) { return examine_model(deck).issues; }
+std::vector<Issue> check_model(const deck::Deck& deck) {
+  const std::vector<Finding> found = examine_model(deck).issues;
+  return {found.begin(), found.end()};
+}
 
 ModelCheck examine_model(const deck::Deck& deck) {
   ModelCheck out;
-  std::vector<Issue>& issues = out.issues = setup::check_buildable(deck);
+  std::vector<Finding>& issues = out.issues = findings_of(setup::check_buildable(deck));
   const bool runs = !has_error(issues);
-  for (Issue& issue : issues)
+  for (Finding& issue : issues)
     if (issue.severity == Severity::Error) {
       issue.severity = Severity::Note;
+      issue.code = "deck.refused";
       issue.message = "`adore run` will refuse this deck: " + issue.message;
       out.refusals.push_back(issue);
     }
@@ -83,13 +86,13 @@ ModelCheck examine_model(const deck::Deck& deck) {
   model.reads = std::make_shared<deck::ReadLog>();
   try {
     const bearing::Bearing operating = thermal::operating_bearing(setup::build_bearing(model));
-    for (Issue& issue : operating_warnings(operating, deck.file))
-      issues.push_back(std::move(issue));
+    for (Finding& one : operating_warnings(operating, deck.file)) issues.push_back(std::move(one));
     check_rest(model, operating);
     if (runs) {
-      if (std::optional<Issue> note = nothing_moves(model)) issues.push_back(std::move(*note));
-      out.unused = setup::values_without_part(model);
-      if (std::optional<Issue> note = setup::note_of(out.unused, model, issues))
+      if (std::optional<Issue> note = no_step_note(model)) issues.push_back(std::move(*note));
+      out.unused = setup::find_unused_values(model);
+      if (std::optional<Issue> note =
+              setup::note_unused_values(out.unused, model, {issues.begin(), issues.end()}))
         issues.push_back(std::move(*note));
       out.effects = effects_to_leave_out(model, operating);
     }
@@ -99,11 +102,12 @@ ModelCheck examine_model(const deck::Deck& deck) {
       issues.push_back(std::move(issue));
     }
   }
-  for (std::vector<Issue>* list : {&issues, &out.refusals})
-    for (Issue& issue : *list) {
-      issue.message = deck::message_in_units(issue.message, deck.units());
-      issue.remedy = deck::message_in_units(issue.remedy, deck.units());
-    }
+  const auto in_units = [&](Issue& issue) {
+    issue.message = deck::message_in_units(issue.message, deck.units());
+    issue.remedy = deck::message_in_units(issue.remedy, deck.units());
+  };
+  for (Finding& issue : issues) in_units(issue);
+  for (Issue& issue : out.refusals) in_units(issue);
   return out;
 }
 
@@ -119,12 +123,17 @@ void check_options(const DeckRequest& request) {
   (void)setup::build_run_options(options);
 }
 
-/// Adds what is not said yet.
+/// Adds what is not said yet; of two equal texts, the one with a value is kept.
 void add_new(std::vector<Finding>& said, std::vector<Finding> more) {
-  std::set<std::string> texts;
-  for (const Issue& issue : said) texts.insert(issue.text());
-  for (Finding& issue : more)
-    if (texts.insert(issue.text()).second) said.push_back(std::move(issue));
+  std::map<std::string, std::size_t> places;
+  for (std::size_t k = 0; k < said.size(); ++k) places.emplace(said[k].text(), k);
+  for (Finding& one : more) {
+    const auto [place, is_new] = places.emplace(one.text(), said.size());
+    if (is_new)
+      said.push_back(std::move(one));
+    else if (one.measured && !said[place->second].measured)
+      said[place->second] = std::move(one);
+  }
 }
 
 }  // namespace
@@ -146,10 +155,10 @@ CheckReport check(const DeckRequest& request, std::stop_token stop) {
     ModelCheck model = examine_model(read.deck);
     begins = model.refusals.empty();
     // A deck that `adore run` rejects is an error of `adore check`, too.
-    for (Issue& issue : model.issues)
+    for (Finding& issue : model.issues)
       for (const Issue& refusal : model.refusals)
         if (issue.text() == refusal.text()) issue.severity = Severity::Error;
-    add_new(out.issues, findings_of(std::move(model.issues)));
+    add_new(out.issues, std::move(model.issues));
   }
   try {
     check_options(request);
@@ -159,7 +168,7 @@ CheckReport check(const DeckRequest& request, std::stop_token stop) {
   if (!begins || !out.ok()) return out;
   LoadedDeck input = load_deck(request);
   input.stop = std::move(stop);
-  Rehearsal rehearsal = rehearse(std::move(input));
+  DryRunResult rehearsal = dry_run_without_files(std::move(input));
   add_new(out.issues, std::move(rehearsal.remarks));
   add_new(out.issues, findings_of(std::move(rehearsal.refusals)));
   return out;

@@ -34,7 +34,7 @@ struct CheckReport {
 
 /// The same, with the values that a form shows next to its fields.
 struct ModelCheck {
-  std::vector<Issue> issues;
+  std::vector<Finding> issues;
   std::vector<Issue> refusals;       ///< those of `issues` for which `adore run` rejects the deck
   std::vector<deck::NoPart> unused;  ///< values that a run of this deck does not use, and why;
                                      ///< empty when it cannot be run

@@ -11,11 +11,11 @@ namespace adore::runs {
 namespace {
 
 enum class Change : unsigned char {
-  Unsaid,  ///< values that a continuation is meant to change
+  Ignored,  ///< values that a continuation is meant to change
   Accepted,
-  NoPart,        ///< read at the start of a new run only
-  OtherBearing,  ///< refused, as the next one
-  OtherRun,      ///< the same bearing, but the stored state and files do not fit
+  NoEffect,      ///< read at the start of a new run only
+  WrongBearing,  ///< refused, as the next one
+  Rejected,      ///< the same bearing, but the stored state and files do not fit
 };
 
 bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
@@ -25,21 +25,21 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
 /// Of a record as a whole where `variable` is empty.
 Change kind_of(std::string_view record, std::string_view variable, bool continues) {
   if (record == "2.3" || is_one_of(variable, {"kIcOpt", "kFnOpt", "maxStps", "fTime"}))
-    return Change::Unsaid;
+    return Change::Ignored;
   if (record == "9.6" || record == "9.6.k" || variable == "kAngVel" || variable == "angVelOrient")
-    return Change::NoPart;
-  if (variable == "kBrg") return Change::OtherBearing;  // states of another kind of bearing
+    return Change::NoEffect;
+  if (variable == "kBrg") return Change::WrongBearing;  // states of another kind of bearing
   if (!continues)
-    return is_one_of(variable, {"kUnit", "runID"}) ? Change::Unsaid : Change::Accepted;
-  if (record == "9.2" || record == "X4" || variable == "kStif") return Change::NoPart;
+    return is_one_of(variable, {"kUnit", "runID"}) ? Change::Ignored : Change::Accepted;
+  if (record == "9.2" || record == "X4" || variable == "kStif") return Change::NoEffect;
   const bool bearing = is_one_of(record, {"3.2", "4", "9.0", "X3"}) || record.starts_with("5") ||
                        record.starts_with("6") || record.starts_with("7") ||
                        (record.starts_with("8") && !record.starts_with("8.6"));
   const bool code = is_one_of(variable, {"kReMat", "kRaceMat1", "kRaceMat2", "kHsngMat", "kShftMat",
                                          "kReIP", "kRaceIP1", "kRaceIP2"});
-  if (bearing || code) return Change::OtherBearing;
+  if (bearing || code) return Change::WrongBearing;
   return is_one_of(variable, {"mode", "kDOF", "runID", "kNumPltElem", "kPltElemInd"})
-             ? Change::OtherRun
+             ? Change::Rejected
              : Change::Accepted;
 }
 
@@ -62,7 +62,7 @@ Issue note(const std::filesystem::path& file, std::string message) {
 
 }  // namespace
 
-deck::Deck deck_in(const std::string& stored, const std::filesystem::path& file) {
+deck::Deck read_stored_deck(const std::string& stored, const std::filesystem::path& file) {
   // Not under the name of the file, which the deck may give as finName or masName.
   deck::ReadResult read = deck::read_deck_text(stored, file.string() + " (its deck)");
   if (!read.ok())
@@ -73,8 +73,9 @@ deck::Deck deck_in(const std::string& stored, const std::filesystem::path& file)
   return std::move(read.deck);
 }
 
-bool acts_on_bearing(const std::string& stored, const deck::Deck& now, setup::StartState start) {
-  const auto differences = deck::differences(deck_in(stored, {}), now);
+bool may_change_equilibrium(const std::string& stored, const deck::Deck& now,
+                            setup::StartState start) {
+  const auto differences = deck::differences(read_stored_deck(stored, {}), now);
   return std::any_of(differences.begin(), differences.end(), [&](const deck::Difference& d) {
     const bool output =
         is_one_of(d.record, {"12", "2.1", "3.1"}) ||
@@ -91,7 +92,7 @@ std::vector<Issue> compare_with_stored(const std::string& stored, const deck::De
     return {note(file,
                  "the file does not contain the deck of its run. Only the number of elements and "
                  "the cage can be compared with this deck")};
-  const deck::Deck before = deck_in(stored, file);
+  const deck::Deck before = read_stored_deck(stored, file);
   const bool continues = start == setup::StartState::Continue;
   std::vector<Issue> refused;
   std::string accepted, idle;
@@ -99,24 +100,24 @@ std::vector<Issue> compare_with_stored(const std::string& stored, const deck::De
     if (d.label || d.record == "12") continue;
     const Change kind = kind_of(d.record, d.variable, continues);
     switch (kind) {
-      case Change::Unsaid:
+      case Change::Ignored:
         break;
       case Change::Accepted:
         accepted += (accepted.empty() ? "" : "; ") + sentence(d);
         break;
-      case Change::NoPart:
+      case Change::NoEffect:
         idle += (idle.empty() ? "" : "; ") + sentence(d);
         break;
-      case Change::OtherBearing:
-      case Change::OtherRun: {
+      case Change::WrongBearing:
+      case Change::Rejected: {
         Issue issue = now.issue(
             Severity::Error, d.variable.empty() ? "kIcOpt" : d.variable,
-            fmt::format("{} ({})",
-                        kind == Change::OtherBearing
-                            ? "the run to be continued had a different bearing"
-                            : "the stored state and files of the run to be continued do not fit "
-                              "this value",
-                        sentence(d)),
+            fmt::format(
+                "{} ({})",
+                kind == Change::WrongBearing
+                    ? "the run to be continued had a different bearing"
+                    : "the state and files of the run to be continued do not allow this change",
+                sentence(d)),
             d.variable == "kBrg"
                 ? "start from statics (kIcOpt = 0)"
                 : "restore the old value, or start a new run from the stored state (kIcOpt = -1)",

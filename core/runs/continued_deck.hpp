@@ -14,7 +14,8 @@ namespace adore::runs {
 /// The deck that FINAL or MASTER holds.
 /// @param file named in the message
 /// @throws InputError when it has errors, with each of them
-[[nodiscard]] deck::Deck deck_in(const std::string& stored, const std::filesystem::path& file);
+[[nodiscard]] deck::Deck read_stored_deck(const std::string& stored,
+                                          const std::filesystem::path& file);
 
 /// Compares the deck stored in `file` (FINAL or MASTER) with the one to be run now. Loads, speeds,
 /// temperatures, friction, steps and output may change; a continued run (StartState::Continue)
@@ -30,7 +31,7 @@ namespace adore::runs {
 
 /// A change of the deck may give the bearing another equilibrium or another mode of motion.
 /// @param stored a deck that compare_with_stored accepted
-[[nodiscard]] bool acts_on_bearing(const std::string& stored, const deck::Deck& now,
-                                   setup::StartState start);
+[[nodiscard]] bool may_change_equilibrium(const std::string& stored, const deck::Deck& now,
+                                          setup::StartState start);
 
 }  // namespace adore::runs

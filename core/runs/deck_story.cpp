@@ -95,7 +95,7 @@ std::vector<std::string> deck_story(const deck::Deck& deck) {
                                  output_line(deck)};
   for (const Issue& issue : check_model(deck)) {
     // Features that only the dynamics lacks; the equilibrium of the same deck is available.
-    if (issue.message.find("will refuse") == std::string::npos) continue;
+    if (issue.code != "deck.refused") continue;
     lines.push_back(fmt::format(
         "problem:    {}; for the quasi-static solution only, use --set mode=-1", issue.message));
     break;

@@ -21,9 +21,9 @@ nlohmann::ordered_json stored_json(const Prepared& prepared) {
   out["steps between life predictions"] = prepared.control.life_every;  // 0: first and last only
   out["temperatures"] = prepared.bearing.thermal ? "computed" : "given";
   if (!prepared.bearing.cage) return out;
-  const results::CageScale scale =
-      results::cage_scale(*prepared.bearing.cage,
-                          results::to_si(1.0, results::unit::kLength, prepared.input.deck.units()));
+  const results::CageLengthScale scale = results::cage_length_scale(
+      *prepared.bearing.cage,
+      results::to_si(1.0, results::unit::kLength, prepared.input.deck.units()));
   out["cage orbit over"] = results::name_of(scale.of);
   out["cage orbit over [m]"] = scale.length;
   return out;
@@ -71,7 +71,7 @@ results::RunSummary summary_of_deck(const Prepared& prepared, const scene::Scene
     if (one.file == prepared.input.path.string()) one.file = out.deck_file;
   out.instruction_set = dynamics::race_contact_instruction_set();
   const bearing::Imperfections& imperfections = prepared.bearing.imperfections;
-  if (imperfections.elements == bearing::ElementErrors::Random)
+  if (imperfections.elements == bearing::ElementErrorSource::Random)
     out.seeds.emplace_back("geometric imperfections", static_cast<long>(imperfections.seed));
   out.imperfections = listing::imperfections_json(prepared.bearing);
   if (prepared.bearing.operating) {

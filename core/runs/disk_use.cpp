@@ -71,10 +71,11 @@ DiskUse disk_use(const Prepared& prepared, const scene::ScenePlan& plan) {
   out.stored = selected(out.steps, control.plot_every);
 
   listing::Report report(prepared.bearing.run_id, units);
-  listing::print_front(report, {prepared.input.deck, prepared.as_built, system.scales(), {}});
+  listing::print_front_matter(report,
+                              {prepared.input.deck, prepared.as_built, system.scales(), {}});
   const double front = static_cast<double>(report.take().size());
   listing::print_step(report, snapshot, record, prepared.bearing, {}, control.print_option, {},
-                      race_friction(prepared));
+                      race_friction_model(prepared));
   const double page = static_cast<double>(report.take().size());
   out.files.emplace_back("PRINT.txt", front + page * selected(out.steps, control.print_every));
 
@@ -104,7 +105,7 @@ DiskUse disk_use(const Prepared& prepared, const scene::ScenePlan& plan) {
       both = selected(out.steps, std::lcm(control.plot_every, control.animate_every));
     const double all = out.stored + animated - std::min(both, animated);
     const double step = h5_step_bytes(record);
-    const double block = results::H5Writer::block_of(step);
+    const double block = results::H5Writer::steps_per_block(step);
     out.files.emplace_back("RESULTS.h5", block * std::ceil(all / block) * step);
   }
   return out;

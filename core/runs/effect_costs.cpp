@@ -21,12 +21,12 @@ Measured measure(const Prepared& prepared) {
   const std::vector<double> y = system.initial_state();
   std::vector<double> rates(y.size());
   using Clock = scene::CostLedger::Clock;
-  constexpr auto kLong = std::chrono::milliseconds(100);
-  constexpr long kMost = 20000;
+  constexpr auto kMeasuringTime = std::chrono::milliseconds(100);
+  constexpr long kMaxCalls = 20000;
   const auto begin = Clock::now();
   long calls = 0;
-  while (calls < kMost &&
-         (calls < 4 * scene::CostLedger::kSampleEvery || Clock::now() - begin < kLong)) {
+  while (calls < kMaxCalls &&
+         (calls < 4 * scene::CostLedger::kSampleEvery || Clock::now() - begin < kMeasuringTime)) {
     if (system.rhs(0.0, y.data(), rates.data()) != dynamics::RhsStatus::Ok) return out;
     ++calls;
   }

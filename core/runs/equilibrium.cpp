@@ -14,15 +14,15 @@ namespace {
 std::vector<std::string> lines_of(const Prepared& prepared, deck::UnitSystem units) {
   std::vector<std::string> lines =
       prepared.rollers
-          ? listing::summary_lines(listing::summarise(*prepared.rollers, prepared.bearing),
+          ? listing::summary_lines(listing::summarize(*prepared.rollers, prepared.bearing),
                                    prepared.bearing, prepared.life, units)
-          : listing::summary_lines(listing::summarise(prepared.statics, prepared.bearing),
+          : listing::summary_lines(listing::summarize(prepared.statics, prepared.bearing),
                                    prepared.bearing, prepared.life, units);
   if (prepared.friction)
     for (std::string& line : listing::heat_lines(
              *prepared.friction, prepared.thermal ? &*prepared.thermal : nullptr, units))
       lines.push_back(std::move(line));
-  for (std::string& line : frequency_lines(prepared, static_frequencies(prepared)))
+  for (std::string& line : fault_frequency_lines(prepared, equilibrium_fault_frequencies(prepared)))
     lines.push_back(std::move(line));
   return lines;
 }

@@ -33,7 +33,7 @@ std::string text_of(const FaultFrequencies& f) {
 
 }  // namespace
 
-FaultFrequencies nominal_frequencies(const Prepared& prepared) {
+FaultFrequencies nominal_fault_frequencies(const Prepared& prepared) {
   const bearing::Bearing& made = prepared.as_built;
   double diameter = 0.0, pitch = 0.0, angle = 0.0;
   if (const bearing::RollerGeometry* rollers = made.rollers()) {
@@ -50,7 +50,7 @@ FaultFrequencies nominal_frequencies(const Prepared& prepared) {
   return {s.outer_pass, s.inner_pass, s.spin_frequency, s.cage_frequency};
 }
 
-FaultFrequencies static_frequencies(const Prepared& prepared) {
+FaultFrequencies equilibrium_fault_frequencies(const Prepared& prepared) {
   double orbit = 0.0, spin = 0.0, all_orbit = 0.0, all_spin = 0.0;
   int loaded = 0, all = 0;
   const auto add = [&](double orbital_speed, double spin_speed, bool carries) {
@@ -75,8 +75,8 @@ FaultFrequencies static_frequencies(const Prepared& prepared) {
                      share * (loaded > 0 ? spin : all_spin));
 }
 
-std::optional<FaultFrequencies> motion_frequencies(const Prepared& prepared,
-                                                   const results::Averages& averages) {
+std::optional<FaultFrequencies> motion_fault_frequencies(const Prepared& prepared,
+                                                         const results::Averages& averages) {
   const bearing::Bearing& bearing = prepared.bearing;
   const double relative = bearing.speed[1] - bearing.speed[0];
   if (!(averages.time > 0.0) || averages.orbital_ratio == 0.0 || relative == 0.0 ||
@@ -87,8 +87,8 @@ std::optional<FaultFrequencies> motion_frequencies(const Prepared& prepared,
   return out;
 }
 
-void add_frequencies(results::KeyResults& out, const Prepared& prepared,
-                     const std::optional<FaultFrequencies>& computed) {
+void add_fault_frequencies(results::KeyResults& out, const Prepared& prepared,
+                           const std::optional<FaultFrequencies>& computed) {
   const auto add = [&](const std::string& kind, const FaultFrequencies& f) {
     const auto one = [&](const char* name, double value) {
       out.push_back(results::key_result(name + kind + "_Hz", value));
@@ -98,15 +98,15 @@ void add_frequencies(results::KeyResults& out, const Prepared& prepared,
     if (f.spin) one("bsf", *f.spin);
     one("ftf", f.cage);
   };
-  add("_nominal", nominal_frequencies(prepared));
+  add("_nominal", nominal_fault_frequencies(prepared));
   if (computed) add("", *computed);
 }
 
-std::vector<std::string> frequency_lines(const Prepared& prepared,
-                                         const std::optional<FaultFrequencies>& computed) {
+std::vector<std::string> fault_frequency_lines(const Prepared& prepared,
+                                               const std::optional<FaultFrequencies>& computed) {
   if (prepared.bearing.speed[0] == prepared.bearing.speed[1]) return {};
   std::vector<std::string> out{"passing frequencies, nominal: " +
-                               text_of(nominal_frequencies(prepared))};
+                               text_of(nominal_fault_frequencies(prepared))};
   if (computed) out.push_back("passing frequencies, computed: " + text_of(*computed));
   return out;
 }

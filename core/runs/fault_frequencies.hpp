@@ -20,19 +20,19 @@ struct FaultFrequencies {
   double cage = 0.0;           ///< signed, about +x
 };
 
-[[nodiscard]] FaultFrequencies nominal_frequencies(const Prepared& prepared);
+[[nodiscard]] FaultFrequencies nominal_fault_frequencies(const Prepared& prepared);
 /// Of the equilibrium: mean over the loaded elements, or all if none is loaded.
-[[nodiscard]] FaultFrequencies static_frequencies(const Prepared& prepared);
+[[nodiscard]] FaultFrequencies equilibrium_fault_frequencies(const Prepared& prepared);
 /// Of a motion, from the mean speed of the elements relative to the speed of the races; empty when
 /// the races do not turn at constant speeds or nothing was averaged.
-[[nodiscard]] std::optional<FaultFrequencies> motion_frequencies(const Prepared& prepared,
-                                                                 const results::Averages& averages);
+[[nodiscard]] std::optional<FaultFrequencies> motion_fault_frequencies(
+    const Prepared& prepared, const results::Averages& averages);
 
 /// bpfo_nominal_Hz ... ftf_nominal_Hz, and bpfo_Hz ... ftf_Hz of `computed`.
-void add_frequencies(results::KeyResults& out, const Prepared& prepared,
-                     const std::optional<FaultFrequencies>& computed);
+void add_fault_frequencies(results::KeyResults& out, const Prepared& prepared,
+                           const std::optional<FaultFrequencies>& computed);
 /// Two sentences; none when the races turn together.
-[[nodiscard]] std::vector<std::string> frequency_lines(
+[[nodiscard]] std::vector<std::string> fault_frequency_lines(
     const Prepared& prepared, const std::optional<FaultFrequencies>& computed);
 
 }  // namespace adore::runs

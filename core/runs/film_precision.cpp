@@ -7,7 +7,7 @@
 namespace adore::runs {
 namespace {
 
-constexpr double kLeastTolerance = 1e-6;  // that floats do not disturb (decision 460)
+constexpr double kMinTolerance = 1e-6;  // that floats do not disturb (decision 460)
 
 /// Does it evaluate the right-hand side for its steps alone?
 bool is_explicit(std::string_view method) {
@@ -27,7 +27,7 @@ void choose_film_precision(Prepared& prepared) {
   prepared.options.system.single_films =
       prepared.options.single_films && !prepared.options.direct_strips && control.dynamic &&
       prepared.input.deck.integer("mode") == 0 && !(control.light_load_ratio > 0.0) &&
-      control.tolerance >= kLeastTolerance && !wide_strips && is_explicit(control.integrator);
+      control.tolerance >= kMinTolerance && !wide_strips && is_explicit(control.integrator);
 }
 
 }  // namespace adore::runs

@@ -14,29 +14,30 @@
 /// milliseconds. Steps that resolve 1e-3 m/s pass the band without seeing it, in any method, and
 /// the energy balance still closes (heat of `ball` at 240 K: 8 % too small).
 ///
-/// So contacts are checked every kEvery counted steps. If one slides and rolls more slowly
-/// than kNear × (radius / √(m/k)), the tolerance is reduced until velocities are resolved to
-/// kResolved of u_c, if the present one leaves more than kCoarse of it. It is restored when no such
-/// contact remains.
+/// So contacts are checked every kCheckInterval counted steps. If one slides and rolls more slowly
+/// than kSlowRolling × (radius / √(m/k)), the tolerance is reduced until velocities are resolved to
+/// kResolvedShare of u_c, if the present one leaves more than kUnresolvedShare of it. It is
+/// restored when no such contact remains.
 namespace adore::runs {
 
 class FilmTolerance {
  public:
-  static constexpr long kEvery = 4;      ///< counted steps
-  static constexpr double kNear = 5e-4;  ///< an element changes its speed by less in kEvery steps
-  static constexpr double kResolved = 0.05;  ///< of u_c
-  static constexpr double kCoarse = 0.3;     ///< of u_c
-  static constexpr double kTightest = 1e-9;
+  static constexpr long kCheckInterval = 4;  ///< counted steps
+  /// An element changes its speed by less in kCheckInterval steps.
+  static constexpr double kSlowRolling = 5e-4;
+  static constexpr double kResolvedShare = 0.05;   ///< of u_c
+  static constexpr double kUnresolvedShare = 0.3;  ///< of u_c
+  static constexpr double kMinTolerance = 1e-9;
 
   /// @param tolerance of the deck
   FilmTolerance(double tolerance, const scene::Scales& scales)
-      : tolerance_(tolerance), velocity_(scales.length / scales.time) {}
+      : deck_tolerance_(tolerance), velocity_scale_(scales.length / scales.time) {}
   /// The tolerance from here on. @param now in force
   [[nodiscard]] double wanted(const dynamics::System& system, double now) const;
 
  private:
-  double tolerance_;
-  double velocity_;  ///< scale of velocities [m/s]
+  double deck_tolerance_;
+  double velocity_scale_;  ///< scale of velocities [m/s]
 };
 
 /// A sentence on a run that had such a tolerance for some time. @param share of the time

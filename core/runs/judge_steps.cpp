@@ -49,16 +49,16 @@ std::vector<VibrationBand> bands_of(const Prepared& prepared, double time_scale)
 
 }  // namespace
 
-JudgedSteps judge_steps(const Prepared& prepared, double time_scale) {
+StepJudgment judge_steps(const Prepared& prepared, double time_scale) {
   const setup::RunControl& control = prepared.control;
-  JudgedSteps out;
+  StepJudgment out;
   out.request.method = control.integrator;
   out.request.minimum = control.step_minimum * time_scale;
   out.request.maximum = control.step_maximum * time_scale;
   const double speed = std::abs(prepared.bearing.speed[1] - prepared.bearing.speed[0]);
   out.request.turn = speed > 0.0 ? 2.0 * std::numbers::pi / speed : control.end_time * time_scale;
   out.request.bands = bands_of(prepared, time_scale);
-  out.limits = stable_steps(out.request);
+  out.limits = stable_step_limits(out.request);
   out.text = step_limits_text(out.request, out.limits, time_scale);
   if (out.limits.action == StepAction::Refused) {
     // It splits off the free motion of balls (ready_run.cpp).
@@ -66,7 +66,7 @@ JudgedSteps judge_steps(const Prepared& prepared, double time_scale) {
     const bool splits =
         !plan.rollers && !(plan.light_load_ratio > 0.0) && !plan.has(scene::Effect::ElementBalance);
     std::string others;
-    for (const std::string& name : methods_that_keep(out.request))
+    for (const std::string& name : find_stable_methods(out.request))
       if (splits || name != "arkode-imex") others += (others.empty() ? "" : ", ") + name;
     out.text +=
         fmt::format(". {} cannot be used for this deck. {}", out.request.method,

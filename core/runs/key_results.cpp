@@ -107,7 +107,7 @@ KeyResults equilibrium_results(const Prepared& prepared) {
   // Later ones at the end: scripts may count the columns of tables.
   add_iso_lives(out, prepared.life);
   add_extremes(out, prepared);
-  add_frequencies(out, prepared, static_frequencies(prepared));
+  add_fault_frequencies(out, prepared, equilibrium_fault_frequencies(prepared));
   return out;
 }
 
@@ -183,7 +183,7 @@ KeyResults dynamic_results(const Snapshot& last, const results::Averages& averag
   return out;
 }
 
-double static_elastic(const Prepared& prepared) {
+double static_elastic_energy(const Prepared& prepared) {
   const double share = prepared.rollers ? 9.0 / 19.0 : 0.4;  // of load times approach
   double elastic = 0.0;
   for (const statics::StaticBall& ball : prepared.start.balls)

@@ -39,6 +39,6 @@ void add_lives(KeyResults& out, const life::BearingLife& life);
 void add_iso_lives(KeyResults& out, const life::BearingLife& life);
 
 /// Elastic energy of the contacts in the quasi-static solution that the run starts from [J].
-[[nodiscard]] double static_elastic(const Prepared& prepared);
+[[nodiscard]] double static_elastic_energy(const Prepared& prepared);
 
 }  // namespace adore::runs

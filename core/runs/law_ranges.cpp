@@ -84,11 +84,11 @@ struct Contact {
 
 }  // namespace
 
-struct LawRanges::Impl {
+struct LawValidityMonitor::Impl {
   const Bearing& bearing;
   const std::string element;
-  validity::Watch watch, coefficients;
-  life::HeaviestContacts peaks{};  ///< of all instants
+  validity::RangeMonitor watch, coefficients;
+  life::MaxPressureContacts peaks{};  ///< of all instants
   std::array<double, 2> peak_time{kNoBound, kNoBound};
   CoefficientUse use;
   /// Of other watches and of the motion that this one continues.
@@ -126,7 +126,7 @@ struct LawRanges::Impl {
     const statics::FrictionOfContact& at = friction->race[c.race][c.element];
     coefficient(at.spin + at.sliding, at.load_slip, at.of_oil, kNoBound, [&] { return body(c); });
   }
-  void yields(validity::Watch& out) const;
+  void yields(validity::RangeMonitor& out) const;
   /// @param body callable -> name of the contact, called where it is kept
   template <class Name>
   void coefficient(double heat, double load_slip, bool of_oil, double time, const Name& body);
@@ -137,7 +137,7 @@ struct LawRanges::Impl {
   }
 };
 
-void LawRanges::Impl::follow() {
+void LawValidityMonitor::Impl::follow() {
   if (bearing.lubrication && !oil) {
     oil = tribology::lubricant_of(*bearing.lubrication);
     if (!bearing.lubrication->user) {
@@ -160,14 +160,14 @@ void LawRanges::Impl::follow() {
   if (bearing.churning) medium = tribology::churning_medium(bearing);
 }
 
-void LawRanges::Impl::geometry() {
+void LawValidityMonitor::Impl::geometry() {
   if (!bearing.rollers())
     for (std::size_t j = 0; j < 2; ++j)
       watch.offer(registered().groove, bearing.balls().groove_factor[j], kNoBound,
                   [&] { return std::string(kRace[j]); });
 }
 
-void LawRanges::Impl::temperatures(double time) {
+void LawValidityMonitor::Impl::temperatures(double time) {
   const Ranges& r = registered();
   if (oil)
     for (std::size_t j = 0; j < 2; ++j) {
@@ -204,7 +204,7 @@ void LawRanges::Impl::temperatures(double time) {
   }
 }
 
-void LawRanges::Impl::contact(const Contact& c, double heaviest, double time) {
+void LawValidityMonitor::Impl::contact(const Contact& c, double heaviest, double time) {
   const Ranges& r = registered();
   const auto name = [&] { return body(c); };
   const double half = 0.5 * bearing.element_diameter();
@@ -214,7 +214,7 @@ void LawRanges::Impl::contact(const Contact& c, double heaviest, double time) {
     watch.offer(r.ellipse, c.half_major / half, time, name);
     watch.offer(r.shoulder, c.beyond, time, name);
   }
-  if (life::HeaviestContact& most = peaks[c.race]; c.peak > most.pressure) {
+  if (life::MaxPressureContact& most = peaks[c.race]; c.peak > most.pressure) {
     most = {static_cast<int>(c.element) + 1, c.peak,
             c.length > 0.0 ? 0.0 : c.half_minor / c.half_major};
     peak_time[c.race] = time;
@@ -241,7 +241,7 @@ void LawRanges::Impl::contact(const Contact& c, double heaviest, double time) {
   watch.offer(r.film_ellipticity, c.half_major / c.half_minor, time, name);
 }
 
-void LawRanges::Impl::yields(validity::Watch& out) const {
+void LawValidityMonitor::Impl::yields(validity::RangeMonitor& out) const {
   const life::RaceStrength strength = life::contact_strength(bearing, peaks);
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t body = 0; body < 2; ++body) {
@@ -255,8 +255,8 @@ void LawRanges::Impl::yields(validity::Watch& out) const {
 }
 
 template <class Name>
-void LawRanges::Impl::coefficient(double heat, double load_slip, bool of_oil, double time,
-                                  const Name& at) {
+void LawValidityMonitor::Impl::coefficient(double heat, double load_slip, bool of_oil, double time,
+                                           const Name& at) {
   if (!(load_slip > 0.0)) return;
   const Ranges& r = registered();
   const double kappa = heat / load_slip;
@@ -277,7 +277,8 @@ void LawRanges::Impl::coefficient(double heat, double load_slip, bool of_oil, do
   coefficients.offer(r.impossible, kappa, time, at);
 }
 
-void LawRanges::Impl::drag(double orbit, double r, double spin, std::size_t i, double time) {
+void LawValidityMonitor::Impl::drag(double orbit, double r, double spin, std::size_t i,
+                                    double time) {
   if (!medium) return;
   const tribology::Medium& m = medium->medium;
   const double D = bearing.element_diameter(), nu = m.viscosity / m.density;
@@ -287,7 +288,7 @@ void LawRanges::Impl::drag(double orbit, double r, double spin, std::size_t i, d
     watch.offer(registered().spin, std::abs(spin) * 0.25 * D * D / nu, time, name);
 }
 
-void LawRanges::Impl::land(const scene::Snapshot& at) {
+void LawValidityMonitor::Impl::land(const scene::Snapshot& at) {
   if (!bearing.cage || !bearing.cage_films || !bearing.cage_films->lands) return;
   const bearing::Cage& cage = *bearing.cage;
   const double T = bearing.cage_temperature;
@@ -308,13 +309,14 @@ void LawRanges::Impl::land(const scene::Snapshot& at) {
   }
 }
 
-LawRanges::LawRanges(const Bearing& bearing) : impl_(std::make_unique<Impl>(bearing)) {}
-LawRanges::~LawRanges() = default;
-LawRanges::LawRanges(LawRanges&&) noexcept = default;
+LawValidityMonitor::LawValidityMonitor(const Bearing& bearing)
+    : impl_(std::make_unique<Impl>(bearing)) {}
+LawValidityMonitor::~LawValidityMonitor() = default;
+LawValidityMonitor::LawValidityMonitor(LawValidityMonitor&&) noexcept = default;
 
-void LawRanges::follow_bearing() { impl_->follow(); }
+void LawValidityMonitor::update_bearing() { impl_->follow(); }
 
-void LawRanges::look(const scene::Snapshot& at) {
+void LawValidityMonitor::check(const scene::Snapshot& at) {
   Impl& s = *impl_;
   const bool rollers = s.bearing.rollers() != nullptr;
   const double critical = s.oil ? s.bearing.lubrication->critical_film : 0.0;
@@ -361,8 +363,8 @@ void LawRanges::look(const scene::Snapshot& at) {
   s.land(at);
 }
 
-void LawRanges::look(const statics::StaticSolution& solution,
-                     const statics::FrictionEstimate* friction) {
+void LawValidityMonitor::check(const statics::StaticSolution& solution,
+                               const statics::FrictionEstimate* friction) {
   Impl& s = *impl_;
   s.temperatures(kNoBound);
   double heaviest = 0.0;
@@ -389,12 +391,12 @@ void LawRanges::look(const statics::StaticSolution& solution,
            i, kNoBound);
   }
   if (s.oil && solution.films)
-    s.watch.offer(registered().strips, statics::rolling_over_strips(s.bearing, solution), kNoBound,
-                  [] { return std::string("balls"); });
+    s.watch.offer(registered().strips, statics::rolling_point_strip_ratio(s.bearing, solution),
+                  kNoBound, [] { return std::string("balls"); });
 }
 
-void LawRanges::look(const statics::RollerSolution& solution,
-                     const statics::FrictionEstimate* friction) {
+void LawValidityMonitor::check(const statics::RollerSolution& solution,
+                               const statics::FrictionEstimate* friction) {
   Impl& s = *impl_;
   s.temperatures(kNoBound);
   double heaviest = 0.0;
@@ -419,14 +421,14 @@ void LawRanges::look(const statics::RollerSolution& solution,
   }
 }
 
-void LawRanges::look(const life::BearingLife& life) {
+void LawValidityMonitor::check(const life::BearingLife& life) {
   if (!life.iso || !life.iso->equivalent || !(life.iso->C > 0.0)) return;
   impl_->watch.offer(registered().life_load, life.iso->equivalent->P / life.iso->C, kNoBound,
                      [] { return std::string("bearing"); });
 }
 
-std::vector<validity::Finding> LawRanges::findings() const {
-  validity::Watch watch = impl_->watch;
+std::vector<validity::Finding> LawValidityMonitor::findings() const {
+  validity::RangeMonitor watch = impl_->watch;
   impl_->yields(watch);
   std::vector<validity::Finding> out = watch.findings();
   const CoefficientUse& use = impl_->use;
@@ -437,7 +439,7 @@ std::vector<validity::Finding> LawRanges::findings() const {
     if (!limit && use.above_limit >= kJudgedShare * use.slip_power) continue;  // said once
     validity::Finding one = found;
     one.detail =
-        fmt::format("exceeded in contacts with {:.2g} % of the total load times slip speed",
+        fmt::format("exceeded in contacts with {:.2g} % of the sum of load times slip speed",
                     100.0 * above / use.slip_power);
     out.push_back(std::move(one));
   }
@@ -453,9 +455,9 @@ std::vector<validity::Finding> LawRanges::findings() const {
   return out;
 }
 
-void LawRanges::add(const validity::Finding& finding) { impl_->others.push_back(finding); }
+void LawValidityMonitor::add(const validity::Finding& finding) { impl_->others.push_back(finding); }
 
-void LawRanges::restore(const nlohmann::json& outside_validity) {
+void LawValidityMonitor::restore(const nlohmann::json& outside_validity) {
   for (const nlohmann::json& one : outside_validity) {
     const auto number = [&](const char* key) {
       const nlohmann::json& value = one.at(key);
@@ -476,13 +478,20 @@ void LawRanges::restore(const nlohmann::json& outside_validity) {
   }
 }
 
-std::string LawRanges::given_coefficient() const {
+std::optional<Finding> LawValidityMonitor::friction_coefficient_finding() const {
   const Impl& s = *impl_;
-  if (!(s.given_largest > registered().coefficient.bounds.most)) return {};
-  return fmt::format("Friction coefficient from the deck or a routine: largest {:.3g}, at {}{}.",
-                     s.given_largest, s.given_body,
-                     std::isnan(s.given_time) ? std::string(", quasi-static solution")
-                                              : fmt::format(", t = {:.6g} s", s.given_time));
+  const double most = registered().coefficient.bounds.most;
+  if (!(s.given_largest > most)) return std::nullopt;
+  const bool at_rest = std::isnan(s.given_time);
+  Finding out = make_finding(
+      "friction.coefficient",
+      fmt::format("Friction coefficient from the deck or a routine: largest {:.3g}, at {}{}.",
+                  s.given_largest, s.given_body,
+                  at_rest ? std::string(", quasi-static solution")
+                          : fmt::format(", t = {:.6g} s", s.given_time)));
+  out.of(s.given_body).measure(s.given_largest, most);
+  if (!at_rest) out.at(s.given_time);
+  return out;
 }
 
 std::vector<validity::Finding> without(std::vector<validity::Finding> findings,
@@ -495,7 +504,7 @@ std::vector<validity::Finding> without(std::vector<validity::Finding> findings,
 
 std::string untrusted(std::span<const validity::Finding> findings) {
   for (const validity::Finding& found : findings)
-    if (found.range->grade == validity::Grade::Untrusted)
+    if (found.range->grade == validity::ValidityGrade::Untrusted)
       return found.text() +
              " The results of this run cannot be trusted. Set filmStressLimit = on, or choose "
              "another lubricant or temperature.";

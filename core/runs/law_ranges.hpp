@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "base/validity.hpp"
 #include "bearing/bearing.hpp"
 #include "life/bearing_life.hpp"
@@ -15,6 +16,7 @@
 
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,22 +27,22 @@
 /// a tenth or more of the heaviest load of that instant [choice].
 namespace adore::runs {
 
-class LawRanges {
+class LawValidityMonitor {
  public:
   /// @param bearing in operation; outlives this
-  explicit LawRanges(const bearing::Bearing& bearing);
-  ~LawRanges();
-  LawRanges(LawRanges&&) noexcept;
+  explicit LawValidityMonitor(const bearing::Bearing& bearing);
+  ~LawValidityMonitor();
+  LawValidityMonitor(LawValidityMonitor&&) noexcept;
 
   /// The bearing has other temperatures or another geometry (thermal steps).
-  void follow_bearing();
+  void update_bearing();
 
-  void look(const scene::Snapshot& at);
+  void check(const scene::Snapshot& at);
   /// @param friction of a quasi-static deck; null: not computed
-  void look(const statics::StaticSolution& solution, const statics::FrictionEstimate* friction);
-  void look(const statics::RollerSolution& solution, const statics::FrictionEstimate* friction);
+  void check(const statics::StaticSolution& solution, const statics::FrictionEstimate* friction);
+  void check(const statics::RollerSolution& solution, const statics::FrictionEstimate* friction);
   /// Load of ISO 281.
-  void look(const life::BearingLife& life);
+  void check(const life::BearingLife& life);
 
   /// A finding of another watch, for the same list.
   void add(const validity::Finding& finding);
@@ -50,8 +52,8 @@ class LawRanges {
   /// Left ranges, and friction coefficients that carry 1 % or more of load × slip.
   [[nodiscard]] std::vector<validity::Finding> findings() const;
   /// Largest friction coefficient of a curve of the deck or a routine, when it is above
-  /// traction.coefficient: a sentence; else empty.
-  [[nodiscard]] std::string given_coefficient() const;
+  /// traction.coefficient.
+  [[nodiscard]] std::optional<Finding> friction_coefficient_finding() const;
 
  private:
   struct Impl;

@@ -25,7 +25,7 @@ LifeObserver::LifeObserver(const bearing::Bearing& bearing, const life::LifePara
       calculator_(calculator_of(bearing, parameters)),
       film_parameter_(film_parameter) {}
 
-void LifeObserver::follow_bearing() {
+void LifeObserver::update_bearing() {
   const life::LifeParameters parameters = calculator_.parameters();
   calculator_ = calculator_of(bearing_, parameters);
 }
@@ -51,8 +51,8 @@ void LifeObserver::evaluate(const scene::Snapshot& snapshot) {
   std::array<std::vector<double>, 2> loads;
   for (const scene::ElementSnapshot& element : snapshot.elements)
     for (std::size_t j = 0; j < 2; ++j)
-      loads[j].push_back(life::load_of_both(element.race[j].load,
-                                            element.second.empty() ? 0.0 : element.second[j].load));
+      loads[j].push_back(life::equivalent_split_race_load(
+          element.race[j].load, element.second.empty() ? 0.0 : element.second[j].load));
   const double turned = std::abs(snapshot.shaft_rotation) / (2.0 * std::numbers::pi);
   run_->evaluate(snapshot.time, loads, life::damage_rate(state.relative_speed, parts),
                  turned >= choices.skip_turns);
@@ -61,8 +61,8 @@ void LifeObserver::evaluate(const scene::Snapshot& snapshot) {
 void LifeObserver::observe(const scene::Snapshot& snapshot) {
   const bearing::LifeChoices& choices = calculator_.parameters().choices;
   const life::LifeState state = state_at(snapshot);
-  hours_ = life::life_hours(state.of(choices.stored_model, choices.stored_modification).L_S,
-                            state.relative_speed);
+  life_hours_ = life::life_hours(state.of(choices.stored_model, choices.stored_modification).L_S,
+                                 state.relative_speed);
   step_ = snapshot.step;
 }
 
@@ -77,7 +77,7 @@ listing::RunLife LifeObserver::run_life() const {
   out.damage = run_->damage();
   out.steps = run_->steps();
   out.evaluations = run_->evaluations();
-  out.change = run_->mean_change();
+  out.change = run_->mean_calibration_change();
   out.batches = run_->batches().count();
   out.revolutions_per_batch = run_->batches().revolutions_per_batch();
   out.relative_error = run_->batches().relative_error(out.slopes);
@@ -87,8 +87,8 @@ listing::RunLife LifeObserver::run_life() const {
 void LifeObserver::save(std::map<std::string, double>& state) const {
   if (run_) run_->save(state);
   state["life.step"] = static_cast<double>(step_);
-  state["life.per_hour"] = hours_ > 0.0 ? 1.0 / hours_ : -1.0;  // 0: infinite
-  if (std::isfinite(hours_)) state["life.hours"] = hours_;      // to the last bit
+  state["life.per_hour"] = life_hours_ > 0.0 ? 1.0 / life_hours_ : -1.0;  // 0: infinite
+  if (std::isfinite(life_hours_)) state["life.hours"] = life_hours_;      // to the last bit
 }
 
 void LifeObserver::restore(const std::map<std::string, double>& state) {
@@ -96,10 +96,11 @@ void LifeObserver::restore(const std::map<std::string, double>& state) {
   if (run_) run_->restore(state);
   if (state.count("life.step") > 0) step_ = std::lround(life::stored(state, "life.step"));
   const double per_hour = life::stored(state, "life.per_hour");
-  hours_ = per_hour > 0.0    ? 1.0 / per_hour
-           : per_hour == 0.0 ? std::numeric_limits<double>::infinity()
-                             : 0.0;
-  if (const auto found = state.find("life.hours"); found != state.end()) hours_ = found->second;
+  life_hours_ = per_hour > 0.0    ? 1.0 / per_hour
+                : per_hour == 0.0 ? std::numeric_limits<double>::infinity()
+                                  : 0.0;
+  if (const auto found = state.find("life.hours"); found != state.end())
+    life_hours_ = found->second;
 }
 
 }  // namespace adore::runs

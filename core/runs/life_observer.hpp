@@ -34,10 +34,10 @@ class LifeObserver {
   /// The life at this instant's loads, for SOL7.
   void observe(const scene::Snapshot& snapshot);
   /// The bearing has another geometry now (thermal steps).
-  void follow_bearing();
+  void update_bearing();
   /// Of the last instant, as if its loads lasted for ever, by the model that SOL7 stores, at the
   /// deck's survival probability [hr]; infinity is a valid life, 0 before the first instant.
-  [[nodiscard]] double hours() const noexcept { return hours_; }
+  [[nodiscard]] double hours() const noexcept { return life_hours_; }
   /// Number of that instant's step.
   [[nodiscard]] long step() const noexcept { return step_; }
   [[nodiscard]] listing::RunLife run_life() const;
@@ -52,8 +52,8 @@ class LifeObserver {
   const bearing::Bearing& bearing_;
   life::LifeCalculator calculator_;
   std::array<std::optional<double>, 2> film_parameter_;
-  std::optional<life::DamageOfSteps> run_;
-  double hours_ = 0.0;
+  std::optional<life::StepDamageAccumulator> run_;
+  double life_hours_ = 0.0;
   long step_ = 0;
 };
 

@@ -1,7 +1,7 @@
 #include "runs/measured_run.hpp"
 
 #include "base/interrupted.hpp"
-#include "runs/passing_folder.hpp"
+#include "runs/temporary_folder.hpp"
 #include "scene/cost_ledger.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 namespace adore::runs {
 
 MeasuredRun measured_run(RunRequest request, double most_seconds, std::stop_token stop) {
-  const PassingFolder folder;
+  const TemporaryFolder folder;
   request.out = folder.path();
   std::stop_source end;
   const std::stop_callback forward(stop, [&end] { end.request_stop(); });

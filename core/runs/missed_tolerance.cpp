@@ -6,8 +6,8 @@
 
 namespace adore::runs {
 
-MissedTolerance judge_missed(const setup::RunControl& control,
-                             const integrators::Counters& counters, double error_sum) {
+MissedTolerance judge_missed_tolerance(const setup::RunControl& control,
+                                       const integrators::Counters& counters, double error_sum) {
   MissedTolerance out;
   if (counters.at_minimum <= 0) return out;
   const auto steps = static_cast<double>(std::max(1L, counters.steps));

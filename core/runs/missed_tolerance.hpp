@@ -26,7 +26,8 @@ struct MissedTolerance {
 
 /// @param error_sum of all steps, in tolerances. A run with a constant step (stpMin = stpMax) has
 /// specified steps of any error: this is reported, and the run is trusted.
-[[nodiscard]] MissedTolerance judge_missed(const setup::RunControl& control,
-                                           const integrators::Counters& counters, double error_sum);
+[[nodiscard]] MissedTolerance judge_missed_tolerance(const setup::RunControl& control,
+                                                     const integrators::Counters& counters,
+                                                     double error_sum);
 
 }  // namespace adore::runs

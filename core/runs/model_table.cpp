@@ -1,6 +1,7 @@
 #include "runs/model_table.hpp"
 
 #include "base/checksum.hpp"
+#include "base/constants.hpp"
 #include "base/counted.hpp"
 #include "base/input_file.hpp"
 #include "base/json_text.hpp"
@@ -12,13 +13,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 namespace adore::runs {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 std::string signed_percent(double share) {
   return std::isfinite(share) ? fmt::format("{:+.2g}", 100.0 * share) : std::string("-");
@@ -27,7 +26,7 @@ std::string signed_percent(double share) {
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 double number_of(const Json& json, const char* key) {
-  return json.contains(key) && json.at(key).is_number() ? json.at(key).get<double>() : kNan;
+  return json.contains(key) && json.at(key).is_number() ? json.at(key).get<double>() : kNaN;
 }
 
 }  // namespace
@@ -62,8 +61,8 @@ std::string model_table(const ModelStudy& study) {
     if (std::find(ranges.begin(), ranges.end(), range) == ranges.end()) ranges.push_back(range);
     const std::string head = fmt::format("{:<15}{:<42}", row.variant.group, row.variant.name);
     if (!row.failure.empty()) {
-      constexpr std::size_t kRoom = 60;
-      out += head + " no result: " + row.failure.substr(0, kRoom) + "\n";
+      constexpr std::size_t kMaxFailureLength = 60;
+      out += head + " no result: " + row.failure.substr(0, kMaxFailureLength) + "\n";
       continue;
     }
     out += fmt::format("{}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n", head, size(row.change.speed),
@@ -100,7 +99,7 @@ std::string model_json(const ModelStudy& study) {
   return dump_json(out, 2) + "\n";
 }
 
-ModelStudy read_models(const std::string& text, const std::string& name) {
+ModelStudy read_model_study(const std::string& text, const std::string& name) {
   const Json json = parse_json<Json>(text, name);
   try {
     if (json.at("study") != "models") throw InputError(name + " is not a study of model errors");
@@ -134,12 +133,12 @@ ModelStudy read_models(const std::string& text, const std::string& name) {
   }
 }
 
-std::optional<ModelStudy> models_beside(const LoadedDeck& deck) {
+std::optional<ModelStudy> find_model_study(const LoadedDeck& deck) {
   const std::filesystem::path file = deck.path.parent_path() / kModelFile;
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return {};
   try {
-    ModelStudy study = read_models(read_text_file(file), file.string());
+    ModelStudy study = read_model_study(read_text_file(file), file.string());
     if (study.complete && study.stamp == model_stamp(deck)) return study;
   } catch (const InputError&) {  // of somebody else
   }

@@ -42,11 +42,11 @@ struct ModelStudy {
 [[nodiscard]] std::string model_table(const ModelStudy& study);
 [[nodiscard]] std::string model_json(const ModelStudy& study);
 /// @throws InputError when the text is not such a study
-[[nodiscard]] ModelStudy read_models(const std::string& text, const std::string& name);
+[[nodiscard]] ModelStudy read_model_study(const std::string& text, const std::string& name);
 
 inline constexpr const char* kModelFile = "MODELS.json";
 /// The study next to the deck, if it belongs to the present deck; damaged and other files count
 /// as none.
-[[nodiscard]] std::optional<ModelStudy> models_beside(const LoadedDeck& deck);
+[[nodiscard]] std::optional<ModelStudy> find_model_study(const LoadedDeck& deck);
 
 }  // namespace adore::runs

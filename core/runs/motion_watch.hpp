@@ -24,38 +24,41 @@
 /// Each is reported once, with the worst of all stored steps. Times between them are not checked.
 namespace adore::runs {
 
-class MotionWatch {
+class MotionLimitMonitor {
  public:
-  explicit MotionWatch(const bearing::Bearing& bearing);
-  void look(const scene::Snapshot& at);
+  explicit MotionLimitMonitor(const bearing::Bearing& bearing);
+  void check(const scene::Snapshot& at);
   /// Empty: no limit was passed.
   [[nodiscard]] std::vector<Finding> findings(results::UnitSystem units) const;
   /// For the register of validity, range "cage.yield".
-  [[nodiscard]] std::optional<validity::Finding> cage_yield() const;
+  [[nodiscard]] std::optional<validity::Finding> cage_yield_finding() const;
 
  private:
-  struct Worst {
+  struct WorstExceedance {
     double value = 0.0, time = 0.0;
     std::size_t element = 0;  ///< from 1, 0: none
     std::size_t steps = 0;    ///< in which the limit was passed
     std::string where;
   };
-  void look_at_cage(const scene::Snapshot& at);
-  void look_at_races(const scene::Snapshot& at);
+  void check_cage(const scene::Snapshot& at);
+  void check_races(const scene::Snapshot& at);
   /// Pressure in the pocket of one element, and its von Mises stress [Pa].
   [[nodiscard]] double pocket_pressure(const scene::PocketContactSnapshot& contact) const;
 
   bearing::Bearing bearing_;
-  life::HeaviestContacts heaviest_{};
-  std::array<double, 2> heaviest_time_{};
-  std::array<Worst, 2> shoulder_;
-  Worst cage_, overlap_;
-  std::array<Worst, 2> through_;  ///< cage in a race that does not guide it, center to axis [m]
-  double cage_pressure_ = 0.0, cage_limit_ = 0.0;  ///< of the worst; of the material [Pa]
-  double point_stress_ = 0.0, line_stress_ = 0.0;  ///< von Mises stress in the cage over pressure
+  life::MaxPressureContacts heaviest_contacts_{};
+  std::array<double, 2> heaviest_contact_times_{};
+  std::array<WorstExceedance, 2> worst_shoulder_excess_;
+  WorstExceedance worst_cage_stress_, worst_segment_overlap_;
+  std::array<WorstExceedance, 2>
+      worst_cage_offset_;  ///< cage in a race that does not guide it, center to axis [m]
+  double worst_cage_pressure_ = 0.0,
+         cage_elastic_limit_ = 0.0;  ///< of the worst; of the material [Pa]
+  double point_stress_ratio_ = 0.0,
+         line_stress_ratio_ = 0.0;  ///< von Mises stress in the cage over pressure
   /// Of a ball in its pocket: patch over F^(2/3) [m²/N^(2/3)], and the force beyond which it no
   /// longer grows [N]; 0: none.
-  double pocket_patch_ = 0.0, pocket_cap_ = 0.0;
+  double pocket_patch_factor_ = 0.0, pocket_load_cap_ = 0.0;
 };
 
 }  // namespace adore::runs

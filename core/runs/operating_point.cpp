@@ -2,7 +2,7 @@
 
 #include "base/errors.hpp"
 #include "deck/deck.hpp"
-#include "deck/keep_text.hpp"
+#include "deck/deck_text_with_comments.hpp"
 #include "tribology/lubricant.hpp"
 
 #include <fmt/format.h>
@@ -39,7 +39,7 @@ bool OperatingPoint::empty() const {
   return !radial && !axial && !speed && !temperature && oil.empty();
 }
 
-std::vector<std::pair<std::string, std::string>> sets_of(const OperatingPoint& point) {
+std::vector<std::pair<std::string, std::string>> deck_assignments(const OperatingPoint& point) {
   constexpr double kZeroCelsius = 273.15;
   std::vector<std::pair<std::string, std::string>> out;
   const auto set = [&](const char* name, double value) {
@@ -58,7 +58,7 @@ std::vector<std::pair<std::string, std::string>> sets_of(const OperatingPoint& p
 std::string with_operating_point(const std::string& text, const OperatingPoint& point) {
   if (point.empty()) return text;
   deck::Deck deck = deck::read_deck_text(text, "new deck").deck;
-  deck.set_all(sets_of(point));
+  deck.set_all(deck_assignments(point));
   deck.complete();
   return deck::with_deck(text, deck).text;
 }

@@ -17,7 +17,8 @@ struct OperatingPoint {
 };
 
 /// Names and SI values for Deck::set_all. @throws InputError for an unknown oil, listing all
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> sets_of(const OperatingPoint& point);
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> deck_assignments(
+    const OperatingPoint& point);
 
 /// The text of an SI deck with these values; remarks stay. @throws InputError
 [[nodiscard]] std::string with_operating_point(const std::string& text,

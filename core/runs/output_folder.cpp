@@ -37,23 +37,23 @@ std::string joined(const std::vector<std::string>& names) {
   return out;
 }
 
-constexpr std::string_view kLockBegins = "process ";
+constexpr std::string_view kLockPrefix = "process ";
 
 /// Is the open file empty, or what an earlier process left as its lock?
 bool is_lock(int descriptor) {
   struct stat status {};
-  char start[kLockBegins.size()];
+  char start[kLockPrefix.size()];
   if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return false;
   const ssize_t size = ::pread(descriptor, start, sizeof start, 0);
   return size == 0 ||
-         (size > 0 && kLockBegins.starts_with({start, static_cast<std::size_t>(size)}));
+         (size > 0 && kLockPrefix.starts_with({start, static_cast<std::size_t>(size)}));
 }
 
 std::string whoami() {
   char host[256] = "this machine";
   ::gethostname(host, sizeof host - 1);
   const std::time_t now = std::time(nullptr);
-  return fmt::format("{}{} on {}, since {:%Y-%m-%d %H:%M:%S} UTC\n", kLockBegins, ::getpid(), host,
+  return fmt::format("{}{} on {}, since {:%Y-%m-%d %H:%M:%S} UTC\n", kLockPrefix, ::getpid(), host,
                      fmt::gmtime(now));
 }
 
@@ -73,7 +73,7 @@ std::set<std::string> candidates(const Outputs& outputs) {
   };
   try {
     InputFile stream(outputs.folder / "RUN.json");
-    if (is_own_file(outputs.folder / "RUN.json")) {
+    if (is_written_by_adore(outputs.folder / "RUN.json")) {
       const auto json = parse_json(std::string(std::istreambuf_iterator<char>(stream), {}), "");
       for (const auto& name : json.at("files")) add(name.get<std::string>());
     }
@@ -81,9 +81,9 @@ std::set<std::string> candidates(const Outputs& outputs) {
     // The default names will do.
   }
   for (const std::string& name : std::set<std::string>(out)) {
-    if (!is_own_file(outputs.folder / name)) continue;
+    if (!is_written_by_adore(outputs.folder / name)) continue;
     try {
-      for (const results::MasterFile& file : results::read_master(outputs.folder / name).files)
+      for (const results::MasterFileEntry& file : results::read_master(outputs.folder / name).files)
         add(file.name);
     } catch (const InputError&) {
       // No MASTER.
@@ -97,7 +97,7 @@ std::vector<std::string> earlier_results(const Outputs& outputs) {
   std::vector<std::string> out;
   for (const std::string& name : candidates(outputs)) {
     std::error_code error;
-    if (!fs::is_symlink(outputs.folder / name, error) && is_own_file(outputs.folder / name))
+    if (!fs::is_symlink(outputs.folder / name, error) && is_written_by_adore(outputs.folder / name))
       out.push_back(name);
   }
   return out;
@@ -222,7 +222,7 @@ void check_names(const Outputs& outputs) {
     } else if ((fs::file_size(path, error) > 0 ||
                 (status.permissions() & (fs::perms::owner_exec | fs::perms::group_exec |
                                          fs::perms::others_exec)) != fs::perms::none) &&
-               !is_own_file(path)) {
+               !is_written_by_adore(path)) {
       issue.message = "this output file exists and was not written by this program";
       issue.remedy =
           "move it away, choose another name on record 2.3, or another folder with --out";
@@ -246,11 +246,11 @@ void check_room(const Outputs& outputs, bool overwrite) {
 
 void remove_leftovers(const Outputs& outputs, const WriteFolder& folder) {
   std::vector<std::string> patterns;
-  const std::string unfinished = results::H5Writer::unfinished("RESULTS.h5").string();
-  patterns.push_back(temporary_pattern(unfinished));
+  const std::string unfinished_path = results::H5Writer::unfinished_path("RESULTS.h5").string();
+  patterns.push_back(temporary_pattern(unfinished_path));
   for (const std::string& name : outputs.names) patterns.push_back(temporary_pattern(name));
   std::error_code error;
-  std::vector<std::string> found{unfinished};
+  std::vector<std::string> found{unfinished_path};
   for (const fs::directory_entry& entry : fs::directory_iterator(folder.path(), error)) {
     const std::string name = entry.path().filename().string();
     for (const std::string& pattern : patterns)

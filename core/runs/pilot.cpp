@@ -11,10 +11,10 @@
 
 namespace adore::runs {
 
-Pilot run_pilot(const Prepared& prepared, dynamics::System& system, const StepLimits& limits,
-                double span, double budget) {
-  constexpr std::size_t kMostSteps = 20'000;
-  constexpr std::size_t kBetweenLooks = 16;
+PilotResult run_pilot(const Prepared& prepared, dynamics::System& system, const StepLimits& limits,
+                      double span, double budget) {
+  constexpr std::size_t kMaxSteps = 20'000;
+  constexpr std::size_t kStepsPerTimeCheck = 16;
   const double scale = system.scales().time;
   integrators::StepControl control;
   control.initial = prepared.control.step_initial * scale;
@@ -27,15 +27,15 @@ Pilot run_pilot(const Prepared& prepared, dynamics::System& system, const StepLi
   const double begin = scene::processor_seconds();
   double seconds = 0.0;
   try {
-    SystemOde ode(system, static_elastic(prepared));
+    SystemOde ode(system, static_elastic_energy(prepared));
     const auto stepper = integrators::make_stepper(prepared.control.integrator);
     system.set_start(0.0, y);
     (void)system.between_steps(0.0, y);
     stepper->start(ode, 0.0, y, control);
-    while (stepper->time() < span && times.size() < kMostSteps && seconds < budget) {
+    while (stepper->time() < span && times.size() < kMaxSteps && seconds < budget) {
       stepper->step(span);
       times.push_back(stepper->time());
-      if (times.size() % kBetweenLooks == 0) seconds = scene::processor_seconds() - begin;
+      if (times.size() % kStepsPerTimeCheck == 0) seconds = scene::processor_seconds() - begin;
     }
   } catch (const integrators::StepFailure&) {
   } catch (const SolverError&) {

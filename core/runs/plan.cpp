@@ -49,7 +49,7 @@ PlanReport plan_of_run(const RunRequest& request, double pilot, double start,
   const DiskUse disk = disk_use(prepared, scene);
   PlanReport out;
   out.text = plan_text(prepared, scene) + disk_use_text(disk);
-  out.json = plan_json(scene, stability_text(prepared));
+  out.json = plan_json(scene, step_stability_text(prepared));
   out.json["disk"] = disk_use_json(disk);
   RunRequest beginning = request;
   beginning.go_on = false;

@@ -26,9 +26,9 @@
 #include "runs/user_session.hpp"
 #include "setup/build_bearing.hpp"
 #include "setup/build_life.hpp"
-#include "setup/no_part.hpp"
 #include "setup/race_motions.hpp"
 #include "setup/scene_plan.hpp"
+#include "setup/unused_values.hpp"
 #include "statics/ball_friction.hpp"
 #include "statics/deck_fault.hpp"
 #include "statics/film_doubts.hpp"
@@ -68,40 +68,33 @@ std::array<double, 2> mean_contact_angles(const statics::StaticSolution& solutio
   return out;
 }
 
-/// A warning of a module below, recognized by its phrase (base/finding.hpp).
-Finding warning(const std::string& text) {
-  Issue issue;
-  issue.severity = Severity::Warning;
-  issue.message = text;
-  return issue;
-}
-
-/// Equilibria do not evaluate the routine that kTrac = -1 or kRFTrac = -1 asks for. The curves of
-/// record 10, which such a deck has as well, do not stand in for it: balls keep the spin rule, also
-/// at the start of a motion, and mode -1 has no friction.
-bool leave_out_user_traction(Prepared& out) {
+/// Equilibria do not evaluate the routine that kTrac = -1 or kRFTrac = -1 selects. The
+/// curves of record 10, which such a deck has as well, do not stand in for it: balls keep the spin
+/// rule, also at the start of a motion, and mode -1 has no friction.
+bool disable_user_traction(Prepared& out) {
   const deck::Deck& deck = out.input.deck;
-  const auto asks = [&](const char* code) { return deck.has(code) && deck.integer(code) == -1; };
-  const bool races = asks("kTrac");
+  const auto has_routine = [&](const char* code) {
+    return deck.has(code) && deck.integer(code) == -1;
+  };
+  const bool races = has_routine("kTrac");
   if (races) out.options.rollers.ball_balance = out.options.rollers.friction_balance = false;
-  if (deck.integer("mode") >= 0 || (!races && !asks("kRFTrac"))) return false;
+  if (deck.integer("mode") >= 0 || (!races && !has_routine("kRFTrac"))) return false;
   const char* const code = races ? "kTrac" : "kRFTrac";
   if (out.as_built.thermal)
     throw InputError({deck.issue(
         Severity::Error, "kTherm",
-        fmt::format("needs the heat of contacts, but their traction routine ADRX7 ({} = -1) acts "
-                    "in motion only",
+        fmt::format("needs the heat of the contacts, but mode -1 does not call their traction "
+                    "routine ADRX7 ({} = -1)",
                     code),
         fmt::format("set kTherm to 0, {} to another law, or mode to 0, 1 or 2", code))});
   if (races) out.as_built.race_traction = {};
-  add_remark(
-      out, make_finding(
-               "user.idle",
-               fmt::format("{} = -1: the traction routine ADRX7 acts in motion only. Mode -1 "
-                           "therefore computes no friction torque and no heat{}",
-                           code,
-                           races && !out.as_built.rollers() ? ", and the ball speeds follow kAngVel"
-                                                            : "")));
+  add_remark(out, make_finding("user.idle",
+                               fmt::format("{} = -1: mode -1 does not call the traction routine "
+                                           "ADRX7, so it computes no friction torque and no heat{}",
+                                           code,
+                                           races && !out.as_built.rollers()
+                                               ? ", and the ball speeds follow kAngVel"
+                                               : "")));
   return true;
 }
 
@@ -121,16 +114,12 @@ std::vector<Issue> remarks_after_sets(const deck::Deck& given, const deck::Deck&
   for (const Issue& issue : deck::check_deck(given)) by_checks.insert(issue.text());
   std::vector<Issue> out;
   for (const Issue& issue : read) {
-    const bool came_back = !given.has_record(issue.record) && changed.has_record(issue.record);
-    if (by_checks.count(issue.text()) == 0 && !came_back) out.push_back(issue);
+    const bool record_added = !given.has_record(issue.record) && changed.has_record(issue.record);
+    if (by_checks.count(issue.text()) == 0 && !record_added) out.push_back(issue);
   }
   for (Issue& issue : deck::added_defaults(given, changed)) out.push_back(std::move(issue));
   for (Issue& issue : deck::check_deck(changed)) out.push_back(std::move(issue));
   return out;
-}
-
-void to_deck_units(std::vector<std::string>& texts, deck::UnitSystem units) {
-  for (std::string& text : texts) text = deck::message_in_units(text, units);
 }
 
 template <class Remarks>
@@ -142,19 +131,19 @@ void remarks_to_deck_units(Remarks& remarks, deck::UnitSystem units) {
 }
 
 /// Remarks of the library on this deck are shown to the user as remarks on the deck.
-void say_in_deck_units(Prepared& out) {
+void convert_remarks_to_deck_units(Prepared& out) {
   const deck::UnitSystem units = out.input.deck.units();
   remarks_to_deck_units(out.input.warnings, units);
-  to_deck_units(out.statics.notes, units);
-  to_deck_units(out.start.notes, units);
-  if (out.rollers) to_deck_units(out.rollers->notes, units);
-  if (out.bearing.operating) to_deck_units(out.bearing.operating->warnings, units);
+  remarks_to_deck_units(out.statics.notes, units);
+  remarks_to_deck_units(out.start.notes, units);
+  if (out.rollers) remarks_to_deck_units(out.rollers->notes, units);
+  if (out.bearing.operating) remarks_to_deck_units(out.bearing.operating->warnings, units);
   for (statics::StiffnessRow& row : out.stiffness)
-    if (row.operating) to_deck_units(row.operating->warnings, units);
-  to_deck_units(out.life.notes, units);
+    if (row.operating) remarks_to_deck_units(row.operating->warnings, units);
+  remarks_to_deck_units(out.life.notes, units);
   for (scene::EffectEntry& effect : out.plan.effects)
     effect.because = deck::message_in_units(effect.because, units);
-  if (out.life.iso) to_deck_units(out.life.iso->notes, units);
+  if (out.life.iso) remarks_to_deck_units(out.life.iso->notes, units);
 }
 
 /// Nodes of balls in oil, unless the options ask for others: those made for films that follow the
@@ -162,7 +151,7 @@ void say_in_deck_units(Prepared& out) {
 /// number is given, the other is that of equal pieces: 15 x 4, because two across sample
 /// one pressure of a row and heat is up to a tenth off (decision 414), or 20 strips (decision 326).
 /// The laws of record 10.1 need 15 x 2.
-void choose_nodes(Prepared& prepared) {
+void choose_ellipse_nodes(Prepared& prepared) {
   const auto& oil = prepared.as_built.lubrication;
   if (!oil || prepared.as_built.rollers()) return;
   const bool strips =
@@ -171,7 +160,8 @@ void choose_nodes(Prepared& prepared) {
              minor = prepared.input.option_values.contains("ellipseMinor");
   scene::SystemOptions& system = prepared.options.system;
   if (!major && !minor) {
-    const tribology::EllipseSize own = strips ? tribology::kStripNodes : tribology::kFilmNodes;
+    const tribology::EllipseNodeCounts own =
+        strips ? tribology::kStripNodes : tribology::kFilmNodes;
     system.ellipse_major = own.major;
     system.ellipse_minor = own.minor;
   } else if (!major) {
@@ -208,32 +198,31 @@ void set_film_options(Prepared& out) {
 
 /// Reports where films, the oil at the cage and a churning medium are outside their known
 /// range. @throws statics::DeckFault
-void doubt_fluids(Prepared& out) {
+void check_fluid_ranges(Prepared& out) {
   const bearing::Bearing& b = out.bearing;
-  const auto warn = [&](const std::string& text) {
-    if (!text.empty()) add_remark(out, warning(text));
-  };
-  using statics::FilmsOf;
-  const FilmsOf use = !out.control.dynamic ? FilmsOf::Equilibrium
-                      : b.thermal          ? FilmsOf::ThermalSteps
-                                           : FilmsOf::Motion;
+  using statics::FilmUse;
+  const FilmUse use = !out.control.dynamic ? FilmUse::Equilibrium
+                      : b.thermal          ? FilmUse::ThermalSteps
+                                           : FilmUse::Motion;
   if (const auto& films = out.race_result().films)
-    for (const std::string& text : statics::film_doubts(*films, use)) warn(text);
-  const auto flows = [&](const char* flag, double kelvin, const char* place) {
+    for (Finding& one : statics::film_doubts(*films, use)) add_remark(out, std::move(one));
+  const auto check_flow = [&](const char* flag, double kelvin, const char* place) {
     const tribology::Lubricant oil = tribology::lubricant_of(*b.lubrication);
-    warn(statics::flow_doubt(flag, oil.name, kelvin, oil.base_viscosity(kelvin), place));
+    if (auto one =
+            statics::oil_flow_warning(flag, oil.name, kelvin, oil.base_viscosity(kelvin), place))
+      add_remark(out, std::move(*one));
   };
   if (out.control.dynamic && b.lubrication && b.cage && b.cage_films) {
     const bearing::CageFilms& cage = *b.cage_films;
     const bool pockets = cage.pockets && cage.pocket_viscosity == 0.0;
     if (pockets || (cage.lands && cage.land_viscosity == 0.0))
-      flows(pockets ? "kPocHydro" : "kGsHydro", b.cage_temperature, "the oil at the cage");
+      check_flow(pockets ? "kPocHydro" : "kGsHydro", b.cage_temperature, "the oil at the cage");
   }
   if (!b.churning) return;
   const tribology::ChurningMedium medium = tribology::churning_medium(b);
   if (b.churning->code == 1)
-    flows("kChrn", medium.temperature, "the churning medium");
-  else if (medium.clamped())
+    check_flow("kChrn", medium.temperature, "the churning medium");
+  else if (medium.is_temperature_clamped())
     add_remark(out,
                make_finding(
                    "fluid.medium_range",
@@ -264,7 +253,7 @@ void fill_from_ranges(std::vector<Finding>& remarks, const std::vector<validity:
 }
 
 /// Rows of the stiffness table without a friction equilibrium: the first one's reason.
-void say_stiffness_fallbacks(Prepared& out) {
+void report_stiffness_fallbacks(Prepared& out) {
   std::size_t without = 0;
   const statics::StiffnessRow* first = nullptr;
   for (const statics::StiffnessRow& row : out.stiffness) {
@@ -274,24 +263,24 @@ void say_stiffness_fallbacks(Prepared& out) {
   }
   if (first == nullptr) return;
   constexpr double kRpm = 30.0 / std::numbers::pi;
-  add_remark(out,
-             make_finding("statics.friction_balance",
-                          fmt::format("stiffness over speed: {} without a friction equilibrium, "
-                                      "first at rpm1 = {:g} and rpm2 = {:g}: {}",
-                                      counted(without, "row"), kRpm * first->speed[0],
-                                      kRpm * first->speed[1], first->result.notes.front())));
+  add_remark(
+      out, make_finding("statics.friction_balance",
+                        fmt::format("stiffness over speed: {} without a friction equilibrium, "
+                                    "first at rpm1 = {:g} and rpm2 = {:g}: {}",
+                                    counted(without, "row"), kRpm * first->speed[0],
+                                    kRpm * first->speed[1], first->result.notes.front().message)));
 }
 
 /// Laws that the quasi-static solution takes outside their range of validity. What other remarks
 /// on the solution describe in more detail is kept for RUN.json alone.
-void find_left_ranges(Prepared& out) {
-  LawRanges ranges(out.bearing);
+void find_exceeded_ranges(Prepared& out) {
+  LawValidityMonitor ranges(out.bearing);
   const statics::FrictionEstimate* const friction = out.friction ? &*out.friction : nullptr;
   if (out.rollers)
-    ranges.look(*out.rollers, friction);
+    ranges.check(*out.rollers, friction);
   else
-    ranges.look(out.control.dynamic ? out.start : out.statics, friction);
-  ranges.look(out.life);
+    ranges.check(out.control.dynamic ? out.start : out.statics, friction);
+  ranges.check(out.life);
   out.left_ranges = ranges.findings();
   if (out.control.dynamic && !out.plan.has(scene::Effect::RollingResistance))
     out.left_ranges = without(std::move(out.left_ranges), {"rolling.strips"});
@@ -301,15 +290,15 @@ void find_left_ranges(Prepared& out) {
                "drag.temperature", "materials.temperature", "rolling.strips"});
   for (const validity::Finding& left : new_ones) add_remark(out, finding_of_range(left));
   fill_from_ranges(out.input.warnings, out.left_ranges);
-  if (const std::string text = ranges.given_coefficient(); !text.empty())
-    add_remark(out, make_finding("friction.coefficient", text));
+  if (auto one = ranges.friction_coefficient_finding()) add_remark(out, std::move(*one));
   if (const std::string text = traction_spread(out); !text.empty())
     add_remark(out, make_finding("friction.spread", text));
 }
 
 /// Reports where properties of the medium around the elements are recalled or estimated.
-void say_certainty(Prepared& out) {
-  const auto say = [&](const std::string& name, const std::string& provenance, const char* what) {
+void report_fluid_uncertainty(Prepared& out) {
+  const auto report = [&](const std::string& name, const std::string& provenance,
+                          const char* what) {
     const char* const known = provenance == "estimated" ? "are partly estimates"
                               : provenance == "recalled"
                                   ? "are partly quoted from memory, not from a publication"
@@ -324,21 +313,21 @@ void say_certainty(Prepared& out) {
   const bearing::Bearing& b = out.bearing;
   if (b.lubrication) {
     const tribology::Lubricant oil = tribology::lubricant_of(*b.lubrication);
-    say(oil.name, oil.provenance, "the lubricant");
+    report(oil.name, oil.provenance, "the lubricant");
   }
   if (b.churning) {
     const tribology::ChurningMedium medium = tribology::churning_medium(b);
-    if (b.churning->code > 2) say(medium.name, medium.provenance, "the churning medium");
+    if (b.churning->code > 2) report(medium.name, medium.provenance, "the churning medium");
   }
   if (b.thermal && b.thermal->coolant > 2 && b.thermal->flow > 0.0) {
     const tribology::FluidProperties coolant =
         tribology::fluid_properties(b.thermal->coolant, b.thermal->base_temperature);
-    say(coolant.name, coolant.provenance, "the coolant");
+    report(coolant.name, coolant.provenance, "the coolant");
   }
 }
 
 /// Effect of contact damping being off, if specified.
-void say_damping(Prepared& out) {
+void report_contact_damping(Prepared& out) {
   const auto given = out.input.option_values.find("contactDamping");
   if (!out.plan.has(scene::Effect::ContactDamping))
     add_remark(
@@ -356,7 +345,7 @@ void say_damping(Prepared& out) {
 
 /// The bearing for the statics of rollers: with the radii of rollers that are not round.
 bearing::Bearing at_start(Prepared& out) {
-  if (!out.user || !out.user->has_out_of_round()) return out.bearing;
+  if (!out.user || !out.user->has_out_of_round_elements()) return out.bearing;
   if (auto changed = statics::with_start_radii(out.bearing, out.user->out_of_round()))
     return *changed;
   add_remark(out,
@@ -367,7 +356,7 @@ bearing::Bearing at_start(Prepared& out) {
 }
 
 /// @throws Interrupted when the preparation is to end.
-void ask_to_go_on(const LoadedDeck& input) {
+void check_interrupt(const LoadedDeck& input) {
   if (input.stop.stop_requested())
     throw Interrupted("interrupted during the search for the equilibrium; no files were written");
 }
@@ -378,14 +367,14 @@ Prepared prepare_model(LoadedDeck input) {
   const deck::Deck& deck = out.input.deck;
   out.options = setup::build_run_options(out.input.option_values);
   out.input.deck.reads = std::make_shared<deck::ReadLog>();
-  out.options.rollers.first_azimuth = start_angle(deck);
-  out.user = open_session(out.input, out.options);
+  out.options.rollers.first_azimuth = start_azimuth(deck);
+  out.user = open_user_session(out.input, out.options);
   setup::UserHooks hooks = user_hooks(out.user, out.options);
   const setup::UserHooks* const user = out.user ? &hooks : nullptr;
   out.as_built = setup::build_bearing(deck, out.options.seed, user);
   out.as_built.user_version =
       program_version(out.user.get()).substr(std::string_view(kProgramVersion).size());
-  const bool unknown_traction = leave_out_user_traction(out);
+  const bool unknown_traction = disable_user_traction(out);
   out.options.rollers.frame = setup::frame_motion(deck);
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
   set_film_options(out);
@@ -404,7 +393,7 @@ Prepared prepare_model(LoadedDeck input) {
           "run option thermalTransient = on: thermalModel=ladder has no heat capacities. Use "
           "thermalModel=network.");
   }
-  choose_nodes(out);
+  choose_ellipse_nodes(out);
   for (Issue& issue : setup::check_buildable(deck, user))
     out.input.warnings.push_back(std::move(issue));
   if (out.as_built.thermal && deck.integer("mode") < 0) {
@@ -413,7 +402,8 @@ Prepared prepare_model(LoadedDeck input) {
         throw Interrupted("interrupted in the thermal analysis; no files were written");
     };
     if (out.options.thermal_transient) {
-      out.time_line = thermal::solve_time_line(out.as_built, out.options.rollers, interrupt);
+      out.time_line =
+          thermal::solve_thermal_transient(out.as_built, out.options.rollers, interrupt);
       if (!out.time_line->settled) throw SolverError("thermal time line: " + out.time_line->end);
       if (!out.time_line->fallback.empty())
         add_remark(out, make_finding("statics.friction_balance",
@@ -422,56 +412,60 @@ Prepared prepare_model(LoadedDeck input) {
     out.thermal = thermal::solve_steady_state(out.as_built, out.options.rollers, interrupt);
     out.as_built = out.thermal->as_built;
     out.bearing = out.thermal->operating;
-    for (const std::string& note : out.thermal->heat.notes)
-      add_remark(out, finding_of_note("thermal analysis: " + note, "thermal."));
+    for (Finding note : out.thermal->heat.notes) {
+      note.message = "thermal analysis: " + note.message;
+      add_remark(out, std::move(note));
+    }
   } else {
     out.bearing = thermal::operating_bearing(out.as_built);
   }
-  for (Issue& issue : operating_warnings(out.bearing, out.input.path.string()))
-    out.input.warnings.push_back(std::move(issue));
+  for (Finding& one : operating_warnings(out.bearing, out.input.path.string()))
+    out.input.warnings.push_back(std::move(one));
   out.control = setup::build_run_control(deck);
   if (out.control.dynamic)
     for (bearing::Bearing* one : {&out.as_built, &out.bearing})
       if (one->lubrication) one->lubrication->tolerance = out.control.tolerance;
   choose_film_precision(out);
-  const bearing::LifeInputs life_inputs = setup::build_life(deck, out.options.life);
-  out.no_part = setup::values_without_part(deck);
+  const bearing::LifeInputs life_inputs = setup::build_life_inputs(deck, out.options.life);
+  out.no_part = setup::find_unused_values(deck);
   out.input.deck.reads.reset();  // the rest reads the deck for texts
-  if (std::optional<Issue> note =
-          setup::note_of(out.no_part, deck, {out.input.warnings.begin(), out.input.warnings.end()}))
+  if (std::optional<Issue> note = setup::note_unused_values(
+          out.no_part, deck, {out.input.warnings.begin(), out.input.warnings.end()}))
     out.input.warnings.push_back(std::move(*note));
   if (out.user && out.control.dynamic) {
-    start_session(out, hooks);
-    for (Issue& issue : held_loads(out)) out.input.warnings.push_back(std::move(issue));
+    start_user_session(out, hooks);
+    for (Issue& issue : loads_on_fixed_races(out)) out.input.warnings.push_back(std::move(issue));
   }
   if (out.user)
-    for (const std::string& text : idle_routines(out))
+    for (const std::string& text : unused_routines(out))
       add_remark(out, make_finding("user.idle", text));
   out.plan = out.control.dynamic
                  ? setup::make_scene_plan(deck, out.bearing, out.control, out.options, user)
                  : static_plan(out);
   if (out.control.dynamic && out.plan.suppressed.of_elements())
     out.options.rollers.friction_balance = false;  // motions that are given, not balanced
-  if (out.control.dynamic) say_damping(out);
+  if (out.control.dynamic) report_contact_damping(out);
   out.stiffness_seconds = timed([&] { out.stiffness = stiffness_over_speed(out); });
   // The first speed at which the table's geometry gives way.
   for (const statics::StiffnessRow& row : out.stiffness) {
     if (!row.operating || row.operating->warnings.empty()) continue;
     constexpr double kRpm = 30.0 / std::numbers::pi;
-    for (const std::string& text : row.operating->warnings)
+    for (const Finding& one : row.operating->warnings)
       add_remark(
           out, make_finding(
                    "fit.stiffness_table",
                    fmt::format("stiffness over speed: from rpm1 = {:g} and rpm2 = {:g} upwards, {}",
-                               kRpm * row.speed[0], kRpm * row.speed[1], text)));
+                               kRpm * row.speed[0], kRpm * row.speed[1], one.message))
+                   .of(one.body)
+                   .measure("speed of the inner race", kRpm * row.speed[1], "rpm"));
     break;
   }
-  say_stiffness_fallbacks(out);
+  report_stiffness_fallbacks(out);
   const auto judge = [&](const life::RaceStrength& strength) {
-    for (const std::string& text : life::strength_warnings(out.bearing, strength))
-      add_remark(out, make_finding("statics.yield", text));
+    for (Finding& one : life::strength_warnings("statics.yield", out.bearing, strength))
+      add_remark(out, std::move(one));
   };
-  ask_to_go_on(out.input);
+  check_interrupt(out.input);
   if (out.bearing.rollers()) {
     out.solve_seconds = timed(
         [&] { out.rollers = statics::solve_roller_statics(at_start(out), out.options.rollers); });
@@ -479,14 +473,14 @@ Prepared prepare_model(LoadedDeck input) {
       add_remark(out, make_finding("statics.friction_balance", note));
     if (out.bearing.lubrication)
       out.rollers->films = statics::contact_films(out.bearing, *out.rollers);
-    doubt_fluids(out);
-    say_certainty(out);
+    check_fluid_ranges(out);
+    report_fluid_uncertainty(out);
     if (!out.control.dynamic && !unknown_traction)
       out.friction = statics::friction_estimate(out.bearing, *out.rollers);
     judge(life::contact_strength(out.bearing, *out.rollers));
     out.life = life::roller_bearing_life(out.bearing, life_inputs, *out.rollers);
     if (out.control.dynamic) {
-      auto scene = std::make_shared<dynamics::RollerScene>();
+      auto scene = std::make_shared<dynamics::RollerStaticResult>();
       scene->options = out.options.rollers;
       scene->solution = *out.rollers;
       out.start = dynamics::static_start(*scene, out.bearing);
@@ -502,21 +496,24 @@ Prepared prepare_model(LoadedDeck input) {
                     out.rollers->guide_force))
                 .measure(out.rollers->guide_force));
     }
-    find_left_ranges(out);
+    find_exceeded_ranges(out);
     return out;
   }
   const statics::Forms forms = out.user ? out.user->out_of_round() : statics::Forms();
   statics::FrictionBalance balance;
-  out.solve_seconds = timed(
-      [&] { out.statics = statics::solve_balls(out.bearing, ball_options(out), forms, balance); });
+  out.solve_seconds = timed([&] {
+    out.statics =
+        statics::solve_balls_with_friction(out.bearing, ball_statics_options(out), forms, balance);
+  });
   for (Finding& one : balance.findings()) add_remark(out, std::move(one));
   if (out.bearing.lubrication) out.statics.films = statics::contact_films(out.bearing, out.statics);
-  doubt_fluids(out);
-  say_certainty(out);
+  check_fluid_ranges(out);
+  report_fluid_uncertainty(out);
   if (!out.control.dynamic && !unknown_traction)
     out.friction = statics::friction_estimate(out.bearing, out.statics, balance);
   const bool rolls = !out.control.dynamic || out.plan.has(scene::Effect::RollingResistance);
-  if (const double ratio = rolls ? statics::rolling_over_strips(out.bearing, out.statics) : 0.0;
+  if (const double ratio =
+          rolls ? statics::rolling_point_strip_ratio(out.bearing, out.statics) : 0.0;
       ratio > validity::range("rolling.strips").bounds.most)
     add_remark(
         out,
@@ -529,7 +526,7 @@ Prepared prepare_model(LoadedDeck input) {
                 "coefficient. Solutions of Reynolds' equation for point contacts are between the "
                 "two (up to 2.5 times the strips). At this viscosity and speed, the "
                 "resistance and its heat may be about {:.0f} % too large",
-                ratio, 100.0 * (statics::rolling_excess(ratio) - 1.0)))
+                ratio, 100.0 * (statics::rolling_resistance_excess(ratio) - 1.0)))
             .measure(ratio, validity::range("rolling.strips").bounds.most));
   judge(life::contact_strength(out.bearing, out.statics));
   for (Finding& one : listing::ball_warnings(out.bearing, out.statics,
@@ -537,13 +534,13 @@ Prepared prepare_model(LoadedDeck input) {
     add_remark(out, std::move(one));
   if (out.control.dynamic) {
     out.fixed_angle = mean_contact_angles(out.statics, out.bearing.balls().contact_angle);
-    statics::StaticsOptions as_in_motion = ball_options(out);
+    statics::BallStaticsOptions as_in_motion = ball_statics_options(out);
     as_in_motion.curvature =
         out.options.system.moving_angle ? statics::Curvature::Potential : statics::Curvature::Fixed;
     as_in_motion.fixed_angle = out.fixed_angle;
-    ask_to_go_on(out.input);
+    check_interrupt(out.input);
     statics::FrictionBalance of_motion;
-    out.start = statics::solve_balls(out.bearing, as_in_motion, forms, of_motion);
+    out.start = statics::solve_balls_with_friction(out.bearing, as_in_motion, forms, of_motion);
     if (balance.findings().empty())
       for (Finding& one : of_motion.findings()) {
         one.message = "start of the motion: " + one.message;
@@ -553,21 +550,21 @@ Prepared prepare_model(LoadedDeck input) {
   }
   out.life = life::ball_bearing_life(out.bearing, life_inputs,
                                      out.control.dynamic ? out.start : out.statics);
-  find_left_ranges(out);
+  find_exceeded_ranges(out);
   return out;
 }
 
 }  // namespace
 
-double start_angle(const deck::Deck& deck) {
+double start_azimuth(const deck::Deck& deck) {
   return deck.has("startAngle") ? deck.si("startAngle") : 0.0;
 }
 
-statics::StaticsOptions ball_options(const Prepared& prepared) {
-  statics::StaticsOptions out;
+statics::BallStaticsOptions ball_statics_options(const Prepared& prepared) {
+  statics::BallStaticsOptions out;
   out.frame = prepared.options.rollers.frame;
   out.friction_balance = prepared.options.rollers.ball_balance;
-  out.first_azimuth = start_angle(prepared.input.deck);
+  out.first_azimuth = start_azimuth(prepared.input.deck);
   return out;
 }
 
@@ -628,7 +625,7 @@ LoadedDeck load_deck(const DeckRequest& request) {
     const deck::Deck given = out.deck;
     std::vector<Issue> bodies;
     for (const auto* sets : {&request.sets, &request.changes})
-      for (Issue& issue : deck::set_all_and_follow(out.deck, *sets))
+      for (Issue& issue : deck::set_all_and_renumber(out.deck, *sets))
         bodies.push_back(std::move(issue));
     issues = remarks_after_sets(given, out.deck, issues);
     for (Issue& issue : bodies) {
@@ -647,22 +644,20 @@ LoadedDeck load_deck(const DeckRequest& request) {
   return out;
 }
 
-std::vector<Issue> operating_warnings(const bearing::Bearing& bearing, const std::string& file) {
-  std::vector<Issue> out;
-  if (!bearing.operating) return out;
-  for (const std::string& text : bearing.operating->warnings) out.push_back(warning(text));
-  for (Issue& issue : out) issue.file = file;
+std::vector<Finding> operating_warnings(const bearing::Bearing& bearing, const std::string& file) {
+  std::vector<Finding> out;
+  if (bearing.operating) out = bearing.operating->warnings;
+  for (Finding& one : out) one.file = file;
   return out;
 }
 
 std::vector<Finding> solution_notes(const Prepared& prepared) {
-  std::vector<Finding> out;
-  for (const std::string& text : prepared.race_result().notes)
-    out.push_back(finding_of_note(text, "statics."));
-  for (const std::string& text : prepared.life.notes) out.push_back(finding_of_note(text, "life."));
-  if (prepared.life.iso)
-    for (const std::string& text : prepared.life.iso->notes)
-      out.push_back(finding_of_note(text, "life."));
+  std::vector<Finding> out = prepared.race_result().notes;
+  const auto add = [&out](const std::vector<Finding>& notes) {
+    out.insert(out.end(), notes.begin(), notes.end());
+  };
+  add(prepared.life.notes);
+  if (prepared.life.iso) add(prepared.life.iso->notes);
   for (Finding& finding : out) finding.file = prepared.input.path.string();
   return out;
 }
@@ -681,7 +676,7 @@ Prepared prepare(LoadedDeck input) {
   (void)setup::build_run_options(input.option_values);  // their errors are not errors of the deck
   try {
     Prepared out = prepare_model(std::move(input));
-    say_in_deck_units(out);
+    convert_remarks_to_deck_units(out);
     return out;
   } catch (const InputError& error) {
     std::vector<Issue> issues = error.issues();
@@ -704,23 +699,23 @@ dynamics::System make_system(const Prepared& prepared) {
                           prepared.options.system, {}, prepared.roller_scene);
 }
 
-void state_in(scene::ScenePlan& plan, const dynamics::System& system) {
-  const std::string stated = system.stated();
-  if (stated.empty()) return;
+void add_approximation_note(scene::ScenePlan& plan, const dynamics::System& system) {
+  const std::string note = system.approximation_note();
+  if (note.empty()) return;
   for (scene::EffectEntry& effect : plan.effects)
-    if (effect.effect == scene::Effect::RaceTraction) effect.because += "; " + stated;
+    if (effect.effect == scene::Effect::RaceTraction) effect.because += "; " + note;
 }
 
 scene::ScenePlan plan_with_estimates(const Prepared& prepared) {
   scene::ScenePlan plan = prepared.plan;
   if (!prepared.control.dynamic) return plan;
   dynamics::System system = make_system(prepared);
-  state_in(plan, system);
+  add_approximation_note(plan, system);
   dynamics::estimate(plan, prepared.bearing, prepared.start, system);
-  const JudgedSteps steps = judge_steps(prepared, system.scales().time);
+  const StepJudgment steps = judge_steps(prepared, system.scales().time);
   if (steps.limits.action == StepAction::Refused) return plan;
   constexpr double kBudget = 0.1;  // [s]
-  const Pilot pilot = run_pilot(prepared, system, steps.limits, steps.request.turn, kBudget);
+  const PilotResult pilot = run_pilot(prepared, system, steps.limits, steps.request.turn, kBudget);
   const double step =
       pilot.step > 0.0 ? pilot.step
                        : std::clamp(plan.expected_step, steps.limits.minimum, steps.limits.maximum);
@@ -733,7 +728,7 @@ scene::ScenePlan plan_with_estimates(const Prepared& prepared) {
   return plan;
 }
 
-std::string stability_text(const Prepared& prepared) {
+std::string step_stability_text(const Prepared& prepared) {
   if (!prepared.control.dynamic) return {};
   return judge_steps(prepared, make_system(prepared).scales().time).text;
 }
@@ -776,7 +771,7 @@ std::string plan_text(const Prepared& prepared, const scene::ScenePlan& plan) {
       "  stability                {}\n",
       plan.fastest_frequency, plan.fastest_contact, plan.expected_step, prepared.control.integrator,
       plan.steps_per_revolution, plan.seconds_per_revolution, end_text(prepared, plan),
-      stability_text(prepared));
+      step_stability_text(prepared));
   return out;
 }
 

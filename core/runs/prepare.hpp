@@ -40,9 +40,9 @@ struct Prepared {
   std::shared_ptr<user::Session> user;  ///< routines of the user; null: none
   scene::ScenePlan plan;
   statics::StaticSolution statics;  ///< balls: actual curvature, the quasi-static page
-  std::optional<statics::RollerSolution> rollers;             ///< roller bearings, instead of it
-  std::shared_ptr<const dynamics::RollerScene> roller_scene;  ///< start of their run
-  std::vector<statics::StiffnessRow> stiffness;               ///< kStif; empty when not asked for
+  std::optional<statics::RollerSolution> rollers;  ///< roller bearings, instead of it
+  std::shared_ptr<const dynamics::RollerStaticResult> roller_scene;  ///< start of their run
+  std::vector<statics::StiffnessRow> stiffness;  ///< kStif; empty when not asked for
   std::array<double, 2>
       fixed_angle{};  ///< mean contact angles, where frozen Hertz constants are taken [rad]
   statics::StaticSolution
@@ -56,7 +56,7 @@ struct Prepared {
   std::optional<thermal::SteadyState> thermal;        ///< of one with kTherm = 1
   /// Laws outside their range of validity in the quasi-static solution.
   std::vector<validity::Finding> left_ranges;
-  std::optional<thermal::TimeLine> time_line;  ///< and thermalTransient = on
+  std::optional<thermal::ThermalTransient> time_line;  ///< and thermalTransient = on
 
   /// Results of the quasi-static solution for the inner race, for balls and rollers.
   [[nodiscard]] const statics::RaceResult& race_result() const {
@@ -66,14 +66,14 @@ struct Prepared {
 
 /// What operating_bearing warned of (lost clearance, loose fit, overstressed ring), as remarks on
 /// the deck.
-[[nodiscard]] std::vector<Issue> operating_warnings(const bearing::Bearing& bearing,
-                                                    const std::string& file);
+[[nodiscard]] std::vector<Finding> operating_warnings(const bearing::Bearing& bearing,
+                                                      const std::string& file);
 
 /// Azimuth of element 1 at the start (record X4); 0 where it is not given [rad].
-[[nodiscard]] double start_angle(const deck::Deck& deck);
+[[nodiscard]] double start_azimuth(const deck::Deck& deck);
 
 /// Options of ball statics: the base frame is that of the roller options.
-[[nodiscard]] statics::StaticsOptions ball_options(const Prepared& prepared);
+[[nodiscard]] statics::BallStaticsOptions ball_statics_options(const Prepared& prepared);
 
 /// Adds a remark on the deck to those that the run tells.
 void add_remark(Prepared& prepared, Finding finding);
@@ -91,13 +91,13 @@ void add_remark(Prepared& prepared, Finding finding);
 [[nodiscard]] dynamics::System make_system(const Prepared& prepared);
 
 /// Adds to the plan the substitutes of integrals that are too expensive.
-void state_in(scene::ScenePlan& plan, const dynamics::System& system);
+void add_approximation_note(scene::ScenePlan& plan, const dynamics::System& system);
 
 /// Plan with its estimates (frequencies, step, cost) as text or JSON.
 [[nodiscard]] scene::ScenePlan plan_with_estimates(const Prepared& prepared);
 /// Effect of the integrator's steps on contact vibrations, and the changes made; empty for a
 /// quasi-static deck.
-[[nodiscard]] std::string stability_text(const Prepared& prepared);
+[[nodiscard]] std::string step_stability_text(const Prepared& prepared);
 [[nodiscard]] std::string plan_text(const Prepared& prepared, const scene::ScenePlan& plan);
 
 }  // namespace adore::runs

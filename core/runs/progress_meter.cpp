@@ -14,7 +14,7 @@ double seconds_since(Clock::time_point begin) {
 
 }  // namespace
 
-double ProgressMeter::elapsed() const { return seconds_since(begin_); }
+double ProgressMeter::elapsed() const { return seconds_since(start_clock_); }
 
 /// A run that began as the continuation of another one (kIcOpt = 1) does not know when that was:
 /// its own part counts from here.
@@ -22,47 +22,49 @@ ProgressMeter::ProgressMeter(const ProgressSink& sink, const StartPoint& start, 
                              const RunSpan& span, std::function<double()> turns)
     : sink_(sink),
       span_(span),
-      start_(start.time),
+      process_start_time_(start.time),
       start_step_(start.step),
-      origin_(completes && start.segment == 0 ? 0.0 : start.time),
+      fraction_start_time_(completes && start.segment == 0 ? 0.0 : start.time),
       first_step_(completes ? start.segment : start.step),
-      done_before_(fraction(start.time, start.step)),
+      fraction_before_(fraction(start.time, start.step)),
       turns_(std::move(turns)) {}
 
-double ProgressMeter::by_time(double time) const {
-  return span_.end > origin_ ? (time - origin_) / (span_.end - origin_) : 1.0;
+double ProgressMeter::fraction_by_time(double time) const {
+  return span_.end > fraction_start_time_
+             ? (time - fraction_start_time_) / (span_.end - fraction_start_time_)
+             : 1.0;
 }
 
-double ProgressMeter::by_steps(long step) const {
+double ProgressMeter::fraction_by_steps(long step) const {
   return static_cast<double>(step - first_step_) /
          static_cast<double>(std::max(1L, span_.max_steps));
 }
 
 /// Remaining part of both, at the pace since this program began.
-bool ProgressMeter::steps_end(double time, long step) const {
+bool ProgressMeter::ends_by_steps(double time, long step) const {
   const double last = static_cast<double>(first_step_) + static_cast<double>(span_.max_steps);
-  return (last - static_cast<double>(step)) * (time - start_) <
+  return (last - static_cast<double>(step)) * (time - process_start_time_) <
          (span_.end - time) * static_cast<double>(step - start_step_);
 }
 
 double ProgressMeter::fraction(double time, long step) const {
-  return std::clamp(std::max(by_time(time), by_steps(step)), 0.0, 0.9999);
+  return std::clamp(std::max(fraction_by_time(time), fraction_by_steps(step)), 0.0, 0.9999);
 }
 
 void ProgressMeter::send(double time, long step, bool done) {
   const double elapsed = this->elapsed();
-  sent_ = elapsed;
+  last_sent_seconds_ = elapsed;
   Progress p;
   p.fraction = done ? 1.0 : fraction(time, step);
   p.revolutions = turns_();
   p.time = time;
   p.end_time = span_.end;
   p.step = step;
-  if (steps_end(time, step)) p.last_step = first_step_ + span_.max_steps;
+  if (ends_by_steps(time, step)) p.last_step = first_step_ + span_.max_steps;
   p.elapsed = elapsed;
-  const double here = p.fraction - done_before_;
+  const double here = p.fraction - fraction_before_;
   p.remaining = here > 0.0 ? elapsed * (1.0 - p.fraction) / here : 0.0;
-  p.speed_up = elapsed > 0.0 ? (time - start_) / elapsed : 0.0;
+  p.speed_up = elapsed > 0.0 ? (time - process_start_time_) / elapsed : 0.0;
   sink_(p);
 }
 

@@ -14,7 +14,7 @@ namespace {
 /// Above kMissedLimit loads may be some per cent off although the energy balance closes:
 /// at 1e-3 up to 5 % of loads, 7 % of heat and 20 % of life (tests/hardcases/silent_errors.py,
 /// decision 481).
-void warn_of_loose_tolerance(Prepared& prepared) {
+void warn_about_tolerance(Prepared& prepared) {
   const setup::RunControl& control = prepared.control;
   if (control.tolerance <= kMissedLimit || control.step_minimum == control.step_maximum) return;
   add_remark(
@@ -32,8 +32,8 @@ void warn_of_loose_tolerance(Prepared& prepared) {
 /// The steps that the run takes. A change becomes a remark on the deck and part of its
 /// plan.
 /// @throws InputError when the method is refused.
-StepLimits settle_steps(Prepared& prepared, double time_scale) {
-  const JudgedSteps steps = judge_steps(prepared, time_scale);
+StepLimits apply_step_limits(Prepared& prepared, double time_scale) {
+  const StepJudgment steps = judge_steps(prepared, time_scale);
   if (steps.limits.action == StepAction::Refused) throw InputError(steps.text);
   prepared.stability = steps.text;
   if (steps.limits.action != StepAction::Kept)
@@ -60,7 +60,7 @@ std::unique_ptr<integrators::Stepper> make_checked_stepper(const setup::RunContr
     throw InputError(
         "arkode-imex treats the normal contacts of elements and races implicitly, and this deck "
         "has none; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
-  if (control.step_minimum == control.step_maximum && !stepper->holds_constant_step())
+  if (control.step_minimum == control.step_maximum && !stepper->can_hold_constant_step())
     throw InputError(
         fmt::format("record 2.1 specifies a constant step (stpMin = stpMax), which {} does not "
                     "support; use intMet 1-7, 11-18 or 31-32, or make stpMin smaller than stpMax",
@@ -73,8 +73,8 @@ bool restore_thermal(ThermalRun& thermal, Prepared& prepared, const fs::path& ma
   std::error_code error;
   if (!fs::exists(master, error)) return false;
   if (!thermal.restore(results::read_master(master).averages, master)) return false;
-  for (const std::string& text : move_to(prepared, thermal.operating()))
-    add_remark(prepared, make_finding("thermal.geometry", text));
+  for (const Finding& doubt : move_to(prepared, thermal.operating()))
+    add_remark(prepared, renamed(doubt, "thermal.geometry", doubt.message));
   return true;
 }
 
@@ -90,15 +90,15 @@ bool restore_growth(ReadyRun& run, Prepared& prepared) {
   const std::array<double, 2> speed{races[0].speed, races[1].speed};
   const RingGrowth::Levels levels = run.growth->levels(speed);
   if (levels == RingGrowth::Levels{}) return false;
-  move_to_speeds(prepared, run.thermal ? &*run.thermal : nullptr,
-                 run.growth->speeds(levels, speed));
+  apply_race_speeds(prepared, run.thermal ? &*run.thermal : nullptr,
+                    run.growth->speeds(levels, speed));
   return true;
 }
 
 /// Runs a function that may reject the deck's method: names intMet if no record is named and the
 /// request does not specify a method.
 template <class Check>
-auto of_method(const RunRequest& request, const deck::Deck& deck, Check&& check) {
+auto name_integrator(const RunRequest& request, const deck::Deck& deck, Check&& check) {
   try {
     return check();
   } catch (const InputError& error) {
@@ -122,13 +122,14 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const RunPlace
     : master(place.path / prepared.control.master_file) {
   const setup::StartState how =
       request.go_on ? setup::StartState::Continue : prepared.control.start;
-  const double elastic = static_elastic(prepared);  // as the first run had it, before thermal steps
+  const double elastic =
+      static_elastic_energy(prepared);  // as the first run had it, before thermal steps
   if (prepared.bearing.thermal) thermal.emplace(prepared);
   system.emplace(make_system(prepared));
-  state_in(prepared.plan, *system);
+  add_approximation_note(prepared.plan, *system);
   ode.emplace(*system, elastic);
   const deck::Deck& deck = prepared.input.deck;
-  stepper = of_method(request, deck, [&] {
+  stepper = name_integrator(request, deck, [&] {
     return make_checked_stepper(
         prepared.control, *ode,
         prepared.plan.light_load_ratio > 0.0 || prepared.plan.has(scene::Effect::ElementBalance),
@@ -136,8 +137,8 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const RunPlace
   });
   time_scale = system->scales().time;
   span = run_span(request, prepared, time_scale);
-  limits = of_method(request, deck, [&] { return settle_steps(prepared, time_scale); });
-  warn_of_loose_tolerance(prepared);
+  limits = name_integrator(request, deck, [&] { return apply_step_limits(prepared, time_scale); });
+  warn_about_tolerance(prepared);
   if (request.go_on && !fs::exists(master))
     throw InputError(fmt::format(
         "{}: there is no run to continue: it was never started here, or ended before its first "
@@ -148,13 +149,13 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const RunPlace
   growth.emplace(prepared);
   // Times, limits and estimates above are those of the bearing of the deck at the start of
   // the run: a killed run continues with the same steps.
-  thermal_goes_on =
+  thermal_restored =
       thermal && how == setup::StartState::Continue && restore_thermal(*thermal, prepared, master);
-  if (thermal_goes_on) system.emplace(make_system(prepared));
+  if (thermal_restored) system.emplace(make_system(prepared));
   if (how == setup::StartState::Continue && growth->active() && restore_growth(*this, prepared))
     system.emplace(make_system(prepared));
-  if (thermal) outputs->show_thermal(*thermal);
-  start = outputs->find_start(*system, how);
+  if (thermal) outputs->set_thermal_run(*thermal);
+  start = outputs->find_start_point(*system, how);
 }
 
 }  // namespace adore::runs

@@ -25,7 +25,7 @@ struct ReadyRun {
   std::filesystem::path master;
   std::optional<ThermalRun> thermal;
   std::optional<RingGrowth> growth;
-  bool thermal_goes_on = false;            ///< with the temperatures of an earlier run
+  bool thermal_restored = false;           ///< with the temperatures of an earlier run
   std::optional<dynamics::System> system;  ///< thermal steps put another one into its place
   std::optional<SystemOde> ode;
   std::unique_ptr<integrators::Stepper> stepper;

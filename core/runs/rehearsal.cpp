@@ -31,13 +31,12 @@ std::vector<Finding> findings_of_start(const RunRequest& request, Prepared& prep
   if (folder.empty()) prepared.control.start = setup::StartState::Statics;
   ReadyRun ready(request, prepared, RunPlace(folder.empty() ? fs::path(kNowhere) : folder));
   std::vector<Finding> out = ready.outputs->remarks();
-  LawRanges ranges(prepared.bearing);
-  ranges.look(ready.system->snapshot(ready.start.time, ready.start.y));
+  LawValidityMonitor ranges(prepared.bearing);
+  ranges.check(ready.system->snapshot(ready.start.time, ready.start.y));
   for (const validity::Finding& one :
        without(ranges.findings(), {"hertz.shoulder", "hertz.yield", "cage.yield"}))
     out.push_back(finding_of_range(one));
-  if (const std::string text = ranges.given_coefficient(); !text.empty())
-    out.push_back(make_finding("friction.coefficient", text));
+  if (auto one = ranges.friction_coefficient_finding()) out.push_back(std::move(*one));
   return out;
 }
 
@@ -47,10 +46,10 @@ std::vector<Issue> sentence(const std::string& message) {
   return {issue};
 }
 
-Rehearsal rehearse_in(LoadedDeck input, const fs::path& folder) {
+DryRunResult rehearse_in(LoadedDeck input, const fs::path& folder) {
   const std::string file = input.path.string();
   const deck::UnitSystem units = input.deck.units();
-  Rehearsal out;
+  DryRunResult out;
   try {
     RunRequest request;
     request.overwrite = true;  // whoever starts the run is asked
@@ -93,9 +92,9 @@ std::vector<Finding> findings_before_first_step(const RunRequest& request, Prepa
   return out;
 }
 
-Rehearsal rehearse(LoadedDeck input) { return rehearse_in(std::move(input), {}); }
+DryRunResult dry_run_without_files(LoadedDeck input) { return rehearse_in(std::move(input), {}); }
 
-Rehearsal rehearse_run(LoadedDeck input) {
+DryRunResult dry_run_with_files(LoadedDeck input) {
   fs::path folder;
   if (input.path.empty()) {
     input.path = "new deck";
@@ -106,8 +105,8 @@ Rehearsal rehearse_run(LoadedDeck input) {
   return rehearse_in(std::move(input), folder);
 }
 
-std::vector<Issue> refusals_of_run(LoadedDeck input) {
-  return rehearse_run(std::move(input)).refusals;
+std::vector<Issue> dry_run_errors(LoadedDeck input) {
+  return dry_run_with_files(std::move(input)).refusals;
 }
 
 }  // namespace adore::runs

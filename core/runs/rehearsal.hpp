@@ -8,7 +8,7 @@
 namespace adore::runs {
 
 /// Messages of `adore run` on a deck before its first step.
-struct Rehearsal {
+struct DryRunResult {
   std::vector<Issue> refusals;   ///< errors; empty: the run begins
   std::vector<Finding> remarks;  ///< warnings and notes, those of the reader among them
 };
@@ -24,7 +24,7 @@ struct Rehearsal {
 /// and files of earlier runs in them, are not looked at. Writes nothing. Takes as long as a run
 /// takes until its first step.
 /// @param input a deck without errors @throws Interrupted when input.stop ended it
-[[nodiscard]] Rehearsal rehearse(LoadedDeck input);
+[[nodiscard]] DryRunResult dry_run_without_files(LoadedDeck input);
 
 /// Errors of `adore run` on a deck before its first step: checks of the
 /// model, a folder without write permission, the equilibrium, the method and its steps, the
@@ -33,8 +33,8 @@ struct Rehearsal {
 /// @param input a deck without errors. Without a path it has no folder, and files are not checked
 /// @return errors; empty: the run begins
 /// @throws Interrupted when input.stop ended it
-[[nodiscard]] std::vector<Issue> refusals_of_run(LoadedDeck input);
+[[nodiscard]] std::vector<Issue> dry_run_errors(LoadedDeck input);
 /// The same with the findings that `adore check` lists.
-[[nodiscard]] Rehearsal rehearse_run(LoadedDeck input);
+[[nodiscard]] DryRunResult dry_run_with_files(LoadedDeck input);
 
 }  // namespace adore::runs

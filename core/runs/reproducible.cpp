@@ -10,14 +10,15 @@
 namespace adore::runs {
 
 void require_reproducible() {
-  if (!portable_math_functions())
+  if (!has_portable_math())
     throw InputError(
         "--reproducible: this program was built with the math functions of the C library, which "
         "differ between processors; build it where musl is installed (Debian: musl-dev)");
   ::setenv("ADORE_ISA", "baseline", 1);
   // The kernel is chosen once, at its first use.
   if (std::string_view(dynamics::race_contact_instruction_set()) != "baseline")
-    throw InputError("--reproducible was set after a run of this process; start a new process");
+    throw InputError(
+        "--reproducible must be set before the first run of a process; start a new process");
 }
 
 }  // namespace adore::runs

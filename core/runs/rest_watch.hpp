@@ -12,9 +12,9 @@
 /// limit it: explicit methods would need two hundred thousand steps per second at rest.
 namespace adore::runs {
 
-class RestWatch {
+class RestDetector {
  public:
-  explicit RestWatch(const Prepared& prepared);
+  explicit RestDetector(const Prepared& prepared);
 
   /// Length of a step without integration from the present state; 0: the bearing moves, or such a
   /// step is not longer than `usual`.
@@ -23,7 +23,7 @@ class RestWatch {
                             double tolerance, double usual, double most) const;
 
  private:
-  bool undisturbed_ = false;
+  bool is_time_independent_ = false;
 };
 
 }  // namespace adore::runs

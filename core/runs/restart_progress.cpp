@@ -21,8 +21,8 @@ constexpr const char* kSegment = "step from which maxStps counts";
 constexpr const char* kPlotted = "last step in SOL1-SOL7";
 constexpr const char* kAnimated = "last step in SOL8";
 constexpr const char* kPrinted = "last step in PRINT";
-constexpr const char* kLived = "last step of the life models";
-constexpr const char* kHeld = "counter of changes of held elements";
+constexpr const char* kLifeStep = "last step of the life models";
+constexpr const char* kHeldChanges = "counter of changes of held elements";
 constexpr std::pair<const char*, double Resume::*> kErrors[] = {
     {"error estimates of the steps, sum", &Resume::error_sum},
     {"error estimates of the steps, largest", &Resume::error_largest},
@@ -38,8 +38,8 @@ constexpr std::pair<const char*, long integrators::Counters::*> kCounters[] = {
     {"counter of jacobians", &integrators::Counters::jacobians},
     {"counter of nonlinear_iterations", &integrators::Counters::nonlinear_iterations},
     {"counter of repeated_for_energy", &integrators::Counters::repeated_for_energy}};
-constexpr const char* kStored = "ledger stored at start";
-constexpr const char* kResidual = "ledger residual";
+constexpr const char* kStoredEnergy = "ledger stored at start";
+constexpr const char* kEnergyResidual = "ledger residual";
 
 /// The same ledger with another start.
 template <class Value>
@@ -58,10 +58,10 @@ std::string momentum_name(std::string_view kind, int axis) {
 }  // namespace
 
 void save_progress(std::map<std::string, double>& state, const scene::Snapshot& at,
-                   const Resume& resume, const FileSteps& steps, long segment,
+                   const Resume& resume, const LastStoredSteps& steps, long segment,
                    const setup::RunControl& control) {
-  state[kStored] = at.energy.sum(scene::LedgerKind::Start);
-  state[kResidual] = at.energy.residual();
+  state[kStoredEnergy] = at.energy.sum(scene::LedgerKind::Start);
+  state[kEnergyResidual] = at.energy.residual();
   for (int k = 0; at.momentum && k < 3; ++k) {
     state[momentum_name("linear", k)] = at.momentum->linear.sum(scene::LedgerKind::Start)[k];
     state[momentum_name("angular", k)] = at.momentum->angular.sum(scene::LedgerKind::Start)[k];
@@ -75,9 +75,9 @@ void save_progress(std::map<std::string, double>& state, const scene::Snapshot& 
   whole(kAnimated, steps.animated);
   whole(kPrinted, steps.printed);
   whole(results::kLastSaved, steps.saved);
-  whole(kLived, steps.lived);
+  whole(kLifeStep, steps.lived);
   for (const auto& [name, counter] : kCounters) whole(name, resume.counters.*counter);
-  whole(kHeld, resume.held_changes);
+  whole(kHeldChanges, resume.held_changes);
   for (const auto& [name, error] : kErrors) state[name] = resume.*error;
   if (resume.memory.empty()) return;
   const std::string stem(kStepper);
@@ -90,14 +90,14 @@ void save_progress(std::map<std::string, double>& state, const scene::Snapshot& 
 
 std::optional<LedgerStart> LedgerStart::of(const results::MasterState& master) {
   const std::map<std::string, double>& state = master.averages;
-  if (state.count(kStored) == 0 || state.count(kResidual) == 0) return {};
+  if (state.count(kStoredEnergy) == 0 || state.count(kEnergyResidual) == 0) return {};
   const auto number = [&](const std::string& name) {
     const auto found = state.find(name);
     return found == state.end() ? 0.0 : found->second;
   };
   LedgerStart start;
-  start.stored = number(kStored);
-  start.residual = number(kResidual);
+  start.stored = number(kStoredEnergy);
+  start.residual = number(kEnergyResidual);
   for (int k = 0; k < 3; ++k) {
     start.linear[k] = number(momentum_name("linear", k));
     start.angular[k] = number(momentum_name("angular", k));
@@ -105,7 +105,7 @@ std::optional<LedgerStart> LedgerStart::of(const results::MasterState& master) {
   return start;
 }
 
-bool LedgerStart::goes_on(const scene::EnergyLedger& now) const {
+bool LedgerStart::is_continued_by(const scene::EnergyLedger& now) const {
   double largest = 0.0;
   for (const auto& item : now.items())
     if (item.term->kind != scene::LedgerKind::Note)
@@ -121,8 +121,9 @@ void LedgerStart::apply(scene::Snapshot& to) const {
   set_start<Eigen::Vector3d>(to.momentum->angular, angular);
 }
 
-FileSteps restore_progress(const results::MasterState& master, const setup::RunControl& control,
-                           const std::filesystem::path& file, StartPoint& out) {
+LastStoredSteps restore_progress(const results::MasterState& master,
+                                 const setup::RunControl& control,
+                                 const std::filesystem::path& file, StartPoint& out) {
   const std::map<std::string, double>& state = master.averages;
   const auto number = [&](const std::string& name, double otherwise) {
     const auto found = state.find(name);
@@ -140,20 +141,20 @@ FileSteps restore_progress(const results::MasterState& master, const setup::RunC
                       file.string(), name, value, least, most));
     return static_cast<long>(value);
   };
-  constexpr long kMost = 9'000'000'000'000'000;  // beyond, whole numbers run together
+  constexpr long kMaxWhole = 9'000'000'000'000'000;  // beyond, whole numbers run together
   // The deck may count fewer substeps as one step than it did.
-  out.resume.substeps = std::min(whole(kSubsteps, 0, 0, kMost), control.substeps - 1L);
+  out.resume.substeps = std::min(whole(kSubsteps, 0, 0, kMaxWhole), control.substeps - 1L);
   out.segment = whole(kSegment, 0, 0, out.step);
-  FileSteps steps;
+  LastStoredSteps steps;
   // Older files hold the state of the last stored step.
   steps.plotted = whole(kPlotted, out.step, -1, out.step);
   steps.animated = whole(kAnimated, out.step, -1, out.step);
   steps.printed = whole(kPrinted, out.step, -1, out.step);
   steps.saved = whole(results::kLastSaved, out.step, -1, out.step);
-  steps.lived = whole(kLived, out.step, -1, out.step);
+  steps.lived = whole(kLifeStep, out.step, -1, out.step);
   for (const auto& [name, counter] : kCounters)
-    out.resume.counters.*counter = whole(name, 0, 0, kMost);
-  out.resume.held_changes = whole(kHeld, 0, 0, kMost);
+    out.resume.counters.*counter = whole(name, 0, 0, kMaxWhole);
+  out.resume.held_changes = whole(kHeldChanges, 0, 0, kMaxWhole);
   for (const auto& [name, error] : kErrors) {
     const double value = number(name, 0.0);
     if (!(value >= 0.0) || !std::isfinite(value))

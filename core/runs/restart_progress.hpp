@@ -17,7 +17,7 @@
 namespace adore::runs {
 
 /// Last step in each kind of file, and of the life models; -1 before the first.
-struct FileSteps {
+struct LastStoredSteps {
   long plotted = -1, animated = -1, printed = -1, saved = -1, lived = -1;
 };
 
@@ -33,21 +33,21 @@ struct LedgerStart {
   /// Nothing when the file is older than such entries.
   [[nodiscard]] static std::optional<LedgerStart> of(const results::MasterState& master);
   /// Is `now`, an instant that begins with this start, the one in MASTER?
-  [[nodiscard]] bool goes_on(const scene::EnergyLedger& now) const;
+  [[nodiscard]] bool is_continued_by(const scene::EnergyLedger& now) const;
   /// Replaces the start in the ledgers of an instant.
   void apply(scene::Snapshot& to) const;
 };
 
 /// @param segment step from which maxStps counts
 void save_progress(std::map<std::string, double>& state, const scene::Snapshot& at,
-                   const Resume& resume, const FileSteps& steps, long segment,
+                   const Resume& resume, const LastStoredSteps& steps, long segment,
                    const setup::RunControl& control);
 
 /// The stepper's memory belongs to one method with its limits: under others it stays empty.
 /// @param file MASTER, for messages
 /// @throws InputError when what it remembers is not finite, or a step or counter impossible
-[[nodiscard]] FileSteps restore_progress(const results::MasterState& master,
-                                         const setup::RunControl& control,
-                                         const std::filesystem::path& file, StartPoint& out);
+[[nodiscard]] LastStoredSteps restore_progress(const results::MasterState& master,
+                                               const setup::RunControl& control,
+                                               const std::filesystem::path& file, StartPoint& out);
 
 }  // namespace adore::runs

@@ -14,12 +14,13 @@ ResultsFolder::ResultsFolder(fs::path named, const fs::path& below) : path_(std:
   if (path_.empty()) path_ = ".";
   if (!path_.has_filename() && path_.has_relative_path()) path_ = path_.parent_path();  // "run/"
   try {
-    made_ = make_folders(path_);
+    created_folder_count_ = make_folders(path_);
     folder_.emplace(path_);
     if (below.empty()) return;
     std::error_code error;
     const fs::path all = path_ / below;
-    for (fs::path at = all; at != path_ && !fs::exists(at, error); at = at.parent_path()) ++made_;
+    for (fs::path at = all; at != path_ && !fs::exists(at, error); at = at.parent_path())
+      ++created_folder_count_;
     folder_ = folder_->folder(below);
     path_ = all;
   } catch (const InputError& refused) {
@@ -31,7 +32,7 @@ ResultsFolder::ResultsFolder(fs::path named, const fs::path& below) : path_(std:
 
 ResultsFolder::~ResultsFolder() {
   folder_.reset();
-  remove_empty_folders(path_, made_);
+  remove_empty_folders(path_, created_folder_count_);
 }
 
 }  // namespace adore::runs

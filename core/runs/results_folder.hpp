@@ -24,7 +24,7 @@ class ResultsFolder {
  private:
   std::filesystem::path path_;
   std::optional<WriteFolder> folder_;
-  int made_ = 0;  ///< folders that were missing: the last ones of the path
+  int created_folder_count_ = 0;  ///< folders that were missing: the last ones of the path
 };
 
 }  // namespace adore::runs

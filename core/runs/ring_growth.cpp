@@ -17,42 +17,46 @@ double clearance_at(bearing::Bearing as_built, const std::array<double, 2>& spee
 
 }  // namespace
 
-RingGrowth::RingGrowth(const Prepared& prepared, double share) : start_(prepared.as_built.speed) {
+RingGrowth::RingGrowth(const Prepared& prepared, double share)
+    : start_speeds_(prepared.as_built.speed) {
   const bearing::RaceMotions& motions = prepared.plan.race_motions;
   const bool varies =
       motions.ramp[0] || motions.ramp[1] || motions.variation[0] || motions.variation[1];
   if (!varies || !prepared.as_built.mounting.centrifugal_growth) return;
-  constexpr double kUsualSpeed = 1000.0;  ///< of the differences, at least [rad/s]
+  constexpr double kMinSpeed = 1000.0;  ///< of the differences, at least [rad/s]
   const double at_rest = clearance_at(prepared.as_built, {0.0, 0.0});
   for (std::size_t j = 0; j < 2; ++j) {
     std::array<double, 2> speed{};
-    speed[j] = std::max(kUsualSpeed, std::abs(start_[j]));
-    slope_[j] = (clearance_at(prepared.as_built, speed) - at_rest) / (speed[j] * speed[j]);
+    speed[j] = std::max(kMinSpeed, std::abs(start_speeds_[j]));
+    clearance_slope_[j] =
+        (clearance_at(prepared.as_built, speed) - at_rest) / (speed[j] * speed[j]);
   }
-  constexpr double kLeast = 1e-9;  ///< [m]
-  step_ = std::max(kLeast, share * prepared.start.max_deflection);
+  constexpr double kMinStep = 1e-9;  ///< [m]
+  level_step_ = std::max(kMinStep, share * prepared.start.max_deflection);
 }
 
 RingGrowth::Levels RingGrowth::levels(const std::array<double, 2>& speed) const {
   Levels out{};
   for (std::size_t j = 0; active() && j < 2; ++j)
-    out[j] = std::lround(slope_[j] * (speed[j] * speed[j] - start_[j] * start_[j]) / step_);
+    out[j] = std::lround(clearance_slope_[j] *
+                         (speed[j] * speed[j] - start_speeds_[j] * start_speeds_[j]) / level_step_);
   return out;
 }
 
 std::array<double, 2> RingGrowth::speeds(const Levels& levels,
                                          const std::array<double, 2>& now) const {
-  std::array<double, 2> out = start_;
+  std::array<double, 2> out = start_speeds_;
   for (std::size_t j = 0; j < 2; ++j) {
     if (levels[j] == 0) continue;
-    const double square =
-        start_[j] * start_[j] + static_cast<double>(levels[j]) * step_ / slope_[j];
+    const double square = start_speeds_[j] * start_speeds_[j] +
+                          static_cast<double>(levels[j]) * level_step_ / clearance_slope_[j];
     out[j] = std::copysign(std::sqrt(std::max(square, 0.0)), now[j]);
   }
   return out;
 }
 
-void move_to_speeds(Prepared& prepared, ThermalRun* thermal, const std::array<double, 2>& speed) {
+void apply_race_speeds(Prepared& prepared, ThermalRun* thermal,
+                       const std::array<double, 2>& speed) {
   bearing::Bearing operating;
   if (thermal != nullptr) {
     thermal->set_speed(speed);
@@ -62,12 +66,13 @@ void move_to_speeds(Prepared& prepared, ThermalRun* thermal, const std::array<do
     as_built.speed = speed;
     operating = thermal::operating_bearing(as_built);
   }
-  (void)move_at_speed(prepared, operating);
+  (void)move_keeping_start_speeds(prepared, operating);
 }
 
-std::vector<std::string> move_at_speed(Prepared& prepared, const bearing::Bearing& operating) {
+std::vector<Finding> move_keeping_start_speeds(Prepared& prepared,
+                                               const bearing::Bearing& operating) {
   const std::array<double, 2> at_start = prepared.as_built.speed;
-  std::vector<std::string> doubts;
+  std::vector<Finding> doubts;
   try {
     doubts = move_to(prepared, operating);
   } catch (const SolverError&) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "runs/prepare.hpp"
 
 #include <array>
@@ -26,26 +27,26 @@ class RingGrowth {
 
   explicit RingGrowth(const Prepared& prepared, double share = kGrowthShare);
   /// The speeds vary and the rings grow.
-  [[nodiscard]] bool active() const noexcept { return step_ > 0.0; }
+  [[nodiscard]] bool active() const noexcept { return level_step_ > 0.0; }
   [[nodiscard]] Levels levels(const std::array<double, 2>& speed) const;
   /// Race speeds of the geometry at these levels [rad/s].
   [[nodiscard]] std::array<double, 2> speeds(const Levels& levels,
                                              const std::array<double, 2>& now) const;
 
  private:
-  std::array<double, 2> start_{};  ///< race speeds at t = 0 [rad/s]
-  std::array<double, 2> slope_{};  ///< s_j [m s²]
-  double step_ = 0.0;              ///< Δ [m]; 0: not active
+  std::array<double, 2> start_speeds_{};     ///< race speeds at t = 0 [rad/s]
+  std::array<double, 2> clearance_slope_{};  ///< s_j [m s²]
+  double level_step_ = 0.0;                  ///< Δ [m]; 0: not active
 };
 
 /// The bearing of `prepared` at work at these race speeds, with the present temperatures of a
 /// thermal analysis; the motion's laws keep the speeds of t = 0. @throws InputError, SolverError
-void move_to_speeds(Prepared& prepared, ThermalRun* thermal, const std::array<double, 2>& speed);
+void apply_race_speeds(Prepared& prepared, ThermalRun* thermal, const std::array<double, 2>& speed);
 
 /// move_to() of a bearing at its present speeds, for laws that keep the speeds of t = 0. Where the
 /// present speeds leave no equilibrium under the specified load (a tapered row without enough
 /// thrust), that of t = 0 places the race. @return as move_to()
-[[nodiscard]] std::vector<std::string> move_at_speed(Prepared& prepared,
-                                                     const bearing::Bearing& operating);
+[[nodiscard]] std::vector<Finding> move_keeping_start_speeds(Prepared& prepared,
+                                                             const bearing::Bearing& operating);
 
 }  // namespace adore::runs

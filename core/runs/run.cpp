@@ -72,7 +72,7 @@ RunOutcome run_quasi_static(const RunRequest& request, const Prepared& prepared,
 }
 
 /// How to continue after a write error.
-std::string way_on(const fs::path& master) {
+std::string continuation_hint(const fs::path& master) {
   std::error_code error;
   return fs::exists(master, error)
              ? "the files are valid up to their last complete step: continue the run with "
@@ -85,8 +85,8 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const Writ
   try {
     return simulate(request, prepared, folder, progress, stop);
   } catch (const WriteError& error) {
-    throw InputError(
-        fmt::format("{}; {}", error.what(), way_on(folder.path() / prepared.control.master_file)));
+    throw InputError(fmt::format("{}; {}", error.what(),
+                                 continuation_hint(folder.path() / prepared.control.master_file)));
   } catch (const SolverError& error) {  // before the first step
     throw_start_failure(prepared, error);
   }

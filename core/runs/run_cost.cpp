@@ -1,7 +1,7 @@
 #include "runs/run_cost.hpp"
 
 #include "base/interrupted.hpp"
-#include "runs/passing_folder.hpp"
+#include "runs/temporary_folder.hpp"
 #include "scene/cost_ledger.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct Look {
 }  // namespace
 
 RunCost run_cost(const RunRequest& request, double budget, std::stop_token stop) {
-  const PassingFolder folder;
+  const TemporaryFolder folder;
   RunRequest pilot = request;
   pilot.out = folder.path();
   pilot.go_on = false;

@@ -12,7 +12,7 @@
 
 namespace adore::runs {
 
-RunEnding end_of_run(const RunRequest& request, const std::stop_token& stop) {
+RunEnding run_catching_errors(const RunRequest& request, const std::stop_token& stop) {
   RunEnding out;
   try {
     out.outcome = run(request, {}, stop);
@@ -37,9 +37,10 @@ RunEnding end_of_run(const RunRequest& request, const std::stop_token& stop) {
 }
 
 std::string value_text(double value) {
-  constexpr double kWhole = 1e15;
-  return value == std::round(value) && std::abs(value) < kWhole ? fmt::format("{:.0f}", value)
-                                                                : fmt::format("{}", value);
+  constexpr double kMaxWholeNumber = 1e15;
+  return value == std::round(value) && std::abs(value) < kMaxWholeNumber
+             ? fmt::format("{:.0f}", value)
+             : fmt::format("{}", value);
 }
 
 std::string variable_unit(const DeckRequest& request, const std::string& variable) {
@@ -52,7 +53,7 @@ std::string variable_unit(const DeckRequest& request, const std::string& variabl
   return name == "-" ? std::string() : std::string(name);
 }
 
-std::string message_field(std::string message) {
+std::string quoted_message_field(std::string message) {
   std::replace(message.begin(), message.end(), '"', '\'');
   std::replace(message.begin(), message.end(), '\n', ' ');
   return "\"" + message + "\"";

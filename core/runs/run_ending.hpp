@@ -20,7 +20,7 @@ struct RunEnding {
 };
 
 /// run(), with its errors as values. Bugs pass.
-[[nodiscard]] RunEnding end_of_run(const RunRequest& request, const std::stop_token& stop);
+[[nodiscard]] RunEnding run_catching_errors(const RunRequest& request, const std::stop_token& stop);
 
 /// A number as --set takes it: whole values without a decimal point, so that integer variables take
 /// them; others with as many digits as they have.
@@ -31,6 +31,6 @@ struct RunEnding {
 [[nodiscard]] std::string variable_unit(const DeckRequest& request, const std::string& variable);
 
 /// A sentence as the last field of a table's line: quoted, on one line.
-[[nodiscard]] std::string message_field(std::string message);
+[[nodiscard]] std::string quoted_message_field(std::string message);
 
 }  // namespace adore::runs

@@ -23,18 +23,18 @@ int cages(const Prepared& prepared) {
 
 }  // namespace
 
-listing::RaceFriction race_friction(const Prepared& prepared) {
-  using listing::RaceFriction;
-  if (!prepared.plan.has(scene::Effect::RaceTraction)) return RaceFriction::None;
+listing::RaceFrictionModel race_friction_model(const Prepared& prepared) {
+  using listing::RaceFrictionModel;
+  if (!prepared.plan.has(scene::Effect::RaceTraction)) return RaceFrictionModel::None;
   const auto& user = prepared.options.system.user;
   if (user && user->traction_of(tribology::TractionKind::ElementRace) != nullptr)
-    return RaceFriction::OfUser;
-  return prepared.bearing.lubrication ? RaceFriction::Film : RaceFriction::Curve;
+    return RaceFrictionModel::OfUser;
+  return prepared.bearing.lubrication ? RaceFrictionModel::Film : RaceFrictionModel::Curve;
 }
 
 RunFiles::RunFiles(const Prepared& prepared, RunPlace place)
     : prepared_(prepared),
-      begun_(prepared.bearing),
+      initial_bearing_(prepared.bearing),
       control_(prepared.control),
       place_(std::move(place)),
       units_(prepared.input.deck.units()),
@@ -49,7 +49,7 @@ fs::path RunFiles::sol_path(std::size_t number) const {
   return place_.path / control_.sol_files[number - 1];
 }
 
-WritePath RunFiles::sol_place(std::size_t number) const {
+WritePath RunFiles::sol_write_path(std::size_t number) const {
   return place(control_.sol_files[number - 1]);
 }
 
@@ -79,15 +79,16 @@ void RunFiles::check() const {
   for (std::size_t k = 0; k < control_.monitored.size() && k < 6; ++k)
     check(k + 1, control_.monitored[k]);
   check(7, 0);
-  if (prepared_.options.results_h5) results::H5Writer::check(path("RESULTS.h5"), begun_, channels_);
+  if (prepared_.options.results_h5)
+    results::H5Writer::check(path("RESULTS.h5"), initial_bearing_, channels_);
   if (writes_animation()) results::Sol8Writer::check(sol_path(8), prepared_.bearing, units_);
 }
 
-void RunFiles::check_sums(const results::MasterState& master) const {
+void RunFiles::verify_checksums(const results::MasterState& master) const {
   const auto saved = master.averages.find(results::kLastSaved);
   const long last = saved == master.averages.end() ? 0 : static_cast<long>(saved->second);
-  for (const results::MasterFile& file : master.files) {
-    const std::string damage = results::damage_of(file, path(file.name), last);
+  for (const results::MasterFileEntry& file : master.files) {
+    const std::string damage = results::describe_file_damage(file, path(file.name), last);
     if (damage.empty()) continue;
     throw InputError(
         fmt::format("{}: the file is damaged: {}; restore it, or run the deck again with "
@@ -96,14 +97,14 @@ void RunFiles::check_sums(const results::MasterState& master) const {
   }
 }
 
-std::pair<long, double> RunFiles::stored_end(std::uintmax_t print_bytes) const {
+std::pair<long, double> RunFiles::last_stored_step(std::uintmax_t print_bytes) const {
   // RESULTS.h5 has the steps of SOL7 and SOL8.
-  std::pair<long, double> out = results::stored_end(sol_path(7));
+  std::pair<long, double> out = results::last_stored_step(sol_path(7));
   const auto take = [&out](const std::pair<long, double>& other) {
     out = {std::max(out.first, other.first), std::max(out.second, other.second)};
   };
-  if (writes_animation()) take(results::stored_end(sol_path(8)));
-  take(listing::PrintFile::stored_end(path("PRINT.txt"), print_bytes));
+  if (writes_animation()) take(results::last_stored_step(sol_path(8)));
+  take(listing::PrintFile::last_stored_step(path("PRINT.txt"), print_bytes));
   return out;
 }
 
@@ -130,15 +131,15 @@ void RunFiles::open(bool continued, std::uintmax_t print_bytes, std::uintmax_t s
   const auto open = [&](std::size_t number, int index) {
     const results::SolHeader header = results::make_sol_header(prepared_.bearing, index, units_);
     written.push_back(sol_path(number));
-    return continued ? results::SolWriter::continue_after(sol_place(number), header, units_,
+    return continued ? results::SolWriter::continue_after(sol_write_path(number), header, units_,
                                                           steps.plotted)
-                     : results::SolWriter::create(sol_place(number), header, units_);
+                     : results::SolWriter::create(sol_write_path(number), header, units_);
   };
   for (std::size_t k = 0; k < control_.monitored.size() && k < 6; ++k)
-    elements_.push_back(open(k + 1, control_.monitored[k]));
-  power_ = open(7, 0);
-  for (results::SolWriter& file : elements_) file.collect();
-  power_->collect();
+    element_writers_.push_back(open(k + 1, control_.monitored[k]));
+  sol7_writer_ = open(7, 0);
+  for (results::SolWriter& file : element_writers_) file.collect();
+  sol7_writer_->collect();
   if (prepared_.options.results_h5) {
     written.push_back(path("RESULTS.h5"));
     std::vector<Finding> known = prepared_.input.warnings;
@@ -148,19 +149,19 @@ void RunFiles::open(bool continued, std::uintmax_t print_bytes, std::uintmax_t s
     });
     for (Finding& note : solution_notes(prepared_)) known.push_back(std::move(note));
     constexpr int kBlock = results::H5Writer::kBlock;
-    all = continued
-              ? results::H5Writer::continue_after(place("RESULTS.h5"), begun_, channels_,
-                                                  steps.saved, kBlock, known)
-              : results::H5Writer::create(place("RESULTS.h5"), begun_, channels_, kBlock, known);
+    all = continued ? results::H5Writer::continue_after(place("RESULTS.h5"), initial_bearing_,
+                                                        channels_, steps.saved, kBlock, known)
+                    : results::H5Writer::create(place("RESULTS.h5"), initial_bearing_, channels_,
+                                                kBlock, known);
   }
-  print->show_friction(race_friction(prepared_));
+  print->set_friction_model(race_friction_model(prepared_));
   if (prepared_.user && !prepared_.user->version().empty())
-    print->show_version(program_version(prepared_.user.get()));
+    print->set_heading_version(program_version(prepared_.user.get()));
   if (writes_sol9()) {
     written.push_back(path("SOL9"));
-    user = continued ? results::GrowingFile::append_after(place("SOL9"), sol9_bytes)
+    user = continued ? results::GrowingFile::open_for_append(place("SOL9"), sol9_bytes)
                      : results::GrowingFile::create(place("SOL9"));
-    const std::string text = prepared_.user->take_written();
+    const std::string text = prepared_.user->take_sol9_text();
     if (!continued)
       user->append(fmt::format("  {}{}  SOL9, written by user routine ADRX9 of {}\n{}",
                                kFileVersion,
@@ -169,13 +170,14 @@ void RunFiles::open(bool continued, std::uintmax_t print_bytes, std::uintmax_t s
   }
   if (!writes_animation()) return;
   written.push_back(sol_path(8));
-  animation_ = continued ? results::Sol8Writer::continue_after(sol_place(8), prepared_.bearing,
-                                                               units_, steps.animated)
-                         : results::Sol8Writer::create(sol_place(8), prepared_.bearing, units_);
-  animation_->collect();
+  sol8_writer_ = continued
+                     ? results::Sol8Writer::continue_after(sol_write_path(8), prepared_.bearing,
+                                                           units_, steps.animated)
+                     : results::Sol8Writer::create(sol_write_path(8), prepared_.bearing, units_);
+  sol8_writer_->collect();
 }
 
-RunFiles::Wanted RunFiles::book(long step, bool always) {
+RunFiles::StepTargets RunFiles::claim_targets(long step, bool always) {
   const auto meets = [&](int every, long& last) {
     if (!(always || due(step, every)) || last == step) return false;
     last = step;
@@ -192,48 +194,48 @@ bool RunFiles::will_save(long step, bool always) const {
   return all && (always || meets) && steps.saved != step;
 }
 
-void RunFiles::store(const Wanted& where, const scene::Snapshot& at,
+void RunFiles::store(const StepTargets& where, const scene::Snapshot& at,
                      const results::StepRecord& record) {
   if (where.plot) {
-    for (results::SolWriter& file : elements_) file.write(record);
-    power_->write(record);
+    for (results::SolWriter& file : element_writers_) file.write(record);
+    sol7_writer_->write(record);
   }
-  if (where.animate && animation_) animation_->write(at);
+  if (where.animate && sol8_writer_) sol8_writer_->write(at);
   if (saves(where, at.step)) {
     all->write(record);
     steps.saved = at.step;
   }
-  constexpr std::chrono::milliseconds kLongest{100};
-  if (std::chrono::steady_clock::now() - flushed_ >= kLongest) flush_classic();
+  constexpr std::chrono::milliseconds kFlushInterval{100};
+  if (std::chrono::steady_clock::now() - last_flush_time_ >= kFlushInterval) flush_sol_files();
 }
 
-void RunFiles::flush_classic() {
-  for (results::SolWriter& file : elements_) file.flush();
-  if (power_) power_->flush();
-  if (animation_) animation_->flush();
-  flushed_ = std::chrono::steady_clock::now();
+void RunFiles::flush_sol_files() {
+  for (results::SolWriter& file : element_writers_) file.flush();
+  if (sol7_writer_) sol7_writer_->flush();
+  if (sol8_writer_) sol8_writer_->flush();
+  last_flush_time_ = std::chrono::steady_clock::now();
 }
 
 void RunFiles::flush() {
-  flush_classic();
+  flush_sol_files();
   if (all) all->flush();
 }
 
 void RunFiles::close() {
-  flush_classic();
+  flush_sol_files();
   if (all) all->close();
 }
 
-std::vector<results::MasterFile> RunFiles::ends() const {
-  std::vector<results::MasterFile> out;
+std::vector<results::MasterFileEntry> RunFiles::master_entries() const {
+  std::vector<results::MasterFileEntry> out;
   const auto add = [&](const std::string& role, const results::GrowingFile& file) {
     out.push_back({role, file.path().filename().string(), file.bytes(), file.sum()});
   };
   add("PRINT", print->file());
-  for (std::size_t k = 0; k < elements_.size(); ++k)
-    add(fmt::format("SOL{}", k + 1), elements_[k].file());
-  add("SOL7", power_->file());
-  if (animation_) add("SOL8", animation_->file());
+  for (std::size_t k = 0; k < element_writers_.size(); ++k)
+    add(fmt::format("SOL{}", k + 1), element_writers_[k].file());
+  add("SOL7", sol7_writer_->file());
+  if (sol8_writer_) add("SOL8", sol8_writer_->file());
   if (user) add("SOL9", *user);
   if (all) out.push_back({"RESULTS", "RESULTS.h5", 0, all->sum()});
   return out;

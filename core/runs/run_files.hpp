@@ -21,7 +21,7 @@
 namespace adore::runs {
 
 /// Parameters of the friction of elements and races in this run, as effects/races.cpp takes them.
-[[nodiscard]] listing::RaceFriction race_friction(const Prepared& prepared);
+[[nodiscard]] listing::RaceFrictionModel race_friction_model(const Prepared& prepared);
 
 class RunFiles {
  public:
@@ -40,12 +40,12 @@ class RunFiles {
   void check() const;
   /// Refuses to continue files that are not as the run left them, by the checksums of MASTER.
   /// @pre check()
-  void check_sums(const results::MasterState& master) const;
+  void verify_checksums(const results::MasterState& master) const;
   /// Step and time [s], to the digits of the files, of the last whole record in SOL7 or SOL8 or of
   /// the last step that the listing has behind its first `print_bytes`, whichever is later; zeros
   /// when there is none.
   /// @pre check()
-  [[nodiscard]] std::pair<long, double> stored_end(std::uintmax_t print_bytes) const;
+  [[nodiscard]] std::pair<long, double> last_stored_step(std::uintmax_t print_bytes) const;
   /// The listing alone: of a quasi-static deck.
   void open_listing();
   /// Why there is no animation although the deck asks for one; empty: there is, or none is asked.
@@ -55,21 +55,22 @@ class RunFiles {
   void open(bool continued, std::uintmax_t print_bytes, std::uintmax_t sol9_bytes);
 
   /// The files that store a step.
-  struct Wanted {
+  struct StepTargets {
     bool plot = false, animate = false, print = false, life = false;
     [[nodiscard]] bool any() const { return plot || animate || print || life; }
   };
   /// Those whose interval the step meets, or all; the step counts as stored there. No file gets a
   /// step twice: the last step may have met an interval already.
-  [[nodiscard]] Wanted book(long step, bool always);
+  [[nodiscard]] StepTargets claim_targets(long step, bool always);
   /// Will RESULTS.h5 have this step, which is not yet booked? @param always in all files
   [[nodiscard]] bool will_save(long step, bool always) const;
   /// Does RESULTS.h5 get it?
-  [[nodiscard]] bool saves(const Wanted& where, long step) const {
+  [[nodiscard]] bool saves(const StepTargets& where, long step) const {
     return all && (where.plot || where.animate) && steps.saved != step;
   }
   /// Stores an instant in SOL1-SOL8 and RESULTS.h5.
-  void store(const Wanted& where, const scene::Snapshot& at, const results::StepRecord& record);
+  void store(const StepTargets& where, const scene::Snapshot& at,
+             const results::StepRecord& record);
   /// Steps are handed to the system many at a time, at the latest with the first one after a tenth
   /// of a second; this hands on what waits. @throws WriteError
   void flush();
@@ -78,9 +79,9 @@ class RunFiles {
   /// @throws WriteError
   void close();
   /// Sizes of the files, for MASTER. @pre flush()
-  [[nodiscard]] std::vector<results::MasterFile> ends() const;
+  [[nodiscard]] std::vector<results::MasterFileEntry> master_entries() const;
 
-  FileSteps steps;
+  LastStoredSteps steps;
   std::optional<listing::PrintFile> print;
   std::optional<results::H5Writer> all;      ///< RESULTS.h5
   std::optional<results::GrowingFile> user;  ///< SOL9, of user routine ADRX9
@@ -88,21 +89,21 @@ class RunFiles {
 
  private:
   [[nodiscard]] std::filesystem::path sol_path(std::size_t number) const;
-  [[nodiscard]] WritePath sol_place(std::size_t number) const;
+  [[nodiscard]] WritePath sol_write_path(std::size_t number) const;
   [[nodiscard]] bool writes_animation() const;
   [[nodiscard]] bool writes_sol9() const;
-  void flush_classic();  ///< SOL1 to SOL8
+  void flush_sol_files();  ///< SOL1 to SOL8
 
   const Prepared& prepared_;
-  bearing::Bearing begun_;  ///< before thermal steps: RESULTS.h5 tells its geometry
+  bearing::Bearing initial_bearing_;  ///< before thermal steps: RESULTS.h5 tells its geometry
   const setup::RunControl& control_;
   RunPlace place_;
   deck::UnitSystem units_;
   results::ChannelTable channels_;
-  std::vector<results::SolWriter> elements_;  ///< SOL1..SOL6
-  std::optional<results::SolWriter> power_;   ///< SOL7
-  std::optional<results::Sol8Writer> animation_;
-  std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
+  std::vector<results::SolWriter> element_writers_;  ///< SOL1..SOL6
+  std::optional<results::SolWriter> sol7_writer_;    ///< SOL7
+  std::optional<results::Sol8Writer> sol8_writer_;
+  std::chrono::steady_clock::time_point last_flush_time_ = std::chrono::steady_clock::now();
 };
 
 /// Does an interval of steps meet this one? Never when it is 0.

@@ -23,7 +23,6 @@
 #include "runs/deck_summary.hpp"
 #include "runs/equilibrium.hpp"
 #include "runs/fault_frequencies.hpp"
-#include "runs/kept_races.hpp"
 #include "runs/key_results.hpp"
 #include "runs/law_ranges.hpp"
 #include "runs/life_observer.hpp"
@@ -34,6 +33,7 @@
 #include "runs/restart_progress.hpp"
 #include "runs/run_files.hpp"
 #include "runs/start_state.hpp"
+#include "runs/stored_races.hpp"
 #include "runs/user_session.hpp"
 
 #include <fmt/format.h>
@@ -122,12 +122,12 @@ struct RunOutputs::Impl {
   results::RunAverages averages;
   results::StepBand band;  ///< since the step stored last
   scene::Look look;
-  bool may_jump;  ///< the state or the bearing at a counted step (RunOutputs::follow_jump)
+  bool may_jump;  ///< the state or the bearing at a counted step (RunOutputs::sample_state_jump)
   LifeObserver life;
   std::array<std::vector<double>, 2> both_loads;  ///< of balls on split races, as one load [N]
-  MotionWatch watch;
-  CageState cage_state;
-  LawRanges ranges;
+  MotionLimitMonitor watch;
+  CageStateMonitor cage_state;
+  LawValidityMonitor ranges;
   RunFiles files;
   std::uintmax_t print_bytes = 0;  ///< of a listing that is continued
   std::uintmax_t sol9_bytes = 0;   ///< and of SOL9
@@ -161,7 +161,7 @@ struct RunOutputs::Impl {
         ranges(p.bearing),
         files(p, std::move(f)) {
     // Plots compare it with the interval of the stored steps.
-    if (p.control.dynamic) dynamics::find_fastest(plan, p.bearing, p.start);
+    if (p.control.dynamic) dynamics::find_fastest_vibration(plan, p.bearing, p.start);
     if (p.control.dynamic)
       life.set_reference(p.rollers ? life::life_contacts(*p.rollers, p.bearing)
                                    : life::life_contacts(p.start, p.bearing));
@@ -173,9 +173,9 @@ struct RunOutputs::Impl {
     finding.message = deck::message_in_units(finding.message, prepared.input.deck.units());
     remarks.push_back(std::move(finding));
   }
-  void judge_quadrature(const scene::QuadratureError& error);
+  void check_quadrature(const scene::QuadratureError& error);
   void make_room();
-  void print_front(const std::optional<scene::Scales>& scales);
+  void print_front_matter(const std::optional<scene::Scales>& scales);
   [[nodiscard]] results::FinalState final_state(dynamics::System& system, const Snapshot& at,
                                                 std::span<const double> y) const;
   [[nodiscard]] listing::StaticSummary static_summary(bool dynamic) const;
@@ -210,15 +210,15 @@ struct RunOutputs::Impl {
 
 /// Warns when the nodes of the contact integrals leave more than 5 % of the races' heat: of the
 /// heat of the last state or, where that has all but ended, of the run's mean.
-void RunOutputs::Impl::judge_quadrature(const scene::QuadratureError& error) {
-  constexpr double kTolerated = 0.05;
+void RunOutputs::Impl::check_quadrature(const scene::QuadratureError& error) {
+  constexpr double kMaxHeatError = 0.05;
   const std::array<double, 2> mean = mean_race_heat(last, averages.averages());
   // Heat that is less than the rounding of the stored energy is not judged.
   const double stored = last.energy.sum(scene::LedgerKind::Stored);
   const double least = last.time > 0.0 ? results::kHeatFloor * std::abs(stored) / last.time : 0.0;
   const double heat = std::max({error.heat_of_finer, mean[0] + mean[1], least});
   const double off = heat > 0.0 ? (error.heat_of_rule - error.heat_of_finer) / heat : 0.0;
-  if (std::abs(off) <= kTolerated) return;
+  if (std::abs(off) <= kMaxHeatError) return;
   remark(
       make_finding("end.quadrature",
                    fmt::format("the heat of the races has an error of {:.2g} %, because the "
@@ -226,7 +226,7 @@ void RunOutputs::Impl::judge_quadrature(const scene::QuadratureError& error) {
                                "nodes at the last state). Increase the run options ellipseMajor "
                                "and ellipseMinor",
                                100.0 * off))
-          .measure(100.0 * off, 100.0 * kTolerated));
+          .measure(100.0 * off, 100.0 * kMaxHeatError));
 }
 
 void RunOutputs::Impl::make_room() {
@@ -255,7 +255,7 @@ results::FinalState RunOutputs::Impl::final_state(dynamics::System& system, cons
   out.scales = system.scales();
   out.components = component_names(system);
   out.state.assign(y.begin(), y.end());
-  keep_races(system.prescribed_races(at.time, y), out.extras);
+  store_races(system.prescribed_races(at.time, y), out.extras);
   if (thermal != nullptr) thermal->save(out.extras);
   deck::Deck deck = prepared.input.deck;
   deck.user_lines.clear();  // of user routines: any text
@@ -284,7 +284,7 @@ void RunOutputs::Impl::write_restart(dynamics::System& system, const Snapshot& a
   life.save(master.averages);
   recorder.save(master.averages);
   save_progress(master.averages, at, resume, files.steps, segment, control);
-  master.files = files.ends();
+  master.files = files.master_entries();
   results::write_final(master.last, files.place(control.final_file));
   results::write_master(master, files.place(control.master_file));
   checkpoint = Clock::now();
@@ -293,12 +293,12 @@ void RunOutputs::Impl::write_restart(dynamics::System& system, const Snapshot& a
 
 /// Of the equilibrium that PRINT.txt shows: a dynamic run's has the law of its motion.
 listing::StaticSummary RunOutputs::Impl::static_summary(bool dynamic) const {
-  if (prepared.rollers) return listing::summarise(*prepared.rollers, prepared.bearing);
-  return listing::summarise(dynamic ? prepared.start : prepared.statics, prepared.bearing);
+  if (prepared.rollers) return listing::summarize(*prepared.rollers, prepared.bearing);
+  return listing::summarize(dynamic ? prepared.start : prepared.statics, prepared.bearing);
 }
 
 /// Everything of PRINT.txt that is known before the first step.
-void RunOutputs::Impl::print_front(const std::optional<scene::Scales>& scales) {
+void RunOutputs::Impl::print_front_matter(const std::optional<scene::Scales>& scales) {
   listing::PrintFile& print = *files.print;
   print.front({prepared.input.deck, prepared.as_built, scales, summary().options});
   std::vector<std::string> warnings;
@@ -317,9 +317,10 @@ void RunOutputs::Impl::print_front(const std::optional<scene::Scales>& scales) {
   if (prepared.bearing.operating) print.fits(prepared.bearing);
   if (control.stiffness) print.stiffness_table(prepared.stiffness, control.stiffness->share);
   print.life(prepared.life);
-  if (const auto lines = frequency_lines(prepared, static_frequencies(prepared)); !lines.empty())
+  if (const auto lines = fault_frequency_lines(prepared, equilibrium_fault_frequencies(prepared));
+      !lines.empty())
     print.texts("PASSING FREQUENCIES OF THE QUASI-STATIC SOLUTION", lines, false);
-  if (const auto models = models_beside(prepared.input))
+  if (const auto models = find_model_study(prepared.input))
     print.texts("MODEL ERRORS", lines_of(model_table(*models)), true);
   if (prepared.user && !prepared.user->documentation().empty())
     print.texts("USER ROUTINES", prepared.user->documentation(), true);
@@ -334,7 +335,7 @@ void RunOutputs::Impl::close(results::RunSummary& run,
   std::error_code error;
   for (const fs::path& file : files.written)
     if (file.filename() != "RUN.json" && fs::exists(file, error))
-      run.sums.push_back(results::sum_of_file(file));
+      run.sums.push_back(results::file_checksum(file));
   results::write_run_json(run, files.place("RUN.json"));
 }
 
@@ -343,31 +344,31 @@ RunOutputs::RunOutputs(const Prepared& prepared, const RunPlace& place, std::str
     : impl_(std::make_unique<Impl>(prepared, place, std::move(request), overwrite)) {}
 RunOutputs::~RunOutputs() = default;
 
-void RunOutputs::show_thermal(const ThermalRun& thermal) {
+void RunOutputs::set_thermal_run(const ThermalRun& thermal) {
   impl_->thermal = &thermal;
   impl_->recorder.set_bearing(impl_->prepared.bearing);
   if (impl_->user_recorder) impl_->user_recorder->set_bearing(impl_->prepared.bearing);
-  impl_->life.follow_bearing();
-  impl_->ranges.follow_bearing();
+  impl_->life.update_bearing();
+  impl_->ranges.update_bearing();
 }
 
 void RunOutputs::thermal_step(const ThermalRun::Step& step, double time) {
   Impl& s = *impl_;
   s.recorder.set_bearing(s.prepared.bearing);
   if (s.user_recorder) s.user_recorder->set_bearing(s.prepared.bearing);
-  s.life.follow_bearing();
-  s.ranges.follow_bearing();
+  s.life.update_bearing();
+  s.ranges.update_bearing();
   s.files.print->thermal_step(step.heat, step.number, time, step.geometry);
   const bearing::Bearing& bearing = s.prepared.bearing;
   s.network = results::to_json({bearing.run_id,
                                 listing::type_name(bearing.type),
                                 s.units,
-                                {listing::network_table(step.heat)}});
+                                {listing::thermal_network_table(step.heat)}});
 }
 
 void RunOutputs::remark(Finding finding) { impl_->remark(std::move(finding)); }
 
-StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState start) {
+StartPoint RunOutputs::find_start_point(dynamics::System& system, setup::StartState start) {
   Impl& s = *impl_;
   StartPoint out;
   std::optional<results::MasterState> kept;
@@ -403,13 +404,14 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
       s.remarks.push_back(make_finding("run.changed_deck", note.message));
       s.remarks.back().file = note.file;
     }
-    changed = !stored.deck.empty() && acts_on_bearing(stored.deck, s.prepared.input.deck, start);
+    changed =
+        !stored.deck.empty() && may_change_equilibrium(stored.deck, s.prepared.input.deck, start);
   };
   // Moves the state to the equilibrium of this deck. @return it did
   const auto move = [&](const results::FinalState& stored,
                         const std::map<std::string, double>& thermal, const fs::path& file) {
     if (!changed) return false;
-    dynamics::NewEquilibrium change;
+    dynamics::EquilibriumChange change;
     try {
       const StoredScene from = stored_scene(stored, thermal, s.prepared, file);
       change =
@@ -422,10 +424,9 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
       change.why_not =
           fmt::format("the model of the stored state cannot be built ({})", failure.what());
     }
-    if (const std::string text = change_remark(change, "start from " + file.filename().string(),
-                                               specified_shocks(s.prepared));
-        !text.empty())
-      s.remark(make_finding("run.start_excess", text));
+    if (auto excess = equilibrium_change_finding(change, "start from " + file.filename().string(),
+                                                 user_routine_motion_text(s.prepared)))
+      s.remark(std::move(*excess));
     if (change.moved)
       s.remark(make_finding(
           "run.start_moved",
@@ -440,14 +441,15 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     const results::FinalState from = results::read_final(file);
     results::check_bodies(from, component_names(system), file);
     compare(from, file);
-    take_state(from, system, out.y);
-    changed = changed || from.extras.contains("thermal.steps") || s.plan.race_motions.excited();
-    const auto races = kept_races(from.extras);
+    copy_state(from, system, out.y);
+    changed =
+        changed || from.extras.contains("thermal.steps") || s.plan.race_motions.has_excitation();
+    const auto races = stored_races(from.extras);
     const dynamics::PrescribedRaces now = system.prescribed_races(out.time, out.y);
     if (races) system.go_on(of_new_run(*races, from, now), out.time, out.y);
     const bool moved = move(from, from.extras, file);
     if (races)
-      for (const std::string& jump : jumps_of_races(*races, now, s.plan, s.units, moved))
+      for (const std::string& jump : describe_race_jumps(*races, now, s.plan, s.units, moved))
         s.remark(make_finding("run.start_race_jump", jump));
     out.turned_before = s.turned_before = 0.0 - system.shaft_rotation(out.time, out.y);
   } else if (start == setup::StartState::Continue) {
@@ -462,12 +464,12 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     out.step = master.last.step;
     out.step_size = master.last.step_size;
     out.continued = true;
-    const auto races = kept_races(master.last.extras);
+    const auto races = stored_races(master.last.extras);
     const dynamics::PrescribedRaces now = system.prescribed_races(out.time, out.y);
     if (races) system.go_on(*races, out.time, out.y);
     const bool moved = move(master.last, master.averages, s.path(s.control.master_file));
     if (races)
-      for (const std::string& jump : jumps_of_races(*races, now, s.plan, s.units, moved))
+      for (const std::string& jump : describe_race_jumps(*races, now, s.plan, s.units, moved))
         s.remark(make_finding("run.start_race_jump", jump));
     // The shaft angle continues.
     system.set_start(out.time, out.y);
@@ -483,10 +485,10 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     s.files.steps = restore_progress(master, s.control, s.path(s.control.master_file), out);
     s.ledger_start = LedgerStart::of(master);
     kept = master;
-    const results::MasterFile* listing = master.file("PRINT");
+    const results::MasterFileEntry* listing = master.file("PRINT");
     if (listing != nullptr) s.print_bytes = listing->bytes;
-    if (const results::MasterFile* sol9 = master.file("SOL9")) s.sol9_bytes = sol9->bytes;
-    out.complete = results::read_run_mark(s.path("RUN.json")).status == "done";
+    if (const results::MasterFileEntry* sol9 = master.file("SOL9")) s.sol9_bytes = sol9->bytes;
+    out.complete = results::read_request_status(s.path("RUN.json")).status == "done";
     s.ranges.restore(results::read_run_member(s.path("RUN.json"), "outside_validity"));
   }
   if (start == setup::StartState::Statics) try {
@@ -495,21 +497,17 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
       if (!from.remark.empty()) s.remark(make_finding("run.start_friction", from.remark));
       system.set_start(out.time, out.y);
       check_cage_start(s.prepared, system.snapshot(out.time, out.y));
-      if (const StartJudgement start_energy = judge_start_energy(s.prepared, system, out.y);
-          !start_energy.text.empty())
-        s.remark(make_finding(
-            start_energy.severity == Severity::Warning ? "run.start_excess" : "run.start_unknown",
-            start_energy.text));
-      if (const std::string jumps = specified_jumps(s.prepared); !jumps.empty())
+      if (auto excess = judge_start_energy(s.prepared, system, out.y)) s.remark(std::move(*excess));
+      if (const std::string jumps = user_routine_jumps_text(s.prepared); !jumps.empty())
         s.remark(make_finding("run.specified_jumps", jumps));
     } catch (const SolverError& refused) {
-      refuse_start(s.prepared, refused);
+      reject_cage_start(s.prepared, refused);
     }
   if (out.continued) {
     check_names(s.files.outputs());
     s.files.check();
-    if (kept) s.files.check_sums(*kept);
-    std::tie(out.stored_step, out.stored_time) = s.files.stored_end(s.print_bytes);
+    if (kept) s.files.verify_checksums(*kept);
+    std::tie(out.stored_step, out.stored_time) = s.files.last_stored_step(s.print_bytes);
   } else {
     try {
       check_room(s.files.outputs(), s.overwrite);
@@ -536,7 +534,7 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
   else
     s.make_room();
   s.files.open(start.continued, s.print_bytes, s.sol9_bytes);
-  if (!start.continued) s.print_front(system.scales());
+  if (!start.continued) s.print_front_matter(system.scales());
   for (const dynamics::StateLayout::Group& group : system.layout().groups())
     if (group.name.starts_with("cage") && group.name.ends_with(".position"))
       s.cage_positions.push_back(group.slice.first);
@@ -554,7 +552,7 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
   // Until something is stored, the last page is of this point.
   const RunPoint here{start.step, start.time, start.step_size, start.y};
   s.last = s.snapshot(system, here);
-  if (s.ledger_start && !s.ledger_start->goes_on(s.last.energy)) {
+  if (s.ledger_start && !s.ledger_start->is_continued_by(s.last.energy)) {
     s.ledger_start.reset();
     s.last = s.snapshot(system, here);
   }
@@ -569,12 +567,12 @@ bool RunOutputs::wants(long step) const {
 
 void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool always) {
   Impl& s = *impl_;
-  const RunFiles::Wanted where = s.files.book(point.step, always);
+  const RunFiles::StepTargets where = s.files.claim_targets(point.step, always);
   if (!where.any()) return;
   s.last = s.snapshot(system, point);
   s.last_y.assign(point.y.begin(), point.y.end());
-  s.watch.look(s.last);
-  s.ranges.look(s.last);
+  s.watch.check(s.last);
+  s.ranges.check(s.last);
   if (where.life) s.life.observe(s.last);
   s.last.power.life_hours = s.life.hours();
   s.averages.add(s.last);
@@ -590,7 +588,7 @@ void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool alw
       s.files.print->texts("User routines", lines, false);
 }
 
-void RunOutputs::call_user(dynamics::System& system, const RunPoint& point) {
+void RunOutputs::call_user_routines(dynamics::System& system, const RunPoint& point) {
   Impl& s = *impl_;
   user::Session& session = *s.prepared.user;
   if (!s.files.user) {
@@ -607,7 +605,7 @@ void RunOutputs::call_user(dynamics::System& system, const RunPoint& point) {
 void RunOutputs::follow(const RunPoint& point) {
   Impl& s = *impl_;
   if (s.cage_positions.empty()) return;
-  s.cage_state.look(point.time, point.y);
+  s.cage_state.add_step(point.time, point.y);
   scene::Vec3 mean = scene::Vec3::Zero();
   for (const int first : s.cage_positions) {
     const double* c = point.y.data() + first;
@@ -625,11 +623,11 @@ void RunOutputs::follow_step(const dynamics::System& system, double time, bool s
   s.averages.add_loads(time, system.contact_loads(0), system.contact_loads(1));
   std::array<std::span<const double>, 2> loads{system.contact_loads(0), system.contact_loads(1)};
   for (std::size_t j = 0; j < 2; ++j) {
-    const std::span<const double> second = system.second_loads(j);
+    const std::span<const double> second = system.other_half_loads(j);
     if (second.empty()) continue;
     s.both_loads[j].assign(loads[j].begin(), loads[j].end());
     for (std::size_t i = 0; i < second.size(); ++i)
-      s.both_loads[j][i] = life::load_of_both(loads[j][i], second[i]);
+      s.both_loads[j][i] = life::equivalent_split_race_load(loads[j][i], second[i]);
     loads[j] = s.both_loads[j];
   }
   s.life.follow_step(time, loads[0], loads[1]);
@@ -641,7 +639,7 @@ void RunOutputs::evaluate_life(dynamics::System& system, const RunPoint& point) 
   impl_->life.evaluate(impl_->snapshot(system, point));
 }
 
-void RunOutputs::follow_jump(const dynamics::System& system, bool stored) {
+void RunOutputs::sample_state_jump(const dynamics::System& system, bool stored) {
   Impl& s = *impl_;
   if (!s.files.all) return;
   // The state after the jump is stored.
@@ -660,7 +658,7 @@ void RunOutputs::checkpoint(dynamics::System& system, const RunPoint& point, Res
   impl_->write_restart(system, impl_->snapshot(system, point), point.y, resume);
 }
 
-void RunOutputs::store_end(dynamics::System& system, const RunEnd& end) {
+void RunOutputs::store_last_point(dynamics::System& system, const RunEnd& end) {
   Impl& s = *impl_;
   switch (end.status) {
     case RunStatus::Done:
@@ -690,17 +688,16 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   Impl& s = *impl_;
   for (Finding& finding : s.watch.findings(s.units)) s.remark(std::move(finding));
   if (auto state = s.cage_state.finding()) s.remark(std::move(*state));
-  if (const auto yields = s.watch.cage_yield()) s.ranges.add(*yields);
+  if (const auto yields = s.watch.cage_yield_finding()) s.ranges.add(*yields);
   const std::vector<validity::Finding> left = s.ranges.findings();
   for (const validity::Finding& one :
        without(left, {"hertz.shoulder", "hertz.yield", "cage.yield"}))
     s.remark(finding_of_range(one));
-  if (const std::string text = s.ranges.given_coefficient(); !text.empty())
-    s.remark(make_finding("friction.coefficient", text));
+  if (auto one = s.ranges.friction_coefficient_finding()) s.remark(std::move(*one));
   s.files.written.push_back(s.path(s.control.final_file));
   s.files.written.push_back(s.path(s.control.master_file));
   if (const std::string missed =
-          judge_missed(s.control, end.resume.counters, end.resume.error_sum).text;
+          judge_missed_tolerance(s.control, end.resume.counters, end.resume.error_sum).text;
       !missed.empty() && missed != end.message)
     s.remark(make_finding("end.missed_tolerance", missed));
   std::optional<scene::QuadratureError> quadrature;
@@ -711,7 +708,7 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   } catch (const SolverError&) {
     if (!s.prepared.user) throw;
   }
-  if (quadrature) s.judge_quadrature(*quadrature);
+  if (quadrature) s.check_quadrature(*quadrature);
   results::RunSummary run = s.summary();
   run.status = status_word(end.status);
   run.message = end.message;
@@ -739,7 +736,7 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
     run.counters.emplace_back("changes of held elements", end.resume.held_changes);
   run.energy = s.last.energy;
   run.load = s.mean_load();
-  run.elastic = static_elastic(s.prepared);
+  run.elastic = static_elastic_energy(s.prepared);
   if (s.last.momentum) run.momentum = results::momentum_items(*s.last.momentum);
   run.max_quaternion_error = s.last.max_quaternion_error;
   run.quadrature_error = quadrature;
@@ -758,7 +755,8 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
       s.key_results.push_back(results::key_result("run_life_spread", run_life.relative_error));
   }
   add_iso_lives(s.key_results, s.prepared.life);
-  add_frequencies(s.key_results, s.prepared, motion_frequencies(s.prepared, s.averages.averages()));
+  add_fault_frequencies(s.key_results, s.prepared,
+                        motion_fault_frequencies(s.prepared, s.averages.averages()));
   run.summary = s.key_results;
   run.accuracy["means"] = results::mean_errors_json(s.averages.errors());
   run.life["run"] = listing::run_life_json(run_life);
@@ -774,7 +772,7 @@ std::vector<std::string> RunOutputs::write_quasi_static() {
   check_room(s.files.outputs(), s.overwrite);
   s.make_room();
   s.files.open_listing();
-  s.print_front(std::nullopt);
+  s.print_front_matter(std::nullopt);
   results::RunSummary run = s.summary();
   run.status = "done";
   Equilibrium solution = equilibrium_of(s.prepared);
@@ -797,13 +795,14 @@ KeyResults RunOutputs::summary() const { return impl_->key_results; }
 
 results::MeanSeries RunOutputs::means() const { return impl_->averages.series(); }
 
-results::EnergyJudgement RunOutputs::judge_energy() const {
+results::EnergyJudgment RunOutputs::judge_energy() const {
   const bool vibrates = !impl_->prepared.plan.has(scene::Effect::ElementBalance);
-  return results::judge_energy(impl_->last.energy, vibrates ? static_elastic(impl_->prepared) : 0.0,
+  return results::judge_energy(impl_->last.energy,
+                               vibrates ? static_elastic_energy(impl_->prepared) : 0.0,
                                impl_->averages.averages().largest_residual);
 }
 
-std::string RunOutputs::untrusted_law() const { return untrusted(impl_->ranges.findings()); }
+std::string RunOutputs::untrusted_law_reason() const { return untrusted(impl_->ranges.findings()); }
 
 std::string RunOutputs::load_warning() const {
   return results::load_warning(impl_->mean_load(), impl_->units);

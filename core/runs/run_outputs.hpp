@@ -75,12 +75,12 @@ class RunOutputs {
 
   /// Finds the start state (statics, FINAL, or MASTER's run) and checks every file that will be
   /// written; touches none.
-  [[nodiscard]] StartPoint find_start(dynamics::System& system, setup::StartState start);
+  [[nodiscard]] StartPoint find_start_point(dynamics::System& system, setup::StartState start);
   /// Opens every file for a run from there, and writes the front part of PRINT.txt.
   void open(dynamics::System& system, const StartPoint& start);
   /// The thermal analysis whose last step every instant shows, and the bearing that it has left;
   /// outlives these outputs.
-  void show_thermal(const ThermalRun& thermal);
+  void set_thermal_run(const ThermalRun& thermal);
   /// A thermal step is done: into PRINT.txt, and its temperatures into all that is stored later.
   void thermal_step(const ThermalRun::Step& step, double time);
   /// A finding for RUN.json, RESULTS.h5, the last page and remarks().
@@ -92,7 +92,7 @@ class RunOutputs {
   void store(dynamics::System& system, const RunPoint& point, bool always);
   /// Routines of the user at the end of a counted step; what they write goes to SOL9.
   /// @throws SolverError
-  void call_user(dynamics::System& system, const RunPoint& point);
+  void call_user_routines(dynamics::System& system, const RunPoint& point);
   /// Follows what averages need between stored points; after every counted step.
   void follow(const RunPoint& point);
   /// Follows what is shown of the steps between stored points, and the mean loads; after every
@@ -105,7 +105,7 @@ class RunOutputs {
   void evaluate_life(dynamics::System& system, const RunPoint& point);
   /// After a counted step, its state or its bearing has jumped (elements held or
   /// released, a thermal step): extremes between stored steps include both sides.
-  void follow_jump(const dynamics::System& system, bool stored);
+  void sample_state_jump(const dynamics::System& system, bool stored);
   /// Will RESULTS.h5 have this step? @param last of the run: all files do
   [[nodiscard]] bool saves(long step, bool last) const;
   /// Has the checkpoint interval of computing time passed?
@@ -114,8 +114,8 @@ class RunOutputs {
   /// dropped when it is.
   void checkpoint(dynamics::System& system, const RunPoint& point, Resume resume);
   /// The last point; FINAL and MASTER unless the run failed after a checkpoint.
-  void store_end(dynamics::System& system, const RunEnd& end);
-  /// The ledgers of PRINT.txt, and RUN.json. @pre store_end
+  void store_last_point(dynamics::System& system, const RunEnd& end);
+  /// The ledgers of PRINT.txt, and RUN.json. @pre store_last_point
   void finish(dynamics::System& system, const RunEnd& end);
 
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
@@ -123,9 +123,9 @@ class RunOutputs {
   [[nodiscard]] results::MeanSeries means() const;
   /// Of the last stored instant and the worst before, against the elastic energy of the
   /// quasi-static solution.
-  [[nodiscard]] results::EnergyJudgement judge_energy() const;
+  [[nodiscard]] results::EnergyJudgment judge_energy() const;
   /// Why a law makes the results untrusted (runs/law_ranges.hpp); empty: none does.
-  [[nodiscard]] std::string untrusted_law() const;
+  [[nodiscard]] std::string untrusted_law_reason() const;
   /// A sentence when the elements carried another load than the deck asks; empty when not.
   [[nodiscard]] std::string load_warning() const;
   /// Notes on the deck from the start and end of the run.

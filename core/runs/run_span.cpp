@@ -60,19 +60,19 @@ RunSpan run_span(const RunRequest& request, const Prepared& prepared, double tim
 
 long last_step(const RunRequest& request, const RunSpan& span, const StartPoint& start) {
   const long from = start.continued && request.go_on ? start.segment : start.step;
-  constexpr long kMost = std::numeric_limits<long>::max();
-  return span.max_steps > kMost - from ? kMost : from + span.max_steps;
+  constexpr long kMaxSteps = std::numeric_limits<long>::max();
+  return span.max_steps > kMaxSteps - from ? kMaxSteps : from + span.max_steps;
 }
 
-double delay_of_turns(const RunRequest& request, const StartPoint& start, double turned,
+double end_time_delay(const RunRequest& request, const StartPoint& start, double turned,
                       double turns_per_second) {
   if (!start.continued || !request.until.ends_with("rev")) return 0.0;
   const double delay = start.time - turned / turns_per_second;
   return std::abs(delay) > 1e-12 * start.time ? delay : 0.0;
 }
 
-bool at_its_end(const RunSpan& span, long last_step, const StartPoint& start, double turned,
-                double turns_per_second) {
+bool has_reached_end(const RunSpan& span, long last_step, const StartPoint& start, double turned,
+                     double turns_per_second) {
   const auto refuse = [&](const std::string& end, const std::string& now) {
     throw InputError(
         fmt::format("the run to be continued is already at {}, later than the specified end, {}. "

@@ -27,14 +27,14 @@ struct RunSpan {
 
 /// Delay of the end of a continued run compared with its present speeds, because
 /// its speeds were different before [s].
-[[nodiscard]] double delay_of_turns(const RunRequest& request, const StartPoint& start,
+[[nodiscard]] double end_time_delay(const RunRequest& request, const StartPoint& start,
                                     double turned, double turns_per_second);
 
 /// A continued run must have its end before it.
 /// @param turned of the shaft until now
 /// @return true when it has reached it already
 /// @throws InputError
-[[nodiscard]] bool at_its_end(const RunSpan& span, long last_step, const StartPoint& start,
-                              double turned, double turns_per_second);
+[[nodiscard]] bool has_reached_end(const RunSpan& span, long last_step, const StartPoint& start,
+                                   double turned, double turns_per_second);
 
 }  // namespace adore::runs

@@ -33,7 +33,7 @@ integrators::StepControl step_control(const setup::RunControl& deck, const StepL
   return control;
 }
 
-RunOutcome nothing_left(const StartPoint& start, double turned) {
+RunOutcome complete_outcome(const StartPoint& start, double turned) {
   RunOutcome out;
   out.message = fmt::format(
       "the run is complete, at step {} and t = {:.6g} s; to continue, give a later end (--until, "
@@ -81,15 +81,16 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const RunPlac
   const double turns_per_second =
       (prepared.bearing.speed[1] - prepared.bearing.speed[0]) / (2.0 * std::numbers::pi);
   const double turned = turns(start.time, start.y);
-  span.end += delay_of_turns(request, start, turned, turns_per_second);
-  if (start.continued && at_its_end(span, last, start, turned, turns_per_second) && start.complete)
-    return nothing_left(start, turned);
+  span.end += end_time_delay(request, start, turned, turns_per_second);
+  if (start.continued && has_reached_end(span, last, start, turned, turns_per_second) &&
+      start.complete)
+    return complete_outcome(start, turned);
   if (!start.continued || !request.go_on) start.segment = start.step;
   const bool remembers = start.continued && !start.resume.memory.empty();
   if (const std::string text = continued_remark(start, remembers, stepper); !text.empty())
     outputs.remark(make_finding("run.continued", text));
   outputs.open(system, start);
-  if (ready.thermal && !ready.thermal_goes_on)
+  if (ready.thermal && !ready.thermal_restored)
     ready.thermal->start(start.time, system.snapshot(start.time, start.y).energy);
 
   const auto turns_now = [&] {

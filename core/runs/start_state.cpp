@@ -16,10 +16,11 @@ StartState start_state(const Prepared& prepared, dynamics::System& system) {
   out.y = system.initial_state();
   const scene::ScenePlan& plan = prepared.plan;
   const bool balls = prepared.roller_scene == nullptr;
-  if (plan.suppressed.of_elements() || dynamics::ElementMasses(prepared.bearing).off_centre())
+  if (plan.suppressed.of_elements() ||
+      dynamics::ElementMasses(prepared.bearing).has_eccentric_mass())
     return out;
   if (balls && (plan.rigid_balls || !plan.has(scene::Effect::RaceTraction))) return out;
-  const dynamics::FrictionStart found = dynamics::balance_friction(system, out.y);
+  const dynamics::FrictionBalanceResult found = dynamics::balance_friction(system, out.y);
   std::array<bool, 3> free{};
   for (std::size_t k = 0; k < 3; ++k) {
     if (plan.has(scene::Effect::RaceBalance))
@@ -67,26 +68,28 @@ std::string free_directions(const scene::ScenePlan& plan) {
 
 }  // namespace
 
-StartJudgement judge_start_energy(const Prepared& prepared, dynamics::System& system,
-                                  const std::vector<double>& y) {
-  if (prepared.plan.suppressed.of_elements()) return {};
-  const dynamics::NewEquilibrium start =
-      dynamics::judge_start(moving_scene(prepared, system), 0.0, y);
+std::optional<Finding> judge_start_energy(const Prepared& prepared, dynamics::System& system,
+                                          const std::vector<double>& y) {
+  if (prepared.plan.suppressed.of_elements()) return std::nullopt;
+  const dynamics::EquilibriumChange start =
+      dynamics::assess_start_excess(moving_scene(prepared, system), 0.0, y);
   if (!start.why_not.empty())
-    return {"excess energy of the start is not judged, because " + start.why_not, Severity::Note};
-  if (!(start.ratio() > dynamics::kExcessWarned)) return {};
+    return make_finding("run.start_unknown",
+                        "excess energy of the start not computed: " + start.why_not);
+  if (!(start.ratio() > dynamics::kExcessWarned)) return std::nullopt;
   const std::string text = fmt::format(
       "start: excess energy = {:.3g} J, {:.0f} % of the elastic energy of the equilibrium ({:.3g} "
       "J)",
       start.excess, 100.0 * start.ratio(), start.elastic);
-  if (const std::string specified = specified_shocks(prepared); !specified.empty())
-    return {text + ": " + specified + "; the run continues", Severity::Warning};
+  if (const std::string specified = user_routine_motion_text(prepared); !specified.empty())
+    return excess_energy_finding(text + ": " + specified + "; the run continues", start.ratio());
   if (start.ratio() > dynamics::kExcessRefused)
     throw SolverError(text +
                       ": the contacts start with an impact. Check the clearances and "
                       "displacements of the races" +
                       free_directions(prepared.plan));
-  return {text + ", so the loads of the first revolutions contain a vibration", Severity::Warning};
+  return excess_energy_finding(text + ", so the loads of the first revolutions contain a vibration",
+                               start.ratio());
 }
 
 }  // namespace adore::runs

@@ -3,6 +3,7 @@
 #include "dynamics/system.hpp"
 #include "runs/prepare.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,15 +22,11 @@ struct StartState {
 /// rolling.
 [[nodiscard]] StartState start_state(const Prepared& prepared, dynamics::System& system);
 
-/// Of the excess energy of a start (dynamics::judge_start).
-struct StartJudgement {
-  std::string text;  ///< empty: nothing to report
-  Severity severity = Severity::Note;
-};
-
-/// Above 10 % a warning; a note where there is no equilibrium to judge against.
+/// Excess energy of a start (dynamics::assess_start_excess). Above 10 %: run.start_excess; where
+/// there is no equilibrium to judge against: run.start_unknown; empty: nothing to report.
 /// @throws SolverError above 100 %, unless routine ADRX1 specifies shocks (changed_equilibrium.hpp)
-[[nodiscard]] StartJudgement judge_start_energy(const Prepared& prepared, dynamics::System& system,
-                                                const std::vector<double>& y);
+[[nodiscard]] std::optional<Finding> judge_start_energy(const Prepared& prepared,
+                                                        dynamics::System& system,
+                                                        const std::vector<double>& y);
 
 }  // namespace adore::runs

@@ -1,7 +1,7 @@
 #include "runs/static_plan.hpp"
 
 #include "base/counted.hpp"
-#include "setup/no_part.hpp"
+#include "setup/unused_values.hpp"
 #include "statics/ball_friction.hpp"
 #include "statics/roller_friction.hpp"
 
@@ -35,11 +35,11 @@ std::string given(const Deck& deck, const char* name) {
 
 double rpm(double speed) { return speed * 30.0 / std::numbers::pi; }
 
-std::string join(const std::string& list, const std::string& more) {
+std::string append_item(const std::string& list, const std::string& more) {
   return list.empty() ? more : list + ", " + more;
 }
 
-void contact_model(Entries& out, const Prepared& p) {
+void add_contact_model(Entries& out, const Prepared& p) {
   const Deck& deck = p.input.deck;
   const Bearing& b = p.bearing;
   if (!b.rollers()) {
@@ -49,11 +49,11 @@ void contact_model(Entries& out, const Prepared& p) {
                        : b.spin_rule == bearing::SpinRule::RaceControl ? "race control"
                                                                        : "specified angle";
     out.add("ball speeds", true,
-            statics::has_friction_balance(b, ball_options(p))
+            statics::has_friction_balance(b, ball_statics_options(p))
                 ? fmt::format("friction equilibrium (ballFriction); for balls without equilibrium: "
                               "{}, spin axis by {}",
                               given(deck, "kAngVel"), rule)
-                : fmt::format("{}: no slip at both contact centers, spin axis by {}",
+                : fmt::format("{}: pure rolling at both contact centers, spin axis by {}",
                               given(deck, "kAngVel"), rule));
     for (std::size_t j = 0; j < 2; ++j)
       if (b.balls().shim[j] > 0.0)
@@ -82,7 +82,7 @@ void contact_model(Entries& out, const Prepared& p) {
     }
 }
 
-void surroundings(Entries& out, const Prepared& p) {
+void add_operating_effects(Entries& out, const Prepared& p) {
   const Deck& deck = p.input.deck;
   const Bearing& b = p.bearing;
   const bool turning = b.speed[0] != 0.0 || b.speed[1] != 0.0;
@@ -108,7 +108,7 @@ void surroundings(Entries& out, const Prepared& p) {
           m.centrifugal_growth ? speeds : "run option centrifugalGrowth = 0");
   out.add("properties follow temperature", m.material_laws,
           m.material_laws ? "kMatPropMod = 1" : "kMatPropMod is not 1");
-  out.add("element imperfections", b.imperfections.elements != bearing::ElementErrors::None,
+  out.add("element imperfections", b.imperfections.elements != bearing::ElementErrorSource::None,
           given(deck, "kReGeoImp"));
   for (std::size_t j = 0; j < 2; ++j)
     out.add(j == 0 ? "outer race imperfections" : "inner race imperfections",
@@ -119,7 +119,7 @@ void surroundings(Entries& out, const Prepared& p) {
                       deck.real("appMis21")));
 }
 
-void results(Entries& out, const Prepared& p) {
+void add_results(Entries& out, const Prepared& p) {
   const Deck& deck = p.input.deck;
   const auto& stiffness = p.control.stiffness;
   out.add(
@@ -136,7 +136,7 @@ void results(Entries& out, const Prepared& p) {
                       "Ioannides-Harris, each with STLE and Tallian factors; ISO 281 and 16281",
                       given(deck, "kLifeCons")));
   out.add("cage", false,
-          "mode = -1: only its clearances are computed (nCseg = " +
+          "mode = -1 computes only the cage clearances (nCseg = " +
               std::to_string(deck.integer("nCseg")) + ")");
   out.add(
       "friction torque", true,
@@ -144,7 +144,7 @@ void results(Entries& out, const Prepared& p) {
           ? "rollers in friction equilibrium with the friction laws of motion; no cage"
       : p.bearing.rollers()
           ? "estimated from speeds and loads of the equilibrium, which does not include friction"
-      : statics::has_friction_balance(p.bearing, ball_options(p))
+      : statics::has_friction_balance(p.bearing, ball_statics_options(p))
           ? "balls in friction equilibrium with the friction laws of motion; no cage"
           : "estimated from speeds and loads of the equilibrium (kAngVel); no cage");
   out.add("thermal steady state", p.thermal.has_value(),
@@ -153,7 +153,7 @@ void results(Entries& out, const Prepared& p) {
                     : std::string("kTherm = 0: temperatures of record 9.1.3"));
   out.add("gravity, cage forces", false, "mode = -1: not included in the equilibrium");
   for (const deck::NoPart& value : p.no_part)
-    if (setup::asks_for_an_effect(value))
+    if (setup::requests_effect(value))
       out.add(fmt::format("{} = {}", value.variable, value.value), false, value.because);
 }
 
@@ -173,8 +173,8 @@ scene::ScenePlan static_plan(const Prepared& prepared) {
   int unknowns = 0;
   for (std::size_t k = 0; k < 5; ++k) {
     const bool fixed = b.constraints.displacement_given[k];
-    (fixed ? held : found) =
-        join(fixed ? held : found, fmt::format("{} (kFS{} = {})", kNames[k], k + 1, fixed ? 1 : 0));
+    (fixed ? held : found) = append_item(
+        fixed ? held : found, fmt::format("{} (kFS{} = {})", kNames[k], k + 1, fixed ? 1 : 0));
     unknowns += fixed ? 0 : 1;
   }
   const std::string inner = fmt::format("speed {:g} rpm", rpm(b.speed[1]));
@@ -184,9 +184,9 @@ scene::ScenePlan static_plan(const Prepared& prepared) {
   if (!held.empty()) plan.bodies.push_back({"inner race, given", held, 0});
   for (const scene::BodyEntry& body : plan.bodies) plan.unknowns += body.unknowns;
   Entries entries(plan);
-  contact_model(entries, prepared);
-  surroundings(entries, prepared);
-  results(entries, prepared);
+  add_contact_model(entries, prepared);
+  add_operating_effects(entries, prepared);
+  add_results(entries, prepared);
   return plan;
 }
 

@@ -1,5 +1,6 @@
 #include "runs/static_quantities.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "life/iso281.hpp"
 #include "listing/ball_warnings.hpp"
@@ -12,14 +13,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace adore::runs {
 namespace {
 
 using results::key_result;
-
-constexpr double kPi = std::numbers::pi;
 
 double least_element_load(const Prepared& prepared) {
   double out = std::numeric_limits<double>::infinity();
@@ -43,7 +41,7 @@ std::optional<double> gyroscopic_ratio(const Prepared& prepared) {
   if (std::all_of(balls.begin(), balls.end(), listing::follows_spin_rule)) {
     count(balls);
   } else {
-    statics::StaticsOptions options = ball_options(prepared);
+    statics::BallStaticsOptions options = ball_statics_options(prepared);
     options.friction_balance = false;
     try {
       count(statics::solve_ball_statics(prepared.bearing, options).balls);
@@ -82,7 +80,7 @@ void turn(double& y, double& z, double angle) {
 }  // namespace
 
 std::optional<double> available_friction(const deck::Deck& deck, const bearing::Bearing& bearing) {
-  const double largest = tribology::largest_traction(bearing.race_traction);
+  const double largest = tribology::max_traction_coefficient(bearing.race_traction);
   if (!deck.has("kTracType") || !(largest > 0.0)) return std::nullopt;
   return largest;
 }
@@ -133,8 +131,9 @@ VariableCompliance variable_compliance(const Prepared& prepared) {
       q = solution.displacement;
     } else {
       statics::StaticSolution solution =
-          statics::solve_ball_statics(bearing, ball_options(prepared));
-      const auto balance = statics::balance_balls(bearing, ball_options(prepared), solution);
+          statics::solve_ball_statics(bearing, ball_statics_options(prepared));
+      const auto balance =
+          statics::solve_ball_friction_balance(bearing, ball_statics_options(prepared), solution);
       without += balance.findings().empty() ? 0 : 1;
       q = solution.displacement;
     }

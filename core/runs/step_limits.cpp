@@ -18,11 +18,11 @@ namespace {
 constexpr double kPointsPerDecade = 80.0;
 constexpr double kLowestPhase = 1e-4;
 /// Largest factor by which a step of the deck is lengthened.
-constexpr double kLengthening = 8.0;
+constexpr double kMaxLengthening = 8.0;
 /// Of methods that choose their order, where the deck's least step is too long.
-constexpr double kLeastOfLongest = 0.1;
-const double kLimit = std::log(kGrowthPerTurn);
-const double kStride = std::pow(10.0, 1.0 / kPointsPerDecade);
+constexpr double kMinStepRatio = 0.1;
+const double kMaxLogGrowth = std::log(kGrowthPerTurn);
+const double kStepFactor = std::pow(10.0, 1.0 / kPointsPerDecade);
 
 /// kCountedPeriods of a frequency [rad/s -> s].
 double counted_time(double highest) {
@@ -39,12 +39,12 @@ int orders_of(const std::string& method) {
 
 /// ln of the amplification per step over phases in equal ratios; of a method that changes its order
 /// the largest of all orders up to a bound.
-class Curve {
+class GrowthCurve {
  public:
-  Curve(const std::string& method, double highest_phase, double damping)
+  GrowthCurve(const std::string& method, double highest_phase, double damping)
       : value_(static_cast<std::size_t>(orders_of(method))) {
     const bool own = value_.size() == 1;
-    for (double phase = kLowestPhase;; phase *= kStride) {
+    for (double phase = kLowestPhase;; phase *= kStepFactor) {
       phase_.push_back(phase);
       double largest = 0.0;
       for (std::size_t k = 0; k < value_.size(); ++k) {
@@ -77,21 +77,21 @@ class Curve {
 };
 
 /// One for each band; those of equal damping share it.
-class Curves {
+class GrowthCurves {
  public:
-  Curves(const StepRequest& request, double highest_phase) {
+  GrowthCurves(const StepRequest& request, double highest_phase) {
     for (const VibrationBand& band : request.bands) {
       auto& curve = by_damping_[band.damping];
       if (!curve)
-        curve = std::make_shared<const Curve>(request.method, highest_phase, band.damping);
-      of_.push_back(curve);
+        curve = std::make_shared<const GrowthCurve>(request.method, highest_phase, band.damping);
+      by_band_.push_back(curve);
     }
   }
-  [[nodiscard]] const Curve& operator[](std::size_t band) const { return *of_[band]; }
+  [[nodiscard]] const GrowthCurve& operator[](std::size_t band) const { return *by_band_[band]; }
 
  private:
-  std::map<double, std::shared_ptr<const Curve>> by_damping_;
-  std::vector<std::shared_ptr<const Curve>> of_;
+  std::map<double, std::shared_ptr<const GrowthCurve>> by_damping_;
+  std::vector<std::shared_ptr<const GrowthCurve>> by_band_;
 };
 
 struct Growth {
@@ -100,9 +100,9 @@ struct Growth {
   std::size_t band = 0;
 };
 
-class Judge {
+class GrowthLimit {
  public:
-  Judge(const StepRequest& request, const Curves& curves, int order)
+  GrowthLimit(const StepRequest& request, const GrowthCurves& curves, int order)
       : request_(request),
         curves_(curves),
         order_(order),
@@ -126,45 +126,45 @@ class Judge {
     }
     return out;
   }
-  [[nodiscard]] bool good(double h) const { return growth(h).per_turn <= kLimit; }
+  [[nodiscard]] bool is_stable(double h) const { return growth(h).per_turn <= kMaxLogGrowth; }
   /// Worst case within the limits. The smallest steps cannot cause growth, so the search stops
   /// when all phases are below the curve.
   [[nodiscard]] Growth worst(double minimum, double maximum) const {
     Growth out = growth(maximum);
     const double least =
         std::max({minimum, kLowestPhase / highest_frequency(request_), 1e-6 * maximum});
-    for (double h = maximum / kStride; h >= least; h /= kStride)
+    for (double h = maximum / kStepFactor; h >= least; h /= kStepFactor)
       if (const Growth here = growth(h); here.per_turn > out.per_turn) out = here;
     return out;
   }
-  /// The longest step up to `h` that is good with every shorter one; 0: none.
-  [[nodiscard]] double good_below(double h) const {
+  /// Longest step up to `h` that is stable, as is every shorter one; 0: none.
+  [[nodiscard]] double stable_below(double h) const {
     const double least = kLowestPhase / highest_frequency(request_);
     double longest = 0.0;
-    for (double step = std::min(least, h);; step = std::min(step * kStride, h)) {
-      if (!good(step)) return longest;
+    for (double step = std::min(least, h);; step = std::min(step * kStepFactor, h)) {
+      if (!is_stable(step)) return longest;
       longest = step;
       if (step >= h) return longest;
     }
   }
-  /// The nearest good step in ratios, from `h` up or down; 0: none within the limit.
-  [[nodiscard]] double nearest_good(double h, double ratio) const {
-    const double most = kLengthening * h;
+  /// Nearest stable step in ratios, from `h` up or down; 0: none within the limit.
+  [[nodiscard]] double nearest_stable(double h, double ratio) const {
+    const double most = kMaxLengthening * h;
     const double least = std::min(h, kLowestPhase / highest_frequency(request_));
     for (double step = h; step <= most && step >= least; step *= ratio)
-      if (good(step)) return step;
+      if (is_stable(step)) return step;
     return 0.0;
   }
 
  private:
   const StepRequest& request_;
-  const Curves& curves_;
+  const GrowthCurves& curves_;
   int order_ = 1;
   double time_;  ///< over which growth is counted [s]
 };
 
-void set_growth(StepLimits& out, const StepRequest& request, const Judge& asked,
-                const Judge& in_force) {
+void set_growth(StepLimits& out, const StepRequest& request, const GrowthLimit& asked,
+                const GrowthLimit& in_force) {
   const Growth before = asked.worst(request.minimum, request.maximum);
   out.growth_asked = std::exp(std::min(before.per_turn, 700.0));
   out.frequency = before.frequency;
@@ -172,40 +172,42 @@ void set_growth(StepLimits& out, const StepRequest& request, const Judge& asked,
   out.growth = std::exp(std::min(in_force.worst(out.minimum, out.maximum).per_turn, 700.0));
 }
 
-/// Moves the limits to where `judge` is content.
-void move_steps(StepLimits& out, const StepRequest& request, const Judge& judge) {
+/// Moves the step limits to stable steps.
+void move_steps(StepLimits& out, const StepRequest& request, const GrowthLimit& limit) {
   const bool constant = request.minimum == request.maximum;
-  const double down = constant ? judge.nearest_good(request.maximum, 1.0 / kStride)
-                               : judge.good_below(request.maximum);
+  const double down = constant ? limit.nearest_stable(request.maximum, 1.0 / kStepFactor)
+                               : limit.stable_below(request.maximum);
   if (down >= request.maximum) return;
   const auto shorten = [&] {
     out.action = StepAction::Shortened;
     out.maximum = down;
     out.minimum = constant ? down : std::min(request.minimum, down);
-    if (down * Judge::highest_frequency(request) < kLeastPhase) out.action = StepAction::Refused;
+    if (down * GrowthLimit::highest_frequency(request) < kMinPhase)
+      out.action = StepAction::Refused;
   };
   if (!constant && down >= request.minimum) return shorten();
-  // The deck forbids steps that short. A band of good steps may be nearer.
-  const double up = judge.nearest_good(request.minimum, kStride);
+  // The deck forbids steps that short. A band of stable steps may be nearer.
+  const double up = limit.nearest_stable(request.minimum, kStepFactor);
   const double ratio_down = down > 0.0 ? request.maximum / down : 1e300;
   if (up == 0.0 || up / request.minimum > ratio_down) return shorten();
   out.action = StepAction::Lengthened;
   out.minimum = out.maximum = up;
-  while (!constant && out.maximum * kStride <= request.maximum && judge.good(out.maximum * kStride))
-    out.maximum *= kStride;
+  while (!constant && out.maximum * kStepFactor <= request.maximum &&
+         limit.is_stable(out.maximum * kStepFactor))
+    out.maximum *= kStepFactor;
 }
 
 }  // namespace
 
-StepLimits stable_steps(const StepRequest& request) {
+StepLimits stable_step_limits(const StepRequest& request) {
   StepLimits out;
   out.minimum = request.minimum;
   out.maximum = request.maximum;
   if (request.bands.empty() || !(request.turn > 0.0)) return out;
-  const double highest = Judge::highest_frequency(request);
-  const Curves curves(request, kLengthening * request.maximum * highest);
+  const double highest = GrowthLimit::highest_frequency(request);
+  const GrowthCurves curves(request, kMaxLengthening * request.maximum * highest);
   const int orders = orders_of(request.method);
-  const Judge free(request, curves, orders);
+  const GrowthLimit free(request, curves, orders);
   if (orders == 1) {
     move_steps(out, request, free);
     set_growth(out, request, free, free);
@@ -213,8 +215,8 @@ StepLimits stable_steps(const StepRequest& request) {
   }
   double longest = 0.0;
   for (int order = orders; order >= 1 && longest < request.maximum; --order) {
-    const double step = Judge(request, curves, order).good_below(request.maximum);
-    if (step <= longest * kStride) continue;
+    const double step = GrowthLimit(request, curves, order).stable_below(request.maximum);
+    if (step <= longest * kStepFactor) continue;
     longest = step;
     out.highest_order = order;
   }
@@ -223,12 +225,12 @@ StepLimits stable_steps(const StepRequest& request) {
     set_growth(out, request, free, free);
     return out;
   }
-  out.action = longest * highest < kLeastPhase ? StepAction::Refused : StepAction::OrderHeld;
+  out.action = longest * highest < kMinPhase ? StepAction::Refused : StepAction::OrderHeld;
   out.maximum = std::max(longest, kLowestPhase / highest);
   // They cannot hold a constant step: below the deck's least step there must be room for shorter
   // ones.
-  out.minimum = request.minimum < out.maximum ? request.minimum : kLeastOfLongest * out.maximum;
-  set_growth(out, request, free, Judge(request, curves, std::max(out.highest_order, 1)));
+  out.minimum = request.minimum < out.maximum ? request.minimum : kMinStepRatio * out.maximum;
+  set_growth(out, request, free, GrowthLimit(request, curves, std::max(out.highest_order, 1)));
   return out;
 }
 
@@ -236,7 +238,7 @@ namespace {
 
 /// "per turn", or the number of periods over which growth is counted for a slow bearing.
 std::string counted_over(const StepRequest& request) {
-  return request.turn <= counted_time(Judge::highest_frequency(request))
+  return request.turn <= counted_time(GrowthLimit::highest_frequency(request))
              ? "per revolution"
              : fmt::format("in {:.0f} periods", kCountedPeriods);
 }
@@ -294,12 +296,12 @@ std::string step_limits_text(const StepRequest& request, const StepLimits& limit
   }
 }
 
-std::vector<std::string> methods_that_keep(StepRequest request) {
+std::vector<std::string> find_stable_methods(StepRequest request) {
   std::vector<std::string> out;
   for (const std::string_view name : integrators::stepper_names()) {
     request.method = name;
     if (name.starts_with("cvode")) continue;
-    if (stable_steps(request).action == StepAction::Kept) out.emplace_back(name);
+    if (stable_step_limits(request).action == StepAction::Kept) out.emplace_back(name);
   }
   return out;
 }

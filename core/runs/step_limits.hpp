@@ -48,7 +48,7 @@ inline constexpr double kGrowthPerTurn = 1.01;
 inline constexpr double kCountedPeriods = 1e5;
 /// A method that needs steps shorter than this over the highest frequency (600 per period) is
 /// rejected.
-inline constexpr double kLeastPhase = 0.01;
+inline constexpr double kMinPhase = 0.01;
 
 /// The nearest limits at which no vibration grows by more than kGrowthPerTurn:
 ///   amplification per step |R(hω)|, integrators/stability.hpp, over all ω of the bands and all h
@@ -60,13 +60,13 @@ inline constexpr double kLeastPhase = 0.01;
 /// damping ratio: its real part must be in the method's region, too. Limits: linear vibrations of
 /// the quasi-static solution's stiffness; contacts that open and close are covered by the error
 /// control and the judgment of the energy.
-[[nodiscard]] StepLimits stable_steps(const StepRequest& request);
+[[nodiscard]] StepLimits stable_step_limits(const StepRequest& request);
 
 /// One sentence of what was done and why. `time_scale` [s]: unit of the deck's step sizes.
 [[nodiscard]] std::string step_limits_text(const StepRequest& request, const StepLimits& limits,
                                            double time_scale);
 
 /// Methods that keep the deck's limits as they are, in the order of stepper_names().
-[[nodiscard]] std::vector<std::string> methods_that_keep(StepRequest request);
+[[nodiscard]] std::vector<std::string> find_stable_methods(StepRequest request);
 
 }  // namespace adore::runs

@@ -9,17 +9,17 @@
 namespace adore::runs {
 namespace {
 
-constexpr long kPatience = 10000;  ///< steps
+constexpr long kMaxMissedSteps = 10000;  ///< steps
 
 }  // namespace
 
-void StepWatch::look(const integrators::Stepper& stepper) {
+void StepErrorMonitor::check(const integrators::Stepper& stepper) {
   const integrators::Counters& now = stepper.counters();
-  if (now.steps - now.at_minimum != kept_ || now.steps < since_) {
-    kept_ = now.steps - now.at_minimum;
-    since_ = now.steps;
+  if (now.steps - now.at_minimum != steps_within_tolerance_ || now.steps < last_good_step_) {
+    steps_within_tolerance_ = now.steps - now.at_minimum;
+    last_good_step_ = now.steps;
   }
-  if (constant_ || now.steps - since_ < kPatience) return;
+  if (is_step_constant_ || now.steps - last_good_step_ < kMaxMissedSteps) return;
   throw SolverError(
       fmt::format("at t = {:.9g} s: each of the last {} steps of {} missed the tolerance of {:g}, "
                   "although each had the smallest size that record 2.1 allows (stpMin {:g}, {:.3g} "
@@ -27,12 +27,12 @@ void StepWatch::look(const integrators::Stepper& stepper) {
                   "this step, often an oil film or a friction law with a steep slope at high "
                   "pressure. Decrease stpMin; if that takes too long, try an implicit method "
                   "(arkode-dirk, cvode-bdf) or a less steep law",
-                  stepper.time(), now.steps - since_, control_.integrator, control_.tolerance,
-                  control_.step_minimum, minimum_));
+                  stepper.time(), now.steps - last_good_step_, control_.integrator,
+                  control_.tolerance, control_.step_minimum, minimum_step_));
 }
 
-std::string invalid_beyond(dynamics::System& system, double t, std::span<const double> y,
-                           double h) {
+std::string invalid_state_message(dynamics::System& system, double t, std::span<const double> y,
+                                  double h) {
   std::vector<double> rates(y.size()), there(y.size());
   if (system.rhs(t, y.data(), rates.data()) != dynamics::RhsStatus::Ok) return {};
   for (double way = 0.25 * h; way <= 1e3 * h; way *= 2.0) {

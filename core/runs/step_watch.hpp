@@ -7,31 +7,32 @@
 #include <span>
 #include <string>
 
-/// Steps that tell nothing, and why one could not be made.
+/// Steps with an unknown error, and the cause of a step that failed.
 namespace adore::runs {
 
-/// Ends a run whose steps are all too long for its tolerance and may not be shorter: what it
-/// computes has no known error, and waiting for its end tells nobody.
-class StepWatch {
+/// Ends a run whose steps all miss its tolerance although they have the smallest allowed size: its
+/// results have an unknown error.
+class StepErrorMonitor {
  public:
   /// @param time_scale unit of the deck's step sizes [s]
-  StepWatch(const setup::RunControl& control, double time_scale)
+  StepErrorMonitor(const setup::RunControl& control, double time_scale)
       : control_(control),
-        constant_(control.step_minimum == control.step_maximum),
-        minimum_(control.step_minimum * time_scale) {}
+        is_step_constant_(control.step_minimum == control.step_maximum),
+        minimum_step_(control.step_minimum * time_scale) {}
   /// @throws SolverError
-  void look(const integrators::Stepper& stepper);
+  void check(const integrators::Stepper& stepper);
 
  private:
   const setup::RunControl& control_;
-  bool constant_;
-  double minimum_;             ///< [s]
-  long kept_ = 0, since_ = 0;  ///< steps that kept the tolerance; how many there were at the last
+  bool is_step_constant_;
+  double minimum_step_;              ///< [s]
+  long steps_within_tolerance_ = 0;  ///< steps that kept the tolerance
+  long last_good_step_ = 0;          ///< number of steps at the last of them
 };
 
-/// Cause of invalid states ahead: the sentence of the first such state in the direction of the
-/// rates point, up to some steps of h [s] from (t, y). Empty: none found.
-[[nodiscard]] std::string invalid_beyond(dynamics::System& system, double t,
-                                         std::span<const double> y, double h);
+/// Cause of invalid states ahead: the message of the first such state in the direction of the
+/// rates, up to 1000 steps of h [s] from (t, y). Empty: none found.
+[[nodiscard]] std::string invalid_state_message(dynamics::System& system, double t,
+                                                std::span<const double> y, double h);
 
 }  // namespace adore::runs

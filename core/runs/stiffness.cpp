@@ -33,11 +33,11 @@ std::vector<statics::StiffnessRow> stiffness_over_speed(const Prepared& prepared
       statics::RollerSolution solution = statics::solve_roller_statics(bearing, options);
       solution.notes.clear();
       if (std::string note = solution.friction.note(); !note.empty())
-        solution.notes.push_back(std::move(note));
+        solution.notes.push_back(make_finding("statics.friction_balance", std::move(note)));
       last_rollers = std::move(solution);
       return *last_rollers;
     }
-    statics::StaticsOptions options = ball_options(prepared);
+    statics::BallStaticsOptions options = ball_statics_options(prepared);
     options.difference_share = request.share;
     options.warm_start = previous != nullptr;
     if (previous != nullptr)
@@ -45,7 +45,7 @@ std::vector<statics::StiffnessRow> stiffness_over_speed(const Prepared& prepared
         if (!bearing.constraints.displacement_given[k])
           bearing.constraints.displacement[k] = previous->displacement[k];
     statics::StaticSolution solution = statics::solve_ball_statics(bearing, options);
-    solution.notes = statics::balance_balls(bearing, options, solution).notes();
+    solution.notes = statics::solve_ball_friction_balance(bearing, options, solution).findings();
     return solution;
   };
   std::vector<statics::StiffnessRow> rows = statics::stiffness_table(request, solve);

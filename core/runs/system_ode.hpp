@@ -30,13 +30,14 @@ class SystemOde final : public integrators::OdeSystem {
   [[nodiscard]] bool blocks_form_ring() const noexcept override {
     return system_.neighbours_meet();
   }
-  integrators::EvalStatus rhs_with_shares(integrators::RhsPart part, double t, const double* y,
-                                          double* dydt, double* shares) noexcept override {
+  integrators::EvalStatus rhs_with_contributions(integrators::RhsPart part, double t,
+                                                 const double* y, double* dydt,
+                                                 double* shares) noexcept override {
     // The stiff part holds no rate of the border, which is what the default says.
     if (part == integrators::RhsPart::Stiff) {
-      return OdeSystem::rhs_with_shares(part, t, y, dydt, shares);
+      return OdeSystem::rhs_with_contributions(part, t, y, dydt, shares);
     }
-    return status(system_.rhs_with_shares(t, y, dydt, shares));
+    return status(system_.rhs_with_contributions(t, y, dydt, shares));
   }
   [[nodiscard]] double step_guard(double t) const noexcept override {
     return system_.longest_step(t);
@@ -46,7 +47,7 @@ class SystemOde final : public integrators::OdeSystem {
   /// of the elastic energy at the start of the run and now.
   [[nodiscard]] Kept kept() noexcept override {
     if (elastic_ < 0.0) return {};
-    const dynamics::System::EnergyAccount now = system_.energy_account();
+    const dynamics::System::EnergyBalance now = system_.energy_balance();
     return {now.balance, 0.5 * (elastic_ + now.elastic), kRounding * now.size};
   }
   [[nodiscard]] std::string component_name(int index) const override {

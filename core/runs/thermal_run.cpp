@@ -19,7 +19,7 @@
 namespace adore::runs {
 namespace {
 
-constexpr std::size_t kJudged = 8;  ///< steps that judge_sequence may look back
+constexpr std::size_t kHistoryLength = 8;  ///< steps that assess_thermal_steps may look back
 
 /// All heats as one list, for differences and files.
 std::array<double, 8> list_of(const thermal::HeatSources& q) {
@@ -44,35 +44,35 @@ double cage_speed(const scene::Snapshot& at) {
 }  // namespace
 
 ThermalRun::ThermalRun(const Prepared& prepared)
-    : as_built_(prepared.as_built),
-      now_(thermal::BulkTemperatures::in(prepared.as_built)),
-      geometry_(now_),
+    : as_built_bearing_(prepared.as_built),
+      part_temperatures_(thermal::BulkTemperatures::in(prepared.as_built)),
+      geometry_temperatures_(part_temperatures_),
       transient_(prepared.options.thermal_transient),
-      acceleration_(prepared.options.thermal_acceleration) {
-  shown_.outside = now_.race[0];
-  shown_.bore = now_.race[1];
-  shown_.housing = shown_.housing_mean = now_.housing;
-  shown_.raceway = now_.race;
+      thermal_time_ratio_(prepared.options.thermal_acceleration) {
+  shown_.outside = part_temperatures_.race[0];
+  shown_.bore = part_temperatures_.race[1];
+  shown_.housing = shown_.housing_mean = part_temperatures_.housing;
+  shown_.raceway = part_temperatures_.race;
   shown_.film.fill(std::numeric_limits<double>::quiet_NaN());  // of no network yet
-  shown_.shaft_mean = now_.shaft;
-  shown_.medium = now_.medium;
+  shown_.shaft_mean = part_temperatures_.shaft;
+  shown_.medium = part_temperatures_.medium;
   shown_.coolant_in = shown_.coolant_out =
-      as_built_.thermal->base == 2 || as_built_.thermal->base == 3
-          ? as_built_.thermal->base_temperature
-          : now_.element;
+      as_built_bearing_.thermal->base == 2 || as_built_bearing_.thermal->base == 3
+          ? as_built_bearing_.thermal->base_temperature
+          : part_temperatures_.element;
   relaxation_.least = 0.2;
   relaxation_.most = 1.0;
   relaxation_.quiet = 0.5;
   relaxation_.averages = true;
-  const auto field = now_.list();
+  const auto field = part_temperatures_.list();
   history_.emplace_back(field.begin(), field.end());
 }
 
 thermal::HeatSources ThermalRun::sources(const scene::EnergyLedger& energy) const {
   thermal::HeatSources out;
   std::array<double, 2> guided{};
-  if (as_built_.cage)
-    for (const bearing::GuideLand& land : as_built_.cage->lands) {
+  if (as_built_bearing_.cage)
+    for (const bearing::GuideLand& land : as_built_bearing_.cage->lands) {
       if (land.guide == bearing::GuideLand::Guide::Outer) guided[0] += land.width;
       if (land.guide == bearing::GuideLand::Guide::Inner) guided[1] += land.width;
     }
@@ -100,17 +100,18 @@ thermal::HeatSources ThermalRun::sources(const scene::EnergyLedger& energy) cons
 }
 
 void ThermalRun::start(double time, const scene::EnergyLedger& energy) {
-  begun_ = time;
-  before_ = sources(energy);
+  window_start_time_ = time;
+  window_start_heat_ = sources(energy);
 }
 
-bool ThermalRun::lasting() const noexcept {
-  return settled_ || steps_ >= static_cast<int>(kJudged);
+bool ThermalRun::has_mean_temperatures() const noexcept {
+  return settled_ || steps_ >= static_cast<int>(kHistoryLength);
 }
 
 bool ThermalRun::due(double time) const noexcept {
   constexpr double kRounding = 1e-9;
-  return time - begun_ >= as_built_.thermal->average_time * (1.0 - kRounding) && time > begun_;
+  return time - window_start_time_ >= as_built_bearing_.thermal->average_time * (1.0 - kRounding) &&
+         time > window_start_time_;
 }
 
 void ThermalRun::show(const thermal::BearingHeat& heat) {
@@ -127,7 +128,7 @@ void ThermalRun::show(const thermal::BearingHeat& heat) {
             T.inner_interface,
             T.housing,
             heat.sources.total(),
-            heat.to_coolant(),
+            heat.heat_to_coolant(),
             heat.flows.race,
             {T.outer_raceway, T.inner_raceway},
             {film("film of the outer race"), film("film of the inner race")},
@@ -139,83 +140,88 @@ void ThermalRun::show(const thermal::BearingHeat& heat) {
 ThermalRun::Step ThermalRun::close(const scene::Snapshot& at,
                                    const thermal::RaceConductance& contact) {
   const thermal::HeatSources until = sources(at.energy);
-  const std::array<double, 8> now = list_of(until), then = list_of(before_);
+  const std::array<double, 8> now = list_of(until), then = list_of(window_start_heat_);
   std::array<double, 8> mean{};
   for (std::size_t k = 0; k < now.size(); ++k)
-    mean[k] = std::max(0.0, (now[k] - then[k]) / (at.time - begun_));
+    mean[k] = std::max(0.0, (now[k] - then[k]) / (at.time - window_start_time_));
   Step out;
-  bearing::Bearing warm = as_built_;
-  now_.set(warm);
-  const thermal::HeatStep in_time{node_state_, (at.time - begun_) * acceleration_};
+  bearing::Bearing warm = as_built_bearing_;
+  part_temperatures_.set(warm);
+  const thermal::HeatStep in_time{node_state_,
+                                  (at.time - window_start_time_) * thermal_time_ratio_};
   out.heat = thermal::solve_bearing_heat(warm, of_list(mean), cage_speed(at), contact,
                                          transient_ ? &in_time : nullptr);
   node_state_ = out.heat.state;
   ++steps_;
   out.number = steps_;
-  hot_ = thermal::hot_node(out.heat);
-  out.window = at.time - begun_;
+  overheated_node_ = thermal::describe_overheated_node(out.heat);
+  out.window = at.time - window_start_time_;
   const double orbit = std::abs(cage_speed(at));
-  if (orbit > 0.0) out.passing = 2.0 * std::numbers::pi / (orbit * as_built_.element_count());
-  constexpr double kLeast = 0.2, kLeastOfShort = 0.02, kMemory = 0.3;
+  if (orbit > 0.0)
+    out.passing = 2.0 * std::numbers::pi / (orbit * as_built_bearing_.element_count());
+  constexpr double kMinRelaxation = 0.2, kMinRelaxationShortWindow = 0.02,
+                   kRelaxationPerPassing = 0.3;
   relaxation_.least = out.window < out.passing
-                          ? std::clamp(kMemory * out.window / out.passing, kLeastOfShort, kLeast)
-                          : kLeast;
-  now_ = transient_
-             ? out.heat.bulk
-             : thermal::BulkTemperatures::of(relaxation_.step(now_.list(), out.heat.bulk.list()));
-  begun_ = at.time;
-  before_ = until;
+                          ? std::clamp(kRelaxationPerPassing * out.window / out.passing,
+                                       kMinRelaxationShortWindow, kMinRelaxation)
+                          : kMinRelaxation;
+  part_temperatures_ = transient_ ? out.heat.bulk
+                                  : thermal::BulkTemperatures::of(relaxation_.step(
+                                        part_temperatures_.list(), out.heat.bulk.list()));
+  window_start_time_ = at.time;
+  window_start_heat_ = until;
   show(out.heat);
-  const bearing::ThermalInputs& in = *as_built_.thermal;
+  const bearing::ThermalInputs& in = *as_built_bearing_.thermal;
   out.geometry =
       in.geometry_every > 0 && steps_ % in.geometry_every == 0 && at.time >= in.skip_time;
-  if (out.geometry) geometry_ = now_;
-  const auto field = now_.list();
+  if (out.geometry) geometry_temperatures_ = part_temperatures_;
+  const auto field = part_temperatures_.list();
   history_.emplace_back(field.begin(), field.end());
-  if (history_.size() > kJudged) history_.erase(history_.begin());
-  thermal::StepRules rules;
+  if (history_.size() > kHistoryLength) history_.erase(history_.begin());
+  thermal::ThermalStepCriteria rules;
   rules.limit = thermal::kHottest;
-  out.judged = thermal::judge_sequence(history_, rules);
+  out.judged = thermal::assess_thermal_steps(history_, rules);
   // Slow changes of a transient are not a steady state, growing ones no instability.
   if (transient_ && out.judged.reason != "limit")
     out.judged.verdict = thermal::StepVerdict::Undecided;
   double drift = 0.0;
   const double fresh = std::max(relaxation_.least, 1.0 / steps_);
-  for (std::size_t k = 0; k < drift_.size(); ++k) {
-    drift_[k] += fresh * (relaxation_.residual[k] - drift_[k]);
-    drift = std::max(drift, std::abs(drift_[k]));
+  for (std::size_t k = 0; k < mean_residual_.size(); ++k) {
+    mean_residual_[k] += fresh * (relaxation_.residual[k] - mean_residual_[k]);
+    drift = std::max(drift, std::abs(mean_residual_[k]));
   }
-  constexpr double kDrift = 2.0;  // [K]
-  settled_ = out.judged.verdict == thermal::StepVerdict::Stable && drift < kDrift;
-  if (const std::string cold = thermal::too_cold(out.heat); !cold.empty())
+  constexpr double kMaxDrift = 2.0;  // [K]
+  settled_ = out.judged.verdict == thermal::StepVerdict::Stable && drift < kMaxDrift;
+  if (const std::string cold = thermal::describe_too_cold_nodes(out.heat); !cold.empty())
     throw SolverError(fmt::format(
         "at t = {:.9g} s, thermal step {}: {}. Give more coolant (cFlowRate), a higher baseTemp, "
         "another location of the base temperature (kBaseTemp), or less load or speed",
         at.time, steps_, cold));
-  const std::string hot = thermal::runaway(now_);
+  const std::string hot = thermal::describe_thermal_runaway(part_temperatures_);
   if (!hot.empty() || out.judged.reason == "limit")
     throw SolverError(fmt::format(
         "at t = {:.9g} s, thermal step {}: temperatures run away ({}); heat {:.4g} W, outer race "
         "{:.4g} K, inner race {:.4g} K, elements {:.4g} K. Give more coolant (cFlowRate), more "
         "clearance or less interference (freeIntCls, raceFit1, raceFit2), less load or speed; or a "
         "longer aveTime if the heat is still settling",
-        at.time, steps_, hot, out.heat.sources.total(), now_.race[0], now_.race[1], now_.element));
+        at.time, steps_, hot, out.heat.sources.total(), part_temperatures_.race[0],
+        part_temperatures_.race[1], part_temperatures_.element));
   return out;
 }
 
 bearing::Bearing ThermalRun::operating() const {
-  bearing::Bearing at = as_built_;
-  geometry_.set(at);
+  bearing::Bearing at = as_built_bearing_;
+  geometry_temperatures_.set(at);
   at.medium_temperature.reset();
-  bearing::Bearing out = thermal::bearing_at(at, now_, false);
+  bearing::Bearing out = thermal::bearing_at_temperatures(at, part_temperatures_, false);
   return out;
 }
 
 void ThermalRun::save(std::map<std::string, double>& state) const {
   state["thermal.steps"] = steps_;
-  state["thermal.begun"] = begun_;
+  state["thermal.begun"] = window_start_time_;
   state["thermal.settled"] = settled_ ? 1.0 : 0.0;
-  const auto now = now_.list(), geometry = geometry_.list();
+  const auto now = part_temperatures_.list(), geometry = geometry_temperatures_.list();
   for (std::size_t k = 0; k < now.size(); ++k) {
     state[key("now", k)] = now[k];
     state[key("geometry", k)] = geometry[k];
@@ -225,9 +231,10 @@ void ThermalRun::save(std::map<std::string, double>& state) const {
   state["thermal.relaxation"] = relaxation_.factor;
   state["thermal.relaxed"] = relaxation_.begun ? 1.0 : 0.0;
   state["thermal.turns"] = relaxation_.turns;
-  for (std::size_t k = 0; k < drift_.size(); ++k) state[key("drift", k)] = drift_[k];
+  for (std::size_t k = 0; k < mean_residual_.size(); ++k)
+    state[key("drift", k)] = mean_residual_[k];
   for (std::size_t k = 0; k < now.size(); ++k) state[key("residual", k)] = relaxation_.residual[k];
-  const auto heat = list_of(before_);
+  const auto heat = list_of(window_start_heat_);
   for (std::size_t k = 0; k < heat.size(); ++k) state[key("heat", k)] = heat[k];
   state["thermal.history"] = static_cast<double>(history_.size());
   for (std::size_t n = 0; n < history_.size(); ++n)
@@ -258,43 +265,46 @@ bool ThermalRun::restore(const std::map<std::string, double>& state,
                                            : fmt::format(" = {:g}", found->second)));
     return found->second;
   };
-  constexpr double kColdest = 1.0, kMost = 1e30;
+  constexpr double kColdest = 1.0, kMaxValue = 1e30;
   steps_ = static_cast<int>(get("thermal.steps", 0.0, 1e9));
-  begun_ = get("thermal.begun", 0.0, kMost);
+  window_start_time_ = get("thermal.begun", 0.0, kMaxValue);
   settled_ = get("thermal.settled", 0.0, 1.0) > 0.5;
   std::array<double, 7> now{}, geometry{};
   for (std::size_t k = 0; k < now.size(); ++k) {
     now[k] = get(key("now", k), kColdest, thermal::kHottest);
     geometry[k] = get(key("geometry", k), kColdest, thermal::kHottest);
   }
-  now_ = thermal::BulkTemperatures::of(now);
-  geometry_ = thermal::BulkTemperatures::of(geometry);
-  constexpr double kMostNodes = 64.0;
-  node_state_.resize(static_cast<std::size_t>(get("thermal.nodes", 0.0, kMostNodes)));
+  part_temperatures_ = thermal::BulkTemperatures::of(now);
+  geometry_temperatures_ = thermal::BulkTemperatures::of(geometry);
+  constexpr double kMaxNodes = 64.0;
+  node_state_.resize(static_cast<std::size_t>(get("thermal.nodes", 0.0, kMaxNodes)));
   for (std::size_t k = 0; k < node_state_.size(); ++k)
-    node_state_[k] = get(key("node", k), -kMost, kMost);
+    node_state_[k] = get(key("node", k), -kMaxValue, kMaxValue);
   relaxation_.factor = get("thermal.relaxation", 0.0, 1.0);
   relaxation_.begun = get("thermal.relaxed", 0.0, 1.0) > 0.5;
   relaxation_.turns = static_cast<int>(get("thermal.turns", 0.0, 1e9));
-  for (std::size_t k = 0; k < drift_.size(); ++k) drift_[k] = get(key("drift", k), -kMost, kMost);
+  for (std::size_t k = 0; k < mean_residual_.size(); ++k)
+    mean_residual_[k] = get(key("drift", k), -kMaxValue, kMaxValue);
   for (std::size_t k = 0; k < now.size(); ++k)
-    relaxation_.residual[k] = get(key("residual", k), -kMost, kMost);
+    relaxation_.residual[k] = get(key("residual", k), -kMaxValue, kMaxValue);
   std::array<double, 8> heat{};
-  for (std::size_t k = 0; k < heat.size(); ++k) heat[k] = get(key("heat", k), -kMost, kMost);
-  before_ = of_list(heat);
-  const auto count = static_cast<std::size_t>(get("thermal.history", 0.0, double(kJudged)));
+  for (std::size_t k = 0; k < heat.size(); ++k)
+    heat[k] = get(key("heat", k), -kMaxValue, kMaxValue);
+  window_start_heat_ = of_list(heat);
+  const auto count = static_cast<std::size_t>(get("thermal.history", 0.0, double(kHistoryLength)));
   history_.assign(count, std::vector<double>(now.size()));
   for (std::size_t n = 0; n < count; ++n)
     for (std::size_t k = 0; k < now.size(); ++k)
       history_[n][k] = get(fmt::format("thermal.history.{}.{}", n, k), kColdest, thermal::kHottest);
   std::array<double, 14> shown{};
-  for (std::size_t k = 0; k < shown.size(); ++k) shown[k] = get(key("shown", k), -kMost, kMost);
+  for (std::size_t k = 0; k < shown.size(); ++k)
+    shown[k] = get(key("shown", k), -kMaxValue, kMaxValue);
   // Films are not computed before the next thermal step where a network without them was stored.
   std::array<double, 2> film{};
   for (std::size_t j = 0; j < 2; ++j) {
     const auto found = state.find(key("film", j));
     film[j] = found == state.end() ? std::numeric_limits<double>::quiet_NaN()
-                                   : get(key("film", j), 0.0, kMost);
+                                   : get(key("film", j), 0.0, kMaxValue);
   }
   shown_ = {steps_,
             shown[5],
@@ -318,30 +328,30 @@ thermal::RaceConductance race_conductance(const Prepared& p) {
                         : thermal::race_conductance(p.bearing, p.start);
 }
 
-std::vector<std::string> move_to(Prepared& p, bearing::Bearing operating) {
+std::vector<Finding> move_to(Prepared& p, bearing::Bearing operating) {
   p.bearing = std::move(operating);
-  std::vector<std::string> out;
+  std::vector<Finding> out;
   std::optional<statics::LubricantFilms> films;
   if (p.bearing.rollers()) {
-    auto scene = std::make_shared<dynamics::RollerScene>();
+    auto scene = std::make_shared<dynamics::RollerStaticResult>();
     scene->options = p.options.rollers;
     scene->solution = statics::solve_roller_statics(p.bearing, p.options.rollers);
     p.start = dynamics::static_start(*scene, p.bearing);
     if (std::string note = scene->solution.friction.note(); !note.empty())
-      out.push_back(std::move(note));
+      out.push_back(make_finding("statics.friction_balance", std::move(note)));
     if (p.bearing.lubrication) films = statics::contact_films(p.bearing, scene->solution);
     p.roller_scene = std::move(scene);
   } else {
-    statics::StaticsOptions as_in_motion = ball_options(p);
+    statics::BallStaticsOptions as_in_motion = ball_statics_options(p);
     as_in_motion.curvature =
         p.options.system.moving_angle ? statics::Curvature::Potential : statics::Curvature::Fixed;
     as_in_motion.fixed_angle = p.fixed_angle;
     p.start = statics::solve_ball_statics(p.bearing, as_in_motion);
-    out = statics::balance_balls(p.bearing, as_in_motion, p.start).notes();
+    out = statics::solve_ball_friction_balance(p.bearing, as_in_motion, p.start).findings();
     if (p.bearing.lubrication) films = statics::contact_films(p.bearing, p.start);
   }
   if (!films) return out;
-  for (std::string& doubt : statics::film_doubts(*films, statics::FilmsOf::ThermalSteps))
+  for (Finding& doubt : statics::film_doubts(*films, statics::FilmUse::ThermalSteps))
     out.push_back(std::move(doubt));
   return out;
 }

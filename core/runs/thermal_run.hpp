@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "runs/prepare.hpp"
 #include "scene/snapshot.hpp"
 #include "thermal/bearing_heat.hpp"
@@ -37,7 +38,7 @@ class ThermalRun {
     thermal::BearingHeat heat;
     int number = 0;
     bool geometry = false;  ///< changes with this step
-    thermal::StepSequence judged;
+    thermal::ThermalStepAssessment judged;
     double passing = 0.0;  ///< of one element, at the mean orbital speed; 0: they rest [s]
     double window = 0.0;   ///< [s]
   };
@@ -49,16 +50,18 @@ class ThermalRun {
   [[nodiscard]] bearing::Bearing operating() const;
 
   /// Race speeds at which the rings grow from now on [rad/s].
-  void set_speed(const std::array<double, 2>& speed) noexcept { as_built_.speed = speed; }
+  void set_speed(const std::array<double, 2>& speed) noexcept { as_built_bearing_.speed = speed; }
 
   [[nodiscard]] const scene::ThermalSnapshot& shown() const noexcept { return shown_; }
-  [[nodiscard]] const thermal::BulkTemperatures& bulk() const noexcept { return now_; }
+  [[nodiscard]] const thermal::BulkTemperatures& bulk() const noexcept {
+    return part_temperatures_;
+  }
   [[nodiscard]] int steps() const noexcept { return steps_; }
   [[nodiscard]] bool settled() const noexcept { return settled_; }
   /// Node outside the range of the network in the last step, in words; empty: none.
-  [[nodiscard]] const std::string& hot() const noexcept { return hot_; }
+  [[nodiscard]] const std::string& hot() const noexcept { return overheated_node_; }
   /// The last steps are an answer to the mean heat, no longer of a cold start.
-  [[nodiscard]] bool lasting() const noexcept;
+  [[nodiscard]] bool has_mean_temperatures() const noexcept;
 
   /// For MASTER, and back; false: there is nothing of a thermal analysis.
   void save(std::map<std::string, double>& state) const;
@@ -69,17 +72,18 @@ class ThermalRun {
   [[nodiscard]] thermal::HeatSources sources(const scene::EnergyLedger& energy) const;
   void show(const thermal::BearingHeat& heat);
 
-  bearing::Bearing as_built_;
-  thermal::BulkTemperatures now_, geometry_;  ///< of the parts; of the present geometry
-  double begun_ = 0.0;                        ///< of the window [s]
-  thermal::HeatSources before_;               ///< heat until then [J]
+  bearing::Bearing as_built_bearing_;
+  thermal::BulkTemperatures part_temperatures_,
+      geometry_temperatures_;               ///< of the parts; of the present geometry
+  double window_start_time_ = 0.0;          ///< of the window [s]
+  thermal::HeatSources window_start_heat_;  ///< heat until then [J]
   int steps_ = 0;
   bool settled_ = false;
-  std::string hot_;
-  thermal::Relaxation::Field drift_{};  ///< mean residual of the last steps [K]
+  std::string overheated_node_;
+  thermal::Relaxation::Field mean_residual_{};  ///< mean residual of the last steps [K]
   thermal::Relaxation relaxation_;
   bool transient_;                            ///< heat capacities act
-  double acceleration_;                       ///< thermal over mechanical time
+  double thermal_time_ratio_;                 ///< thermal over mechanical time
   std::vector<double> node_state_;            ///< of the network, in a transient [K]
   std::vector<std::vector<double>> history_;  ///< of the last steps, as far as they are judged
   scene::ThermalSnapshot shown_;
@@ -91,6 +95,6 @@ class ThermalRun {
 /// A prepared dynamic deck whose bearing now is `operating`: races and elements in the equilibrium
 /// of this geometry. @throws SolverError when there is none, or the oil has become a glass
 /// @return what is to be doubted of its films
-std::vector<std::string> move_to(Prepared& prepared, bearing::Bearing operating);
+std::vector<Finding> move_to(Prepared& prepared, bearing::Bearing operating);
 
 }  // namespace adore::runs

@@ -34,13 +34,13 @@ TimeRun::TimeRun(const RunParts& parts, const StartPoint& start, const RunSpan& 
     : parts_(parts),
       start_(start),
       span_(span),
-      last_(last),
+      last_counted_step_(last),
       control_(control),
       stop_(std::move(stop)),
-      watch_(parts.prepared.control, parts.system->scales().time),
-      race_watch_(parts.system->scales().time, control.maximum),
+      step_error_monitor_(parts.prepared.control, parts.system->scales().time),
+      race_load_monitor_(parts.system->scales().time, control.maximum),
       film_tolerance_(control.tolerance, parts.system->scales()),
-      rest_watch_(parts.prepared),
+      rest_detector_(parts.prepared),
       growth_(parts.growth),
       step_(start.step),
       substeps_(start.resume.substeps),
@@ -49,10 +49,10 @@ TimeRun::TimeRun(const RunParts& parts, const StartPoint& start, const RunSpan& 
       held_changes_(start.resume.held_changes),
       error_sum_(start.resume.error_sum),
       error_largest_(start.resume.error_largest),
-      tight_time_(start.resume.tight_time),
-      tightest_(start.resume.tightest),
-      stepper_cost_(parts.system->cost().add_entry("stepper")),
-      output_cost_(parts.system->cost().add_entry("output")) {
+      reduced_tolerance_time_(start.resume.tight_time),
+      smallest_tolerance_(start.resume.tightest),
+      stepper_cost_entry_(parts.system->cost().add_entry("stepper")),
+      output_cost_entry_(parts.system->cost().add_entry("output")) {
   if (start.resume.tolerance > 0.0) control_.tolerance = start.resume.tolerance;
 }
 
@@ -61,7 +61,7 @@ void TimeRun::output(Action&& action) {
   const double at = scene::processor_seconds();
   action();
   const double spent = scene::processor_seconds() - at;
-  system().cost().add(output_cost_, spent);
+  system().cost().add(output_cost_entry_, spent);
   output_seconds_ += spent;
 }
 
@@ -69,8 +69,8 @@ Resume TimeRun::resume(bool failed) const {
   Resume so_far{0, {}, counters_, held_changes_, error_sum_, error_largest_};
   const double deck = parts_.prepared.control.tolerance;
   so_far.tolerance = control_.tolerance != deck ? control_.tolerance : 0.0;
-  so_far.tight_time = tight_time_;
-  so_far.tightest = tightest_;
+  so_far.tight_time = reduced_tolerance_time_;
+  so_far.tightest = smallest_tolerance_;
   add_counters(so_far.counters, parts_.stepper.counters());
   if (failed) return so_far;  // the stepper's memory may be meaningless
   so_far.substeps = substeps_;
@@ -82,28 +82,32 @@ void TimeRun::checkpoint() {
   output([&] { parts_.outputs.checkpoint(system(), point(), resume(false)); });
 }
 
-void TimeRun::watch_race() {
+void TimeRun::check_race_load() {
   const dynamics::RaceLoad& load = system().balanced_race();
   double contact = 0.0;
   if (load.asked.squaredNorm() > 0.0)
     for (const std::size_t race : {0U, 1U})
       for (const double one : system().contact_loads(race)) contact = std::max(contact, one);
-  race_watch_.look(parts_.stepper.time(), load, contact);
+  race_load_monitor_.check(parts_.stepper.time(), load, contact);
 }
 
 void TimeRun::adapt_tolerance() {
-  if (step_ % FilmTolerance::kEvery != 0 || control_.minimum == control_.maximum) return;
+  if (step_ % FilmTolerance::kCheckInterval != 0 || control_.minimum == control_.maximum) return;
   const double wanted = film_tolerance_.wanted(system(), control_.tolerance);
   if (wanted == control_.tolerance) return;
   control_.tolerance = wanted;
   if (wanted < parts_.prepared.control.tolerance)
-    tightest_ = tightest_ > 0.0 ? std::min(tightest_, wanted) : wanted;
-  start_anew(std::vector<double>(parts_.stepper.state().begin(), parts_.stepper.state().end()));
+    smallest_tolerance_ =
+        smallest_tolerance_ > 0.0 ? std::min(smallest_tolerance_, wanted) : wanted;
+  restart_stepper(
+      std::vector<double>(parts_.stepper.state().begin(), parts_.stepper.state().end()));
 }
 
-void TimeRun::start_anew(std::span<const double> y) { start_at(parts_.stepper.time(), y); }
+void TimeRun::restart_stepper(std::span<const double> y) {
+  start_stepper_at(parts_.stepper.time(), y);
+}
 
-void TimeRun::start_at(double t, std::span<const double> y) {
+void TimeRun::start_stepper_at(double t, std::span<const double> y) {
   add_counters(counters_, parts_.stepper.counters());
   ++counters_.restarts;
   integrators::StepControl again = control_;
@@ -111,11 +115,11 @@ void TimeRun::start_at(double t, std::span<const double> y) {
   parts_.stepper.start(parts_.ode, t, y, again);
 }
 
-bool TimeRun::update_held() {
+bool TimeRun::update_held_elements() {
   std::vector<double> y(parts_.stepper.state().begin(), parts_.stepper.state().end());
   if (!system().between_steps(parts_.stepper.time(), y)) return false;
   ++held_changes_;
-  start_anew(y);
+  restart_stepper(y);
   return true;
 }
 
@@ -126,16 +130,19 @@ void TimeRun::thermal_step() {
   const bool settled = thermal.settled();
   const ThermalRun::Step done =
       thermal.close(system().snapshot(t, y), race_conductance(parts_.prepared));
-  remark_thermal(done, thermal.settled() && !settled);
+  add_thermal_remark(done, thermal.settled() && !settled);
   try {
-    const std::vector<std::string> doubts = move_at_speed(parts_.prepared, thermal.operating());
-    for (const std::string& text : doubts)
-      if (!films_doubted_)
-        parts_.outputs.remark(make_finding(
-            "thermal.film_doubt", fmt::format("from thermal step {} on: {}", done.number, text)));
-    films_doubted_ = !doubts.empty();
+    const std::vector<Finding> doubts =
+        move_keeping_start_speeds(parts_.prepared, thermal.operating());
+    for (const Finding& doubt : doubts)
+      if (!films_uncertain_)
+        parts_.outputs.remark(
+            renamed(doubt, "thermal.film_doubt",
+                    fmt::format("from thermal step {} on: {}", done.number, doubt.message))
+                .at(t));
+    films_uncertain_ = !doubts.empty();
     dynamics::System next = make_system(parts_.prepared);
-    move_into(std::move(next), t, y, fmt::format("thermal step {}", done.number));
+    move_into_system(std::move(next), t, y, fmt::format("thermal step {}", done.number));
   } catch (const InputError& error) {
     throw SolverError(
         fmt::format("at t = {:.9g} s, the geometry after thermal step {} is not possible: {}", t,
@@ -145,10 +152,10 @@ void TimeRun::thermal_step() {
         fmt::format("at t = {:.9g} s, after thermal step {}: {}", t, done.number, error.what()));
   }
   parts_.outputs.thermal_step(done, t);
-  start_anew(y);
+  restart_stepper(y);
 }
 
-void TimeRun::remark_thermal(const ThermalRun::Step& done, bool settles) {
+void TimeRun::add_thermal_remark(const ThermalRun::Step& done, bool settles) {
   const double t = parts_.stepper.time();
   if (settles)
     parts_.outputs.remark(
@@ -169,8 +176,8 @@ void TimeRun::remark_thermal(const ThermalRun::Step& done, bool settles) {
             .measure(1e3 * done.window)
             .at(t));
   if (done.judged.verdict == thermal::StepVerdict::Divergent && done.window >= done.passing &&
-      !grown_) {
-    grown_ = true;
+      !temperature_growth_reported_) {
+    temperature_growth_reported_ = true;
     add_remark(
         parts_.prepared,
         make_finding(
@@ -182,21 +189,21 @@ void TimeRun::remark_thermal(const ThermalRun::Step& done, bool settles) {
   }
 }
 
-void TimeRun::move_into(dynamics::System next, double t, std::span<double> y,
-                        const std::string& cause) {
+void TimeRun::move_into_system(dynamics::System next, double t, std::span<double> y,
+                               const std::string& cause) {
   const std::vector<double> y_before(y.begin(), y.end());
-  next.take_over(system(), t, y);
-  const dynamics::NewEquilibrium change =
+  next.continue_from(system(), t, y);
+  const dynamics::EquilibriumChange change =
       dynamics::move_to_equilibrium(moving_scene(parts_.prepared, system()), t, y_before,
                                     moving_scene(parts_.prepared, next), t, y);
   dynamics::book_change(system(), y_before, next, t, y);
   parts_.system.emplace(std::move(next));
-  if (const std::string text = change_remark(change, cause, specified_shocks(parts_.prepared));
-      !text.empty())
-    add_remark(parts_.prepared, make_finding("run.start_excess", text).at(parts_.stepper.time()));
+  if (auto excess =
+          equilibrium_change_finding(change, cause, user_routine_motion_text(parts_.prepared)))
+    add_remark(parts_.prepared, excess->at(parts_.stepper.time()));
 }
 
-bool TimeRun::follow_growth() {
+bool TimeRun::apply_ring_growth() {
   if (!growth_.active()) return false;
   const double t = parts_.stepper.time();
   std::vector<double> y(parts_.stepper.state().begin(), parts_.stepper.state().end());
@@ -206,13 +213,13 @@ bool TimeRun::follow_growth() {
   if (levels == growth_levels_) return false;
   growth_levels_ = levels;
   try {
-    move_to_speeds(parts_.prepared, parts_.thermal, growth_.speeds(levels, speed));
-    move_into(make_system(parts_.prepared), t, y, "growth of the rings with their speed");
+    apply_race_speeds(parts_.prepared, parts_.thermal, growth_.speeds(levels, speed));
+    move_into_system(make_system(parts_.prepared), t, y, "growth of the rings with their speed");
   } catch (const InputError& error) {
     throw SolverError(fmt::format("at t = {:.9g} s, after growth of the rings with their speed: {}",
                                   t, error.what()));
   }
-  start_anew(y);
+  restart_stepper(y);
   return true;
 }
 
@@ -242,30 +249,30 @@ void TimeRun::begin(bool remembers) {
   checkpoint();
 }
 
-bool TimeRun::rest_step() {
+bool TimeRun::take_rest_step() {
   if (substeps_ != 0 || control_.minimum == control_.maximum) return false;
-  constexpr double kStepsOfRun = 50.0;
+  constexpr double kMinStepsPerRun = 50.0;
   const double t = parts_.stepper.time();
   const double usual = control_.maximum * static_cast<double>(parts_.prepared.control.substeps);
-  const double length = rest_watch_.step(parts_.stepper, parts_.ode, control_.tolerance, usual,
-                                         (span_.end - start_.time) / kStepsOfRun);
+  const double length = rest_detector_.step(parts_.stepper, parts_.ode, control_.tolerance, usual,
+                                            (span_.end - start_.time) / kMinStepsPerRun);
   if (!(length > 0.0)) return false;
-  if (rest_from_ < 0.0) {
-    rest_from_ = t;
+  if (rest_start_time_ < 0.0) {
+    rest_start_time_ = t;
     parts_.outputs.remark(
         make_finding("run.rest",
-                     fmt::format("nothing moves from t = {:.4g} s on: steps of up to {:.3g} s "
-                                 "without integration",
+                     fmt::format("the bearing is at rest from t = {:.4g} s on: time advances in "
+                                 "steps of up to {:.3g} s without integration",
                                  t, length))
             .at(t));
   }
   const std::vector<double> y(parts_.stepper.state().begin(), parts_.stepper.state().end());
-  start_at(std::min(t + length, span_.end), y);
+  start_stepper_at(std::min(t + length, span_.end), y);
   return true;
 }
 
-bool TimeRun::counted_step() {
-  if (rest_step()) {
+bool TimeRun::take_counted_step() {
+  if (take_rest_step()) {
     ++step_;
     return true;
   }
@@ -277,11 +284,11 @@ bool TimeRun::counted_step() {
     const double error = made.error * control_.tolerance / parts_.prepared.control.tolerance;
     error_sum_ += error;
     error_largest_ = std::max(error_largest_, error);
-    if (control_.tolerance < parts_.prepared.control.tolerance) tight_time_ += made.h;
+    if (control_.tolerance < parts_.prepared.control.tolerance) reduced_tolerance_time_ += made.h;
     ++substeps_;
     if (substeps_ == whole) break;
     parts_.outputs.follow_step(system(), parts_.stepper.time(), false);
-    watch_race();
+    check_race_load();
     if (parts_.outputs.checkpoint_due()) checkpoint();
     parts_.meter.update(parts_.stepper.time(), step_);
   }
@@ -294,15 +301,15 @@ void TimeRun::after_counted_step() {
   RunOutputs& outputs = parts_.outputs;
   const double t = parts_.stepper.time();
   system().check_state(t, parts_.stepper.state().data());
-  watch_.look(parts_.stepper);
+  step_error_monitor_.check(parts_.stepper);
   // The last step has all that a run tells at its end (kLifeFreq 0), where files store it anyway.
-  const bool last = t >= span_.end || step_ >= last_;
+  const bool last = t >= span_.end || step_ >= last_counted_step_;
   const bool stored = outputs.saves(step_, last);
   outputs.follow_step(system(), t, stored);
-  watch_race();
+  check_race_load();
   adapt_tolerance();
-  bool jumped = parts_.prepared.plan.has(scene::Effect::LightLoadBalance) && update_held();
-  output([&] { jumped = follow_growth() || jumped; });
+  bool jumped = parts_.prepared.plan.has(scene::Effect::LightLoadBalance) && update_held_elements();
+  output([&] { jumped = apply_ring_growth() || jumped; });
   if (parts_.thermal != nullptr && parts_.thermal->due(t)) {
     output([&] { thermal_step(); });
     jumped = true;
@@ -310,19 +317,19 @@ void TimeRun::after_counted_step() {
   const RunPoint now = point();
   if (jumped) {
     system().check_state(now.time, now.y.data());
-    outputs.follow_jump(system(), stored);
+    outputs.sample_state_jump(system(), stored);
   }
   if (outputs.life_due()) output([&] { outputs.evaluate_life(system(), now); });
   if (outputs.wants(step_)) output([&] { outputs.store(system(), now, last); });
   outputs.follow(now);
-  if (parts_.prepared.user) output([&] { outputs.call_user(system(), now); });
+  if (parts_.prepared.user) output([&] { outputs.call_user_routines(system(), now); });
   if (outputs.checkpoint_due()) checkpoint();
   parts_.meter.update(t, step_);
 }
 
 void TimeRun::steps() {
-  while (parts_.stepper.time() < span_.end && step_ < last_) {
-    if (!counted_step()) {
+  while (parts_.stepper.time() < span_.end && step_ < last_counted_step_) {
+    if (!take_counted_step()) {
       status_ = RunStatus::Interrupted;
       return;
     }
@@ -333,7 +340,7 @@ void TimeRun::steps() {
 void TimeRun::fail(const std::string& why) {
   status_ = RunStatus::Failed;
   message_ = why;
-  if (parts_.prepared.user) message_ = user_message(*parts_.prepared.user, message_);
+  if (parts_.prepared.user) message_ = add_routine_message(*parts_.prepared.user, message_);
 }
 
 void TimeRun::close(RunEnd& end) {
@@ -342,56 +349,57 @@ void TimeRun::close(RunEnd& end) {
   end.point = point();
   end.resume = resume(status_ == RunStatus::Failed);
   try {
-    output([&] { parts_.outputs.store_end(system(), end); });
+    output([&] { parts_.outputs.store_last_point(system(), end); });
   } catch (const SolverError& failure) {
     // A user routine rejects a state that it accepted before: the last checkpoint remains.
     if (status_ != RunStatus::Failed) fail(deck::message_in_units(failure.what(), units));
   }
-  const results::EnergyJudgement judgement = parts_.outputs.judge_energy();
+  const results::EnergyJudgment judgement = parts_.outputs.judge_energy();
   if (judgement.trust == results::Trust::None && status_ != RunStatus::Failed) {
     if (status_ == RunStatus::Done) status_ = RunStatus::Untrusted;
     message_ = deck::message_in_units(judgement.text, units);
   } else if (judgement.trust == results::Trust::Warned) {
     add_remark(parts_.prepared, make_finding("end.energy", judgement.text));
   }
-  if (MissedTolerance missed =
-          judge_missed(parts_.prepared.control, end.resume.counters, end.resume.error_sum);
+  if (MissedTolerance missed = judge_missed_tolerance(parts_.prepared.control, end.resume.counters,
+                                                      end.resume.error_sum);
       !missed.trusted && status_ == RunStatus::Done) {
     status_ = RunStatus::Untrusted;
     message_ = std::move(missed.text);
   }
-  if (std::string why = parts_.outputs.untrusted_law();
+  if (std::string why = parts_.outputs.untrusted_law_reason();
       !why.empty() && status_ == RunStatus::Done) {
     status_ = RunStatus::Untrusted;
     message_ = std::move(why);
   }
   if (parts_.thermal != nullptr && !parts_.thermal->hot().empty()) {
     const std::string hot = "thermal analysis, last thermal step: " + parts_.thermal->hot();
-    if (parts_.thermal->lasting() && status_ == RunStatus::Done) {
+    if (parts_.thermal->has_mean_temperatures() && status_ == RunStatus::Done) {
       status_ = RunStatus::Untrusted;
       message_ = hot;
     } else {
       add_remark(parts_.prepared, make_finding("thermal.hot", hot));
     }
   }
-  if (tight_time_ > 0.0 && end.point.time > 0.0)
-    parts_.outputs.remark(make_finding(
-        "end.film_tolerance", film_tolerance_text(parts_.prepared.control.tolerance, tightest_,
-                                                  tight_time_ / end.point.time)));
+  if (reduced_tolerance_time_ > 0.0 && end.point.time > 0.0)
+    parts_.outputs.remark(
+        make_finding("end.film_tolerance",
+                     film_tolerance_text(parts_.prepared.control.tolerance, smallest_tolerance_,
+                                         reduced_tolerance_time_ / end.point.time)));
   if (const std::string text = parts_.outputs.load_warning(); !text.empty())
     add_remark(parts_.prepared, make_finding("end.load", text));
 }
 
-double TimeRun::count_loop() {
-  const double loop = scene::processor_seconds() - loop_begin_;
+double TimeRun::count_loop_time() {
+  const double loop = scene::processor_seconds() - loop_start_seconds_;
   double rhs = 0.0;
   for (const auto& row : system().cost().rows())
     if (row.name != "stepper" && row.name != "output") rhs += row.seconds;
-  system().cost().add(stepper_cost_, std::max(0.0, loop - rhs - output_seconds_));
+  system().cost().add(stepper_cost_entry_, std::max(0.0, loop - rhs - output_seconds_));
   return loop;
 }
 
-void TimeRun::tell(RunOutcome& out, const RunEnd& end) const {
+void TimeRun::fill_outcome(RunOutcome& out, const RunEnd& end) const {
   out.status = status_;
   out.message = message_;
   out.files = parts_.outputs.files();
@@ -411,7 +419,7 @@ void TimeRun::tell(RunOutcome& out, const RunEnd& end) const {
 RunOutcome TimeRun::run(bool remembers) {
   const integrators::Stepper& stepper = parts_.stepper;
   const deck::UnitSystem units = parts_.prepared.input.deck.units();
-  loop_begin_ = scene::processor_seconds();
+  loop_start_seconds_ = scene::processor_seconds();
   try {
     begin(remembers);
     steps();
@@ -420,7 +428,7 @@ RunOutcome TimeRun::run(bool remembers) {
     const double least = std::max(parts_.prepared.control.step_minimum * system().scales().time,
                                   1e-3 * std::abs(h_));
     const RunPoint here = point();
-    if (const std::string beyond = invalid_beyond(system(), here.time, here.y, least);
+    if (const std::string beyond = invalid_state_message(system(), here.time, here.y, least);
         !beyond.empty())
       why += " Invalid state ahead: " + deck::message_in_units(beyond, units);
     fail(why);
@@ -434,7 +442,7 @@ RunOutcome TimeRun::run(bool remembers) {
   close(end);
   end.status = status_;
   end.message = message_;
-  end.loop_seconds = count_loop();
+  end.loop_seconds = count_loop_time();
   if (parts_.thermal != nullptr && parts_.thermal->steps() == 0)
     parts_.outputs.remark(
         make_finding("thermal.no_step",
@@ -442,7 +450,7 @@ RunOutcome TimeRun::run(bool remembers) {
                      "temperatures are still those of record 9.1.3"));
   parts_.outputs.finish(system(), end);
   RunOutcome out;
-  tell(out, end);
+  fill_outcome(out, end);
   return out;
 }
 

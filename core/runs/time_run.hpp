@@ -2,7 +2,7 @@
 
 #include "runs/film_tolerance.hpp"
 #include "runs/progress_meter.hpp"
-#include "runs/race_watch.hpp"
+#include "runs/race_load_monitor.hpp"
 #include "runs/rest_watch.hpp"
 #include "runs/ring_growth.hpp"
 #include "runs/step_watch.hpp"
@@ -59,45 +59,46 @@ class TimeRun {
   void begin(bool remembers);
   void steps();
   /// nStps steps, fewer at the end of the run. @return false: somebody stopped the run
-  [[nodiscard]] bool counted_step();
+  [[nodiscard]] bool take_counted_step();
   void after_counted_step();
   /// One counted step of a bearing at rest, without integration; false: it moves.
-  [[nodiscard]] bool rest_step();
+  [[nodiscard]] bool take_rest_step();
   void checkpoint();
-  void watch_race();
+  void check_race_load();
   /// Another tolerance while films break down (film_tolerance.hpp).
   void adapt_tolerance();
   /// Light-load balance: after a finished step elements may be held or released; the stepper then
   /// starts anew from the changed state with its last step size. @returns whether any was
-  bool update_held();
+  bool update_held_elements();
   /// Thermal analysis: the window is full; the state continues in the new geometry, and the stepper
   /// restarts.
   void thermal_step();
-  void remark_thermal(const ThermalRun::Step& done, bool settles);
-  void start_anew(std::span<const double> y);
-  void start_at(double t, std::span<const double> y);
+  void add_thermal_remark(const ThermalRun::Step& done, bool settles);
+  void restart_stepper(std::span<const double> y);
+  void start_stepper_at(double t, std::span<const double> y);
   /// Continues y in the system of a changed bearing, moved to its equilibrium. @throws SolverError
-  void move_into(dynamics::System next, double t, std::span<double> y, const std::string& cause);
+  void move_into_system(dynamics::System next, double t, std::span<double> y,
+                        const std::string& cause);
   /// The geometry goes with the speeds (ring_growth.hpp). @returns whether it changed
-  bool follow_growth();
+  bool apply_ring_growth();
   void fail(const std::string& why);
   /// The last point, and what is wrong with the run as a whole.
   void close(RunEnd& end);
   /// Seconds of the loop, of which what is neither right-hand side nor output is the stepper's.
-  [[nodiscard]] double count_loop();
-  void tell(RunOutcome& out, const RunEnd& end) const;
+  [[nodiscard]] double count_loop_time();
+  void fill_outcome(RunOutcome& out, const RunEnd& end) const;
 
   RunParts parts_;
   StartPoint start_;
   RunSpan span_;
-  long last_;
+  long last_counted_step_;
   integrators::StepControl control_;
   std::stop_token stop_;
-  StepWatch watch_;
-  RaceWatch race_watch_;
+  StepErrorMonitor step_error_monitor_;
+  RaceLoadMonitor race_load_monitor_;
   FilmTolerance film_tolerance_;
-  RestWatch rest_watch_;
-  double rest_from_ = -1.0;  ///< of the first step without integration [s]; below 0: none
+  RestDetector rest_detector_;
+  double rest_start_time_ = -1.0;  ///< of the first step without integration [s]; below 0: none
   const RingGrowth& growth_;
   RingGrowth::Levels growth_levels_{};
   bool started_ = false;  ///< the stepper took the start state
@@ -110,13 +111,13 @@ class TimeRun {
   /// Of the run before this process, and of the stepper before its last start.
   integrators::Counters counters_;
   long held_changes_;
-  bool films_doubted_ = false;        ///< by the last thermal step
-  bool grown_ = false;                ///< a remark said that temperature changes grow
-  double error_sum_, error_largest_;  ///< in tolerances of the deck
-  double tight_time_, tightest_;      ///< Resume
+  bool films_uncertain_ = false;              ///< by the last thermal step
+  bool temperature_growth_reported_ = false;  ///< a remark said that temperature changes grow
+  double error_sum_, error_largest_;          ///< in tolerances of the deck
+  double reduced_tolerance_time_, smallest_tolerance_;  ///< Resume
 
-  int stepper_cost_, output_cost_;  ///< entries of the ledger
-  double loop_begin_ = 0.0;         ///< [s] of the processor, as all of the ledger
+  int stepper_cost_entry_, output_cost_entry_;  ///< entries of the ledger
+  double loop_start_seconds_ = 0.0;             ///< [s] of the processor, as all of the ledger
   double output_seconds_ = 0.0;
 };
 

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array kSlipRatio{0.01, 0.1};
 
 struct Heaviest {
-  tribology::SpreadContact contact;
+  tribology::LawSpreadContact contact;
   std::size_t element = 0, race = 0;
 };
 
@@ -28,7 +28,7 @@ Heaviest heaviest_ball(const Prepared& p) {
       if (!(ball.Q[j] > 0.0) || !(ball.p_max[j] > out.contact.point.peak_pressure)) continue;
       out.element = i;
       out.race = j;
-      tribology::ContactPoint<double>& at = out.contact.point;
+      tribology::ContactConditions<double>& at = out.contact.point;
       at.load = ball.Q[j];
       at.peak_pressure = ball.p_max[j];
       at.half_major = ball.a[j];
@@ -54,7 +54,7 @@ Heaviest heaviest_roller(const Prepared& p) {
         continue;
       out.element = i;
       out.race = j;
-      tribology::ContactPoint<double>& point = out.contact.point;
+      tribology::ContactConditions<double>& point = out.contact.point;
       point.load = at.load / at.length;
       point.peak_pressure = at.peak_pressure;
       point.half_minor = at.half_width;
@@ -90,7 +90,7 @@ std::string traction_spread(const Prepared& p) {
       "{:.3g} m/s), slip 1 % and 10 %: ",
       oil.name, p.rollers ? "roller" : "ball", at.element + 1, at.race == 0 ? "outer" : "inner",
       1e-9 * at.contact.point.peak_pressure, at.contact.temperature, speed);
-  for (const tribology::SpreadRow& row :
+  for (const tribology::LawSpreadRow& row :
        tribology::law_spread(lubrication->code, at.contact, slips))
     out += fmt::format("kTrac {}{} {:.2g} and {:.2g}, ", row.code,
                        row.recommended ? " (recommended)" : "", row.kappa[0], row.kappa[1]);

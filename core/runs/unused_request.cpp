@@ -9,12 +9,12 @@
 namespace adore::runs {
 namespace {
 
-constexpr std::array<std::string_view, 8> kOfMotion = {
+constexpr std::array<std::string_view, 8> kMotionOptions = {
     "ellipseMajor", "ellipseMinor",      "contactSurface", "hertzConstants",
     "landSlices",   "checkpointSeconds", "resultsH5",      "contactDamping"};
-constexpr std::array<std::string_view, 4> kOfBallsInMotion = {"ellipseMajor", "ellipseMinor",
-                                                              "contactSurface", "hertzConstants"};
-constexpr std::array<std::string_view, 2> kOfRollers = {"rollerSlices", "rollerContact"};
+constexpr std::array<std::string_view, 4> kBallMotionOptions = {"ellipseMajor", "ellipseMinor",
+                                                                "contactSurface", "hertzConstants"};
+constexpr std::array<std::string_view, 2> kRollerOptions = {"rollerSlices", "rollerContact"};
 
 template <std::size_t N>
 bool is_in(const std::array<std::string_view, N>& names, std::string_view name) {
@@ -32,6 +32,7 @@ Issue note(const Prepared& prepared, const std::vector<std::string>& names,
            const std::string& because) {
   Issue issue;
   issue.severity = Severity::Note;
+  issue.code = "run.unused_request";
   issue.file = prepared.input.path.string();
   issue.message = fmt::format("{} {} without effect, because {}", listed(names),
                               names.size() == 1 ? "is" : "are", because);
@@ -48,9 +49,11 @@ std::vector<Issue> unused_request(const RunRequest& request, const Prepared& pre
     if (request.tolerance) motion.emplace_back("--tol");
   }
   for (const auto& [name, value] : prepared.input.option_values) {
-    if (!prepared.control.dynamic && is_in(kOfMotion, name)) motion.push_back("option " + name);
-    if (!prepared.bearing.rollers() && is_in(kOfRollers, name)) rollers.push_back("option " + name);
-    if (prepared.control.dynamic && prepared.bearing.rollers() && is_in(kOfBallsInMotion, name))
+    if (!prepared.control.dynamic && is_in(kMotionOptions, name))
+      motion.push_back("option " + name);
+    if (!prepared.bearing.rollers() && is_in(kRollerOptions, name))
+      rollers.push_back("option " + name);
+    if (prepared.control.dynamic && prepared.bearing.rollers() && is_in(kBallMotionOptions, name))
       balls.push_back("option " + name);
   }
   std::vector<Issue> out;
@@ -59,7 +62,7 @@ std::vector<Issue> unused_request(const RunRequest& request, const Prepared& pre
   if (!balls.empty()) out.push_back(note(prepared, balls, "the bearing has rollers"));
   if (!rollers.empty()) out.push_back(note(prepared, rollers, "the bearing has balls"));
   if (request.until.empty())
-    if (std::optional<Issue> issue = nothing_moves(prepared.input.deck))
+    if (std::optional<Issue> issue = no_step_note(prepared.input.deck))
       out.push_back(std::move(*issue));
   return out;
 }
@@ -70,20 +73,21 @@ std::string why_no_step(const deck::Deck& deck) {
   return deck.real("fTime") == 0.0 ? "fTime is 0" : "";
 }
 
-std::optional<Issue> nothing_moves(const deck::Deck& deck) {
+std::optional<Issue> no_step_note(const deck::Deck& deck) {
   const std::string why = why_no_step(deck);
   if (why.empty()) return std::nullopt;
   const bool steps = why.rfind("maxStps", 0) == 0;
   Issue out;
   out.severity = Severity::Note;
+  out.code = "deck.no_step";
   out.file = deck.file;
   out.record = steps ? "1" : "2.1";
   out.variable = steps ? "maxStps" : "fTime";
   out.value = "0";
-  out.message = "the run makes no steps, so nothing moves";
+  out.message = "the run makes no steps, so it computes no motion";
   out.remedy = std::string(steps ? "give the number of steps, such as 2000, or an end with --until"
                                  : "give the end time, such as 1000, or an end with --until") +
-               ". To see the steps, set kPltFreq = 1 and kAGraf = 1";
+               ". To store every step, set kPltFreq = 1 and kAGraf = 1";
   return out;
 }
 

@@ -16,6 +16,6 @@ namespace adore::runs {
 /// when it does, or when it asks for none.
 [[nodiscard]] std::string why_no_step(const deck::Deck& deck);
 /// The note about that: every chart would show one point.
-[[nodiscard]] std::optional<Issue> nothing_moves(const deck::Deck& deck);
+[[nodiscard]] std::optional<Issue> no_step_note(const deck::Deck& deck);
 
 }  // namespace adore::runs

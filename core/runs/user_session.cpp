@@ -14,7 +14,7 @@ namespace adore::runs {
 namespace {
 
 /// Kinds of contact whose law the deck hands to ADRX7.
-std::array<bool, 5> own_traction(const deck::Deck& deck) {
+std::array<bool, 5> uses_traction_routine(const deck::Deck& deck) {
   constexpr std::array kCodes{"kTrac", "kCPTrac", "kCRTrac", "kRFTrac", "kRRTrac"};
   std::array<bool, 5> out{};
   for (std::size_t k = 0; k < kCodes.size(); ++k)
@@ -23,12 +23,12 @@ std::array<bool, 5> own_traction(const deck::Deck& deck) {
 }
 
 /// Directions in which ADRX1 gives loads at times of two revolutions, at no even distance.
-std::array<std::array<bool, 6>, 2> loads_of_routine(const Prepared& prepared) {
-  constexpr int kTimes = 64;
+std::array<std::array<bool, 6>, 2> find_routine_loads(const Prepared& prepared) {
+  constexpr int kSampledTimes = 64;
   const double speed =
       std::max(std::abs(prepared.bearing.speed[0]), std::abs(prepared.bearing.speed[1]));
   std::vector<double> times{0.0};
-  for (int k = 1; k <= kTimes; ++k)
+  for (int k = 1; k <= kSampledTimes; ++k)
     times.push_back(4.0 * std::numbers::pi / std::max(speed, 1.0) *
                     std::fmod(0.6180339887498949 * k, 1.0));
   const auto loads = prepared.user->loads(times);
@@ -38,8 +38,8 @@ std::array<std::array<bool, 6>, 2> loads_of_routine(const Prepared& prepared) {
 
 }  // namespace
 
-std::shared_ptr<user::Session> open_session(const LoadedDeck& input,
-                                            const setup::RunOptions& options) {
+std::shared_ptr<user::Session> open_user_session(const LoadedDeck& input,
+                                                 const setup::RunOptions& options) {
   if (input.user.empty() && !input.routines) return nullptr;
   user::PlugIn plug_in = input.routines ? *input.routines
                          : options.user_process
@@ -67,24 +67,25 @@ setup::UserHooks user_hooks(const std::shared_ptr<user::Session>& session,
   out.surface = [of](const bearing::Bearing& bearing, bearing::UserSurface& places) {
     of->surface(bearing, places);
   };
-  out.out_of_round = [of](std::size_t k, std::shared_ptr<const bearing::GivenRace> form) {
-    of->keep_out_of_round(k, std::move(form));
+  out.out_of_round = [of](std::size_t k, std::shared_ptr<const bearing::SurfaceSeries> form) {
+    of->add_out_of_round_element(k, std::move(form));
   };
   out.document = [of](int hook, const std::string& line) { of->document(hook, line); };
   return out;
 }
 
-void start_session(Prepared& prepared, setup::UserHooks& hooks) {
+void start_user_session(Prepared& prepared, setup::UserHooks& hooks) {
   user::Session& session = *prepared.user;
   std::array<bool, 3> balanced{};  // mode 2: directions in which the load places the inner race
   if (prepared.input.deck.integer("mode") == 2)
     for (std::size_t k = 0; k < 3; ++k)
       balanced[k] = !prepared.bearing.constraints.displacement_given[k];
-  session.start(prepared.bearing, own_traction(prepared.input.deck), balanced);
+  session.start(prepared.bearing, uses_traction_routine(prepared.input.deck), balanced);
   hooks.drives = session.drives();
   hooks.moves_frame = session.moves_frame();
   hooks.suppressed = session.suppressed();
-  hooks.balls_out_of_round = prepared.bearing.rollers() == nullptr && session.has_out_of_round();
+  hooks.balls_out_of_round =
+      prepared.bearing.rollers() == nullptr && session.has_out_of_round_elements();
   if (session.active(4) && prepared.bearing.cage) {
     const auto& lands = prepared.bearing.cage->lands;
     if (std::any_of(lands.begin(), lands.end(),
@@ -111,7 +112,7 @@ void start_session(Prepared& prepared, setup::UserHooks& hooks) {
   prepared.options.system.user = session.laws(prepared.user);
 }
 
-std::vector<std::string> idle_routines(const Prepared& prepared) {
+std::vector<std::string> unused_routines(const Prepared& prepared) {
   const user::Session& session = *prepared.user;
   std::vector<std::string> out;
   const auto idle = [&](int hook, const std::string& why) {
@@ -125,10 +126,10 @@ std::vector<std::string> idle_routines(const Prepared& prepared) {
   };
   if (!asks("kRaceGeoImp1", 3) && !asks("kRaceGeoImp2", 3))
     idle(6, "the deck does not use user-defined races (kRaceGeoImp1, kRaceGeoImp2 = 3)");
-  if (session.has_out_of_round())
+  if (session.has_out_of_round_elements())
     out.push_back(
-        fmt::format("user routine ADRX5 of {} gives out-of-round {}: they rotate in motion; the "
-                    "equilibrium uses their mean radius over the azimuth",
+        fmt::format("user routine ADRX5 of {} gives out-of-round {}: in motion they rotate; the "
+                    "equilibrium uses their mean radius",
                     session.source(), prepared.bearing.rollers() != nullptr ? "rollers" : "balls"));
   if (!prepared.control.dynamic) {
     for (const int hook : {1, 2, 3, 4, 7, 9})
@@ -138,11 +139,11 @@ std::vector<std::string> idle_routines(const Prepared& prepared) {
   bool free = false;
   for (const int race : {1, 2})
     for (const int axis : {1, 2, 3})
-      free = free || setup::translation_free(deck, axis, race) ||
-             setup::rotation_free(deck, axis, race);
+      free = free || setup::is_translation_free(deck, axis, race) ||
+             setup::is_rotation_free(deck, axis, race);
   if (session.active(1) && !session.drives()[0] && !session.drives()[1] && !session.moves_frame() &&
       !session.suppressed().any() && !free &&
-      loads_of_routine(prepared) == std::array<std::array<bool, 6>, 2>{})
+      find_routine_loads(prepared) == std::array<std::array<bool, 6>, 2>{})
     idle(1, "it gives no load at the sampled times, drives no race and moves no frame");
   const bearing::RollerGeometry* const rollers = prepared.bearing.rollers();
   if (rollers == nullptr || (!rollers->has_flange(0) && !rollers->has_flange(1)))
@@ -153,18 +154,18 @@ std::vector<std::string> idle_routines(const Prepared& prepared) {
   } else if (prepared.bearing.cage->lands.empty()) {
     idle(4, "no race guides the cage");
   }
-  const std::array<bool, 5> traction = own_traction(prepared.input.deck);
+  const std::array<bool, 5> traction = uses_traction_routine(prepared.input.deck);
   if (std::none_of(traction.begin(), traction.end(), [](bool asked) { return asked; }))
     idle(7, "the deck does not use user-defined traction (kTrac = -1, kCPTrac = -1 ...)");
   return out;
 }
 
-std::vector<Issue> held_loads(const Prepared& prepared) {
+std::vector<Issue> loads_on_fixed_races(const Prepared& prepared) {
   user::Session& session = *prepared.user;
   std::vector<Issue> out;
   if (!session.active(1)) return out;
   const deck::Deck& deck = prepared.input.deck;
-  const auto loads = loads_of_routine(prepared);
+  const auto loads = find_routine_loads(prepared);
   const long long mode = deck.integer("mode");
   for (std::size_t j = 0; j < 2; ++j) {
     std::string where;
@@ -173,24 +174,23 @@ std::vector<Issue> held_loads(const Prepared& prepared) {
       const int axis = static_cast<int>(k % 3) + 1, race = static_cast<int>(j) + 1;
       const bool balanced =
           mode == 2 && j == 1 && k < 3 && !prepared.bearing.constraints.displacement_given[k];
-      const bool free = k < 3 ? setup::translation_free(deck, axis, race)
-                              : setup::rotation_free(deck, axis, race);
+      const bool free = k < 3 ? setup::is_translation_free(deck, axis, race)
+                              : setup::is_rotation_free(deck, axis, race);
       if (!loads[j][k] || balanced || free) continue;
       force = force || k < 3;
       where += fmt::format("{}{} {}", where.empty() ? "" : ", ", k < 3 ? "along" : "about",
                            "xyz"[k % 3]);
     }
     if (where.empty()) continue;
-    out.push_back(
-        deck.issue(Severity::Warning, mode == 2 ? "mode" : "kDCR",
-                   fmt::format("fixes the {} race {}, but user routine ADRX1 of {} applies a load "
-                               "in this direction. The support of the race carries this load, "
-                               "which cannot move the race (reaction in PRINT and SOL, work in "
-                               "the ledger)",
-                               j == 0 ? "outer" : "inner", where, session.source()),
-                   mode == 2         ? "set mode to 0 or 1 and kDCR to 1"
-                   : j == 1 && force ? "set kDCR to 1 and free these directions, or set mode to 2"
-                                     : "set kDCR to 1 and free these directions"));
+    out.push_back(deck.issue(
+        Severity::Warning, mode == 2 ? "mode" : "kDCR",
+        fmt::format("fixes the {} race {}, but user routine ADRX1 of {} applies a load in this "
+                    "direction. The support of the race carries this load, which cannot move the "
+                    "race (reaction in PRINT and SOL, work in the energy ledger)",
+                    j == 0 ? "outer" : "inner", where, session.source()),
+        mode == 2         ? "set mode to 0 or 1 and kDCR to 1"
+        : j == 1 && force ? "set kDCR to 1 and free these directions, or set mode to 2"
+                          : "set kDCR to 1 and free these directions"));
   }
   return out;
 }
@@ -203,7 +203,7 @@ std::string program_version(const user::Session* session) {
   return out;
 }
 
-std::string user_message(const user::Session& session, const std::string& message) {
+std::string add_routine_message(const user::Session& session, const std::string& message) {
   if (!session.failure().empty())
     return fmt::format("{}. The files are valid up to the last stored step", session.failure());
   if (!session.refusal().empty()) return fmt::format("{} ({})", message, session.refusal());
@@ -213,7 +213,7 @@ std::string user_message(const user::Session& session, const std::string& messag
 void throw_start_failure(const Prepared& prepared, const SolverError& error) {
   if (!prepared.user) throw error;
   const std::string& failure = prepared.user->failure();
-  throw SolverError(failure.empty() ? user_message(*prepared.user, error.what()) : failure);
+  throw SolverError(failure.empty() ? add_routine_message(*prepared.user, error.what()) : failure);
 }
 
 }  // namespace adore::runs

@@ -55,13 +55,13 @@ void CostLedger::add_sampled(int entry, Clock::duration duration) noexcept {
 
 void CostLedger::begin_sample() noexcept {
   for (Entry& e : entries_) e.pending = {};
-  sample_wall_ = Clock::now();
-  sample_processor_ = processor_seconds();
+  sample_start_time_ = Clock::now();
+  sample_start_processor_seconds_ = processor_seconds();
 }
 
 void CostLedger::end_sample() noexcept {
-  const double processor = processor_seconds() - sample_processor_;
-  const double wall = seconds(Clock::now() - sample_wall_);
+  const double processor = processor_seconds() - sample_start_processor_seconds_;
+  const double wall = seconds(Clock::now() - sample_start_time_);
   // The first one counts in any case: a run of a few calls has no other.
   if (kept_ > 0 && wall > 1.2 * processor + kLostProcessor) return;
   ++kept_;

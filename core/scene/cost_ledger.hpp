@@ -55,8 +55,8 @@ class CostLedger {
   };
   std::vector<Entry> entries_;
   long calls_ = 0, kept_ = 0;  ///< right-hand sides; sampled ones that were booked
-  Clock::time_point sample_wall_;
-  double sample_processor_ = 0.0;  ///< [s]
+  Clock::time_point sample_start_time_;
+  double sample_start_processor_seconds_ = 0.0;  ///< [s]
 };
 
 }  // namespace adore::scene

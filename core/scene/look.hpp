@@ -9,7 +9,7 @@
 /// but with no evaluation, no allocation and nothing of the state, which may be gone.
 namespace adore::scene {
 
-enum class Looked : unsigned char {
+enum class ExtremeQuantity : unsigned char {
   ContactLoad,  ///< element / race [N]
   ContactHeat,  ///< [W]
   ContactSlip,  ///< largest in the contact [m/s]
@@ -25,18 +25,18 @@ enum class Looked : unsigned char {
   RaceMomentY,
   RaceMomentZ
 };
-inline constexpr std::size_t kLooked = 14;
+inline constexpr std::size_t kExtremeQuantityCount = 14;
 
 struct Look {
   /// In the order of the places in Snapshot: element, race (contacts); element, race, side
   /// (flanges); element, then last halves, surface (pockets); segment, land. Empty: the scene has
   /// no such effect, and what would be shown is 0.
-  std::array<std::vector<double>, kLooked> values;
+  std::array<std::vector<double>, kExtremeQuantityCount> values;
 
-  [[nodiscard]] std::vector<double>& operator[](Looked what) noexcept {
+  [[nodiscard]] std::vector<double>& operator[](ExtremeQuantity what) noexcept {
     return values[static_cast<std::size_t>(what)];
   }
-  [[nodiscard]] const std::vector<double>& operator[](Looked what) const noexcept {
+  [[nodiscard]] const std::vector<double>& operator[](ExtremeQuantity what) const noexcept {
     return values[static_cast<std::size_t>(what)];
   }
 };

@@ -63,7 +63,7 @@ struct PocketContactSnapshot {
 };
 
 /// A ball and the next one in the ring, without cage.
-struct NeighbourSnapshot {
+struct NeighborContactSnapshot {
   double force = 0.0;  ///< [N]
   double gap = 0.0;    ///< negative in contact [m]
 };
@@ -86,7 +86,7 @@ struct ElementSnapshot {
   Vec3 pocket_to_centre =
       Vec3::Zero();          ///< vector pocket centre -> element centre, pocket frame [m]
   double pocket_heat = 0.0;  ///< of all surfaces, ends, halves and films of its pocket [W]
-  std::optional<NeighbourSnapshot> to_next;  ///< without cage; the last of two balls has none
+  std::optional<NeighborContactSnapshot> to_next;  ///< without cage; the last of two balls has none
 };
 
 struct LandSnapshot {

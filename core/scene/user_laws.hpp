@@ -31,7 +31,7 @@ class UserMotion {
     Eigen::Vector3d frame_omega, frame_turn;  ///< Ω of the base frame and dΩ/dt [rad/s, rad/s²]
   };
   /// Said once, before the start.
-  struct Promise {
+  struct MotionDeclaration {
     std::array<bool, 2> drives{};  ///< races whose accelerations it gives
     bool moves_frame = false;
     std::array<Eigen::Vector3d, 2> start_velocity{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
@@ -41,13 +41,13 @@ class UserMotion {
   };
 
   virtual ~UserMotion() = default;
-  [[nodiscard]] virtual const Promise& promise() const noexcept = 0;
+  [[nodiscard]] virtual const MotionDeclaration& motion_declaration() const noexcept = 0;
   /// False: no valid state. No allocation, no throw.
   virtual bool evaluate(double t, const std::array<Race, 2>& races, Actions& out) noexcept = 0;
 };
 
 /// ADRX2 to ADRX4: normal force over the gap.
-class UserForce {
+class UserContactForce {
  public:
   struct Contacts {
     std::size_t n = 0;
@@ -55,7 +55,7 @@ class UserForce {
     const double *gap = nullptr, *gap_rate = nullptr, *built_in = nullptr;
     double* force = nullptr;  ///< built_in when asked
   };
-  virtual ~UserForce() = default;
+  virtual ~UserContactForce() = default;
   virtual bool forces(double t, const Contacts& contacts) noexcept = 0;
 };
 
@@ -65,13 +65,13 @@ struct UserLaws {
   UserLaws(const UserLaws&) = delete;
   UserLaws& operator=(const UserLaws&) = delete;
 
-  std::array<const tribology::UserTraction*, 5> traction{};  ///< by TractionKind
+  std::array<const tribology::UserTractionRoutine*, 5> traction{};  ///< by TractionKind
   UserMotion* motion = nullptr;
-  UserForce *flange = nullptr, *pocket = nullptr, *land = nullptr;
+  UserContactForce *flange = nullptr, *pocket = nullptr, *land = nullptr;
 
   /// ADRX5: what the radius of each roller has more over the azimuth ψ of its own frame (from its z
   /// axis about +x), radius + s tan(taper) at s from its middle; empty: all round.
-  std::vector<std::shared_ptr<const bearing::GivenRace>> out_of_round;
+  std::vector<std::shared_ptr<const bearing::SurfaceSeries>> out_of_round;
 
   double time = 0.0;  ///< of the evaluation under way [s]
 
@@ -80,7 +80,7 @@ struct UserLaws {
   /// Of the evaluation since the last call: did a routine refuse the state?
   virtual bool refused() noexcept = 0;
 
-  [[nodiscard]] const tribology::UserTraction* traction_of(
+  [[nodiscard]] const tribology::UserTractionRoutine* traction_of(
       tribology::TractionKind kind) const noexcept {
     return traction[static_cast<std::size_t>(kind)];
   }

@@ -1,5 +1,6 @@
 #include "setup/build_bearing.hpp"
 
+#include "base/constants.hpp"
 #include "contact/cage_inertia.hpp"
 #include "contact/groove.hpp"
 #include "contact/roller_pocket_play.hpp"
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <tuple>
 
 namespace adore::setup {
@@ -30,8 +30,6 @@ using bearing::Bearing;
 using bearing::Material;
 using bearing::Part;
 using deck::Deck;
-
-constexpr double kPi = std::numbers::pi;
 
 /// A value in SI; one that does not act is read for the listing only.
 double si_where(bool acts, const Deck& deck, std::string_view name) {
@@ -126,7 +124,8 @@ bearing::TractionCurve curve(const Deck& deck, const char* type_variable, const 
   const bool asymptote = type == 2;  // has three coefficients
   const std::array<double, 4> tc{deck.si(stem + "1"), deck.si(stem + "2"), deck.si(stem + "3"),
                                  si_where(!asymptote, deck, stem + "4")};
-  return at_variable(deck, stem + "1", [&] { return tribology::traction_curve(type, tc); });
+  return with_variable_location(deck, stem + "1",
+                                [&] { return tribology::traction_curve(type, tc); });
 }
 
 /// Records 10.3 and 10.4.
@@ -140,10 +139,10 @@ bearing::Lubrication lubrication(const Deck& deck) {
   if (out.code == kGradeOil) {
     const std::optional<bearing::GradeOil> oil = grade_oil_of(deck);
     if (!oil)
-      throw InputError(
-          {deck.issue(Severity::Error, "kTrac", "selects the oil of record X2, which is not given",
-                      "give the oil in ADORE.json, such as {\"version\": 1, "
-                      "\"oilGrade\": 68}")});
+      throw InputError({deck.issue(Severity::Error, "kTrac",
+                                   "selects the oil of record X2, but this record is missing",
+                                   "give the oil in ADORE.json, such as {\"version\": 1, "
+                                   "\"oilGrade\": 68}")});
     out.code = kUserLubricant;
     out.user = bearing::film_oil(*oil, 0.5 * (deck.si("raceTemp1") + deck.si("raceTemp2")));
     return out;
@@ -170,9 +169,10 @@ bearing::Churning churning(const Deck& deck) {
        {std::pair{"denRatio", &out.density_ratio}, std::pair{"visRatio", &out.viscosity_ratio}}) {
     *value = deck.si(name);
     if (!(*value > 0.0))
-      throw InputError({deck.issue(Severity::Error, name,
-                                   "leaves no medium that could cause drag on elements and cage",
-                                   "give a ratio above 0, or set kChrn to 0")});
+      throw InputError(
+          {deck.issue(Severity::Error, name,
+                      "is not above 0, so the medium causes no drag on elements and cage",
+                      "give a ratio above 0, or set kChrn to 0")});
   }
   return out;
 }
@@ -255,9 +255,9 @@ std::vector<bearing::RollerPocketFace> pocket_faces(const Deck& deck) {
 /// Record 7.7 where the deck gives it, else from the ideal shape. In a quasi-static solution, which
 /// only reports it, a shape that cannot be cut leaves it zero.
 bearing::Inertia cage_mass(const Deck& deck, const Bearing& bearing, bool dynamic) {
-  if (deck.has("cageMass")) return given_inertia(deck, "cage", "");
+  if (deck.has("cageMass")) return read_inertia(deck, "cage", "");
   try {
-    return at_variable(deck, "bPocCls1", [&] { return contact::cage_inertia(bearing); });
+    return with_variable_location(deck, "bPocCls1", [&] { return contact::cage_inertia(bearing); });
   } catch (const InputError&) {
     if (dynamic) throw;
     return {};
@@ -277,7 +277,7 @@ bearing::Cage cage(const Deck& deck, const Bearing& bearing, const UserHooks* us
   if (deck.has("avRatio")) {
     const deck::ReportOnly quiet(deck, deck.integer("mode") < 0);  // statics moves no cage
     const auto start = [&deck](int piece) {
-      bearing::PieceStart one;
+      bearing::CageStartState one;
       one.whirl_ratio = deck.si("wvRatio", piece);
       one.speed_ratio = deck.si("avRatio", piece);
       for (int k = 0; k < 3; ++k) {
@@ -286,9 +286,9 @@ bearing::Cage cage(const Deck& deck, const Bearing& bearing, const UserHooks* us
       }
       return one;
     };
-    static_cast<bearing::PieceStart&>(out) = start(1);
+    static_cast<bearing::CageStartState&>(out) = start(1);
     for (int piece = 2; piece <= out.segments.count; ++piece)
-      out.later_starts.push_back(start(piece));
+      out.later_segment_starts.push_back(start(piece));
   }
   return out;
 }
@@ -325,23 +325,24 @@ bearing::Mounting mounting(const Deck& deck, const UserHooks* user) {
 void build_elements(const Deck& deck, Bearing& out) {
   const bool first_only = deck.has("bReMass") && deck.integer("kReIP") == 1;
   if (out.type == bearing::Type::Ball) {
-    out.elements = build_balls(deck);
+    out.elements = build_ball_geometry(deck);
     out.element_inertia = ball_inertia(out.balls().diameter, out.element_material.density);
     if (deck.has("bReMass"))
       (first_only ? out.first_inertia.emplace() : out.element_inertia) =
-          given_inertia(deck, "bRe", "");
+          read_inertia(deck, "bRe", "");
     return;
   }
-  out.elements = build_rollers(deck);
-  const RollerMass mass = roller_mass(*out.rollers(), out.element_material.density);
+  out.elements = build_roller_geometry(deck);
+  const RollerMassProperties mass =
+      roller_mass_properties(*out.rollers(), out.element_material.density);
   out.element_inertia = mass.inertia;
   out.roller_mass_offset = mass.mass_offset;
   if (!deck.has("bReMass")) return;
   if (first_only) {
-    out.first_inertia = given_inertia(deck, "bRe", "");
+    out.first_inertia = read_inertia(deck, "bRe", "");
     return;
   }
-  out.element_inertia = given_inertia(deck, "bRe", "");
+  out.element_inertia = read_inertia(deck, "bRe", "");
   out.roller_mass_offset = -out.element_inertia.geometric_centre.x();
 }
 
@@ -356,7 +357,7 @@ std::array<double, 2> raceway_diameters(const Bearing& b) {
 
 }  // namespace
 
-bearing::BallGeometry build_balls(const Deck& deck) {
+bearing::BallGeometry build_ball_geometry(const Deck& deck) {
   bearing::BallGeometry out;
   out.count = static_cast<int>(deck.integer("nRe"));
   out.diameter = deck.si("bReDia");
@@ -365,11 +366,12 @@ bearing::BallGeometry build_balls(const Deck& deck) {
   out.shim = {deck.si("shimThickness1"), deck.si("shimThickness2")};
   out.shoulder_diameter = {deck.si("shoulderDia1"), deck.si("shoulderDia2")};
   // Until films are computed.
-  const bool film = lubricated(deck);
+  const bool film = is_lubricated(deck);
   out.roughness = {si_where(film, deck, "rmsAspHt1"), si_where(film, deck, "rmsAspHt2")};
-  const contact::FreeState free = at_variable(deck, "freeIntCls", [&] {
-    return contact::free_state(out.diameter, out.groove_factor, out.shim, deck.si("freeConAng"),
-                               si_where(!(deck.si("freeConAng") > 0.0), deck, "freeIntCls"));
+  const contact::FreeAngleAndClearance free = with_variable_location(deck, "freeIntCls", [&] {
+    return contact::free_angle_and_clearance(
+        out.diameter, out.groove_factor, out.shim, deck.si("freeConAng"),
+        si_where(!(deck.si("freeConAng") > 0.0), deck, "freeIntCls"));
   });
   out.contact_angle = free.contact_angle;
   out.clearance = free.clearance;
@@ -423,11 +425,11 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed, const UserHooks* use
                                    out.envelope.race_width[1], out.race_material[1].density)};
   for (const std::size_t j : {0UL, 1UL})
     if (deck.has(j == 0 ? "raceMass1" : "raceMass2"))
-      out.race_inertia[j] = given_race_inertia(deck, j == 0 ? 1 : 2);
+      out.race_inertia[j] = read_race_inertia(deck, j == 0 ? 1 : 2);
   const bool dynamic = deck.integer("mode") >= 0;
   if (dynamic || deck.has("reRaceTC1"))
     out.race_traction = curve(deck, "kTracType", "reRaceTC", true);
-  if (lubricated(deck)) out.lubrication = lubrication(deck);
+  if (is_lubricated(deck)) out.lubrication = lubrication(deck);
   if (deck.integer("kChrn") > 0) out.churning = churning(deck);
   if (deck.integer("kTherm") > 0) out.thermal = thermal_inputs(deck);
   if (deck.integer("nCseg") > 0) out.cage = cage(deck, out, user);
@@ -452,8 +454,8 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed, const UserHooks* use
   }
   if (deck.has("gravityVecX"))
     out.gravity = {deck.si("gravityVecX"), deck.si("gravityVecY"), deck.si("gravityVecZ")};
-  const bearing::Vec3 of_fields =
-      frame_load(deck, out.race_inertia) + race_weight(deck, out.race_inertia, out.gravity);
+  const bearing::Vec3 of_fields = rotating_frame_load(deck, out.race_inertia) +
+                                  race_weight(deck, out.race_inertia, out.gravity);
   for (std::size_t k = 0; k < 3; ++k)
     if (!out.constraints.displacement_given[k])
       out.constraints.load[k] += of_fields[static_cast<int>(k)];

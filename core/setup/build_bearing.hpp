@@ -27,6 +27,6 @@ namespace adore::setup {
 
 /// Record 5A alone, in the free state. @throws InputError when the grooves do not allow the
 /// clearance.
-[[nodiscard]] bearing::BallGeometry build_balls(const deck::Deck& deck);
+[[nodiscard]] bearing::BallGeometry build_ball_geometry(const deck::Deck& deck);
 
 }  // namespace adore::setup

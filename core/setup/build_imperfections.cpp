@@ -16,7 +16,7 @@
 namespace adore::setup {
 namespace {
 
-using bearing::ElementErrors;
+using bearing::ElementErrorSource;
 using bearing::Harmonic;
 using bearing::RaceErrors;
 using deck::Deck;
@@ -48,7 +48,8 @@ class Deviations {
 
   [[nodiscard]] double at(const char* variable, std::size_t element, RandomColumn column) const {
     const double rms = deck_.has(variable) ? deck_.si(variable) : 0.0;
-    return rms == 0.0 ? 0.0 : rms * table_.normal(element, static_cast<std::uint64_t>(column));
+    return rms == 0.0 ? 0.0
+                      : rms * table_.standard_normal(element, static_cast<std::uint64_t>(column));
   }
 
  private:
@@ -56,8 +57,8 @@ class Deviations {
   RandomTable table_;
 };
 
-std::string diameter_variable(ElementErrors kind, std::size_t element) {
-  return kind == ElementErrors::Random ? "reDiaVar" : fmt::format("reDiaVar{}", element + 1);
+std::string diameter_variable(ElementErrorSource kind, std::size_t element) {
+  return kind == ElementErrorSource::Random ? "reDiaVar" : fmt::format("reDiaVar{}", element + 1);
 }
 
 void check_positive(const Deck& deck, double value, const char* what, std::size_t element,
@@ -140,19 +141,19 @@ bearing::RollerDeviation random_roller(const Deviations& random, std::size_t k,
   return out;
 }
 
-double diameter_deviation(const Deck& deck, const Deviations& random, ElementErrors kind,
+double diameter_deviation(const Deck& deck, const Deviations& random, ElementErrorSource kind,
                           std::size_t k) {
   const std::string name = diameter_variable(kind, k);
-  return kind == ElementErrors::Random ? random.at(name.c_str(), k, RandomColumn::Diameter)
-                                       : deck.si(name);
+  return kind == ElementErrorSource::Random ? random.at(name.c_str(), k, RandomColumn::Diameter)
+                                            : deck.si(name);
 }
 
 void element_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
   bearing::Imperfections& out = b.imperfections;
   const long long code = deck.integer("kReGeoImp");
   if (code != 1 && code != 2) return;
-  out.elements = static_cast<ElementErrors>(code);
-  if (out.elements == ElementErrors::Random) out.seed = seed;
+  out.elements = static_cast<ElementErrorSource>(code);
+  if (out.elements == ElementErrorSource::Random) out.seed = seed;
   const Deviations random(deck, seed);
   const auto count = static_cast<std::size_t>(b.element_count());
   if (!b.rollers()) {
@@ -167,7 +168,7 @@ void element_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
   rollers.deviation.clear();
   for (std::size_t k = 0; k < count; ++k) {
     bearing::RollerDeviation own;
-    if (out.elements == ElementErrors::Random)
+    if (out.elements == ElementErrorSource::Random)
       own = random_roller(random, k, rollers);
     else
       own.diameter = diameter_deviation(deck, random, out.elements, k);
@@ -239,7 +240,7 @@ void user_errors(const Deck& deck, const UserHooks& user, bearing::Bearing& b) {
   user.imperfections(t);
   if (t.elements) {
     bearing::RollerGeometry* rollers = b.rollers();
-    b.imperfections.elements = ElementErrors::Listed;
+    b.imperfections.elements = ElementErrorSource::Listed;
     if (rollers != nullptr) rollers->deviation.clear();
     for (std::size_t k = 0; k < count; ++k) {
       check_positive(deck, b.element_diameter() + t.diameter[k], "diameter", k, "kReGeoImp");
@@ -287,12 +288,12 @@ void build_imperfections(const Deck& deck, std::uint64_t seed, bearing::Bearing&
   pocket_errors(deck, seed, bearing);
   if (has_routine(user, 8)) user_errors(deck, *user, bearing);
   if (has_routine(user, 5)) {
-    user_elements(*user, bearing);
+    apply_user_element_surfaces(*user, bearing);
     if (bearing.rollers() != nullptr) check_roller_deviations(deck, *bearing.rollers());
   }
   for (std::size_t race = 0; race < 2; ++race) {
     const long long code = deck.integer(fmt::format("kRaceGeoImp{}", race + 1));
-    if (code == 3 && has_routine(user, 6)) user_race(*user, race, bearing);
+    if (code == 3 && has_routine(user, 6)) apply_user_race_surface(*user, race, bearing);
     if (code != 1 && code != 2) continue;
     bearing.imperfections.race_given[race] = true;
     bearing.imperfections.race[race] = race_errors(deck, race, code == 1);

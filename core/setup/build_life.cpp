@@ -81,7 +81,7 @@ void read_factors(Reader& read, const std::string& suffix, const std::string& st
 
 }  // namespace
 
-bearing::LifeInputs build_life(const Deck& deck, const bearing::LifeChoices& choices) {
+bearing::LifeInputs build_life_inputs(const Deck& deck, const bearing::LifeChoices& choices) {
   bearing::LifeInputs out;
   out.choices = choices;
   Reader read(deck);
@@ -90,7 +90,7 @@ bearing::LifeInputs build_life(const Deck& deck, const bearing::LifeChoices& cho
   const std::string suffixes[] = {"1", "2", "re"};
   const std::string slopes[] = {"wbDis1", "wbDis2", "wbDisRe"};
   for (std::size_t i = 0; i < 3; ++i) read_constants(read, suffixes[i], slopes[i], out.part[i]);
-  const bool film = choices.film_parameter.has_value() || lubricated(deck);
+  const bool film = choices.film_parameter.has_value() || is_lubricated(deck);
   read_factors(read, "1", "1", film, out.part[bearing::kOuterRacePart]);
   read_factors(read, "2", "2", film, out.part[bearing::kInnerRacePart]);
   read_factors(read, "Re", "re", film, out.part[bearing::kElementPart]);

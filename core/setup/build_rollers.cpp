@@ -74,7 +74,7 @@ void read_profile(const Deck& deck, Type type, bearing::RollerGeometry& out) {
 void read_races(const Deck& deck, Type type, bearing::RollerGeometry& out) {
   if (type == Type::Tapered || type == Type::SphericalTapered) {
     out.race_angle = {deck.si("raceTaper1"), deck.si("raceTaper2")};
-    const contact::TaperedGeometry g = at_variable(deck, "raceTaper1", [&] {
+    const contact::TaperedGeometry g = with_variable_location(deck, "raceTaper1", [&] {
       return contact::tapered_geometry(out.diameter, out.race_angle);
     });
     out.pitch_diameter = g.pitch_diameter;
@@ -107,7 +107,7 @@ void read_flanges(const Deck& deck, bearing::RollerGeometry& out) {
 
 }  // namespace
 
-bearing::RollerGeometry build_rollers(const Deck& deck) {
+bearing::RollerGeometry build_roller_geometry(const Deck& deck) {
   const auto type = static_cast<Type>(deck.integer("kBrg"));
   bearing::RollerGeometry out;
   out.count = static_cast<int>(deck.integer("nRe"));
@@ -115,15 +115,16 @@ bearing::RollerGeometry build_rollers(const Deck& deck) {
   read_races(deck, type, out);
   read_flanges(deck, out);
   check_roller_shape(deck, out);
-  const deck::ReportOnly quiet(deck, !lubricated(deck));
+  const deck::ReportOnly quiet(deck, !is_lubricated(deck));
   out.roughness = {deck.si("rmsAspHt1"), deck.si("rmsAspHt2")};
   return out;
 }
 
-RollerMass roller_mass(const bearing::RollerGeometry& rollers, double density) {
+RollerMassProperties roller_mass_properties(const bearing::RollerGeometry& rollers,
+                                            double density) {
   const contact::RollerInertia i =
       contact::roller_inertia(contact::roller_profile(rollers), density);
-  RollerMass out;
+  RollerMassProperties out;
   out.inertia.mass = i.mass;
   out.inertia.moments = {i.axial, i.transverse, i.transverse};
   out.mass_offset = i.mass_centre;

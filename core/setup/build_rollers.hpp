@@ -7,13 +7,14 @@
 namespace adore::setup {
 
 /// @throws InputError for reserved values and geometry that cannot close.
-[[nodiscard]] bearing::RollerGeometry build_rollers(const deck::Deck& deck);
+[[nodiscard]] bearing::RollerGeometry build_roller_geometry(const deck::Deck& deck);
 
-struct RollerMass {
+struct RollerMassProperties {
   bearing::Inertia inertia;  ///< x along the roller axis, about the mass center
   double mass_offset = 0.0;  ///< s_G from mid length [m]
 };
 /// Of the nominal roller, crown, domes and corners included.
-[[nodiscard]] RollerMass roller_mass(const bearing::RollerGeometry& rollers, double density);
+[[nodiscard]] RollerMassProperties roller_mass_properties(const bearing::RollerGeometry& rollers,
+                                                          double density);
 
 }  // namespace adore::setup

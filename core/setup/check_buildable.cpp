@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "bearing/material_laws.hpp"
 #include "contact/ball_pocket.hpp"
 #include "contact/tapered_geometry.hpp"
@@ -31,8 +32,7 @@ struct Gate {
 
 // A deck with another code parses and checks clean, but cannot run.
 constexpr Gate kAlways[] = {
-    {"kRaceFlex", 0,
-     "a flexible outer race (announced for the classic program, but never available)"},
+    {"kRaceFlex", 0, "a flexible outer race"},
 };
 /// A code that hands a part of the physics to a routine of the user.
 struct Request {
@@ -82,6 +82,15 @@ class Checker {
   void warning(const char* variable, std::string message, std::string remedy = {}) {
     issues_.push_back(
         deck_.issue(Severity::Warning, variable, std::move(message), std::move(remedy)));
+  }
+
+  /// A warning of a value without effect: finding deck.no_effect.
+  void no_effect(const std::string& variable, std::string message, std::string remedy,
+                 int index = 1) {
+    Issue issue =
+        deck_.issue(Severity::Warning, variable, std::move(message), std::move(remedy), index);
+    issue.code = "deck.no_effect";
+    add(std::move(issue));
   }
 
   void note(const char* variable, std::string message) {
@@ -144,20 +153,20 @@ void check_waves(const Deck& deck, Checker& check) {
       if (!wave || !deck.has(amplitude) || deck.real(amplitude) == 0.0) continue;
       const std::string phase = std::string(stem) + "3" + race;
       if (deck.real(waves) == 0.0 && std::abs(std::sin(deck.si(phase))) < 1e-9)
-        check.warning(amplitude.c_str(),
-                      fmt::format("has no effect: {} = 0 waves and phase {} = {:.6g} degrees make "
-                                  "the deviation zero everywhere",
-                                  waves, phase, deck.real(phase)),
-                      fmt::format("give a number of waves in {}, or a phase of 90 degrees for a "
-                                  "constant deviation",
-                                  waves));
+        check.no_effect(
+            amplitude,
+            fmt::format("has no effect: {} = 0 waves and phase {} = {:.6g} degrees make "
+                        "the deviation zero everywhere",
+                        waves, phase, deck.real(phase)),
+            fmt::format("give a number of waves in {}, or a phase of 90 degrees for a "
+                        "constant deviation",
+                        waves));
       if (deck.real(waves) == std::round(deck.real(waves))) continue;
       const std::string step =
           "is not a whole number of waves per revolution: the surface has a step at the z axis of "
           "the race";
       if (deck.integer("mode") >= 0)
-        check.error(waves.c_str(), step + ", over which no element can roll",
-                    "give a whole number of waves per revolution");
+        check.error(waves.c_str(), step, "give a whole number of waves per revolution");
       else
         check.warning(waves.c_str(), step);
     }
@@ -212,8 +221,8 @@ void check_land_errors(const Deck& deck, Checker& check) {
   const deck::ReportOnly quiet(deck);
   const bearing::Cage cage =
       read_cage(deck, [&](std::string_view name, int instance) { return deck.si(name, instance); });
-  constexpr double kMost = 0.05;  // of the radius, and of the slope
-  constexpr double kMostWaves = 1000.0;
+  constexpr double kMaxWaveShare = 0.05;  // of the radius, and of the slope
+  constexpr double kMaxWaves = 1000.0;
   for (std::size_t i = 0; i < cage.lands.size(); ++i) {
     const bearing::GuideLand& land = cage.lands[i];
     if (land.guide == bearing::GuideLand::Guide::None) continue;
@@ -235,35 +244,36 @@ void check_land_errors(const Deck& deck, Checker& check) {
       };
       if (errors->roundness == bearing::RaceErrors::Roundness::Elliptical) {
         for (const int k : {1, 2})
-          if (std::abs(v[static_cast<std::size_t>(k - 1)]) > kMost * radius)
+          if (std::abs(v[static_cast<std::size_t>(k - 1)]) > kMaxWaveShare * radius)
             error(k,
                   fmt::format("makes land {} too elliptical: the contact law of guide lands is "
                               "valid for deviations up to 1/20 of the radius",
                               index),
                   fmt::format("give an absolute value of at most {}",
-                              length_text(deck, kMost * radius)));
+                              length_text(deck, kMaxWaveShare * radius)));
         continue;
       }
       if (v[1] != std::round(v[1]))
-        error(2,
-              fmt::format("is not a whole number of waves per revolution: the profile of land {} "
-                          "does not close and has a step, over which nothing can slide",
-                          index),
-              "give a whole number of waves per revolution");
-      if (std::abs(v[1]) > kMostWaves)
+        error(
+            2,
+            fmt::format(
+                "is not a whole number of waves per revolution: the profile of land {} has a step",
+                index),
+            "give a whole number of waves per revolution");
+      if (std::abs(v[1]) > kMaxWaves)
         error(2, fmt::format("is too many waves for the contact law of land {}", index),
-              fmt::format("give at most {:g} waves per revolution", kMostWaves));
+              fmt::format("give at most {:g} waves per revolution", kMaxWaves));
       if (v[1] == 0.0 && std::abs(std::sin(v[2])) < 1e-9)
-        check.add(deck.issue(
-            Severity::Warning, variable(1),
+        check.no_effect(
+            variable(1),
             fmt::format("has no effect: {} = 0 waves and phase {} = {:.6g} degrees make the "
                         "deviation zero everywhere",
                         variable(2), variable(3), v[2] * 180.0 / std::numbers::pi),
             fmt::format("give a number of waves in {}, or a phase of 90 degrees for a constant "
                         "deviation",
                         variable(2)),
-            index));
-      const double most = kMost * radius / std::max(1.0, std::abs(v[1]));
+            index);
+      const double most = kMaxWaveShare * radius / std::max(1.0, std::abs(v[1]));
       if (std::abs(v[0]) > most)
         error(1,
               fmt::format("makes waves on land {} that are too high or too steep: the contact law "
@@ -277,7 +287,6 @@ void check_land_errors(const Deck& deck, Checker& check) {
 /// Do the cuts of a segmented cage leave of bars and pockets what contacts need? Half pockets: an
 /// opening that the element does not touch on both sides at once.
 bool cut_fits(const Deck& deck, const bearing::Cage& cage, double angle) {
-  constexpr double kPi = std::numbers::pi;
   const double D = deck.si("bReDia");
   const double d_m = deck.has("pitchDia") ? deck.si("pitchDia")
                                           : contact::tapered_geometry(
@@ -295,9 +304,10 @@ bool cut_fits(const Deck& deck, const bearing::Cage& cage, double angle) {
   if (rollers)
     return cage.pocket == bearing::PocketShape::Rectangular ||
            width * width - 4.0 * edge * edge >= D * D;
-  const auto [low, high] = contact::wall_height(cage.outer_diameter, cage.inner_diameter, d_m);
-  return contact::half_opening({cage.pocket, D, cage.pocket_clearance_1, cage.pocket_clearance_2,
-                                low, high, 1, edge}) >= 0.5 * D;
+  const auto [low, high] =
+      contact::pocket_wall_limits(cage.outer_diameter, cage.inner_diameter, d_m);
+  return contact::cut_opening_half_width({cage.pocket, D, cage.pocket_clearance_1,
+                                          cage.pocket_clearance_2, low, high, 1, edge}) >= 0.5 * D;
 }
 
 void check_segments(const Deck& deck, Checker& check) {
@@ -313,8 +323,8 @@ void check_segments(const Deck& deck, Checker& check) {
   for (std::size_t i = 0; i < cage.lands.size(); ++i)
     if (cage.lands[i].guide != bearing::GuideLand::Guide::None && cage.lands[i].clearance < 0.0)
       check.error("cageGsCls",
-                  fmt::format("makes land {} of the segments press on its race all around, which "
-                              "only a one-piece cage can do",
+                  fmt::format("gives land {} of the segments an interference with its race all "
+                              "around, which only a one-piece cage can have",
                               i + 1),
                   "give 0 or more");
   if (deck.has("cageMass") && deck.real("cageGeoCenZ") == 0.0)
@@ -335,11 +345,11 @@ void check_segments(const Deck& deck, Checker& check) {
   if (!cage.segments.through_pockets)
     check.error("cageAngCut", "is wider than the bars between the pockets", limit);
   else
-    check.error("cageAngCut",
-                "leaves half pockets so narrow that the opening touches the rolling element on "
-                "both sides",
-                fmt::format("{}, or cut between the pockets (positive numbers in lSeg)",
-                            most > 0.0 ? limit : "give more pocket clearance"));
+    check.error(
+        "cageAngCut",
+        "makes the half pockets too narrow: the opening touches the rolling element on both sides",
+        fmt::format("{}, or cut between the pockets (positive numbers in lSeg)",
+                    most > 0.0 ? limit : "give more pocket clearance"));
 }
 
 /// Limits of the motion of unequal elements.
@@ -361,10 +371,10 @@ void check_lubricant(const Deck& deck, Checker& check) {
   if (deck.si("strParam") == 0.0)
     check.note("strParam",
                "leaves no oil at the contact inlets: the contacts have no film, and record 10.1 "
-               "gives their traction. A value of 10 or more means flooded inlets");
+               "defines their traction. For flooded inlets, enter 10 or more");
   else if (deck.si("reRaceFilm") < tribology::kThinnestFilm)
     check.note("reRaceFilm", fmt::format("is too thin for a liquid film (a few molecules): below "
-                                         "{:g} nm record 10.1 gives the traction of the contacts",
+                                         "{:g} nm record 10.1 defines the traction of the contacts",
                                          1e9 * tribology::kThinnestFilm));
 }
 
@@ -410,7 +420,7 @@ std::vector<Issue> check_buildable(const Deck& deck, const UserHooks* user) {
   if (deck.integer("kBrg") == 1)
     for (const char* flange : {"kFlngInd11", "kFlngInd21", "kFlngInd12", "kFlngInd22"})
       if (deck.integer(flange) != 0)
-        check.warning(flange, "a ball bearing has no roller flanges: no effect");
+        check.no_effect(flange, "a ball bearing has no roller flanges: no effect", {});
   return check.take();
 }
 

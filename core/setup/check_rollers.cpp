@@ -44,8 +44,8 @@ double limit_between(RollerProfile profile, const Field& field, double bad, doub
 
 /// The smallest positive value above `bad` that fits.
 std::optional<double> smallest_above(RollerProfile profile, const Field& field, double bad) {
-  constexpr double kSmallest = 1e-9, kLargest = 1e8;  // m
-  for (double good = std::max(2.0 * bad, kSmallest); good < kLargest; good *= 2.0) {
+  constexpr double kMinTried = 1e-9, kMaxTried = 1e8;  // m
+  for (double good = std::max(2.0 * bad, kMinTried); good < kMaxTried; good *= 2.0) {
     field(profile) = good;
     if (fits(profile)) return limit_between(profile, field, 0.5 * good, good);
   }
@@ -141,7 +141,7 @@ void check_roller_deviations(const Deck& deck, const RollerGeometry& rollers) {
     if (fits(contact::roller_profile(rollers, rollers.deviation[k]))) continue;
     throw InputError({deck.issue(
         Severity::Error, culprit(deck, rollers, k),
-        fmt::format("the deviations of rolling element {} make the roller shape impossible", k + 1),
+        fmt::format("the deviations of rolling element {} give an impossible roller shape", k + 1),
         "give smaller deviations")});
   }
 }
@@ -177,8 +177,7 @@ std::vector<Issue> check_flanges(const Deck& deck) {
     if (!both) continue;
     const double play = deck.si(name);
     if (play < 0.0)
-      warn(name,
-           "is negative: the flanges of this race press on both ends of every roller all the time",
+      warn(name, "is negative: the flanges of this race clamp both ends of every roller",
            "give a clearance of 0 or more");
     else if (play > kWidePlay * deck.si("bReLen"))
       warn(name,

@@ -21,7 +21,8 @@ std::string temperature_text(const deck::Deck& deck, double kelvin) {
                                                    : fmt::format("{:.6g} K", kelvin);
 }
 
-InputError located(const deck::Deck& deck, std::string_view variable, const InputError& error) {
+InputError with_location(const deck::Deck& deck, std::string_view variable,
+                         const InputError& error) {
   std::vector<Issue> out;
   for (const Issue& issue : error.issues()) {
     if (!issue.record.empty()) {

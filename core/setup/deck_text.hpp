@@ -17,16 +17,16 @@ namespace adore::setup {
 [[nodiscard]] std::string temperature_text(const deck::Deck& deck, double kelvin);
 
 /// The same error with file, line, record and value of `variable` where it names no place yet.
-[[nodiscard]] InputError located(const deck::Deck& deck, std::string_view variable,
-                                 const InputError& error);
+[[nodiscard]] InputError with_location(const deck::Deck& deck, std::string_view variable,
+                                       const InputError& error);
 
 /// Result of `make`; its errors become errors of `variable`.
 template <class Make>
-auto at_variable(const deck::Deck& deck, std::string_view variable, Make&& make) {
+auto with_variable_location(const deck::Deck& deck, std::string_view variable, Make&& make) {
   try {
     return std::forward<Make>(make)();
   } catch (const InputError& error) {
-    throw located(deck, variable, error);
+    throw with_location(deck, variable, error);
   }
 }
 

@@ -24,9 +24,9 @@ bool flag_is_free(const Deck& deck, const std::string& name) {
   return moves(deck) && deck.integer("kDCR") == 1 && deck.integer(name) == 0;
 }
 
-bool any_free(const Deck& deck, int race) {
+bool has_free_motion(const Deck& deck, int race) {
   for (int axis = 1; axis <= 3; ++axis)
-    if (translation_free(deck, axis, race) || rotation_free(deck, axis, race)) return true;
+    if (is_translation_free(deck, axis, race) || is_rotation_free(deck, axis, race)) return true;
   return false;
 }
 
@@ -86,20 +86,20 @@ void add_body(const bearing::Bearing& bearing, const bearing::RaceMotions& motio
   }
   const char* place = j == 0 ? "fixed" : "at the static position";
   std::string text = fmt::format("{}, speed {:g} rpm", place, rpm(bearing.speed[j]));
-  if (motions.excited(static_cast<int>(j))) text += ", with prescribed motion";
+  if (motions.has_excitation(static_cast<int>(j))) text += ", with prescribed motion";
   plan.bodies.push_back({kRaces[j], text, 0});
 }
 
 }  // namespace
 
-bool translation_free(const Deck& deck, int axis, int race) {
+bool is_translation_free(const Deck& deck, int axis, int race) {
   return flag_is_free(deck, fmt::format("kFD{}{}", axis, race));
 }
-bool rotation_free(const Deck& deck, int axis, int race) {
+bool is_rotation_free(const Deck& deck, int axis, int race) {
   return flag_is_free(deck, fmt::format("kMD{}{}", axis, race));
 }
 
-bearing::Inertia given_inertia(const Deck& deck, std::string_view prefix, std::string_view suffix) {
+bearing::Inertia read_inertia(const Deck& deck, std::string_view prefix, std::string_view suffix) {
   const auto name = [&](const char* stem) { return fmt::format("{}{}{}", prefix, stem, suffix); };
   bearing::Inertia out;
   out.mass = deck.si(name("Mass"));
@@ -110,12 +110,12 @@ bearing::Inertia given_inertia(const Deck& deck, std::string_view prefix, std::s
   return out;
 }
 
-bearing::Inertia given_race_inertia(const Deck& deck, int race) {
+bearing::Inertia read_race_inertia(const Deck& deck, int race) {
   const bool by_user = deck.integer("kDOF") == 6;  // ADRX1 may free anything
-  const bool turns = by_user || rotation_free(deck, 1, race) || rotation_free(deck, 2, race) ||
-                     rotation_free(deck, 3, race);
-  const bool moves = turns || translation_free(deck, 1, race) || translation_free(deck, 2, race) ||
-                     translation_free(deck, 3, race);
+  const bool turns = by_user || is_rotation_free(deck, 1, race) ||
+                     is_rotation_free(deck, 2, race) || is_rotation_free(deck, 3, race);
+  const bool moves = turns || is_translation_free(deck, 1, race) ||
+                     is_translation_free(deck, 2, race) || is_translation_free(deck, 3, race);
   const auto read = [&](bool acts, std::initializer_list<const char*> stems) {
     const deck::ReportOnly quiet(deck, !acts);
     for (const char* stem : stems) (void)deck.si(fmt::format("race{}{}", stem, race));
@@ -124,7 +124,7 @@ bearing::Inertia given_race_inertia(const Deck& deck, int race) {
   read(moves, {"GeoCenX", "GeoCenY", "GeoCenZ"});
   read(turns, {"MIx", "MIy", "MIz", "FrameX", "FrameY", "FrameZ"});
   const deck::ReportOnly quiet(deck);
-  return given_inertia(deck, "race", race == 1 ? "1" : "2");
+  return read_inertia(deck, "race", race == 1 ? "1" : "2");
 }
 
 /// Parts of record 6.1 that are not used.
@@ -146,6 +146,10 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
                        std::string remedy) {
     out.push_back(deck.issue(severity, name, std::move(message), std::move(remedy)));
   };
+  const auto no_effect = [&](const std::string& name, std::string message, std::string remedy) {
+    add(Severity::Warning, name, std::move(message), std::move(remedy));
+    out.back().code = "deck.no_effect";
+  };
   for (int race = 1; race <= 2; ++race) {
     const char* const body = kRaces[static_cast<std::size_t>(race - 1)];
     const auto clash = [&](const std::string& name, const std::string& flag, const char* what) {
@@ -157,14 +161,14 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
             fmt::format("set {} to 0, or {} to 1", name, flag));
     };
     for (int axis = 1; axis <= 3; ++axis) {
-      if (!translation_free(deck, axis, race)) continue;
+      if (!is_translation_free(deck, axis, race)) continue;
       const std::string flag = fmt::format("kFD{}{}", axis, race);
       clash(fmt::format("raceVibAmp{}{}", axis, race), flag, "move");
       // Free along both, the race carries a load that turns; along one, nothing can turn.
-      if (axis > 1 && !translation_free(deck, 5 - axis, race))
+      if (axis > 1 && !is_translation_free(deck, 5 - axis, race))
         clash(fmt::format("rotLoadFrac{}", race), flag, "move");
     }
-    if (rotation_free(deck, 1, race)) {
+    if (is_rotation_free(deck, 1, race)) {
       const std::string flag = fmt::format("kMD1{}", race);
       clash(fmt::format("raceAngAcc{}", race), flag, "rotate");
       clash(fmt::format("raceSpeedAmp{}", race), flag, "rotate");
@@ -176,15 +180,16 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
     }
   }
   if (deck.integer("kRotFrame") == 1 && deck.has("brgAngVel") && deck.real("brgAngVel") == 0.0)
-    add(Severity::Warning, "brgAngVel",
-        "the base frame of record 9.5 does not rotate, so kRotFrame has no effect",
-        "give the speed of the frame, or set kRotFrame to 0");
+    no_effect("brgAngVel",
+              "the base frame of record 9.5 does not rotate, so kRotFrame has no effect",
+              "give the speed of the frame, or set kRotFrame to 0");
   if (deck.integer("kRotFrame") == 1 && deck.integer("kFS2") == 1 && deck.integer("kFS3") == 1)
     for (int race = 1; race <= 2; ++race)
       if (const std::string share = fmt::format("brgLoadFrac{}", race);
-          given_and_not_zero(deck, share) && !translation_free(deck, 2, race) &&
-          !translation_free(deck, 3, race))
-        add(Severity::Warning, share,
+          given_and_not_zero(deck, share) && !is_translation_free(deck, 2, race) &&
+          !is_translation_free(deck, 3, race))
+        no_effect(
+            share,
             "has no effect, because kFS2 and kFS3 give the position of the inner race, not its "
             "load",
             "set it to 0, or kFS2 or kFS3 to 0");
@@ -207,7 +212,7 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
         "set mode to 0, or kDOF to a value from 0 to 4");
   if (deck.integer("mode") == 2) {
     for (int axis = 1; axis <= 3; ++axis) {
-      if (rotation_free(deck, axis, 2))
+      if (is_rotation_free(deck, axis, 2))
         add(Severity::Error, fmt::format("kMD{}2", axis),
             "mode = 2 positions the inner race by its force balance, but this value lets it "
             "rotate freely",
@@ -236,9 +241,8 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
   if (deck.integer("mode") > 0)
     for (const char* code : {"kRaceIP1", "kRaceIP2"})
       if (deck.integer(code) == 1)
-        add(Severity::Warning, code,
-            "has no effect: the inertia record of a race is used in mode 0 only",
-            fmt::format("set {} to 0", code));
+        no_effect(code, "has no effect: the inertia record of a race is used in mode 0 only",
+                  fmt::format("set {} to 0", code));
   return out;
 }
 
@@ -246,14 +250,14 @@ bearing::RaceMotions build_race_motions(const Deck& deck) {
   bearing::RaceMotions out;
   constexpr std::array kLoads{"appLoadX", "appLoadY", "appLoadZ"};
   for (int race = 1; race <= 2; ++race) {
-    if (!any_free(deck, race)) continue;
+    if (!has_free_motion(deck, race)) continue;
     const auto j = static_cast<std::size_t>(race - 1);
     bearing::FreeRace& free = out.free[j].emplace();
     const double sign = race == 2 ? 1.0 : -1.0;
     for (int axis = 1; axis <= 3; ++axis) {
       const auto k = static_cast<std::size_t>(axis - 1);
-      free.translation_held[k] = !translation_free(deck, axis, race);
-      free.rotation_held[k] = !rotation_free(deck, axis, race);
+      free.translation_held[k] = !is_translation_free(deck, axis, race);
+      free.rotation_held[k] = !is_rotation_free(deck, axis, race);
       if (!free.translation_held[k]) free.force[axis - 1] = sign * deck.si(kLoads[k]);
     }
     if (!free.rotation_held[1]) free.moment[1] = sign * deck.si("appMomY");
@@ -262,14 +266,16 @@ bearing::RaceMotions build_race_motions(const Deck& deck) {
   // A law of amplitude 0 moves nothing and is left out; what belongs to it is not read, and said to
   // play no part.
   if (deck.integer("kVarLoad") == 1) {
-    out.turning_load.emplace();
+    out.rotating_load_parameters.emplace();
     for (int race = 1; race <= 2; ++race) {
       const auto j = static_cast<std::size_t>(race - 1);
       const double fraction = deck.si(fmt::format("rotLoadFrac{}", race));
-      out.turning_load->fraction[j] = fraction;
-      if (fraction != 0.0) out.turning_load->speed[j] = deck.si(fmt::format("rotLoadRpm{}", race));
+      out.rotating_load_parameters->fraction[j] = fraction;
+      if (fraction != 0.0)
+        out.rotating_load_parameters->speed[j] = deck.si(fmt::format("rotLoadRpm{}", race));
     }
-    if (out.turning_load->fraction == std::array{0.0, 0.0}) out.turning_load.reset();
+    if (out.rotating_load_parameters->fraction == std::array{0.0, 0.0})
+      out.rotating_load_parameters.reset();
   }
   for (int race = 1; race <= 2; ++race) {
     const auto j = static_cast<std::size_t>(race - 1);
@@ -312,7 +318,7 @@ std::optional<bearing::FrameMotion> frame_motion(const Deck& given) {
                               {deck.si("brgLoadFrac1"), deck.si("brgLoadFrac2")}};
 }
 
-Vec3 frame_load(const Deck& deck, const std::array<bearing::Inertia, 2>& races) {
+Vec3 rotating_frame_load(const Deck& deck, const std::array<bearing::Inertia, 2>& races) {
   const auto frame = frame_motion(deck);
   if (!frame) return Vec3::Zero();
   const double mass = frame->load_share[1] * races[1].mass - frame->load_share[0] * races[0].mass;
@@ -324,9 +330,9 @@ Vec3 race_weight(const Deck& deck, const std::array<bearing::Inertia, 2>& races,
   Vec3 out = Vec3::Zero();
   for (int axis = 1; axis <= 3; ++axis) {
     const double g = gravity[axis - 1];
-    if (translation_free(deck, axis, 2))
+    if (is_translation_free(deck, axis, 2))
       out[axis - 1] = races[1].mass * g;
-    else if (translation_free(deck, axis, 1))
+    else if (is_translation_free(deck, axis, 1))
       out[axis - 1] = -races[0].mass * g;
   }
   return out;
@@ -351,7 +357,7 @@ void plan_race_motions(const Deck& deck, const bearing::Bearing& bearing, scene:
            fmt::format("{} = {}{}", flag, code, code != 0 && !on ? nothing : ""));
   };
   law(load == 1 ? "rotating load" : "race vibration", "kVarLoad", load,
-      motions.turning_load || motions.vibration[0] || motions.vibration[1],
+      motions.rotating_load_parameters || motions.vibration[0] || motions.vibration[1],
       load == 1 ? ", rotLoadFrac 0" : ", all amplitudes 0");
   law("varying race speed", "kVarSpeed", speed,
       motions.ramp[0] || motions.ramp[1] || motions.variation[0] || motions.variation[1],
@@ -365,7 +371,7 @@ void plan_race_motions(const Deck& deck, const bearing::Bearing& bearing, scene:
     }
   for (std::size_t j = 0; j < 2; ++j)
     if (driven[j]) because += fmt::format(", {} driven by ADRX1", kRaces[j]);
-  effect(Effect::FreeRaces, "races that move under loads", motions.any_free(), because);
+  effect(Effect::FreeRaces, "races that move under loads", motions.has_free_motion(), because);
   effect(Effect::TurningFrame, "rotating base frame", motions.frame.has_value(),
          fmt::format("kRotFrame = {}{}", deck.integer("kRotFrame"),
                      deck.integer("kRotFrame") == 1 && !motions.frame ? ", brgAngVel 0" : ""));

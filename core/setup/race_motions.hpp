@@ -31,8 +31,8 @@ namespace adore::setup {
 /// Additional load of the turning base frame (record 9.5) to the load of record 9.1.1: the shares
 /// of the races' centrifugal force, that of the outer race reversed, because it reaches the inner
 /// race through the bearing [N]. Zero without such a frame.
-[[nodiscard]] bearing::Vec3 frame_load(const deck::Deck& deck,
-                                       const std::array<bearing::Inertia, 2>& races);
+[[nodiscard]] bearing::Vec3 rotating_frame_load(const deck::Deck& deck,
+                                                const std::array<bearing::Inertia, 2>& races);
 
 /// Weight of the race that moves freely along each axis, as load on the inner race; that of the
 /// outer race, reversed, where the inner one is held [N].
@@ -48,16 +48,16 @@ void plan_race_motions(const deck::Deck& deck, const bearing::Bearing& bearing,
 
 /// Ten variables of an inertia record, e.g. raceMass1, raceMIx1 ... raceFrameZ1 with the prefix
 /// "race" and the suffix "1".
-[[nodiscard]] bearing::Inertia given_inertia(const deck::Deck& deck, std::string_view prefix,
-                                             std::string_view suffix);
+[[nodiscard]] bearing::Inertia read_inertia(const deck::Deck& deck, std::string_view prefix,
+                                            std::string_view suffix);
 
 /// Record 6.2.j (race 1 outer, 2 inner). What acts is entered in the deck's log: mass and center
 /// where the race moves or a turning frame carries its mass, moments and principal axes where it
 /// turns about any axis.
-[[nodiscard]] bearing::Inertia given_race_inertia(const deck::Deck& deck, int race);
+[[nodiscard]] bearing::Inertia read_race_inertia(const deck::Deck& deck, int race);
 
 /// kFDkj, kMDkj of record 2.2 (axis 1 to 3, race 1 outer, 2 inner): is the direction free?
-[[nodiscard]] bool translation_free(const deck::Deck& deck, int axis, int race);
-[[nodiscard]] bool rotation_free(const deck::Deck& deck, int axis, int race);
+[[nodiscard]] bool is_translation_free(const deck::Deck& deck, int axis, int race);
+[[nodiscard]] bool is_rotation_free(const deck::Deck& deck, int axis, int race);
 
 }  // namespace adore::setup

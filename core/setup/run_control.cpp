@@ -219,11 +219,11 @@ void add_thermal_options(std::vector<Option>& table) {
                     "thermal time divided by the time of the motion, for thermalTransient=on, 1 "
                     "to 1000000000: with 1000 a run of 0.1 s shows 100 s of warm-up"},
                    [](RunOptions& o, std::string_view v) {
-                     constexpr double kFastest = 1e9;
+                     constexpr double kMaxAcceleration = 1e9;
                      return parse(v, o.thermal_acceleration) && o.thermal_acceleration >= 1.0 &&
-                            o.thermal_acceleration <= kFastest;
+                            o.thermal_acceleration <= kMaxAcceleration;
                    }});
-  constexpr double kColdest = 1.0, kHottest = 1000.0, kMost = 1e6;
+  constexpr double kMinTemperature = 1.0, kMaxTemperature = 1000.0, kMaxConductance = 1e6;
   const auto add = [&](const char* name, const char* meaning, double least, double most,
                        std::optional<double>& (*place)(bearing::Surroundings&)) {
     table.push_back({{name, "auto", meaning}, [=](RunOptions& o, std::string_view v) {
@@ -234,20 +234,23 @@ void add_thermal_options(std::vector<Option>& table) {
   add("ambientTemperature",
       "temperature around housing and shaft in the thermal network [K], 1 to 1000, or auto "
       "(roomTemp)",
-      kColdest, kHottest, [](Surroundings& o) -> std::optional<double>& { return o.ambient; });
+      kMinTemperature, kMaxTemperature,
+      [](Surroundings& o) -> std::optional<double>& { return o.ambient; });
   add("housingCooling",
       "thermal conductance from the outside of the housing to ambient [W/K], 0 to 1000000, or "
       "auto (ISO 15312 reference heat flow of the seats; 0 with a liquefied gas as coolant or "
       "kBaseTemp 4, 5)",
-      0.0, kMost, [](Surroundings& o) -> std::optional<double>& { return o.conductance[0]; });
+      0.0, kMaxConductance,
+      [](Surroundings& o) -> std::optional<double>& { return o.conductance[0]; });
   add("shaftCooling",
       "thermal conductance from the shaft at the inner race to ambient [W/K], 0 to 1000000, or "
       "auto (as housingCooling)",
-      0.0, kMost, [](Surroundings& o) -> std::optional<double>& { return o.conductance[1]; });
+      0.0, kMaxConductance,
+      [](Surroundings& o) -> std::optional<double>& { return o.conductance[1]; });
   add("coolantInlet",
       "coolant inlet temperature [K], 1 to 1000, or auto (baseTemp). It is used where baseTemp is "
       "the temperature of a race, the housing or the shaft (kBaseTemp 0, 1, 4, 5)",
-      kColdest, kHottest,
+      kMinTemperature, kMaxTemperature,
       [](Surroundings& o) -> std::optional<double>& { return o.coolant_inlet; });
 }
 
@@ -432,7 +435,8 @@ const std::vector<Option>& options() {
            return parse_count(v, o.rollers.slices, 1, 999);
          }},
         {{"rollerContact", "sliced",
-          "roller to race contact: sliced, or point (one Hertz ellipse, barrel rollers only)"},
+          "contact between roller and race: sliced, or point (one Hertz ellipse; barrel rollers "
+          "only)"},
          [](RunOptions& o, std::string_view v) {
            if (v != "sliced" && v != "point") return false;
            o.rollers.contact =

@@ -291,7 +291,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
     oriented = 0;
   }
   effect(Effect::WearIntegrals, "wear and power integrals", true, "SOL7 and PRINT show them");
-  effect(Effect::MomentumLedger, "momentum ledger", true, "RUN.json and PRINT show it");
+  effect(Effect::MomentumLedger, "momentum ledger", true, "see RUN.json and PRINT");
   effect(Effect::SuppressedMotions, "suppressed motions", plan.suppressed.any(),
          fmt::format("kDOF = {}", dof));
   effect(Effect::ThermalSteps, "thermal steps", bearing.thermal.has_value(),

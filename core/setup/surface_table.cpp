@@ -56,7 +56,7 @@ void put_row(std::vector<double>& rows, std::size_t m, const std::vector<double>
 /// Rolls over every row along ψ; what `also` holds is that of the place touched.
 void roll_around(std::vector<double>& rows, std::size_t m, double cost, std::vector<double>& also) {
   std::vector<std::size_t> from;
-  put_row(rows, m, rolled_over(row_of(rows, m), cost, true, &from));
+  put_row(rows, m, moreau_envelope(row_of(rows, m), cost, true, &from));
   if (also.empty()) return;
   const std::vector<double> before = row_of(also, m);
   for (std::size_t i = 0; i < kN; ++i) also[m * kN + i] = before[from[i]];
@@ -64,7 +64,8 @@ void roll_around(std::vector<double>& rows, std::size_t m, double cost, std::vec
 
 }  // namespace
 
-std::vector<double> table_places(const bearing::Bearing& b, std::size_t race, int slices) {
+std::vector<double> surface_table_axial_positions(const bearing::Bearing& b, std::size_t race,
+                                                  int slices) {
   std::vector<double> out;
   if (const bearing::RollerGeometry* const rollers = b.rollers()) {
     const contact::Slicing slicing =
@@ -77,8 +78,8 @@ std::vector<double> table_places(const bearing::Bearing& b, std::size_t race, in
   return out;
 }
 
-std::vector<double> rolled_over(const std::vector<double>& values, double cost, bool closed,
-                                std::vector<std::size_t>* from) {
+std::vector<double> moreau_envelope(const std::vector<double>& values, double cost, bool closed,
+                                    std::vector<std::size_t>* from) {
   const auto n = static_cast<std::ptrdiff_t>(values.size());
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const auto reach = static_cast<std::ptrdiff_t>(
@@ -132,7 +133,7 @@ std::vector<double> spline_coefficients(const std::vector<double>& values, bool 
   return out;
 }
 
-void spline_table(std::vector<double>& rows, std::size_t around, bool across) {
+void convert_to_spline_coefficients(std::vector<double>& rows, std::size_t around, bool across) {
   const std::size_t many = rows.size() / around;
   std::vector<double> line(around);
   for (std::size_t m = 0; m < many; ++m) {
@@ -149,10 +150,10 @@ void spline_table(std::vector<double>& rows, std::size_t around, bool across) {
   }
 }
 
-bearing::SurfaceTable surface_table(const bearing::Bearing& b, std::size_t race,
-                                    const std::vector<double>& places,
-                                    const std::vector<double>& radius,
-                                    const std::vector<double>& factor) {
+bearing::SurfaceTable build_surface_table(const bearing::Bearing& b, std::size_t race,
+                                          const std::vector<double>& places,
+                                          const std::vector<double>& radius,
+                                          const std::vector<double>& factor) {
   const double side = race == bearing::kOuter ? 1.0 : -1.0;
   const bearing::RollerGeometry* const rollers = b.rollers();
   bearing::SurfaceTable out;
@@ -202,15 +203,15 @@ bearing::SurfaceTable surface_table(const bearing::Bearing& b, std::size_t race,
     std::vector<std::size_t> from;
     for (std::size_t i = 0; i < kN; ++i) {
       for (std::size_t m = 0; m < places.size(); ++m) column[m] = out.height[m * kN + i];
-      const std::vector<double> rolled = rolled_over(column, cost, false, &from);
+      const std::vector<double> rolled = moreau_envelope(column, cost, false, &from);
       for (std::size_t m = 0; m < places.size(); ++m) out.height[m * kN + i] = rolled[m];
       if (out.factor.empty()) continue;
       for (std::size_t m = 0; m < places.size(); ++m) also[m] = out.factor[from[m] * kN + i];
       for (std::size_t m = 0; m < places.size(); ++m) out.factor[m * kN + i] = also[m];
     }
   }
-  spline_table(out.height, kN, rollers == nullptr);
-  if (!out.factor.empty()) spline_table(out.factor, kN, true);
+  convert_to_spline_coefficients(out.height, kN, rollers == nullptr);
+  if (!out.factor.empty()) convert_to_spline_coefficients(out.factor, kN, true);
   return out;
 }
 

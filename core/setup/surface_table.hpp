@@ -33,25 +33,26 @@ inline constexpr int kTableAcross = 161;     ///< of grooves
 inline constexpr double kTableReach = 80.0;  ///< greatest |φ| [degrees]
 
 /// Places across where a race is asked for: x of rows of a groove, middles of a roller's slices.
-[[nodiscard]] std::vector<double> table_places(const bearing::Bearing& bearing, std::size_t race,
-                                               int slices);
+[[nodiscard]] std::vector<double> surface_table_axial_positions(const bearing::Bearing& bearing,
+                                                                std::size_t race, int slices);
 
-/// @param places as table_places; radius ΔR and factor Δf row by row, kTableAround values of the
-/// turn each; factor: empty, all 0
-[[nodiscard]] bearing::SurfaceTable surface_table(const bearing::Bearing& bearing, std::size_t race,
-                                                  const std::vector<double>& places,
-                                                  const std::vector<double>& radius,
-                                                  const std::vector<double>& factor);
+/// @param places as surface_table_axial_positions; radius ΔR and factor Δf row by row, kTableAround
+/// values of the turn each; factor: empty, all 0
+[[nodiscard]] bearing::SurfaceTable build_surface_table(const bearing::Bearing& bearing,
+                                                        std::size_t race,
+                                                        const std::vector<double>& places,
+                                                        const std::vector<double>& radius,
+                                                        const std::vector<double>& factor);
 
 /// min over j of values[j] + cost (i - j)² for each i; values between places where they are smooth.
 /// @param closed the last is followed by the first; from: place of the least, may be null
-[[nodiscard]] std::vector<double> rolled_over(const std::vector<double>& values, double cost,
-                                              bool closed, std::vector<std::size_t>* from);
+[[nodiscard]] std::vector<double> moreau_envelope(const std::vector<double>& values, double cost,
+                                                  bool closed, std::vector<std::size_t>* from);
 
 /// Coefficients of the cubic B-spline that goes near the values, to fourth order.
 [[nodiscard]] std::vector<double> spline_coefficients(const std::vector<double>& values,
                                                       bool closed);
 /// The same of a table, in place.
-void spline_table(std::vector<double>& rows, std::size_t around, bool across);
+void convert_to_spline_coefficients(std::vector<double>& rows, std::size_t around, bool across);
 
 }  // namespace adore::setup

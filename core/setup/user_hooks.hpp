@@ -26,7 +26,7 @@ struct UserHooks {
   /// A line for the front part of PRINT.txt on what ADRX5 or ADRX6 gave.
   std::function<void(int hook, const std::string& line)> document;
   /// ADRX5: element k is out of round (scene/user_laws.hpp).
-  std::function<void(std::size_t k, std::shared_ptr<const bearing::GivenRace>)> out_of_round;
+  std::function<void(std::size_t k, std::shared_ptr<const bearing::SurfaceSeries>)> out_of_round;
   bool balls_out_of_round = false;  ///< known when the scene is planned
   int slices = 0;                   ///< of rollers
   bool points = false;              ///< barrels touch at points, not in slices

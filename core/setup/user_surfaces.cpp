@@ -34,7 +34,7 @@ double largest(const std::vector<double>& values) {
 
 /// Trigonometric series through every other one of 2m values around the turn, from 0 on.
 struct Series {
-  bearing::TurnSeries series;
+  bearing::AzimuthSeries series;
   double error = 0.0;  ///< at the values between
   int waves = 0;
 };
@@ -85,8 +85,9 @@ std::string about(const UserHooks& user, int hook, const std::string& body) {
 }
 
 /// @throws InputError where the series is far from what the routine says between its places
-bearing::TurnSeries taken(const UserHooks& user, int hook, const std::string& body,
-                          const char* what, const char* unit, const std::vector<double>& values) {
+bearing::AzimuthSeries taken(const UserHooks& user, int hook, const std::string& body,
+                             const char* what, const char* unit,
+                             const std::vector<double>& values) {
   Series series = series_of(values);
   if (series.series.pairs.empty()) return {};
   const double range =
@@ -187,10 +188,10 @@ constexpr std::size_t kBallAround = 512, kBallAcross = 193;  // rows from pole t
 /// Of a table at places between its own, up to 60 degrees of latitude (beyond, azimuths mean
 /// little).
 double error_between(const UserHooks& user, const bearing::Bearing& b,
-                     const bearing::GivenSurface& form, int element, double mean) {
+                     const bearing::TabulatedSurface& form, int element, double mean) {
   const bearing::SurfaceTable& of = form.table;
-  const contact::RaceTable table{of.height.data(), nullptr, of.around, of.across,
-                                 of.first,         of.step, 1.0};
+  const contact::SurfaceDeviationTable table{of.height.data(), nullptr, of.around, of.across,
+                                             of.first,         of.step, 1.0};
   bearing::UserSurface t;
   t.element = element;
   const double R = 0.5 * b.element_diameter();
@@ -239,8 +240,8 @@ void user_balls(const UserHooks& user, bearing::Bearing& b) {
     most = std::max(most, top);
     if (!(R + bottom > 0.0))
       throw InputError(
-          fmt::format("{}a radius reduction of {:.6g} m leaves nothing of the radius "
-                      "of {:.6g} m. Return a smaller reduction",
+          fmt::format("{}a radius reduction of {:.6g} m exceeds the radius of {:.6g} m. Return a "
+                      "smaller reduction",
                       about(user, 5, body), -bottom, R));
     if (!varies) {
       growth[k] = 2.0 * t.radius.front();
@@ -262,11 +263,11 @@ void user_balls(const UserHooks& user, bearing::Bearing& b) {
     mean /= weight;
     growth[k] = 2.0 * mean;
     for (double& one : t.radius) one -= mean;
-    auto form = std::make_shared<bearing::GivenSurface>(
+    auto form = std::make_shared<bearing::TabulatedSurface>(
         bearing::SurfaceTable{kBallAround, kBallAcross, latitude(0.0), step, t.radius, {}});
     form->radius.least = bottom;
     form->radius.largest = top;
-    spline_table(form->table.height, kBallAround, true);
+    convert_to_spline_coefficients(form->table.height, kBallAround, true);
     const double error = error_between(user, b, *form, t.element, mean);
     if (error > kSeriesError * range)
       throw InputError(fmt::format(
@@ -284,13 +285,13 @@ void user_balls(const UserHooks& user, bearing::Bearing& b) {
   if (std::all_of(growth.begin(), growth.end(), [](double one) { return one == 0.0; })) return;
   b.imperfections.ball_diameter.resize(count, 0.0);
   for (std::size_t k = 0; k < count; ++k) b.imperfections.ball_diameter[k] += growth[k];
-  if (b.imperfections.elements == bearing::ElementErrors::None)
-    b.imperfections.elements = bearing::ElementErrors::Listed;
+  if (b.imperfections.elements == bearing::ElementErrorSource::None)
+    b.imperfections.elements = bearing::ElementErrorSource::Listed;
 }
 
 }  // namespace
 
-void user_elements(const UserHooks& user, bearing::Bearing& b) {
+void apply_user_element_surfaces(const UserHooks& user, bearing::Bearing& b) {
   if (b.rollers() == nullptr) return user_balls(user, b);
   constexpr std::size_t kAzimuths = 8;
   const auto count = static_cast<std::size_t>(b.element_count());
@@ -307,9 +308,10 @@ void user_elements(const UserHooks& user, bearing::Bearing& b) {
     user.surface(b, t);
     const Roundness shape = roundness_of(user, b, t.element, 0.5 * rollers->contact_length());
     if (!shape.round && user.points)
-      throw InputError(about(user, 5, fmt::format("element {}", k + 1)) +
-                       "barrel rollers must be round with rollerContact=point. Set run option "
-                       "rollerContact=sliced");
+      throw InputError(
+          about(user, 5, fmt::format("element {}", k + 1)) +
+          "the roller is out of round, but rollerContact=point needs round rollers. Set run option "
+          "rollerContact=sliced");
     if (!shape.round && largest(shape.slope) > 0.0 &&
         (rollers->groove_factor[0] > 0.0 || rollers->groove_factor[1] > 0.0))
       throw InputError(about(user, 5, fmt::format("element {}", k + 1)) +
@@ -319,10 +321,10 @@ void user_elements(const UserHooks& user, bearing::Bearing& b) {
       const std::string name = fmt::format("roller {}", k + 1);
       std::vector<double> angle;
       for (const double slope : shape.slope) angle.push_back(std::atan(slope));
-      bearing::GivenRace form;
+      bearing::SurfaceSeries form;
       form.radius = taken(user, 5, name, "radius around the axis", "m", shape.radius);
       form.taper = taken(user, 5, name, "taper around the axis", "rad", angle);
-      user.out_of_round(k, std::make_shared<const bearing::GivenRace>(std::move(form)));
+      user.out_of_round(k, std::make_shared<const bearing::SurfaceSeries>(std::move(form)));
     }
     std::vector<double> radius = unturned(user, t, kAzimuths, shape);
     const double size = largest(radius), top = *std::max_element(radius.begin(), radius.end());
@@ -333,8 +335,8 @@ void user_elements(const UserHooks& user, bearing::Bearing& b) {
     const std::string body = fmt::format("element {}", k + 1);
     if (!(0.5 * b.element_diameter() + bottom > 0.0))
       throw InputError(
-          fmt::format("{}a radius reduction of {:.6g} m leaves nothing of the radius "
-                      "of {:.6g} m. Return a smaller reduction",
+          fmt::format("{}a radius reduction of {:.6g} m exceeds the radius of {:.6g} m. Return a "
+                      "smaller reduction",
                       about(user, 5, body), -bottom, 0.5 * b.element_diameter()));
     bearing::RollerDeviation& own = deviation.emplace_back(rollers->deviation_of(k));
     own.diameter += 2.0 * top;
@@ -345,22 +347,23 @@ void user_elements(const UserHooks& user, bearing::Bearing& b) {
           "not include. Set run option rollerContact=sliced, or return one number for each roller",
           about(user, 5, body), top - bottom));
     for (double& one : radius) one -= top;
-    own.form = std::make_shared<const bearing::RollerForm>(
-        bearing::RollerForm{std::move(places), std::move(radius)});
+    own.form = std::make_shared<const bearing::RollerProfileDeviation>(
+        bearing::RollerProfileDeviation{std::move(places), std::move(radius)});
   }
   user.document(5, fmt::format("elements: radius {:.6g} to {:.6g} m above the value of the deck",
                                least, most));
   if (least == 0.0 && most == 0.0) return;
   rollers->deviation = std::move(deviation);
-  if (b.imperfections.elements == bearing::ElementErrors::None)
-    b.imperfections.elements = bearing::ElementErrors::Listed;
+  if (b.imperfections.elements == bearing::ElementErrorSource::None)
+    b.imperfections.elements = bearing::ElementErrorSource::Listed;
 }
 
 namespace {
 
 /// Greatest distance of a series from values around the turn.
-double distance(const bearing::TurnSeries& series, const std::vector<double>& values) {
-  const contact::RaceSum sum{series.pairs.data(), static_cast<int>(series.pairs.size() / 2)};
+double distance(const bearing::AzimuthSeries& series, const std::vector<double>& values) {
+  const contact::RaceFourierSeries sum{series.pairs.data(),
+                                       static_cast<int>(series.pairs.size() / 2)};
   double out = 0.0;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const double psi = kTurn * static_cast<double>(k) / static_cast<double>(values.size());
@@ -373,9 +376,9 @@ double distance(const bearing::TurnSeries& series, const std::vector<double>& va
 
 /// A race over the turn alone, as series; nothing where it varies across, or jumps.
 /// @param all what the routine says at all places of a table
-std::shared_ptr<bearing::GivenRace> race_by_series(const UserHooks& user, std::size_t race,
-                                                   const bearing::Bearing& b,
-                                                   const bearing::UserSurface& all) {
+std::shared_ptr<bearing::SurfaceSeries> race_by_series(const UserHooks& user, std::size_t race,
+                                                       const bearing::Bearing& b,
+                                                       const bearing::UserSurface& all) {
   constexpr std::size_t kTurnPlaces = kTableAround, kEvery = kTurnPlaces / kAround;
   const bearing::RollerGeometry* const rollers = b.rollers();
   const bool groove = rollers == nullptr || rollers->groove_factor[race] > 0.0;
@@ -423,23 +426,23 @@ std::shared_ptr<bearing::GivenRace> race_by_series(const UserHooks& user, std::s
       kSeriesError * (series.series.largest - series.series.least) + kRounding * largest(taper))
     return nullptr;
   const std::string body = kRaceName[race];
-  auto given = std::make_shared<bearing::GivenRace>();
+  auto given = std::make_shared<bearing::SurfaceSeries>();
   given->radius = taken(user, 6, body, "radius", "m", radius);
   given->taper = taken(user, 6, body, "taper", "rad", taper);
   given->curvature_factor = taken(user, 6, body, "curvature factor", "", factor);
   return given;
 }
 
-void set_range(bearing::TurnSeries& of, const std::vector<double>& values) {
+void set_range(bearing::AzimuthSeries& of, const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   of.least = *low;
   of.largest = *high;
 }
 
-std::shared_ptr<bearing::GivenRace> race_by_table(const UserHooks& user, std::size_t race,
-                                                  const bearing::Bearing& b,
-                                                  const std::vector<double>& places,
-                                                  const bearing::UserSurface& t) {
+std::shared_ptr<bearing::SurfaceSeries> race_by_table(const UserHooks& user, std::size_t race,
+                                                      const bearing::Bearing& b,
+                                                      const std::vector<double>& places,
+                                                      const bearing::UserSurface& t) {
   const std::string body = kRaceName[race];
   if (user.points)
     throw InputError(about(user, 6, body) +
@@ -447,15 +450,14 @@ std::shared_ptr<bearing::GivenRace> race_by_table(const UserHooks& user, std::si
                      "with rollerContact=point do not include. Set run option "
                      "rollerContact=sliced");
   const bool curves = largest(t.curvature_factor) > 0.0;
-  auto given = std::make_shared<bearing::GivenSurface>(surface_table(
+  auto given = std::make_shared<bearing::TabulatedSurface>(build_surface_table(
       b, race, places, t.radius, curves ? t.curvature_factor : std::vector<double>{}));
   set_range(given->radius, t.radius);
   set_range(given->curvature_factor, t.curvature_factor);
   user.document(
       6, fmt::format(
-             "{}: table of {} x {} surface points around and across the raceway, which the "
-             "elements follow; "
-             "radius {:.6g} to {:.6g} m{}",
+             "{}: the raceway surface is a table of {} x {} points (around x across); radius "
+             "{:.6g} to {:.6g} m{}",
              body, kTableAround, places.size(), given->radius.least, given->radius.largest,
              curves ? fmt::format(", curvature factor {:.6g} to {:.6g}",
                                   given->curvature_factor.least, given->curvature_factor.largest)
@@ -465,15 +467,15 @@ std::shared_ptr<bearing::GivenRace> race_by_table(const UserHooks& user, std::si
 
 }  // namespace
 
-void user_race(const UserHooks& user, std::size_t race, bearing::Bearing& b) {
+void apply_user_race_surface(const UserHooks& user, std::size_t race, bearing::Bearing& b) {
   const bearing::RollerGeometry* const rollers = b.rollers();
-  const std::vector<double> places = table_places(b, race, user.slices);
+  const std::vector<double> places = surface_table_axial_positions(b, race, user.slices);
   bearing::UserSurface all;
   all.race = static_cast<int>(race);
   for (const double x : places)
     for (int k = 0; k < kTableAround; ++k) all.place(x, kTurn * k / kTableAround);
   user.surface(b, all);
-  std::shared_ptr<bearing::GivenRace> given = race_by_series(user, race, b, all);
+  std::shared_ptr<bearing::SurfaceSeries> given = race_by_series(user, race, b, all);
   if (!given) given = race_by_table(user, race, b, places, all);
   const bool straight = rollers != nullptr && !(rollers->groove_factor[race] > 0.0);
   if (straight && (given->curvature_factor.least != 0.0 || given->curvature_factor.largest != 0.0))

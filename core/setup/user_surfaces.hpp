@@ -17,7 +17,7 @@
 namespace adore::setup {
 
 /// @throws InputError
-void user_elements(const UserHooks& user, bearing::Bearing& bearing);
-void user_race(const UserHooks& user, std::size_t race, bearing::Bearing& bearing);
+void apply_user_element_surfaces(const UserHooks& user, bearing::Bearing& bearing);
+void apply_user_race_surface(const UserHooks& user, std::size_t race, bearing::Bearing& bearing);
 
 }  // namespace adore::setup

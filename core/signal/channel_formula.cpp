@@ -42,7 +42,7 @@ bool is_formula_name(std::string_view name) {
          parser.GetConst().count(std::string(name)) == 0;
 }
 
-std::vector<std::string> names_in(const std::string& formula) {
+std::vector<std::string> variable_names_in(const std::string& formula) {
   try {
     mu::Parser parser = parser_of(formula);
     std::vector<std::string> out;
@@ -54,7 +54,7 @@ std::vector<std::string> names_in(const std::string& formula) {
 }
 
 std::vector<double> evaluate(const std::string& formula, const NamedSeries& series) {
-  const std::vector<std::string> names = names_in(formula);
+  const std::vector<std::string> names = variable_names_in(formula);
   std::size_t count = 0;
   std::vector<const std::vector<double>*> used;
   for (const std::string& name : names) {

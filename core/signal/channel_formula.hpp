@@ -16,7 +16,7 @@ using NamedSeries = std::map<std::string, std::vector<double>>;
 [[nodiscard]] bool is_formula_name(std::string_view name);
 
 /// Names that a formula uses, in alphabetical order. @throws InputError for an invalid formula
-[[nodiscard]] std::vector<std::string> names_in(const std::string& formula);
+[[nodiscard]] std::vector<std::string> variable_names_in(const std::string& formula);
 
 /// The formula at each value. A missing value (NaN) of a channel that is used gives none, as does a
 /// result that is not a number, such as sqrt(-1). Known besides the names: pi.

@@ -22,7 +22,8 @@ double cubic_at(const double* x, const double* y, double where) {
 
 }  // namespace
 
-AngleSamples angle_samples(const std::vector<double>& turns, const std::vector<double>& values) {
+AngleSamples angle_samples(const std::vector<double>& turns, const std::vector<double>& values,
+                           std::size_t count) {
   AngleSamples out;
   const std::size_t n = turns.size();
   if (n < kMinSamples || values.size() != n) return out;
@@ -30,10 +31,11 @@ AngleSamples angle_samples(const std::vector<double>& turns, const std::vector<d
     if (!std::isfinite(values[i]) || !std::isfinite(turns[i]) ||
         (i > 0 && !(turns[i] > turns[i - 1])))
       return out;
+  if (count < 2) count = n;
   out.start = turns.front();
-  out.step = (turns.back() - turns.front()) / static_cast<double>(n - 1);
+  out.step = (turns.back() - turns.front()) / static_cast<double>(count - 1);
   std::size_t at = 0;
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const double where = std::min(out.start + out.step * static_cast<double>(i), turns.back());
     while (at + 2 < n && turns[at + 1] < where) ++at;
     const std::size_t first = std::min(at > 0 ? at - 1 : 0, n - 4);

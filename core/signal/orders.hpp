@@ -2,6 +2,7 @@
 
 #include "signal/spectrum.hpp"
 
+#include <cstddef>
 #include <vector>
 
 /// Order analysis: spectra over events per revolution of the shaft.
@@ -13,13 +14,15 @@ struct AngleSamples {
   double start = 0.0, step = 0.0;  ///< [revolutions]
 };
 
-/// Values at equal angles, as many as there are stored values: the cubic polynomial through the
-/// four nearest stored values over the angle. A tone with p stored values per revolution of its own
+/// Values at equal angles, by default as many as there are stored values: the cubic polynomial
+/// through the four nearest stored values over the angle. A tone with p stored values per period
 /// loses about (pi/p)^4 of its amplitude (0.3 % at p = 16, 4 % at p = 8).
 /// @param turns revolutions at the stored values; they must increase
+/// @param count of the angles: fewer than one per stored value anywhere in the run folds vibration
+/// above half of their rate into lower orders; 0: as many as there are values
 /// Empty for fewer than 16 values, missing values, or turns that do not increase.
 [[nodiscard]] AngleSamples angle_samples(const std::vector<double>& turns,
-                                         const std::vector<double>& values);
+                                         const std::vector<double>& values, std::size_t count = 0);
 
 /// Amplitude over order (events per revolution) of values at known revolutions.
 [[nodiscard]] Spectrum order_spectrum(const std::vector<double>& turns,

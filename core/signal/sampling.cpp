@@ -85,7 +85,8 @@ void interpolate(const std::vector<double>& times, const std::vector<double>& va
 
 }  // namespace
 
-Samples equal_samples(const std::vector<double>& all_times, const std::vector<double>& values) {
+Samples equally_spaced_samples(const std::vector<double>& all_times,
+                               const std::vector<double>& values) {
   Samples out;
   out.fault = fault_of(all_times, values);
   if (out.fault != SamplingFault::None) return out;

@@ -26,8 +26,8 @@ struct Samples {
 /// through as many stored times as possible. A tone of frequency f keeps
 /// (sin(pi f h) / (pi f h))^2 of its amplitude over steps of h: frequencies above half the inverse
 /// of the longest increment are lost.
-[[nodiscard]] Samples equal_samples(const std::vector<double>& times,
-                                    const std::vector<double>& values);
+[[nodiscard]] Samples equally_spaced_samples(const std::vector<double>& times,
+                                             const std::vector<double>& values);
 
 /// Less the straight line of least squares: mean and trend.
 [[nodiscard]] std::vector<double> without_trend(const std::vector<double>& samples);

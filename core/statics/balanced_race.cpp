@@ -11,9 +11,9 @@
 
 namespace adore::statics {
 
-BalancedRace::BalancedRace(const bearing::Bearing& bearing, const StaticsOptions& options,
+BalancedRace::BalancedRace(const bearing::Bearing& bearing, const BallStaticsOptions& options,
                            const StaticSolution& solution)
-    : task_(race_task(bearing.constraints)), model_(make_ball_model(bearing, options)) {
+    : load_case_(race_load_case(bearing.constraints)), model_(make_ball_model(bearing, options)) {
   state_.q = Eigen::Map<const Vec5>(solution.displacement.data());
   for (std::size_t k = 0; k < solution.balls.size(); ++k) {
     const StaticBall& from = solution.balls[k];
@@ -36,16 +36,16 @@ std::array<double, 2> BalancedRace::along(std::size_t k) const {
   const BallState& ball = state_.elements[k];
   if (!ball.site.tractions) return {};
   const auto f = ball_forces<double>(model_, ball.site, ball.x, ball.rho,
-                                     inner_pose<double>(model_, displacement()));
+                                     inner_race_pose<double>(model_, displacement()));
   return {f.contact[0].friction, f.contact[1].friction};
 }
 
-void BalancedRace::hold(std::size_t k, const StaticBall& ball, const BallMotion& motion,
-                        const Eigen::Matrix<double, 3, 5>& slopes) {
-  GivenTractions now;
+void BalancedRace::set_traction(std::size_t k, const StaticBall& ball, const BallMotion& motion,
+                                const Eigen::Matrix<double, 3, 5>& slopes) {
+  LinearizedTractions now;
   const auto value = [&](double of, Eigen::Index row) {
-    GivenTractions::Value out{of, {}};
-    for (std::size_t p = 0; p < GivenTractions::kPlaces; ++p)
+    LinearizedTractions::Value out{of, {}};
+    for (std::size_t p = 0; p < LinearizedTractions::kPlaces; ++p)
       out.slope[p] = slopes(row, static_cast<Eigen::Index>(p));
     return out;
   };
@@ -61,35 +61,35 @@ void BalancedRace::hold(std::size_t k, const StaticBall& ball, const BallMotion&
   state_.elements[k].site.tractions = now;
 }
 
-void BalancedRace::couple(Eigen::MatrixXd slopes) {
-  coupled_ = {};
-  coupled_.T = std::move(slopes);
+void BalancedRace::set_coupling(Eigen::MatrixXd slopes) {
+  coupled_balls_ = {};
+  coupled_balls_.T = std::move(slopes);
   for (const BallState& ball : state_.elements) {
-    coupled_.start.push_back(ball.site.tractions.value_or(GivenTractions{}));
-    coupled_.coupled.push_back(ball.site.tractions.has_value());
+    coupled_balls_.start.push_back(ball.site.tractions.value_or(LinearizedTractions{}));
+    coupled_balls_.coupled.push_back(ball.site.tractions.has_value());
   }
 }
 
-CoupledBalls BalancedRace::coupled_set() const {
-  CoupledBalls out = coupled_;
+CoupledBalls BalancedRace::make_coupled_balls() const {
+  CoupledBalls out = coupled_balls_;
   out.model = &model_;
   return out;
 }
 
 bool BalancedRace::solve(StaticSolution& solution) {
   BallRace trial = state_;
-  RaceSolve solve =
-      is_coupled() ? solve_race(coupled_set(), task_, trial) : solve_race(model_, task_, trial);
-  plain_ = !solve.converged;
-  if (plain_) {
+  RaceSolveResult solve = is_coupled() ? solve_race(make_coupled_balls(), load_case_, trial)
+                                       : solve_race(model_, load_case_, trial);
+  ignores_traction_slopes_ = !solve.converged;
+  if (ignores_traction_slopes_) {
     // Slopes of tractions that saturate mislead long steps: without them.
     trial = state_;
     for (BallState& ball : trial.elements)
       if (ball.site.tractions) {
-        for (GivenTractions::Value& value : ball.site.tractions->along) value.slope = {};
+        for (LinearizedTractions::Value& value : ball.site.tractions->along) value.slope = {};
         ball.site.tractions->orbital.slope = {};
       }
-    solve = solve_race(model_, task_, trial);
+    solve = solve_race(model_, load_case_, trial);
     if (!solve.converged) return false;
   }
   state_ = std::move(trial);
@@ -107,14 +107,14 @@ bool BalancedRace::solve(StaticSolution& solution) {
   return true;
 }
 
-std::vector<std::string> BalancedRace::notes(const StaticSolution& solution) const {
-  return report_notes(model_, solution.balls);
+std::vector<Finding> BalancedRace::notes(const StaticSolution& solution) const {
+  return ball_notes(model_, solution.balls);
 }
 
-void BalancedRace::add_difference(double share, StaticSolution& solution) const {
+void BalancedRace::add_stiffness_by_difference(double share, StaticSolution& solution) const {
   if (!(share > 0.0)) return;
   if (is_coupled())
-    add_difference_stiffness(coupled_set(), state_, share, solution);
+    add_difference_stiffness(make_coupled_balls(), state_, share, solution);
   else
     add_difference_stiffness(model_, state_, share, solution);
 }

@@ -13,7 +13,7 @@ namespace adore::statics {
 namespace {
 
 /// Longest last step of a ball that is taken without being evaluated, over the offsets' sum.
-constexpr double kLastStep = 2.5e-3;
+constexpr double kMaxUnevaluatedStep = 2.5e-3;
 
 struct Point {
   double x = 0.0, rho = 0.0;
@@ -32,7 +32,7 @@ struct Residual {
 using D2 = Dual<2>;
 
 Residual residual_at(const BallModel& m, const BallSite& site, const Point& at,
-                     const SeenRaces<double>& races) {
+                     const RacesInAzimuthFrame<double>& races) {
   const auto f = ball_forces(m, site, D2::variable(at.x, 0), D2::variable(at.rho, 1), races);
   Residual r;
   r.axial = f.axial.v;
@@ -51,16 +51,32 @@ Residual residual_at(const BallModel& m, const BallSite& site, const Point& at,
 /// Newton with backtracking; true when the residual force vanishes to rounding, or when it is below
 /// `accuracy` of the loads and the next step is short.
 ADORE_CLONES
-bool newton(const BallModel& m, const BallSite& site, const SeenRaces<double>& races,
+bool newton(const BallModel& m, const BallSite& site, const RacesInAzimuthFrame<double>& races,
             double accuracy, Point& at) {
-  constexpr int kIterations = 40;
+  constexpr int kMaxIterations = 40;
   // Rounding of a position of the size of the pitch radius, through the stiffness, is what can be
   // asked for.
   const double position_noise =
       (m.exact ? 4e-16 * m.balls.pitch_diameter : 1e-16 * m.balls.diameter);
   const double longest = 0.25 * m.offset_sum();
-  Residual now = residual_at(m, site, at, races);
-  for (int n = 0; n < kIterations; ++n) {
+  Point trial = at;
+  double dx = 0.0, dr = 0.0, length = 0.0, step = 1.0;
+  int iterations = 0, halvings = 0;
+  Residual now;
+  // The residual is evaluated in one place, because this function contains a copy of its code.
+  for (;;) {
+    const Residual then = residual_at(m, site, trial, races);
+    if (iterations > 0 && !(then.size() <= (1.0 - 1e-4 * step) * now.size())) {
+      constexpr int kMaxHalvings = 16;
+      if (++halvings == kMaxHalvings)  // rounding floor
+        return now.size() <= 1e-9 * now.scale || length <= 100.0 * position_noise;
+      step *= 0.5;
+      trial = {at.x + step * dx, at.rho + step * dr};
+      continue;
+    }
+    at = trial;
+    now = then;
+    if (iterations++ == kMaxIterations) return now.size() <= 1e-9 * now.scale;
     if (!std::isfinite(now.size())) {
       return false;
     }
@@ -72,14 +88,14 @@ bool newton(const BallModel& m, const BallSite& site, const SeenRaces<double>& r
     if (determinant == 0.0) {
       return false;
     }
-    double dx = -(now.jacobian(1, 1) * now.axial - now.jacobian(0, 1) * now.radial) / determinant;
-    double dr = -(now.jacobian(0, 0) * now.radial - now.jacobian(1, 0) * now.axial) / determinant;
-    const double length = std::sqrt(dx * dx + dr * dr);
+    dx = -(now.jacobian(1, 1) * now.axial - now.jacobian(0, 1) * now.radial) / determinant;
+    dr = -(now.jacobian(0, 0) * now.radial - now.jacobian(1, 0) * now.axial) / determinant;
+    length = std::sqrt(dx * dx + dr * dr);
     if (!std::isfinite(length)) {
       return false;
     }
     if (length <= position_noise ||
-        (now.size() <= accuracy * now.scale && length <= kLastStep * m.offset_sum())) {
+        (now.size() <= accuracy * now.scale && length <= kMaxUnevaluatedStep * m.offset_sum())) {
       return true;
     }
     if (length <=
@@ -88,24 +104,10 @@ bool newton(const BallModel& m, const BallSite& site, const SeenRaces<double>& r
       at.rho += dr;
       return true;
     }
-    const double clip = std::min(1.0, longest / length);
-    double step = clip;
-    bool better = false;
-    for (int halving = 0; halving < 16; ++halving, step *= 0.5) {
-      const Point trial{at.x + step * dx, at.rho + step * dr};
-      const Residual then = residual_at(m, site, trial, races);
-      if (then.size() <= (1.0 - 1e-4 * step) * now.size()) {
-        at = trial;
-        now = then;
-        better = true;
-        break;
-      }
-    }
-    if (!better) {
-      return now.size() <= 1e-9 * now.scale || length <= 100.0 * position_noise;  // rounding floor
-    }
+    step = std::min(1.0, longest / length);
+    halvings = 0;
+    trial = {at.x + step * dx, at.rho + step * dr};
   }
-  return now.size() <= 1e-9 * now.scale;
 }
 
 struct LineOfCentres {
@@ -120,8 +122,9 @@ using Halves = std::array<std::size_t, 2>;
 /// least as deep in the outer race as its centrifugal force asks for.
 /// @param halves of split races
 LineOfCentres line_of_centres(const BallModel& m, const BallSite& site,
-                              const SeenRaces<double>& races, Point at, const Halves& halves = {}) {
-  const BallSeat& own = m.seat(site.own);
+                              const RacesInAzimuthFrame<double>& races, Point at,
+                              const Halves& halves = {}) {
+  const BallInGrooves& own = m.seat(site.own);
   const double K_o = own.hertz[0].reference().K;
   const double K_i = own.hertz[1].reference().K;
   const double soft_o = std::pow(K_o, -2.0 / 3.0);
@@ -160,13 +163,13 @@ LineOfCentres line_of_centres(const BallModel& m, const BallSite& site,
 /// radius about the centres of all halves: projected onto one after the other. The rest of the
 /// overlap, 0 where there is room for the ball, is `closure`.
 LineOfCentres between_halves(const BallModel& m, const BallSite& site,
-                             const SeenRaces<double>& races) {
-  constexpr int kPasses = 60;
+                             const RacesInAzimuthFrame<double>& races) {
+  constexpr int kMaxPasses = 60;
   LineOfCentres out{};
-  for (int pass = 0; pass < kPasses; ++pass) {
+  for (int pass = 0; pass < kMaxPasses; ++pass) {
     out.closure = 0.0;
     for (std::size_t j = 0; j < 2; ++j)
-      for (const contact::SplitHalf& half : m.half[j]) {
+      for (const contact::SplitRaceHalf& half : m.half[j]) {
         const auto p = groove_positions(m, site, out.start.x, out.start.rho, races);
         const double xi = p[j].xi - half.shift, length = std::hypot(xi, p[j].eta);
         const double over = length - m.seat(site.own).groove.offset[j];
@@ -182,12 +185,12 @@ LineOfCentres between_halves(const BallModel& m, const BallSite& site,
 }
 
 /// Of a ball with room between split races: outwards until it touches the outer one.
-Point touching_outer(const BallModel& m, const BallSite& site, const SeenRaces<double>& races,
-                     Point at) {
+Point touching_outer(const BallModel& m, const BallSite& site,
+                     const RacesInAzimuthFrame<double>& races, Point at) {
   const auto p = groove_positions(m, site, at.x, at.rho, races);
   const double s = m.seat(site.own).groove.offset[0];
   double room = std::numeric_limits<double>::infinity();
-  for (const contact::SplitHalf& half : m.half[0]) {
+  for (const contact::SplitRaceHalf& half : m.half[0]) {
     const double xi = p[0].xi - half.shift;
     room = std::min(room, std::sqrt(std::max(0.0, s * s - xi * xi)) - p[0].eta);
   }
@@ -196,7 +199,7 @@ Point touching_outer(const BallModel& m, const BallSite& site, const SeenRaces<d
 
 /// Starts of a ball between split races: between each pair of halves, and where it has most room.
 std::vector<Point> split_starts(const BallModel& m, const BallSite& site,
-                                const SeenRaces<double>& races) {
+                                const RacesInAzimuthFrame<double>& races) {
   std::vector<Point> out;
   const auto count = [&](std::size_t j) { return m.half[j][0].is_split() ? 2U : 1U; };
   for (std::size_t outer = 0; outer < count(0); ++outer)
@@ -214,7 +217,7 @@ std::vector<Point> split_starts(const BallModel& m, const BallSite& site,
 
 bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& ball,
                 double accuracy) {
-  const SeenRaces<double> races = see_races(m, ball.site, pose);
+  const RacesInAzimuthFrame<double> races = races_in_azimuth_frame(m, ball.site, pose);
   const Point nominal{};
   ball.idle = false;
   if (m.base_centrifugal == 0.0 && m.split) {
@@ -249,7 +252,7 @@ bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& bal
     }
   }
   const LineOfCentres line = line_of_centres(m, ball.site, races, nominal);
-  const BallSeat& own = m.seat(ball.site.own);
+  const BallInGrooves& own = m.seat(ball.site.own);
   const double seat = std::cbrt(own.base_centrifugal * own.base_centrifugal) *
                       std::pow(own.hertz[0].reference().K, -2.0 / 3.0);
   std::vector<Point> starts =
@@ -285,9 +288,9 @@ bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& bal
 }
 
 ADORE_CLONES
-BallShare ball_share(const BallModel& m, const RacePose<RaceDual>& race, BallState& ball,
-                     bool last_step) {
-  BallShare share;
+BallLoadContribution ball_share(const BallModel& m, const RacePose<RaceDual>& race, BallState& ball,
+                                bool last_step) {
+  BallLoadContribution share;
   if (ball.idle) {
     return share;
   }
@@ -320,7 +323,7 @@ BallShare ball_share(const BallModel& m, const RacePose<RaceDual>& race, BallSta
     ball.follow = -inverse * on_ball_race;
     share.stiffness += on_race_ball * ball.follow;
     const Eigen::Vector2d step = -inverse * Eigen::Vector2d(f.axial.v, f.radial.v);
-    if (last_step && step.norm() <= kLastStep * m.offset_sum()) {
+    if (last_step && step.norm() <= kMaxUnevaluatedStep * m.offset_sum()) {
       ball.x += step(0);
       ball.rho += step(1);
       share.load += on_race_ball * step;

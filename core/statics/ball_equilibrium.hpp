@@ -23,7 +23,7 @@ struct BallState {
 
 /// Share of one ball in the load on the inner race and its exact derivative with the ball kept in
 /// equilibrium.
-struct BallShare {
+struct BallLoadContribution {
   Eigen::Matrix<double, 5, 1> load = Eigen::Matrix<double, 5, 1>::Zero();
   Eigen::Matrix<double, 5, 5> stiffness = Eigen::Matrix<double, 5, 5>::Zero();
   double largest_load = 0.0;  ///< of its contacts [N]
@@ -41,7 +41,8 @@ struct BallShare {
 
 /// Load share and stiffness at the equilibrium found by solve_ball; also refreshes ball.follow.
 /// @param last_step takes one more Newton step, in the ball's place and to first order in its load
-[[nodiscard]] BallShare ball_share(const BallModel& model, const RacePose<RaceDual>& race,
-                                   BallState& ball, bool last_step = false);
+[[nodiscard]] BallLoadContribution ball_share(const BallModel& model,
+                                              const RacePose<RaceDual>& race, BallState& ball,
+                                              bool last_step = false);
 
 }  // namespace adore::statics

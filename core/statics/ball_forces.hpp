@@ -54,20 +54,22 @@ struct BallForces {
 
 /// The touch with a race that is a table.
 template <class S, class P>
-contact::WavyTouch<S> table_touch(const BallSeat& seat, std::size_t race,
-                                  const GroovePosition<S, P>& p) {
+contact::WavyGrooveContact<S> surface_table_contact(const BallInGrooves& seat, std::size_t race,
+                                                    const GroovePosition<S, P>& p) {
   const contact::WavyGroove& of = *seat.table[race];
   const S psi = seat.azimuth_in_race + p.e.z;  // to first order: the race has moved a little
-  return contact::wavy_touch(of, of.ratios, contact::AzimuthDirection<S>{cosine(psi), sine(psi)},
-                             p.xi, p.eta, seat.groove.offset[race]);
+  return contact::wavy_groove_contact(of, of.ratios,
+                                      contact::AzimuthDirection<S>{cosine(psi), sine(psi)}, p.xi,
+                                      p.eta, seat.groove.offset[race]);
 }
 
 /// Hertz's constants of a closed contact at its angle α, of the groove as it is there.
-inline contact::HertzConstants hertz_here(const BallSeat& seat, std::size_t race,
-                                          const GroovePosition<double>& p, double alpha) {
+inline contact::HertzConstants local_hertz_constants(const BallInGrooves& seat, std::size_t race,
+                                                     const GroovePosition<double>& p,
+                                                     double alpha) {
   contact::HertzConstants out = seat.hertz[race].at(alpha);
   if (!seat.table[race]) return out;
-  const auto table = table_touch(seat, race, p);
+  const auto table = surface_table_contact(seat, race, p);
   const double root = std::cbrt(table.stiffness);  // half axes over √δ become those over Q^(1/3)
   out.K *= table.stiffness;
   out.a_hat *= table.major / root;
@@ -78,48 +80,49 @@ inline contact::HertzConstants hertz_here(const BallSeat& seat, std::size_t race
 
 /// @param half null: the race is not split
 template <class S, class P>
-ContactState<S> contact_state(const BallModel& m, const BallSeat& seat, std::size_t race,
+ContactState<S> contact_state(const BallModel& m, const BallInGrooves& seat, std::size_t race,
                               const GroovePosition<S, P>& p,
-                              const contact::SplitHalf* half = nullptr) {
+                              const contact::SplitRaceHalf* half = nullptr) {
   ContactState<S> c;
   S xi = p.xi;
   if (half != nullptr) xi = xi - half->shift;
-  const auto touch = contact::groove_touch(xi, p.eta, seat.groove.offset[race]);
+  const auto touch = contact::ball_groove_contact(xi, p.eta, seat.groove.offset[race]);
   const double sign = race == 0 ? 1.0 : -1.0;
   c.n_k = touch.n_k;
   c.n_e = touch.n_e;
   c.alpha = {sign * touch.n_k, sign * touch.n_e};
   c.approach = touch.approach;
-  if (seat.table[race]) c.approach = table_touch(seat, race, p).touch.approach;
+  if (seat.table[race]) c.approach = surface_table_contact(seat, race, p).touch.approach;
   if (value_of(c.approach) > 0.0) {
     const HertzSeries& hertz = seat.hertz[race];
     const double K_reference = hertz.reference().K;
     const S root = square_root(c.approach);
     if (!(m.own_speed_share > 0.0)) {  // the conservative problem: K is constant
-      c.load = contact::point_load(K_reference, c.approach, root);
+      c.load = contact::point_contact_load(K_reference, c.approach, root);
     } else if (hertz.law().follows) {
-      const auto at = contact::angle_stiffness(hertz.law(), value_of(c.n_e));
+      const auto at = contact::hertz_constant_at_angle(hertz.law(), value_of(c.n_e));
       const double K = K_reference + m.own_speed_share * (at.K - K_reference);
       const double slope = m.own_speed_share * at.slope;
-      c.load = contact::point_load(chain(c.n_e, K, slope), c.approach, root);
-      c.leaning = contact::leaning_force(chain(c.n_e, slope, m.own_speed_share * at.bend),
-                                         c.approach, root, c.n_k, touch.length);
+      c.load = contact::point_contact_load(chain(c.n_e, K, slope), c.approach, root);
+      c.leaning = contact::angle_gradient_force(chain(c.n_e, slope, m.own_speed_share * at.bend),
+                                                c.approach, root, c.n_k, touch.length);
     } else if (hertz.varying()) {
       const auto log_K = hertz.log_K(value_of(c.alpha.cos));
       const double K = K_reference * std::exp(m.own_speed_share * log_K.value);
-      c.load = contact::point_load(chain(c.alpha.cos, K, K * m.own_speed_share * log_K.slope),
-                                   c.approach, root);
+      c.load = contact::point_contact_load(
+          chain(c.alpha.cos, K, K * m.own_speed_share * log_K.slope), c.approach, root);
     } else {
-      c.load = contact::point_load(K_reference, c.approach, root);
+      c.load = contact::point_contact_load(K_reference, c.approach, root);
     }
     if (seat.table[race]) {
-      const auto table = table_touch(seat, race, p);
+      const auto table = surface_table_contact(seat, race, p);
       c.load = c.load * table.stiffness;
-      c.leaning =
-          c.leaning * table.stiffness + contact::wavy_lean(table, c.load, c.load, c.approach);
+      c.leaning = c.leaning * table.stiffness +
+                  contact::wavy_transverse_force(table, c.load, c.load, c.approach);
     }
     if (half != nullptr) {
-      const auto share = contact::split_share(*half, c.load, root, c.n_k, c.n_e, touch.length);
+      const auto share =
+          contact::split_load_fractions(*half, c.load, root, c.n_k, c.n_e, touch.length);
       c.load = share.load * c.load;
       c.leaning = share.energy * c.leaning + share.turned;
       const auto [along, outward] = contact::meridian_force(c.load, c.leaning, c.n_k, c.n_e);
@@ -132,18 +135,18 @@ ContactState<S> contact_state(const BallModel& m, const BallSeat& seat, std::siz
 
 /// A half of a split race. @param p about P_j
 template <class S, class P>
-ContactState<S> half_state(const BallModel& m, const BallSeat& seat, std::size_t race,
-                           const GroovePosition<S, P>& p, std::size_t half) {
-  const contact::SplitHalf& of = m.half[race][half];
+ContactState<S> half_contact_state(const BallModel& m, const BallInGrooves& seat, std::size_t race,
+                                   const GroovePosition<S, P>& p, std::size_t half) {
+  const contact::SplitRaceHalf& of = m.half[race][half];
   return contact_state(m, seat, race, p, &of);
 }
 
 /// Both halves of a split race as one contact.
 template <class S, class P>
-ContactState<S> split_state(const BallModel& m, const BallSeat& seat, std::size_t race,
-                            const GroovePosition<S, P>& p) {
-  const std::array<ContactState<S>, 2> c{half_state(m, seat, race, p, 0),
-                                         half_state(m, seat, race, p, 1)};
+ContactState<S> split_contact_state(const BallModel& m, const BallInGrooves& seat, std::size_t race,
+                                    const GroovePosition<S, P>& p) {
+  const std::array<ContactState<S>, 2> c{half_contact_state(m, seat, race, p, 0),
+                                         half_contact_state(m, seat, race, p, 1)};
   for (std::size_t h = 0; h < 2; ++h)
     if (!(value_of(c[1 - h].load) > 0.0) &&
         (value_of(c[h].load) > 0.0 || value_of(c[h].approach) >= value_of(c[1 - h].approach)))
@@ -169,7 +172,7 @@ ContactState<S> split_state(const BallModel& m, const BallSeat& seat, std::size_
 /// Spin axis of least heat, shifted by BallSite::axis_shift, with its derivatives carried over from
 /// the angles and loads that it depends on.
 template <class S>
-Direction<S> least_heat_direction(const BallSeat& seat, const BallSite& site,
+Direction<S> least_heat_direction(const BallInGrooves& seat, const BallSite& site,
                                   const std::array<ContactState<S>, 2>& contact) {
   std::array<HeatContact, 2> c;
   for (std::size_t j = 0; j < 2; ++j) {
@@ -195,8 +198,8 @@ Direction<S> least_heat_direction(const BallSeat& seat, const BallSite& site,
 
 /// A value of a ball in balance of friction at the present contacts, to first order.
 template <class S, class P>
-S traction_value(const GivenTractions& of, const GivenTractions::Value& which,
-                 const BallForces<S, P>& f, const S& rho) {
+S linearized_traction_value(const LinearizedTractions& of, const LinearizedTractions::Value& which,
+                            const BallForces<S, P>& f, const S& rho) {
   S out = which.value + which.slope[4] * (rho - of.at.rho);
   for (std::size_t j = 0; j < 2; ++j) {
     const auto& alpha = f.contact[j].alpha;
@@ -210,7 +213,7 @@ S traction_value(const GivenTractions& of, const GivenTractions::Value& which,
 /// Fills speeds and moments; needs both contacts' angles.
 template <class S, class P>
 void add_inertia(const BallModel& m, const BallSite& site, const S& rho, BallForces<S, P>& f) {
-  const BallSeat& seat = m.seat(site.own);
+  const BallInGrooves& seat = m.seat(site.own);
   f.orbital = m.base_orbital;
   const S& Q_o = f.contact[0].load;
   const S& Q_i = f.contact[1].load;
@@ -230,7 +233,7 @@ void add_inertia(const BallModel& m, const BallSite& site, const S& rho, BallFor
         f.beta = least_heat_direction(seat, site, f.contact);
         break;
     }
-    const Rolling<S> rolling = roll_without_slip(alpha, f.beta, seat.gamma, m.race_speed);
+    const PureRollingSpeeds<S> rolling = roll_without_slip(alpha, f.beta, seat.gamma, m.race_speed);
     f.rolls = rolling.possible;
     S weight = 1.0;
     if (value_of(Q_i) < seat.window) {
@@ -244,10 +247,10 @@ void add_inertia(const BallModel& m, const BallSite& site, const S& rho, BallFor
         weight * (seat.inertia * (f.orbital + m.frame_speed) * rolling.spin * f.beta.sin);
     const S per_race = f.gyroscopic / seat.diameter;
     if (site.tractions) {
-      const GivenTractions& given = *site.tractions;
-      f.orbital = traction_value(given, given.orbital, f, rho);
+      const LinearizedTractions& given = *site.tractions;
+      f.orbital = linearized_traction_value(given, given.orbital, f, rho);
       for (std::size_t j = 0; j < 2; ++j)
-        f.contact[j].friction = traction_value(given, given.along[j], f, rho);
+        f.contact[j].friction = linearized_traction_value(given, given.along[j], f, rho);
     } else
       switch (site.law.share) {
         case SpinLaw::Share::Outer:
@@ -272,14 +275,14 @@ void add_inertia(const BallModel& m, const BallSite& site, const S& rho, BallFor
 /// Everything for a ball at (x, r = d_m/2 + rho).
 template <class S, class P>
 BallForces<S, P> ball_forces(const BallModel& m, const BallSite& site, const S& x, const S& rho,
-                             const SeenRaces<P>& races) {
+                             const RacesInAzimuthFrame<P>& races) {
   BallForces<S, P> f;
-  const BallSeat& seat = m.seat(site.own);
+  const BallInGrooves& seat = m.seat(site.own);
   f.position = groove_positions(m, site, x, rho, races);
   for (std::size_t j = 0; j < 2; ++j) {
     const GroovePosition<S, P>& p = f.position[j];
     f.contact[j] =
-        m.half[j][0].is_split() ? split_state(m, seat, j, p) : contact_state(m, seat, j, p);
+        m.half[j][0].is_split() ? split_contact_state(m, seat, j, p) : contact_state(m, seat, j, p);
   }
   if (m.moving) {
     add_inertia(m, site, rho, f);
@@ -313,9 +316,9 @@ BallForces<S, P> ball_forces(const BallModel& m, const BallSite& site, const S& 
         moment = moment - (xi * push) * e;
       }
       if (seat.table[1]) {
-        const auto at = table_touch(seat, 1, f.position[1]);
+        const auto at = surface_table_contact(seat, 1, f.position[1]);
         const S R = eta + groove.centre_radius[1];
-        const S push = contact::wavy_push(at, c.load, S(0.0), c.approach, R);
+        const S push = contact::wavy_tangential_force(at, c.load, S(0.0), c.approach, R);
         const S recess = at.touch.length - groove.offset[1] - c.approach;
         force = force + push * cross(a, e);
         moment = moment - (xi * push) * e - (recess * c.leaning) * cross(e, a);
@@ -332,7 +335,7 @@ BallForces<S, P> ball_forces(const BallModel& m, const BallSite& site, const S& 
 template <class S>
 BallForces<S> ball_forces(const BallModel& m, const BallSite& site, const S& x, const S& rho,
                           const RacePose<S>& inner) {
-  return ball_forces(m, site, x, rho, see_races(m, site, inner));
+  return ball_forces(m, site, x, rho, races_in_azimuth_frame(m, site, inner));
 }
 
 }  // namespace adore::statics

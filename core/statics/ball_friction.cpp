@@ -22,16 +22,17 @@ namespace {
 
 using bearing::Bearing;
 
-constexpr int kPasses = 30;
-constexpr int kSearches = 2;  ///< without an equilibrium, of one ball; from then on the spin rule
-/// Change of the traction forces in a pass over the largest contact load: below kSteady the search
-/// ends. After kPasses passes, a change below kSteadyAccepted is accepted.
-constexpr double kSteady = 1e-10, kSteadyAccepted = 1e-5;
+constexpr int kMaxPasses = 30;
+/// Failed searches for the equilibrium of one ball, after which it keeps the spin rule.
+constexpr int kMaxFailedSearches = 2;
+/// Change of the traction forces in a pass over the largest contact load: below kSteadyChange the
+/// search ends. After kMaxPasses passes, a change below kAcceptedChange is accepted.
+constexpr double kSteadyChange = 1e-10, kAcceptedChange = 1e-5;
 
 /// Computes spin, pitch angle, gyroscopic moment, spin-to-roll and friction ratios from the motion
 /// of the friction equilibrium. Before the call, the ball has those of the spin rule.
-void give_ratios(const Bearing& bearing, const ContactLaws& laws, const BallMotion& motion,
-                 double frame, StaticBall& ball) {
+void set_contact_ratios(const Bearing& bearing, const ContactLaws& laws, const BallMotion& motion,
+                        double frame, StaticBall& ball) {
   const double along_x = motion.orbit - motion.omega[0];
   const double sign = std::copysign(1.0, ball.spin_speed);
   ball.spin_speed = sign * std::hypot(along_x, motion.omega[1], motion.omega[2]);
@@ -40,7 +41,7 @@ void give_ratios(const Bearing& bearing, const ContactLaws& laws, const BallMoti
       bearing.element_inertia.moments.x() * (motion.orbit + frame) * motion.omega[1];
   for (std::size_t j = 0; j < 2; ++j) {
     const tribology::EllipseKinematics slip =
-        contact_motion(bearing, ball_contact(bearing, laws, ball, j), motion, ball.r, j);
+        contact_kinematics(bearing, ball_contact(bearing, laws, ball, j), motion, ball.r, j);
     ball.spin_roll[j] = (j == 0 ? 1.0 : -1.0) * slip.W_n / slip.W_c;
     ball.friction[j] = std::abs(motion.along[j]) / ball.Q[j];
   }
@@ -49,7 +50,7 @@ void give_ratios(const Bearing& bearing, const ContactLaws& laws, const BallMoti
 /// Passes of balances of all balls and the equilibrium of the bearing with their tractions.
 class Search {
  public:
-  Search(const Bearing& bearing, const StaticsOptions& options, StaticSolution& solution)
+  Search(const Bearing& bearing, const BallStaticsOptions& options, StaticSolution& solution)
       : laws(bearing),
         frame(options.frame ? options.frame->speed : 0.0),
         race(bearing, options, solution),
@@ -68,61 +69,61 @@ class Search {
   }
 
   /// Passes until the tractions stay; false: no equilibrium, or not steady.
-  bool settle() {
-    for (int pass = 0; pass < kPasses; ++pass) {
+  bool iterate() {
+    for (int pass = 0; pass < kMaxPasses; ++pass) {
       const bool first = pass == 0 && !cage_ && !lags_;
       change_ = first ? std::numeric_limits<double>::infinity() : 0.0;
       out.left.clear();
-      if (!(lags_ ? balance_together() : balance_each(first))) return false;
+      if (!(lags_ ? balance_coupled() : balance_separately(first))) return false;
       if (cage_) change_ = std::max(change_, cage_->follow(push_, solution_));
       // Once more where they stay: the stiffness has the slopes of this place.
       if (!race.solve(solution_)) {
         change_ = std::numeric_limits<double>::infinity();
         return false;
       }
-      if (change_ <= kSteady) break;
+      if (change_ <= kSteadyChange) break;
     }
-    return change_ <= kSteadyAccepted;
+    return change_ <= kAcceptedChange;
   }
 
   [[nodiscard]] std::string failure() const {
     return std::isfinite(change_)
-               ? fmt::format("traction forces and loads did not converge in {} passes", kPasses)
+               ? fmt::format("traction forces and loads did not converge in {} passes", kMaxPasses)
                : "the bearing has no equilibrium with the traction forces";
   }
 
   /// Balls that their cage carries, where their pockets need it.
-  void join_cage() {
+  void add_cage() {
     cage_ = cage_orbit(bearing_, out.balls, solution_);
     if (!cage_) return;
     const State alone = state();
-    if (settle()) return;
+    if (iterate()) return;
     const std::string why = failure();
-    give_back(alone);
+    restore(alone);
     cage_.reset();
     out.without_cage = why;
   }
 
   /// The moment that turns spin axes along the orbit.
-  void follow_orbit() {
+  void add_gyroscopic_turning() {
     std::vector<std::optional<BallBalance>> balances = balances_of_all();
-    const std::optional<SpinLag> lag = lag_of(balances);
+    const std::optional<SpinLag> lag = spin_lag_of(balances);
     if (!lag) return;
     for (std::optional<BallBalance>& ball : balances)
       if (ball) ball->use(rule_);
     const std::vector<double> ratio =
-        lag->moment_ratio(out.balls, 0.5 * bearing_.element_diameter(), out.balls.size());
+        lag->spin_moment_ratio(out.balls, 0.5 * bearing_.element_diameter(), out.balls.size());
     const auto worst = std::max_element(ratio.begin(), ratio.end());
     out.turning = *worst;
     out.turning_ball = static_cast<std::size_t>(worst - ratio.begin());
-    constexpr double kNegligible = 1e-2;
-    if (!(out.turning > kNegligible)) return;
+    constexpr double kMinMomentRatio = 1e-2;
+    if (!(out.turning > kMinMomentRatio)) return;
     const State at_once = state();
     lags_ = true;
-    if (settle()) return;
+    if (iterate()) return;
     const std::string why = failure();
     lags_ = false;
-    give_back(at_once);
+    restore(at_once);
     out.without_turning = why;
   }
 
@@ -138,7 +139,7 @@ class Search {
     BalancedRace race;
   };
   [[nodiscard]] State state() const { return {solution_, out, race}; }
-  void give_back(State from) {
+  void restore(State from) {
     solution_ = std::move(from.solution);
     out = std::move(from.out);
     race = std::move(from.race);
@@ -146,20 +147,20 @@ class Search {
 
   [[nodiscard]] BallBalance balance_of(std::size_t k) const {
     BallBalance at(bearing_, laws, drag_ ? &*drag_ : nullptr, frame, solution_.balls[k]);
-    if (cage_) at.carry(cage_->of(k));
+    if (cage_) at.set_cage_orbital_speed(cage_->of(k));
     return at;
   }
 
   /// Ball k alone. @param first from pure rolling
   bool find(std::size_t k, BallBalance& at, bool first) {
-    if (failed_[k] >= kSearches) return false;
+    if (failed_[k] >= kMaxFailedSearches) return false;
     const StaticBall& ball = solution_.balls[k];
     BallMotion& now = out.balls[k];
-    const bool from_rolling = first ? !at.find(now, few_, kNear) : !now.balanced;
+    const bool from_rolling = first ? !at.find(now, few_, kFewNodesTolerance) : !now.balanced;
     if (from_rolling) now = FrictionBalance{}.motion_of(k, ball);
-    if (at.find(now, rule_, kBalanced)) return true;
+    if (at.find(now, rule_, kBalanceTolerance)) return true;
     now = FrictionBalance{}.motion_of(k, ball);
-    return !from_rolling && at.find(now, rule_, kBalanced);
+    return !from_rolling && at.find(now, rule_, kBalanceTolerance);
   }
 
   void note_change(std::size_t k, const std::array<double, 2>& last) {
@@ -168,30 +169,30 @@ class Search {
   }
 
   /// The spin rule for a ball that is not in balance. @param asked it is loaded
-  void leave(std::size_t k, bool asked) {
+  void use_spin_rule(std::size_t k, bool asked) {
     out.balls[k] = FrictionBalance{}.motion_of(k, solution_.balls[k]);
     if (!asked) return;
     ++failed_[k];
     out.left.push_back(k);
   }
 
-  bool balance_each(bool first) {
+  bool balance_separately(bool first) {
     for (std::size_t k = 0; k < solution_.balls.size(); ++k) {
       const StaticBall& ball = solution_.balls[k];
       const std::array<double, 2> last = race.along(k);
-      race.release(k);
+      race.clear_traction(k);
       push_[k] = 0.0;
       if (!is_loaded(ball)) {
-        leave(k, false);
+        use_spin_rule(k, false);
         continue;
       }
       BallBalance at = balance_of(k);
       if (!find(k, at, first)) {
-        leave(k, true);
+        use_spin_rule(k, true);
         continue;
       }
-      push_[k] = at.push();
-      race.hold(k, ball, out.balls[k], at.slopes(race.seat(k), ball, out.balls[k]));
+      push_[k] = at.cage_force();
+      race.set_traction(k, ball, out.balls[k], at.slopes(race.seat(k), ball, out.balls[k]));
       note_change(k, last);
     }
     return true;
@@ -205,7 +206,7 @@ class Search {
     return balances;
   }
   /// Of the balls in balance; empty: too few.
-  [[nodiscard]] std::optional<SpinLag> lag_of(
+  [[nodiscard]] std::optional<SpinLag> spin_lag_of(
       std::vector<std::optional<BallBalance>>& balances) const {
     std::vector<SpinLag::Ball> balls;
     double orbit = 0.0;
@@ -219,7 +220,7 @@ class Search {
   }
 
   /// All balls at once; false: no balance.
-  bool balance_together() {
+  bool balance_coupled() {
     const std::size_t n = solution_.balls.size();
     std::vector<std::optional<BallBalance>> balances = balances_of_all();
     std::vector<std::array<double, 2>> last;
@@ -227,28 +228,29 @@ class Search {
       last.push_back(race.along(k));
       push_[k] = 0.0;
       const bool loaded = is_loaded(solution_.balls[k]);
-      if (!loaded || (!out.balls[k].balanced && !find(k, *balances[k], false))) leave(k, loaded);
+      if (!loaded || (!out.balls[k].balanced && !find(k, *balances[k], false)))
+        use_spin_rule(k, loaded);
     }
-    const std::optional<SpinLag> lag = lag_of(balances);
+    const std::optional<SpinLag> lag = spin_lag_of(balances);
     if (!lag || !lag->find(out.balls, few_, rule_)) {
       change_ = std::numeric_limits<double>::infinity();
       return false;
     }
-    std::vector<BallSlopes> slopes(n);
+    std::vector<BallLinearization> slopes(n);
     for (std::size_t k = 0; k < n; ++k) {
-      race.release(k);
+      race.clear_traction(k);
       if (!out.balls[k].balanced) continue;
-      push_[k] = balances[k]->push();
+      push_[k] = balances[k]->cage_force();
       slopes[k] = balances[k]->linearize(race.seat(k), solution_.balls[k], out.balls[k]);
     }
     const Eigen::MatrixXd over_all = lag->slopes(slopes, out.balls, n);
     for (std::size_t k = 0; k < n; ++k) {
       if (!out.balls[k].balanced) continue;
       const auto i = static_cast<Eigen::Index>(k);
-      race.hold(k, solution_.balls[k], out.balls[k], over_all.block<3, 5>(3 * i, 5 * i));
+      race.set_traction(k, solution_.balls[k], out.balls[k], over_all.block<3, 5>(3 * i, 5 * i));
       note_change(k, last[k]);
     }
-    race.couple(over_all);
+    race.set_coupling(over_all);
     return true;
   }
 
@@ -264,8 +266,9 @@ class Search {
 };
 }  // namespace
 
-tribology::EllipseKinematics contact_motion(const Bearing& bearing, const BallContact& contact,
-                                            const BallMotion& motion, double r, std::size_t race) {
+tribology::EllipseKinematics contact_kinematics(const Bearing& bearing, const BallContact& contact,
+                                                const BallMotion& motion, double r,
+                                                std::size_t race) {
   const double W_x = bearing.speed[race] - motion.omega[0], W_r = -motion.omega[1];
   tribology::EllipseKinematics m{};
   m.u_t = (bearing.speed[race] - motion.orbit) * r;
@@ -280,7 +283,7 @@ tribology::EllipseKinematics contact_motion(const Bearing& bearing, const BallCo
   return m;
 }
 
-void FrictionBalance::give_speeds(StaticSolution& solution) const {
+void FrictionBalance::copy_speeds_to(StaticSolution& solution) const {
   for (std::size_t k = 0; k < balls.size(); ++k) {
     if (!balls[k].balanced) continue;
     StaticBall& ball = solution.balls[k];
@@ -320,9 +323,9 @@ std::vector<Finding> FrictionBalance::findings() const {
   if (!without_cage.empty())
     out.push_back(make_finding(
         "statics.cage_orbit",
-        fmt::format("the cage carries balls along the orbit, but no friction equilibrium with the "
-                    "cage was found: {}. Each ball orbits alone. Light balls orbit too fast, and "
-                    "contact loads may be several percent too large",
+        fmt::format("the cage pushes balls along their orbit, but no friction equilibrium with the "
+                    "cage was found: {}. The result is without the cage: lightly loaded balls "
+                    "orbit too fast, and contact loads may be several percent too large",
                     without_cage)));
   if (plain_stiffness)
     out.push_back(make_finding(
@@ -334,8 +337,9 @@ std::vector<Finding> FrictionBalance::findings() const {
         make_finding(
             "statics.spin_lag",
             fmt::format(
-                "ball {}: to turn its spin axis along the orbit takes {:.2g} times its "
-                "friction moment, but no equilibrium with this moment was found: {}. {}",
+                "ball {}: no equilibrium was found with the moment that turns the spin axis along "
+                "the "
+                "orbit ({:.2g} times the friction moment): {}. {}",
                 turning_ball + 1, turning, without_turning,
                 turning > 1.0
                     ? "Spin axes lag behind in motion, so that the race heat is a lower bound"
@@ -345,48 +349,45 @@ std::vector<Finding> FrictionBalance::findings() const {
   return out;
 }
 
-std::vector<std::string> FrictionBalance::notes() const {
-  std::vector<std::string> out;
-  for (Finding& one : findings()) out.push_back(std::move(one.message));
-  return out;
-}
-
-bool has_friction_balance(const Bearing& bearing, const StaticsOptions& options) {
+bool has_friction_balance(const Bearing& bearing, const BallStaticsOptions& options) {
   const bool resists =
-      bearing.lubrication || tribology::largest_traction(bearing.race_traction) > 0.0;
+      bearing.lubrication || tribology::max_traction_coefficient(bearing.race_traction) > 0.0;
   return !bearing.rollers() && options.friction_balance && resists &&
          bearing.speed[0] != bearing.speed[1] &&
          bearing.spin_rule != bearing::SpinRule::Prescribed && options.orbit == Orbit::PerBall;
 }
 
-FrictionBalance balance_balls(const Bearing& bearing, const StaticsOptions& options,
-                              StaticSolution& solution) {
+FrictionBalance solve_ball_friction_balance(const Bearing& bearing,
+                                            const BallStaticsOptions& options,
+                                            StaticSolution& solution) {
   if (!has_friction_balance(bearing, options)) return {};
   const StaticSolution before = solution;
   Search search(bearing, options, solution);
-  if (!search.settle()) {
+  if (!search.iterate()) {
     solution = before;
     FrictionBalance out;
     out.failure = search.failure();
     return out;
   }
-  search.join_cage();
-  search.follow_orbit();
+  search.add_cage();
+  search.add_gyroscopic_turning();
   FrictionBalance out = std::move(search.out);
-  out.plain_stiffness = search.race.is_plain();
-  search.race.add_difference(options.difference_share, solution);
-  out.give_speeds(solution);
+  out.plain_stiffness = search.race.ignores_traction_slopes();
+  search.race.add_stiffness_by_difference(options.difference_share, solution);
+  out.copy_speeds_to(solution);
   for (std::size_t k = 0; k < solution.balls.size(); ++k)
     if (out.balls[k].balanced)
-      give_ratios(bearing, search.laws, out.balls[k], search.frame, solution.balls[k]);
+      set_contact_ratios(bearing, search.laws, out.balls[k], search.frame, solution.balls[k]);
   // Notes of the balls at their new places; those of the spin rule only while a ball keeps it.
-  const std::vector<std::string> old = search.race.notes(before);
-  std::erase_if(solution.notes, [&](const std::string& note) {
-    const bool of_rule =
-        note.starts_with("race control: ") || note.starts_with("minimum-heat spin axis: ");
-    return std::count(old.begin(), old.end(), note) > 0 || (of_rule && out.left.empty());
+  const std::vector<Finding> old = search.race.notes(before);
+  std::erase_if(solution.notes, [&](const Finding& note) {
+    const bool of_rule = note.code == "statics.race_control" || note.code == "statics.least_heat";
+    return (of_rule && out.left.empty()) ||
+           std::any_of(old.begin(), old.end(), [&](const Finding& one) {
+             return one.code == note.code && one.message == note.message;
+           });
   });
-  for (std::string& note : search.race.notes(solution)) solution.notes.push_back(std::move(note));
+  for (Finding& note : search.race.notes(solution)) solution.notes.push_back(std::move(note));
   return out;
 }
 

@@ -45,19 +45,19 @@
 namespace adore::statics {
 
 /// @param r radius of the ball's orbit
-[[nodiscard]] tribology::EllipseKinematics contact_motion(const bearing::Bearing& bearing,
-                                                          const BallContact& contact,
-                                                          const BallMotion& motion, double r,
-                                                          std::size_t race);
+[[nodiscard]] tribology::EllipseKinematics contact_kinematics(const bearing::Bearing& bearing,
+                                                              const BallContact& contact,
+                                                              const BallMotion& motion, double r,
+                                                              std::size_t race);
 
 /// False: balls keep the spin rule (option, kAngVel = 2, races at rest, or nothing that resists).
 [[nodiscard]] bool has_friction_balance(const bearing::Bearing& bearing,
-                                        const StaticsOptions& options);
+                                        const BallStaticsOptions& options);
 
 /// Changes places, loads, speeds and notes of the solution; nothing without a balance.
 /// @param options those of the solution
-[[nodiscard]] FrictionBalance balance_balls(const bearing::Bearing& bearing,
-                                            const StaticsOptions& options,
-                                            StaticSolution& solution);
+[[nodiscard]] FrictionBalance solve_ball_friction_balance(const bearing::Bearing& bearing,
+                                                          const BallStaticsOptions& options,
+                                                          StaticSolution& solution);
 
 }  // namespace adore::statics

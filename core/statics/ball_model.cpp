@@ -44,12 +44,12 @@ void set_frame(BallModel& m, double speed, const Eigen::Vector3d& field) {
   m.field = field;
   m.moving = m.moving || speed != 0.0;
   const double turning = m.base_orbital + speed;
-  const auto set = [&](BallSeat& seat) {
+  const auto set = [&](BallInGrooves& seat) {
     seat.base_centrifugal = seat.mass * 0.5 * m.balls.pitch_diameter * turning * turning;
     seat.window = 1e-3 * seat.base_centrifugal;
   };
   set(m);
-  for (BallSeat& seat : m.own) set(seat);
+  for (BallInGrooves& seat : m.own) set(seat);
 }
 
 }  // namespace
@@ -59,10 +59,10 @@ HertzSeries::HertzSeries(const bearing::BallGeometry& balls, int race, double E_
     : balls_(balls),
       race_(race),
       E_star_(E_star),
-      varying_(curvature == Curvature::Actual || curvature == Curvature::Potential) {
+      varies_with_angle_(curvature == Curvature::Actual || curvature == Curvature::Potential) {
   reference_ =
       contact::hertz_constants(contact::race_curvature(balls, race, reference_angle), E_star);
-  if (!varying_) {
+  if (!varies_with_angle_) {
     return;
   }
   if (curvature == Curvature::Potential) {
@@ -81,17 +81,18 @@ HertzSeries::HertzSeries(const bearing::BallGeometry& balls, int race, double E_
     log_K[k] = std::log(h.K / reference_.K);
     log_a[k] = std::log(h.a_hat / reference_.a_hat);
   }
-  log_K_ = with_slope(chebyshev_coefficients(log_K));
-  log_a_ = with_slope(chebyshev_coefficients(log_a));
+  log_K_ = series_with_derivative(chebyshev_coefficients(log_K));
+  log_a_ = series_with_derivative(chebyshev_coefficients(log_a));
 }
 
 contact::HertzConstants HertzSeries::at(double alpha) const {
-  return varying_ ? contact::hertz_constants(contact::race_curvature(balls_, race_, alpha), E_star_)
-                  : reference_;
+  return varies_with_angle_
+             ? contact::hertz_constants(contact::race_curvature(balls_, race_, alpha), E_star_)
+             : reference_;
 }
 
 /// d/dx Σ c_k T_k = Σ d_k T_k with d_(k-1) = d_(k+1) + 2 k c_k, d_0 halved [mason2003].
-HertzSeries::Series HertzSeries::with_slope(const std::vector<double>& coefficients) {
+HertzSeries::Series HertzSeries::series_with_derivative(const std::vector<double>& coefficients) {
   const std::size_t n = coefficients.size();
   Series out(n, Eigen::Array2d::Zero());
   for (std::size_t k = n; k-- > 0;) {
@@ -120,7 +121,7 @@ HertzSeries::Value HertzSeries::evaluate(const Series& series, double c) noexcep
   return {sum(0), sum(1)};
 }
 
-SpinLaw first_spin_law(const bearing::Bearing& bearing, const StaticsOptions& options) {
+SpinLaw first_spin_law(const bearing::Bearing& bearing, const BallStaticsOptions& options) {
   using Axis = SpinLaw::Axis;
   using Share = SpinLaw::Share;
   switch (options.control) {
@@ -146,7 +147,7 @@ SpinLaw first_spin_law(const bearing::Bearing& bearing, const StaticsOptions& op
   return {Axis::OuterControl, Share::Outer};
 }
 
-BallModel make_ball_model(const bearing::Bearing& bearing, const StaticsOptions& options) {
+BallModel make_ball_model(const bearing::Bearing& bearing, const BallStaticsOptions& options) {
   if (bearing.element_count() < 1) {
     throw InputError(
         fmt::format("ball bearing: {} balls; there must be at least one", bearing.element_count()));
@@ -178,7 +179,7 @@ BallModel make_ball_model(const bearing::Bearing& bearing, const StaticsOptions&
   m.spin_angle = prescribed_pitch_angle(bearing.spin_angle);
 
   for (std::size_t j = 0; j < 2; ++j) {
-    m.half[j] = contact::split_halves(m.balls, m.groove, static_cast<int>(j));
+    m.half[j] = contact::split_race_halves(m.balls, m.groove, static_cast<int>(j));
     m.split = m.split || m.half[j][0].is_split();
   }
   const double free_angle = bearing.balls().contact_angle;
@@ -207,7 +208,7 @@ BallModel make_ball_model(const bearing::Bearing& bearing, const StaticsOptions&
     m.azimuth[static_cast<std::size_t>(k)] =
         options.first_azimuth + 2.0 * std::numbers::pi * k / bearing.element_count();
   }
-  add_imperfect_seats(m, bearing, options);
+  add_imperfect_balls(m, bearing, options);
   if (options.frame) set_frame(m, options.frame->speed, options.frame->field());
   return m;
 }

@@ -33,9 +33,9 @@ class HertzSeries {
   [[nodiscard]] Value log_K(double cos_alpha) const noexcept { return evaluate(log_K_, cos_alpha); }
   [[nodiscard]] Value log_a(double cos_alpha) const noexcept { return evaluate(log_a_, cos_alpha); }
   [[nodiscard]] const contact::HertzConstants& reference() const noexcept { return reference_; }
-  [[nodiscard]] bool varying() const noexcept { return varying_; }
+  [[nodiscard]] bool varying() const noexcept { return varies_with_angle_; }
   /// K as the dynamics have it, whose slope leans the force; `follows` with Curvature::Potential.
-  [[nodiscard]] const contact::AngleLaw& law() const noexcept { return law_; }
+  [[nodiscard]] const contact::HertzAngleLaw& law() const noexcept { return law_; }
   /// Exact constants at one angle (no series).
   [[nodiscard]] contact::HertzConstants at(double alpha) const;
 
@@ -43,15 +43,15 @@ class HertzSeries {
   /// Coefficients of a series and of its derivative, side by side: one sum of two lanes.
   using Series = std::vector<Eigen::Array2d>;
   static Value evaluate(const Series& series, double c) noexcept;
-  static Series with_slope(const std::vector<double>& coefficients);
+  static Series series_with_derivative(const std::vector<double>& coefficients);
 
   Series log_K_, log_a_;  ///< empty when nothing varies
-  contact::AngleLaw law_;
+  contact::HertzAngleLaw law_;
   contact::HertzConstants reference_;
   bearing::BallGeometry balls_;
   int race_ = 0;
   double E_star_ = 0.0;
-  bool varying_ = false;
+  bool varies_with_angle_ = false;
 };
 
 /// Where the spin axis comes from, and how the races share the gyroscopic moment.
@@ -69,7 +69,7 @@ struct SpinLaw {
 };
 
 /// One ball and the two grooves where it runs.
-struct BallSeat {
+struct BallInGrooves {
   contact::GrooveGeometry groove;
   std::array<HertzSeries, 2> hertz;
   std::array<double, 2> surface_radius{};  ///< 2fD/(2f+1), deformed contact surface [m]
@@ -88,7 +88,7 @@ struct BallSeat {
 };
 
 /// What all balls share. The base is the seat of a nominal ball in ideal grooves.
-struct BallModel : BallSeat {
+struct BallModel : BallInGrooves {
   bearing::BallGeometry balls;
   std::array<double, 2> race_speed{};  ///< [rad/s]
   bool moving = false;                 ///< any race turns
@@ -105,21 +105,21 @@ struct BallModel : BallSeat {
   double spin_angle = 0.0;  ///< prescribed pitch angle [rad]
   double own_speed_share =
       1.0;  ///< 0: conservative problem (constant K and base speed); 1: the full one
-  std::array<std::array<contact::SplitHalf, 2>, 2> half{};  ///< by race; of a nominal ball
-  bool split = false;                                       ///< a race is
-  std::vector<double> azimuth;                              ///< [rad]
-  std::vector<BallSeat> own;            ///< seats of balls that differ from the nominal one
+  std::array<std::array<contact::SplitRaceHalf, 2>, 2> half{};  ///< by race; of a nominal ball
+  bool split = false;                                           ///< a race is
+  std::vector<double> azimuth;                                  ///< [rad]
+  std::vector<BallInGrooves> own;       ///< seats of balls that differ from the nominal one
   std::vector<std::size_t> own_number;  ///< by ball: 1 + index into own, 0: nominal; empty: all 0
 
   /// Seat of the ball with this BallSite::own.
-  [[nodiscard]] const BallSeat& seat(std::size_t own_number_of_ball) const {
+  [[nodiscard]] const BallInGrooves& seat(std::size_t own_number_of_ball) const {
     return own_number_of_ball == 0 ? *this : own[own_number_of_ball - 1];
   }
 };
 
 /// @throws InputError naming the value that makes no bearing.
 [[nodiscard]] BallModel make_ball_model(const bearing::Bearing& bearing,
-                                        const StaticsOptions& options);
+                                        const BallStaticsOptions& options);
 
 /// Fills own and own_number for the imperfections of the bearing (bearing.imperfections): balls of
 /// other diameter, grooves whose bottom or radius is another at the ball's azimuth.
@@ -128,11 +128,11 @@ struct BallModel : BallSeat {
 /// dR/dψ of its bottom, so that a wave pushes it sideways; that of the outer race pushes the ball
 /// against its cage and has no effect here.
 /// @throws InputError naming the ball that does not fit its groove.
-void add_imperfect_seats(BallModel& model, const bearing::Bearing& bearing,
-                         const StaticsOptions& options);
+void add_imperfect_balls(BallModel& model, const bearing::Bearing& bearing,
+                         const BallStaticsOptions& options);
 
 /// The spin law that the options ask for (race control starts as outer control).
 [[nodiscard]] SpinLaw first_spin_law(const bearing::Bearing& bearing,
-                                     const StaticsOptions& options);
+                                     const BallStaticsOptions& options);
 
 }  // namespace adore::statics

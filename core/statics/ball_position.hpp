@@ -14,7 +14,7 @@ namespace adore::statics {
 
 /// Of a ball in balance of friction (ball_friction.hpp), instead of the spin rule's: values at the
 /// contacts `at` and their slopes there over s = (Q_o, Q_i, α_o, α_i, r).
-struct GivenTractions {
+struct LinearizedTractions {
   static constexpr std::size_t kPlaces = 5;
   struct Value {
     double value = 0.0;
@@ -38,11 +38,11 @@ struct BallSite {
       std::numeric_limits<double>::quiet_NaN();  ///< where the least-heat search starts
   double axis_shift = 0.0;  ///< least heat: β by the law of the deck minus β at a constant
                             ///< coefficient (least_heat.hpp) [rad]
-  std::optional<GivenTractions> tractions;
+  std::optional<LinearizedTractions> tractions;
 };
 
 template <class P>
-RacePose<P> inner_pose(const BallModel& m, const std::array<P, 5>& q) {
+RacePose<P> inner_race_pose(const BallModel& m, const std::array<P, 5>& q) {
   RacePose<P> pose;
   pose.q = q;
   if (m.exact) {
@@ -54,15 +54,16 @@ RacePose<P> inner_pose(const BallModel& m, const std::array<P, 5>& q) {
 
 /// Both races as one ball sees them: in its azimuth frame.
 template <class P>
-struct SeenRaces {
+struct RacesInAzimuthFrame {
   std::array<Triple<P>, 2> centre{}, axis{};              ///< exact kinematics [m], unit vector
   std::array<P, 2> shift_x{0.0, 0.0}, shift_r{0.0, 0.0};  ///< of the groove centre: linear [m]
   P ahead = 0.0;  ///< azimuth of the ball in the inner race minus that of its seat: linear [rad]
 };
 
 template <class P>
-SeenRaces<P> see_races(const BallModel& m, const BallSite& site, const RacePose<P>& inner) {
-  SeenRaces<P> seen;
+RacesInAzimuthFrame<P> races_in_azimuth_frame(const BallModel& m, const BallSite& site,
+                                              const RacePose<P>& inner) {
+  RacesInAzimuthFrame<P> seen;
   const contact::GrooveGeometry& groove = m.seat(site.own).groove;
   const double s = site.sin, c = site.cos;
   if (m.exact) {
@@ -95,9 +96,9 @@ struct GroovePosition {
 template <class S, class P>
 std::array<GroovePosition<S, P>, 2> groove_positions(const BallModel& m, const BallSite& site,
                                                      const S& x, const S& rho,
-                                                     const SeenRaces<P>& races) {
+                                                     const RacesInAzimuthFrame<P>& races) {
   std::array<GroovePosition<S, P>, 2> position;
-  const BallSeat& seat = m.seat(site.own);
+  const BallInGrooves& seat = m.seat(site.own);
   const contact::GrooveGeometry& groove = seat.groove;
   for (std::size_t j = 0; j < 2; ++j) {
     GroovePosition<S, P>& p = position[j];
@@ -107,7 +108,7 @@ std::array<GroovePosition<S, P>, 2> groove_positions(const BallModel& m, const B
       const Triple<S> d{x - centre.x, r - centre.y, S(-centre.z)};
       const Triple<P>& axis = races.axis[j];
       const Triple<S> k{S(axis.x), S(axis.y), S(axis.z)};
-      const auto place = contact::groove_place(d, k, groove.centre_radius[j]);
+      const auto place = contact::groove_coordinates(d, k, groove.centre_radius[j]);
       p = {place.axial, place.lift, axis, place.e};
     } else {
       // Directions stay those of the azimuth frame.

@@ -28,8 +28,8 @@ bool update_race(const BallModel& model, const Vec5& q, BallRace& state, double 
     displacement[k] = q(static_cast<Eigen::Index>(k));
     variable[k] = RaceDual::variable(displacement[k], static_cast<int>(k) + 2);
   }
-  const auto pose = inner_pose<double>(model, displacement);
-  const auto pose_with_derivatives = inner_pose<RaceDual>(model, variable);
+  const auto pose = inner_race_pose<double>(model, displacement);
+  const auto pose_with_derivatives = inner_race_pose<RaceDual>(model, variable);
   const Vec5 change = q - state.q;
   state.load.setZero();
   state.stiffness.setZero();
@@ -45,7 +45,8 @@ bool update_race(const BallModel& model, const Vec5& q, BallRace& state, double 
     if (!solve_ball(model, pose, ball, accuracy)) {
       return false;
     }
-    const BallShare share = ball_share(model, pose_with_derivatives, ball, accuracy > 0.0);
+    const BallLoadContribution share =
+        ball_share(model, pose_with_derivatives, ball, accuracy > 0.0);
     state.load += share.load;
     state.stiffness += share.stiffness;
     state.largest_contact = std::max(state.largest_contact, share.largest_load);
@@ -54,7 +55,7 @@ bool update_race(const BallModel& model, const Vec5& q, BallRace& state, double 
   return true;
 }
 
-Vec5 first_guess(const BallModel& m, const RaceTask& task, const Vec5& given) {
+Vec5 first_guess(const BallModel& m, const RaceLoadCase& task, const Vec5& given) {
   Vec5 q = given;
   const double S = m.offset_sum();
   const double across =

@@ -18,13 +18,13 @@ using BallRace = RaceState<BallState>;
 /// load is the gradient of a convex potential.
 [[nodiscard]] bool is_conservative(const BallModel& model);
 
-[[nodiscard]] inline double first_accuracy(const BallModel&) { return 1e-3; }
+[[nodiscard]] inline double initial_accuracy(const BallModel&) { return 1e-3; }
 
 /// Re-solves every ball for displacement q. False when a ball has no equilibrium.
 [[nodiscard]] bool update_race(const BallModel& model, const Vec5& q, BallRace& state,
                                double accuracy = 0.0);
 
 /// Cold start: thrust and radial load brought to first contact plus an estimate of the deflection.
-[[nodiscard]] Vec5 first_guess(const BallModel& model, const RaceTask& task, const Vec5& given);
+[[nodiscard]] Vec5 first_guess(const BallModel& model, const RaceLoadCase& task, const Vec5& given);
 
 }  // namespace adore::statics

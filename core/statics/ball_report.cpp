@@ -1,5 +1,6 @@
 #include "statics/ball_report.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "statics/race_text.hpp"
 
@@ -8,13 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace adore::statics {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<const char*, 2> kRaceName{"outer", "inner"};
 
 /// Row of the no-slip condition at race j for the unknowns (ω_m, ω_x, ω_r), all absolute:
@@ -32,7 +31,7 @@ SlipRow slip_row(const BallModel& m, const BallSite& site, std::size_t j,
   const auto& p = f.position[j];
   const auto& c = f.contact[j];
   const Triple<double> major = c.n_k * p.e - c.n_e * p.a;
-  const BallSeat& seat = m.seat(site.own);
+  const BallInGrooves& seat = m.seat(site.own);
   const double rho = seat.surface_radius[j];
   const double ball = seat.groove.ball_radius;
   const double a2 = a_half * a_half;
@@ -51,7 +50,7 @@ void report_speeds(const BallModel& m, const BallSite& site, const BallForces<do
   if (!m.moving) {
     return;
   }
-  const BallSeat& seat = m.seat(site.own);
+  const BallInGrooves& seat = m.seat(site.own);
   const bool outer = f.contact[0].load > 0.0;
   const bool inner = f.contact[1].load > 0.0;
   if (outer && inner && !m.per_ball_speeds) {
@@ -67,7 +66,7 @@ void report_speeds(const BallModel& m, const BallSite& site, const BallForces<do
     return;
   }
   if (!(outer && inner)) {
-    s.pitch_angle = kNone;
+    s.pitch_angle = kNaN;
     s.omega_x = s.orbital_speed;
     if (outer) {
       const Direction<double> straight{0.0, 1.0};
@@ -123,12 +122,12 @@ double load_beyond(double xi) {
 }
 
 /// N94: far edge against the shoulder, near edge against the groove-centre plane.
-void report_edges(const BallModel& m, const BallSeat& seat, std::size_t j, StaticBall& s) {
+void report_edges(const BallModel& m, const BallInGrooves& seat, std::size_t j, StaticBall& s) {
   const double shoulder = 0.5 * m.balls.shoulder_diameter[j];
   const contact::ContactEdges edges =
       contact::contact_edges(seat.groove, static_cast<int>(j), s.alpha[j], s.a[j], shoulder);
   s.inner_chord[j] = edges.centre_chord;
-  s.shoulder_depth[j] = shoulder > 0.0 ? edges.shoulder_depth : kNone;
+  s.shoulder_depth[j] = shoulder > 0.0 ? edges.shoulder_depth : kNaN;
   if (edges.shoulder_depth < 0.0) {
     const double radius = seat.groove.groove_radius[j];
     const double sign = j == 0 ? 1.0 : -1.0;
@@ -140,7 +139,7 @@ void report_edges(const BallModel& m, const BallSeat& seat, std::size_t j, Stati
 
 /// The contact surface, an arc through the ends of the ellipse, needs a ball that is longer than
 /// these.
-void check_ellipse(const BallSeat& seat, std::size_t j, const StaticBall& s) {
+void check_ellipse(const BallInGrooves& seat, std::size_t j, const StaticBall& s) {
   const double radius = seat.groove.ball_radius;
   if (s.a[j] < radius) {
     return;
@@ -159,11 +158,11 @@ void check_ellipse(const BallSeat& seat, std::size_t j, const StaticBall& s) {
 /// centre in use on the side of the contact. Where the ball's nearest point of the other arc would
 /// lie beyond the split, the ridge is the nearest.
 /// @param xi from the arc in use, along the race axis
-double gap_to_other_half(const BallModel& m, const BallSeat& seat, std::size_t j, double xi,
+double gap_to_other_half(const BallModel& m, const BallInGrooves& seat, std::size_t j, double xi,
                          double eta) {
   const double shim = m.balls.shim[j];
   if (!(shim > 0.0)) {
-    return kNone;
+    return kNaN;
   }
   const double radius = seat.groove.groove_radius[j];
   const double towards = std::abs(xi);  // along the axis, to the side of the contact
@@ -189,31 +188,39 @@ std::vector<std::size_t> balls_that(const std::vector<StaticBall>& balls, Predic
 
 /// Balls on both halves of a split race, and ellipses that the split cuts.
 void note_split_race(const BallModel& m, std::size_t j, const std::vector<StaticBall>& balls,
-                     std::vector<std::string>& notes) {
+                     std::vector<Finding>& notes) {
   if (!(m.balls.shim[j] > 0.0)) return;
+  const auto note = [&](const char* code, const std::vector<std::size_t>& numbers,
+                        std::string text) -> Finding& {
+    notes.push_back(make_finding(code, std::move(text)));
+    return notes.back().of(fmt::format("{}, {} race", number_list(numbers, "ball"), kRaceName[j]));
+  };
   const auto dual = balls_that(balls, [&](const StaticBall& b) { return b.second[j].Q > 0.0; });
   if (!dual.empty()) {
     double heaviest = 0.0;
     for (const StaticBall& b : balls) heaviest = std::max(heaviest, b.second[j].Q);
-    notes.push_back(
-        fmt::format("{}: dual contact with both halves of the split {} race; the load of the "
-                    "second contact is up to {:.4g} N",
-                    number_list(dual, "ball"), kRaceName[j], heaviest));
+    note("statics.dual_contact", dual,
+         fmt::format("{}: dual contact with both halves of the split {} race; the load of the "
+                     "second contact is up to {:.4g} N",
+                     number_list(dual, "ball"), kRaceName[j], heaviest))
+        .measure(heaviest);
   }
   const auto forward = balls_that(
       balls, [&](const StaticBall& b) { return b.alpha[j] > 0.0 && !(b.second[j].Q > 0.0); });
   const auto backward = balls_that(
       balls, [&](const StaticBall& b) { return b.alpha[j] < 0.0 && !(b.second[j].Q > 0.0); });
   if (!forward.empty() && !backward.empty())
-    notes.push_back(fmt::format(
-        "the balls touch both halves of the split {} race: {} on one half, {} on the other half",
-        kRaceName[j], number_list(forward, "ball"), number_list(backward, "ball")));
+    note("statics.split_race", forward,
+         fmt::format("the balls touch both halves of the split {} race: {} on one half, {} on the "
+                     "other half",
+                     kRaceName[j], number_list(forward, "ball"), number_list(backward, "ball")));
   const auto cut = balls_that(
       balls, [&](const StaticBall& b) { return b.share[j] < 1.0 && !(b.second[j].Q > 0.0); });
   if (!cut.empty())
-    notes.push_back(fmt::format(
-        "{}: the split of the {} race cuts the contact ellipse, so dual contact is possible",
-        number_list(cut, "ball"), kRaceName[j]));
+    note("statics.dual_contact", cut,
+         fmt::format("{}: the split of the {} race cuts the contact ellipse, so dual contact is "
+                     "possible",
+                     number_list(cut, "ball"), kRaceName[j]));
 }
 
 /// One contact of a ball, and where it is cut by a split.
@@ -221,8 +228,8 @@ struct Contact {
   double Q, alpha, delta, a, b, p_max, K, share, E_integral;
 };
 /// @param whole load of the whole ellipse
-Contact contact_of(const BallSeat& seat, std::size_t j, double alpha, double delta, double load,
-                   double whole) {
+Contact contact_of(const BallInGrooves& seat, std::size_t j, double alpha, double delta,
+                   double load, double whole) {
   const contact::HertzConstants hertz = seat.hertz[j].at(alpha);
   const double cube_root = std::cbrt(whole);
   Contact c{load, alpha,   delta,        hertz.a_hat * cube_root, hertz.b_hat * cube_root,
@@ -232,12 +239,12 @@ Contact contact_of(const BallSeat& seat, std::size_t j, double alpha, double del
 }
 
 /// Both contacts of a ball with a split race, the one with more load first. @returns the half
-std::size_t report_halves(const BallModel& m, const BallSeat& seat, std::size_t j,
+std::size_t report_halves(const BallModel& m, const BallInGrooves& seat, std::size_t j,
                           const GroovePosition<double>& p, Contact& first, SecondContact& second) {
   std::array<ContactState<double>, 2> state;
   std::array<double, 2> whole{};
   for (std::size_t h = 0; h < 2; ++h) {
-    state[h] = half_state(m, seat, j, p, h);
+    state[h] = half_contact_state(m, seat, j, p, h);
     if (!(state[h].load > 0.0)) continue;
     GroovePosition<double> of_half = p;
     of_half.xi -= m.half[j][h].shift;
@@ -259,17 +266,17 @@ std::size_t report_halves(const BallModel& m, const BallSeat& seat, std::size_t 
 
 }  // namespace
 
-StaticBall on_other_halves(const StaticBall& ball) {
+StaticBall ball_at_second_contacts(const StaticBall& ball) {
   StaticBall out = ball;
   for (std::size_t j = 0; j < 2; ++j) {
     const SecondContact& second = ball.second[j];
     out.Q[j] = second.Q;
-    out.alpha[j] = second.Q > 0.0 ? second.alpha : kNone;
+    out.alpha[j] = second.Q > 0.0 ? second.alpha : kNaN;
     out.delta[j] = second.delta;
     out.a[j] = second.a, out.b[j] = second.b, out.p_max[j] = second.p_max;
     out.K[j] = second.K, out.share[j] = second.share;
-    out.inner_chord[j] = second.Q > 0.0 ? second.inner_chord : kNone;
-    out.shoulder_depth[j] = second.Q > 0.0 ? second.shoulder_depth : kNone;
+    out.inner_chord[j] = second.Q > 0.0 ? second.inner_chord : kNaN;
+    out.shoulder_depth[j] = second.Q > 0.0 ? second.shoulder_depth : kNaN;
     out.beyond[j] = 0.0;
     out.second[j] = {};
   }
@@ -279,35 +286,36 @@ StaticBall on_other_halves(const StaticBall& ball) {
 std::vector<StaticBall> StaticSolution::second_contacts() const {
   std::vector<StaticBall> out;
   for (const StaticBall& ball : balls)
-    if (has_second(ball)) out.push_back(on_other_halves(ball));
+    if (has_second_contact(ball)) out.push_back(ball_at_second_contacts(ball));
   return out;
 }
 
 StaticBall report_ball(const BallModel& m, const std::array<double, 5>& q, const BallState& ball) {
   StaticBall s;
   const BallSite& site = ball.site;
-  const BallSeat& seat = m.seat(site.own);
-  const auto f = ball_forces<double>(m, site, ball.x, ball.rho, inner_pose<double>(m, q));
+  const BallInGrooves& seat = m.seat(site.own);
+  const auto f = ball_forces<double>(m, site, ball.x, ball.rho, inner_race_pose<double>(m, q));
   s.x = ball.x;
   s.r = 0.5 * m.balls.pitch_diameter + ball.rho;
   s.inner_contact = !ball.idle && f.contact[1].load > 0.0;
   s.inner_race_control = site.law.axis == SpinLaw::Axis::InnerControl;
   s.axis_shift = site.axis_shift;
-  s.race_control_ratio = kNone;
+  s.race_control_ratio = kNaN;
   std::array<double, 2> capacity{};
   for (std::size_t j = 0; j < 2; ++j) {
     const auto& c = f.contact[j];
     const bool loaded = !ball.idle && c.load > 0.0;
     const double alpha = contact::contact_angle(static_cast<int>(j), c.n_k, c.n_e);
-    s.alpha[j] = loaded ? alpha : kNone;
+    s.alpha[j] = loaded ? alpha : kNaN;
     s.delta[j] = c.approach;
-    s.spin_roll[j] = kNone;
-    s.friction[j] = loaded ? std::abs(c.friction) / c.load : kNone;
-    s.shoulder_depth[j] = kNone;
-    s.inner_chord[j] = kNone;
-    s.other_half[j] = kNone;
-    const contact::HertzConstants hertz = loaded ? hertz_here(seat, j, f.position[j], alpha)
-                                                 : seat.hertz[j].at(m.balls.contact_angle);
+    s.spin_roll[j] = kNaN;
+    s.friction[j] = loaded ? std::abs(c.friction) / c.load : kNaN;
+    s.shoulder_depth[j] = kNaN;
+    s.inner_chord[j] = kNaN;
+    s.other_half[j] = kNaN;
+    const contact::HertzConstants hertz = loaded
+                                              ? local_hertz_constants(seat, j, f.position[j], alpha)
+                                              : seat.hertz[j].at(m.balls.contact_angle);
     s.K[j] = hertz.K;
     if (!loaded) {
       continue;
@@ -327,7 +335,7 @@ StaticBall report_ball(const BallModel& m, const std::array<double, 5>& q, const
       s.K[j] = first.K, s.share[j] = first.share;
       s.other_half[j] = gap_to_other_half(m, seat, j, p.xi - m.half[j][half].shift, p.eta);
       if (s.second[j].Q > 0.0) {
-        StaticBall other = on_other_halves(s);
+        StaticBall other = ball_at_second_contacts(s);
         check_ellipse(seat, j, other);
         report_edges(m, seat, j, other);
         s.second[j].inner_chord = other.inner_chord[j];
@@ -341,7 +349,7 @@ StaticBall report_ball(const BallModel& m, const std::array<double, 5>& q, const
   s.orbital_speed = f.orbital;
   s.centrifugal_force = ball.idle ? 0.0 : f.centrifugal;
   s.gyroscopic_moment = f.gyroscopic;
-  s.pitch_angle = kNone;
+  s.pitch_angle = kNaN;
   report_speeds(m, site, f, s.r, s);
   if (capacity[0] > 0.0 && capacity[1] > 0.0) {
     const auto& outer = f.contact[0].alpha;
@@ -360,32 +368,40 @@ StaticBall report_ball(const BallModel& m, const std::array<double, 5>& q, const
   return s;
 }
 
-std::vector<std::string> report_notes(const BallModel& m, const std::vector<StaticBall>& balls) {
-  std::vector<std::string> notes;
+std::vector<Finding> ball_notes(const BallModel& m, const std::vector<StaticBall>& balls) {
+  std::vector<Finding> notes;
+  const auto note = [&](const char* code, const std::vector<std::size_t>& numbers,
+                        const char* text) -> Finding& {
+    const std::string list = number_list(numbers, "ball");
+    notes.push_back(make_finding(code, fmt::format("{}: {}", list, text)));
+    return notes.back().of(list);
+  };
   const auto outer_only =
       balls_that(balls, [](const StaticBall& b) { return b.Q[0] > 0.0 && !b.inner_contact; });
   if (!outer_only.empty()) {
-    notes.push_back(
-        fmt::format("{}: contact with the outer race only; position: where the normal of the outer "
-                    "groove is parallel to the centrifugal force",
-                    number_list(outer_only, "ball")));
+    note("statics.outer_only", outer_only,
+         "contact with the outer race only; position: where the normal of the outer groove is "
+         "parallel to the centrifugal force");
   }
   const auto unloaded =
       balls_that(balls, [](const StaticBall& b) { return b.Q[0] == 0.0 && b.Q[1] == 0.0; });
   if (!unloaded.empty()) {
-    notes.push_back(
-        fmt::format("{}: no load; assumed position at rest: touching the outer race, on the line "
-                    "between the groove centers",
-                    number_list(unloaded, "ball")));
+    note("statics.unloaded", unloaded,
+         "no load; assumed position at rest: touching the outer race, on the line between the "
+         "groove centers");
   }
   const auto steep = balls_that(balls, [](const StaticBall& b) {
     return std::abs(b.alpha[0]) > 0.5 * std::numbers::pi ||
            std::abs(b.alpha[1]) > 0.5 * std::numbers::pi;
   });
   if (!steep.empty()) {
-    notes.push_back(
-        fmt::format("{}: a contact angle beyond 90 degrees, which is not possible in a real groove",
-                    number_list(steep, "ball")));
+    double largest = 0.0;
+    for (const std::size_t k : steep)
+      for (const double alpha : balls[k - 1].alpha)
+        if (std::isfinite(alpha)) largest = std::max(largest, std::abs(alpha));
+    note("statics.steep_angle", steep,
+         "a contact angle beyond 90 degrees, which is not possible in a real groove")
+        .measure(largest * 180.0 / std::numbers::pi, 90.0);
   }
   for (std::size_t j = 0; j < 2; ++j) {
     note_split_race(m, j, balls, notes);

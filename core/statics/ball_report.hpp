@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "statics/ball_race.hpp"
 
 /// From the solved problem to what the outputs and the dynamic start read.
@@ -20,7 +21,7 @@ void fill_summary(const BallModel& model, StaticSolution& solution);
 
 /// Notes about the whole solution: balls without inner contact or load, contact angles beyond 90
 /// degrees, ellipses over a shoulder or across a split.
-[[nodiscard]] std::vector<std::string> report_notes(const BallModel& model,
-                                                    const std::vector<StaticBall>& balls);
+[[nodiscard]] std::vector<Finding> ball_notes(const BallModel& model,
+                                              const std::vector<StaticBall>& balls);
 
 }  // namespace adore::statics

@@ -31,8 +31,8 @@ double deform_groove(const BallModel& m, std::size_t j, const bearing::RaceError
 }
 
 /// The seat of ball k, and whether it differs from the nominal one.
-bool make_seat(const BallModel& m, const bearing::Bearing& b, const StaticsOptions& options,
-               std::size_t k, BallSeat& seat) {
+bool make_seat(const BallModel& m, const bearing::Bearing& b, const BallStaticsOptions& options,
+               std::size_t k, BallInGrooves& seat) {
   const auto& errors = b.imperfections;
   const double growth = k < errors.ball_diameter.size() ? errors.ball_diameter[k] : 0.0;
   const bearing::Inertia own_inertia = bearing::inertia_of(b, k);
@@ -65,7 +65,7 @@ bool make_seat(const BallModel& m, const bearing::Bearing& b, const StaticsOptio
     differs = true;
     if (bearing::table_of(errors.race[j].given.get()) != nullptr) {
       struct Kept {
-        std::shared_ptr<const bearing::GivenRace> given;
+        std::shared_ptr<const bearing::SurfaceSeries> given;
         contact::WavyGroove groove;
       };
       const auto race = static_cast<int>(j);
@@ -73,8 +73,8 @@ bool make_seat(const BallModel& m, const bearing::Bearing& b, const StaticsOptio
           Kept{errors.race[j].given,
                contact::make_wavy_groove(m.balls, race, errors.race[j], options.fixed_angle[j])});
       if (growth != 0.0)
-        kept->groove.ratios =
-            contact::ratios_of_ball(m.balls, growth, race, errors.race[j], options.fixed_angle[j]);
+        kept->groove.ratios = contact::ratios_with_ball_growth(
+            m.balls, growth, race, errors.race[j], options.fixed_angle[j]);
       seat.table[j] = std::shared_ptr<const contact::WavyGroove>(kept, &kept->groove);
       seat.azimuth_in_race = m.azimuth[k];
       continue;
@@ -115,15 +115,15 @@ bool make_seat(const BallModel& m, const bearing::Bearing& b, const StaticsOptio
 
 }  // namespace
 
-void add_imperfect_seats(BallModel& m, const bearing::Bearing& bearing,
-                         const StaticsOptions& options) {
+void add_imperfect_balls(BallModel& m, const bearing::Bearing& bearing,
+                         const BallStaticsOptions& options) {
   const auto& errors = bearing.imperfections;
   if (errors.ball_diameter.empty() && !bearing.first_inertia && errors.race[0].ideal() &&
       errors.race[1].ideal()) {
     return;
   }
   m.own_number.assign(m.azimuth.size(), 0);
-  BallSeat seat;
+  BallInGrooves seat;
   for (std::size_t k = 0; k < m.azimuth.size(); ++k) {
     if (make_seat(m, bearing, options, k, seat)) {
       m.own.push_back(seat);

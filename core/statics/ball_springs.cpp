@@ -58,12 +58,12 @@ bool update_race(const BallSprings& springs, const Vec5& q, RaceState<BallSpring
   return true;
 }
 
-Vec5 guess_by_springs(const BallModel& model, const RaceTask& task, const Vec5& q) {
+Vec5 guess_by_springs(const BallModel& model, const RaceLoadCase& task, const Vec5& q) {
   RaceState<BallSpring> state;
   state.q = q;
   for (const double azimuth : model.azimuth)
     state.elements.push_back({std::sin(azimuth), std::cos(azimuth)});
-  const RaceSolve solve = solve_race(BallSprings{model}, task, state, 0.01);
+  const RaceSolveResult solve = solve_race(BallSprings{model}, task, state, 0.01);
   return solve.converged ? state.q : q;
 }
 

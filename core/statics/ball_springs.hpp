@@ -25,11 +25,12 @@ struct BallSpring {
 [[nodiscard]] RaceScales race_scales(const BallSprings& springs);
 [[nodiscard]] double reference_stiffness(const BallSprings& springs, double load);
 [[nodiscard]] inline bool is_conservative(const BallSprings&) { return true; }
-[[nodiscard]] inline double first_accuracy(const BallSprings&) { return 0.0; }
+[[nodiscard]] inline double initial_accuracy(const BallSprings&) { return 0.0; }
 bool update_race(const BallSprings& springs, const Vec5& q, RaceState<BallSpring>& state,
                  double accuracy = 0.0);
 
 /// Equilibrium on the springs to a hundredth of the load, from q; q where there is none.
-[[nodiscard]] Vec5 guess_by_springs(const BallModel& model, const RaceTask& task, const Vec5& q);
+[[nodiscard]] Vec5 guess_by_springs(const BallModel& model, const RaceLoadCase& task,
+                                    const Vec5& q);
 
 }  // namespace adore::statics

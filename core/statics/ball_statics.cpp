@@ -20,7 +20,7 @@ namespace {
 std::array<double, 5> to_array(const Vec5& v) { return {v(0), v(1), v(2), v(3), v(4)}; }
 
 double steepest_contact_angle(const BallModel& m, const BallRace& state) {
-  const auto pose = inner_pose<double>(m, to_array(state.q));
+  const auto pose = inner_race_pose<double>(m, to_array(state.q));
   double steepest = 0.0;
   for (const BallState& ball : state.elements) {
     for (const auto& c : ball_forces<double>(m, ball.site, ball.x, ball.rho, pose).contact) {
@@ -33,8 +33,9 @@ double steepest_contact_angle(const BallModel& m, const BallRace& state) {
 }
 
 /// Why the last attempt failed, as precisely as can be told, and what would help.
-[[noreturn]] void give_up(const BallModel& m, const RaceTask& task, const RaceSolve& solve,
-                          const BallRace& state, double share) {
+[[noreturn]] void throw_no_equilibrium(const BallModel& m, const RaceLoadCase& task,
+                                       const RaceSolveResult& solve, const BallRace& state,
+                                       double share) {
   const std::string loads = load_text(task);
   const double steepest = steepest_contact_angle(m, state);
   std::string angles;
@@ -55,8 +56,8 @@ double steepest_contact_angle(const BallModel& m, const BallRace& state) {
       std::cbrt(force * force) * std::pow(m.hertz[1].reference().K, -2.0 / 3.0);
   if (deflection < 1e-11 * m.balls.pitch_diameter) {
     throw SolverError(
-        fmt::format("bearing equilibrium: {} deflects a contact by only {:.2g} m, which is too "
-                    "small for a pitch diameter of {:.4g} m. Set this load to zero",
+        fmt::format("bearing equilibrium: {} deflects a contact by only {:.2g} m, too small to be "
+                    "computed at a pitch diameter of {:.4g} m. Set this load to zero",
                     loads, deflection, m.balls.pitch_diameter));
   }
   if (share >= 0.0) {
@@ -70,27 +71,27 @@ double steepest_contact_angle(const BallModel& m, const BallRace& state) {
   throw SolverError(
       fmt::format("bearing equilibrium: under {} Newton's iteration {}{}{}; enter a first guess of "
                   "the displacement, or prescribe the displacement in one direction",
-                  loads, how_far(solve),
+                  loads, solve_failure_text(solve),
                   solve.element_failed ? ", because a ball lost its equilibrium" : "", angles));
 }
 
 /// Result of solve_in_stages. `reached` is the fraction of the full problem for which an
 /// equilibrium was found, negative when there was none for the conservative one.
 struct Staged {
-  RaceSolve solve;
+  RaceSolveResult solve;
   double reached = -1.0;
 };
 
 /// From the conservative problem, whose solution exists and is unique, to the full one: directly,
 /// else in fractions of what differs (ω_m and M_g of each ball, K over the contact angle). `cold`:
 /// the conservative problem comes first.
-Staged solve_in_stages(BallModel& m, const RaceTask& task, BallRace& state, bool cold) {
-  constexpr double kSmallest = 1.0 / 32.0;
+Staged solve_in_stages(BallModel& m, const RaceLoadCase& task, BallRace& state, bool cold) {
+  constexpr double kMinStageStep = 1.0 / 32.0;
   const bool plain = !m.per_ball_speeds && !m.hertz[0].varying();
   Staged result;
   if (cold && !plain) {
     m.own_speed_share = 0.0;
-    result.solve = solve_race_surely(m, task, state, 0.03);
+    result.solve = solve_race_with_fallback(m, task, state, 0.03);
     if (!result.solve.converged) {
       return result;
     }
@@ -103,7 +104,7 @@ Staged solve_in_stages(BallModel& m, const RaceTask& task, BallRace& state, bool
     const int before = result.solve.iterations;
     // Between split races a ball that changes its halves makes a kink in the load.
     result.solve =
-        plain || m.split ? solve_race_surely(m, task, trial) : solve_race(m, task, trial);
+        plain || m.split ? solve_race_with_fallback(m, task, trial) : solve_race(m, task, trial);
     result.solve.iterations += before;
     if (result.solve.converged) {
       result.reached = m.own_speed_share;
@@ -111,7 +112,7 @@ Staged solve_in_stages(BallModel& m, const RaceTask& task, BallRace& state, bool
       step *= 2.0;
     } else {
       step *= step == 1.0 ? 0.25 : 0.5;
-      if (plain || step < kSmallest) {
+      if (plain || step < kMinStageStep) {
         m.own_speed_share = std::max(0.0, result.reached);
         break;
       }
@@ -133,8 +134,8 @@ std::string ball_numbers(const std::vector<std::size_t>& indices) {
 /// reduced by cos(α_i - α_o). The choice changes the forces, so it is repeated until it stands. A
 /// ball that wants to go back to the outer race stays there; where inner control has no
 /// equilibrium, outer control is kept. Both are noted.
-void settle_race_control(BallModel& m, const RaceTask& task, BallRace& state, RaceSolve& solve,
-                         std::vector<std::string>& notes) {
+void solve_race_control(BallModel& m, const RaceLoadCase& task, BallRace& state,
+                        RaceSolveResult& solve, std::vector<Finding>& notes) {
   std::vector<int> changes(state.elements.size(), 0);
   for (int pass = 0; pass < 4; ++pass) {
     std::vector<std::size_t> changed;
@@ -162,9 +163,12 @@ void settle_race_control(BallModel& m, const RaceTask& task, BallRace& state, Ra
       m.own_speed_share = 1.0;
       state = before;
       notes.push_back(
-          fmt::format("race control: the inner race would control the spin of {}, but the bearing "
-                      "has no equilibrium with inner race control; outer race control is used",
-                      ball_numbers(changed)));
+          make_finding("statics.race_control",
+                       fmt::format("race control: the inner race would control the spin of {}, but "
+                                   "the bearing has no equilibrium with inner race control; outer "
+                                   "race control is used",
+                                   ball_numbers(changed)))
+              .of(ball_numbers(changed)));
       return;
     }
     solve = staged.solve;
@@ -177,9 +181,12 @@ void settle_race_control(BallModel& m, const RaceTask& task, BallRace& state, Ra
     }
   }
   if (!undecided.empty()) {
-    notes.push_back(fmt::format(
-        "race control: either race may control the spin of {}; outer race control is used",
-        ball_numbers(undecided)));
+    notes.push_back(
+        make_finding("statics.race_control",
+                     fmt::format("race control: either race may control the spin of {}; outer race "
+                                 "control is used",
+                                 ball_numbers(undecided)))
+            .of(ball_numbers(undecided)));
   }
 }
 
@@ -187,7 +194,7 @@ void check_rolling(const BallModel& m, const BallRace& state) {
   const auto q = to_array(state.q);
   for (std::size_t k = 0; k < state.elements.size(); ++k) {
     const BallState& ball = state.elements[k];
-    if (!ball_forces<double>(m, ball.site, ball.x, ball.rho, inner_pose<double>(m, q)).rolls) {
+    if (!ball_forces<double>(m, ball.site, ball.x, ball.rho, inner_race_pose<double>(m, q)).rolls) {
       throw SolverError(
           fmt::format("bearing equilibrium: with the spin axis prescribed at {:.6g} degrees from "
                       "the bearing axis (angVelOrient minus multiples of 180 degrees), ball {} "
@@ -215,15 +222,16 @@ BallRace balls_at(const BallModel& model, const SpinLaw& law, const Vec5& q) {
 /// Where the race is before its balls are asked.
 enum class ColdStart : unsigned char { Springs, PlainGuess };
 
-Vec5 cold_start(const BallModel& model, const RaceTask& task, const Vec5& given, ColdStart start) {
+Vec5 cold_start(const BallModel& model, const RaceLoadCase& task, const Vec5& given,
+                ColdStart start) {
   const Vec5 plain = first_guess(model, task, given);
   return start == ColdStart::Springs ? guess_by_springs(model, task, plain) : plain;
 }
 
 StaticSolution solve_from(ColdStart start, const bearing::Bearing& bearing,
-                          const StaticsOptions& options) {
+                          const BallStaticsOptions& options) {
   BallModel model = make_ball_model(bearing, options);
-  const RaceTask task = race_task(bearing.constraints);
+  const RaceLoadCase task = race_load_case(bearing.constraints);
   Vec5 given;
   for (Eigen::Index k = 0; k < 5; ++k) {
     given(k) = bearing.constraints.displacement[static_cast<std::size_t>(k)];
@@ -234,25 +242,26 @@ StaticSolution solve_from(ColdStart start, const bearing::Bearing& bearing,
 
   StaticSolution solution;
   Staged staged = solve_in_stages(model, task, state, true);
-  const Vec5 nothing_guessed = given_only(task, given);
-  if (staged.reached < 1.0 && (options.warm_start || nothing_guessed != given)) {
-    state = balls_at(model, law, cold_start(model, task, nothing_guessed, start));
+  const Vec5 has_no_guess = given_displacements(task, given);
+  if (staged.reached < 1.0 && (options.warm_start || has_no_guess != given)) {
+    state = balls_at(model, law, cold_start(model, task, has_no_guess, start));
     staged = solve_in_stages(model, task, state, true);
-    solution.notes.push_back(
+    solution.notes.push_back(make_finding(
+        "statics.first_guess",
         "no equilibrium was found from the first guess of the displacement; this one was found "
-        "without the guess");
+        "without the guess"));
   }
   if (staged.reached < 1.0) {
-    give_up(model, task, staged.solve, state, staged.reached);
+    throw_no_equilibrium(model, task, staged.solve, state, staged.reached);
   }
-  RaceSolve& solve = staged.solve;
+  RaceSolveResult& solve = staged.solve;
   const bool race_control = options.control == Control::FromBearing &&
                             bearing.spin_rule == bearing::SpinRule::RaceControl;
   if (race_control && model.per_ball_speeds) {
-    settle_race_control(model, task, state, solve, solution.notes);
+    solve_race_control(model, task, state, solve, solution.notes);
   }
   if (law.axis == SpinLaw::Axis::LeastHeat) {
-    settle_least_heat(bearing, model, task, state, solve, solution.notes);
+    solve_least_heat(bearing, model, task, state, solve, solution.notes);
   }
   check_rolling(model, state);
   solution.displacement = to_array(state.q);
@@ -264,15 +273,15 @@ StaticSolution solve_from(ColdStart start, const bearing::Bearing& bearing,
     solution.balls.push_back(report_ball(model, solution.displacement, state.elements[k]));
     solution.balls.back().azimuth = model.azimuth[k];
   }
-  for (std::string& note : held_notes(solve.held, solution.displacement)) {
+  for (Finding& note : unsupported_direction_notes(solve.held, solution.displacement)) {
     solution.notes.push_back(std::move(note));
   }
   const double k_ref = reference_stiffness(model, std::max(state.largest_contact, 1e-300));
   if (const UnstableMode mode = unstable_mode(race_scales(model), task, state.stiffness, k_ref)) {
-    solution.other_equilibria = equilibria_beside(model, task, state, mode);
+    solution.other_equilibria = adjacent_stable_equilibria(model, task, state, mode);
     solution.notes.push_back(instability_note(mode, solution.other_equilibria));
   }
-  for (std::string& note : report_notes(model, solution.balls)) {
+  for (Finding& note : ball_notes(model, solution.balls)) {
     solution.notes.push_back(std::move(note));
   }
   fill_summary(model, solution);
@@ -284,7 +293,8 @@ StaticSolution solve_from(ColdStart start, const bearing::Bearing& bearing,
 
 }  // namespace
 
-StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const StaticsOptions& options) {
+StaticSolution solve_ball_statics(const bearing::Bearing& bearing,
+                                  const BallStaticsOptions& options) {
   try {
     return solve_from(ColdStart::Springs, bearing, options);
   } catch (const SolverError&) {

@@ -24,7 +24,7 @@ enum class Curvature : unsigned char {
   Free,       ///< at the free contact angle
   Potential,  ///< as Actual, and the force is the gradient of 0.4 K(α) δ^2.5
               ///< (contact/angle_law.hpp): the start of a dynamic run
-  Fixed       ///< at StaticsOptions::fixed_angle: the start of a dynamic run with frozen constants
+  Fixed  ///< at BallStaticsOptions::fixed_angle: the start of a dynamic run with frozen constants
 };
 enum class RingKinematics : unsigned char {
   Exact,  ///< rotation matrix of the race's tilt, as in dynamics: default
@@ -43,15 +43,15 @@ enum class Orbit : unsigned char {
   Nominal   ///< (Ω/2)(1 - γ' cos α_free), no gyroscopic moment
 };
 
-struct StaticsOptions {
+struct BallStaticsOptions {
   Curvature curvature = Curvature::Actual;
   std::array<double, 2> fixed_angle{};  ///< [rad], per race, Curvature::Fixed only
   RingKinematics kinematics = RingKinematics::Exact;
   Control control = Control::FromBearing;
   Orbit orbit = Orbit::PerBall;
   std::optional<bearing::FrameMotion> frame;  ///< base frame that turns; speeds relative to it
-  bool friction_balance = false;              ///< balance_balls() acts (ball_friction.hpp)
-  double first_azimuth = 0.0;                 ///< of ball 1 [rad]
+  bool friction_balance = false;  ///< solve_ball_friction_balance() acts (ball_friction.hpp)
+  double first_azimuth = 0.0;     ///< of ball 1 [rad]
   double difference_share = 0.0;  ///< above 0: stiffness by differences too, displaced by this
                                   ///< share of the largest contact deflection
   bool warm_start = false;  ///< use StaticConstraints::displacement of force-controlled directions
@@ -110,8 +110,8 @@ struct StaticBall {
 
 /// The ball with its second contacts in the place of the first, for sums over contacts. Without
 /// second contact Q is 0.
-[[nodiscard]] StaticBall on_other_halves(const StaticBall& ball);
-[[nodiscard]] inline bool has_second(const StaticBall& ball) {
+[[nodiscard]] StaticBall ball_at_second_contacts(const StaticBall& ball);
+[[nodiscard]] inline bool has_second_contact(const StaticBall& ball) {
   return ball.second[0].Q > 0.0 || ball.second[1].Q > 0.0;
 }
 
@@ -119,7 +119,7 @@ struct StaticSolution : RaceResult {
   std::array<contact::HertzConstants, 2> hertz{};  ///< at the free angle (Free), fixed angle
                                                    ///< (Fixed), or of the most loaded ball (Actual)
   std::vector<StaticBall> balls;
-  /// on_other_halves() of each ball that has a second contact.
+  /// ball_at_second_contacts() of each ball that has a second contact.
   [[nodiscard]] std::vector<StaticBall> second_contacts() const;
   double race_control_ratio =
       0.0;  ///< > 1: outer race control by the classical criterion (most loaded ball)
@@ -132,6 +132,6 @@ struct StaticSolution : RaceResult {
 /// @throws SolverError saying why no equilibrium was found (e.g. load cannot be carried in that
 /// direction) and what to do.
 [[nodiscard]] StaticSolution solve_ball_statics(const bearing::Bearing& bearing,
-                                                const StaticsOptions& options = {});
+                                                const BallStaticsOptions& options = {});
 
 }  // namespace adore::statics

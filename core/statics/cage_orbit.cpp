@@ -14,10 +14,10 @@ double CageOrbit::follow(const std::vector<double>& push, const StaticSolution& 
     moment += push[k] * solution.balls[k].r;
   }
   const double size = moment / (solution.max_load * radius);
-  constexpr double kFirst = 1e-5, kLongest = 1e-2;  // over the orbit
-  double step = kFirst * orbit_;
+  constexpr double kFirstOrbitStep = 1e-5, kMaxOrbitStep = 1e-2;  // over the orbit
+  double step = kFirstOrbitStep * orbit_;
   if (last_step_ != 0.0 && size != last_) step = -size * last_step_ / (size - last_);
-  step = std::clamp(step, -kLongest * std::abs(orbit_), kLongest * std::abs(orbit_));
+  step = std::clamp(step, -kMaxOrbitStep * std::abs(orbit_), kMaxOrbitStep * std::abs(orbit_));
   last_ = size;
   last_step_ = step;
   orbit_ += step;

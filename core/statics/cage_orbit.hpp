@@ -16,15 +16,15 @@ namespace adore::statics {
 class CageOrbit {
  public:
   CageOrbit(double orbit, std::vector<double> departure)
-      : orbit_(orbit), departure_(std::move(departure)) {}
-  [[nodiscard]] double of(std::size_t k) const { return orbit_ + departure_[k]; }
+      : orbit_(orbit), speed_deviations_(std::move(departure)) {}
+  [[nodiscard]] double of(std::size_t k) const { return orbit_ + speed_deviations_[k]; }
 
   /// Secant step of the cage. @return its moment over the largest load and the orbit's radius
   double follow(const std::vector<double>& push, const StaticSolution& solution);
 
  private:
   double orbit_, last_ = 0.0, last_step_ = 0.0;
-  std::vector<double> departure_;
+  std::vector<double> speed_deviations_;
 };
 
 /// Of balls in balance; empty: no cage, or its pockets let each of them orbit alone.

@@ -1,5 +1,6 @@
 #include "statics/contact_films.hpp"
 
+#include "base/constants.hpp"
 #include "bearing/material.hpp"
 #include "contact/groove.hpp"
 #include "contact/roller_shape.hpp"
@@ -8,12 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace adore::statics {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 class Films {
  public:
@@ -23,7 +21,7 @@ class Films {
     out_.provenance = oil_.provenance;
     out_.critical_film = bearing.lubrication->critical_film;
     out_.meniscus = bearing.lubrication->meniscus;
-    out_.lambda = {kNone, kNone};
+    out_.lambda = {kNaN, kNaN};
     for (std::size_t j = 0; j < 2; ++j) {
       out_.temperature[j] = 0.5 * (bearing.race_temperature[j] + bearing.element_temperature);
       inlet_[j] = tribology::inlet_oil(oil_, out_.temperature[j], out_.meniscus);
@@ -35,9 +33,9 @@ class Films {
   }
 
   /// @param load of the whole contact [N]
-  void add(std::size_t race, double load, double roughness, tribology::FilmContact contact) {
+  void add(std::size_t race, double load, double roughness, tribology::LubricatedContact contact) {
     contact.modulus = modulus_[race];
-    ElementFilm one{tribology::contact_film(inlet_[race], contact), std::abs(contact.speed), kNone};
+    ElementFilm one{tribology::contact_film(inlet_[race], contact), std::abs(contact.speed), kNaN};
     if (load > 0.0) {
       if (roughness > 0.0) one.lambda = one.film.minimum / roughness;
       if (one.film.minimum < out_.critical_film) ++out_.metal[race];
@@ -66,7 +64,7 @@ LubricantFilms contact_films(const bearing::Bearing& bearing, const StaticSoluti
   const bearing::BallGeometry& balls = bearing.balls();
   for (const StaticBall& ball : solution.balls)
     for (std::size_t j = 0; j < 2; ++j) {
-      tribology::FilmContact contact;
+      tribology::LubricatedContact contact;
       if (ball.Q[j] > 0.0) {
         const double angle = std::abs(ball.alpha[j]);
         contact.load = ball.Q[j];
@@ -90,7 +88,7 @@ LubricantFilms contact_films(const bearing::Bearing& bearing, const RollerSoluti
   for (std::size_t k = 0; k < solution.rollers.size(); ++k)
     for (std::size_t j = 0; j < 2; ++j) {
       const RollerRaceContact& at = solution.rollers[k].race[j];
-      tribology::FilmContact contact;
+      tribology::LubricatedContact contact;
       if (at.load > 0.0 && at.length > 0.0) {
         const contact::RollerRaceCurvature curvature =
             contact::roller_race_curvature(g, contact::roller_profile(g, g.deviation_of(k)),

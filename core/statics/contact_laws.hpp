@@ -29,7 +29,7 @@ class ContactLaws {
       temperature_[j] = 0.5 * (bearing.race_temperature[j] + bearing.element_temperature);
       modulus_[j] =
           2.0 * bearing::contact_modulus(bearing.element_material, bearing.race_material[j]);
-      tribology::FilmSurface surface;
+      tribology::RaceFilmInputs surface;
       surface.radius = 0.5 * bearing.element_diameter();  // contacts say theirs
       surface.modulus = modulus_[j];
       surface.wall_temperature = temperature_[j];
@@ -49,7 +49,7 @@ class ContactLaws {
     if (!given()) return bearing_.race_traction;
     std::optional<tribology::TractionLaw>& kept = kept_[j];
     if (kept && oil_->model == tribology::LubricantModel::ViscoElastic) return *kept;
-    tribology::FilmSurface surface;
+    tribology::RaceFilmInputs surface;
     surface.line = line;
     surface.radius = radius;
     surface.modulus = modulus_[j];
@@ -63,8 +63,8 @@ class ContactLaws {
   }
   /// κ of slip and peak pressure of a slice of a line, with the film of the whole line.
   [[nodiscard]] std::function<double(double, double)> line_law(
-      const tribology::TractionLaw& law, const tribology::FilmContact& contact) const {
-    tribology::ContactPoint<double> point;
+      const tribology::TractionLaw& law, const tribology::LubricatedContact& contact) const {
+    tribology::ContactConditions<double> point;
     point.load = contact.load;
     point.peak_pressure = contact.peak_pressure;
     point.half_minor = contact.half_width;
@@ -84,10 +84,11 @@ class ContactLaws {
   }
   /// Force of the oil in the inlet on each surface, with the sign of the entrainment; of lines per
   /// length [N, N/m].
-  [[nodiscard]] double rolling_force(std::size_t j, const tribology::FilmContact& contact) const {
+  [[nodiscard]] double rolling_resistance_force(std::size_t j,
+                                                const tribology::LubricatedContact& contact) const {
     if (!oil_ || !(bearing_.lubrication->meniscus > 0.0)) return 0.0;
     if (!(contact.load > 0.0) || contact.speed == 0.0) return 0.0;
-    tribology::ContactPoint<double> point;
+    tribology::ContactConditions<double> point;
     point.load = contact.load;
     point.peak_pressure = contact.peak_pressure;
     point.half_major = contact.k * contact.half_width;
@@ -97,21 +98,22 @@ class ContactLaws {
     return rolling_[j][contact.line ? 1 : 0].force(point);
   }
   /// Its power; of lines over their length [W].
-  [[nodiscard]] double rolling(std::size_t j, const tribology::FilmContact& contact,
+  [[nodiscard]] double rolling(std::size_t j, const tribology::LubricatedContact& contact,
                                double length) const {
-    return 2.0 * rolling_force(j, contact) * contact.speed * (contact.line ? length : 1.0);
+    return 2.0 * rolling_resistance_force(j, contact) * contact.speed *
+           (contact.line ? length : 1.0);
   }
   /// The same of a point contact whose strips along rolling resist as lines do, each under its own
   /// load, pressure and width: (3 Q/4a)(1 - y²), p √(1 - y²), b √(1 - y²).
-  [[nodiscard]] double rolling_of_strips(std::size_t j,
-                                         const tribology::FilmContact& contact) const {
+  [[nodiscard]] double rolling_power_of_strips(std::size_t j,
+                                               const tribology::LubricatedContact& contact) const {
     if (!oil_ || !(contact.load > 0.0) || contact.speed == 0.0) return 0.0;
     constexpr int kStrips = 40;
     const double a = contact.k * contact.half_width;
     double sum = 0.0;
     for (int i = 0; i < kStrips; ++i) {
       const double y = (2.0 * i + 1.0) / kStrips - 1.0, chord2 = 1.0 - y * y;
-      tribology::FilmContact strip = contact;
+      tribology::LubricatedContact strip = contact;
       strip.line = true;
       strip.load = 0.75 * contact.load / a * chord2;
       strip.peak_pressure = contact.peak_pressure * std::sqrt(chord2);
@@ -142,10 +144,11 @@ class ContactLaws {
 }
 
 /// What films read of a loaded contact of a ball, with the whole ellipse where a split cuts it.
-[[nodiscard]] inline tribology::FilmContact film_of(const bearing::Bearing& bearing,
-                                                    const StaticBall& ball, std::size_t j) {
+[[nodiscard]] inline tribology::LubricatedContact film_contact_of(const bearing::Bearing& bearing,
+                                                                  const StaticBall& ball,
+                                                                  std::size_t j) {
   const bearing::BallGeometry& balls = bearing.balls();
-  tribology::FilmContact film;
+  tribology::LubricatedContact film;
   film.load = ball.Q[j] / ball.share[j];
   film.radius =
       1.0 /
@@ -162,7 +165,7 @@ class ContactLaws {
 struct BallContact {
   double n_x = 0.0, n_r = 0.0;
   tribology::EllipseGeometry ellipse;
-  tribology::FilmContact film;
+  tribology::LubricatedContact film;
   tribology::TractionLaw law;
   double share = 1.0;  ///< of the whole ellipse above (StaticBall::share)
 };
@@ -180,7 +183,7 @@ struct BallContact {
   out.ellipse = {ball.Q[j] / out.share, ball.a[j], ball.b[j], 0.0, 0.0};
   tribology::set_contact_surface(out.ellipse, tribology::ContactSurface::CurvedEdge, R,
                                  2.0 * balls.groove_factor[j] * R, ball.delta[j]);
-  out.film = film_of(bearing, ball, j);
+  out.film = film_contact_of(bearing, ball, j);
   out.law = laws.law(j, false, out.film.radius, ball.b[j] / ball.p_max[j], fastest);
   return out;
 }

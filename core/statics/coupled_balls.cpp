@@ -16,7 +16,8 @@ using Index = Eigen::Index;
 
 /// Contacts of a ball minus those at which its tractions are given.
 template <class S>
-std::array<S, 5> moved_places(const GivenTractions& given, const BallForces<S>& f, const S& rho) {
+std::array<S, 5> moved_places(const LinearizedTractions& given, const BallForces<S>& f,
+                              const S& rho) {
   std::array<S, 5> out;
   for (std::size_t j = 0; j < 2; ++j) {
     const auto& alpha = f.contact[j].alpha;
@@ -35,7 +36,8 @@ double follow_others(const CoupledBalls& set, BallRace& state) {
   for (std::size_t k = 0; k < n; ++k) {
     const BallState& ball = state.elements[k];
     if (!set.coupled[k] || ball.idle) continue;
-    const auto races = see_races(*set.model, ball.site, inner_pose<double>(*set.model, q));
+    const auto races =
+        races_in_azimuth_frame(*set.model, ball.site, inner_race_pose<double>(*set.model, q));
     const auto f = ball_forces<double>(*set.model, ball.site, ball.x, ball.rho, races);
     const auto moved = moved_places(set.start[k], f, ball.rho);
     for (std::size_t p = 0; p < 5; ++p) ds[static_cast<Index>(5 * k + p)] = moved[p];
@@ -46,7 +48,7 @@ double follow_others(const CoupledBalls& set, BallRace& state) {
     const auto i = static_cast<Index>(k);
     const Eigen::Vector3d by_others =
         set.T.middleRows<3>(3 * i) * ds - set.T.block<3, 5>(3 * i, 5 * i) * ds.segment<5>(5 * i);
-    GivenTractions& now = *state.elements[k].site.tractions;
+    LinearizedTractions& now = *state.elements[k].site.tractions;
     for (std::size_t j = 0; j < 2; ++j) {
       const double value = set.start[k].along[j].value + by_others[static_cast<Index>(j)];
       change = std::max(change, std::abs(value - now.along[j].value));
@@ -64,7 +66,7 @@ Mat5 coupled_stiffness(const CoupledBalls& set, const BallRace& state) {
   std::array<RaceDual, 5> variable;
   for (std::size_t k = 0; k < 5; ++k)
     variable[k] = RaceDual::variable(state.q(static_cast<Index>(k)), static_cast<int>(k) + 2);
-  const auto pose = inner_pose<RaceDual>(m, variable);
+  const auto pose = inner_race_pose<RaceDual>(m, variable);
   Eigen::MatrixXd on_ball = Eigen::MatrixXd::Identity(2 * n, 2 * n), by_q(2 * n, 5);
   Eigen::MatrixXd load_y = Eigen::MatrixXd::Zero(5, 2 * n),
                   load_t = Eigen::MatrixXd::Zero(5, 3 * n),
@@ -78,7 +80,7 @@ Mat5 coupled_stiffness(const CoupledBalls& set, const BallRace& state) {
     const BallState& ball = state.elements[static_cast<std::size_t>(i)];
     if (ball.idle) continue;
     const RaceDual x = RaceDual::variable(ball.x, 0), rho = RaceDual::variable(ball.rho, 1);
-    const auto races = see_races(m, ball.site, pose);
+    const auto races = races_in_azimuth_frame(m, ball.site, pose);
     const auto f = ball_forces<RaceDual>(m, ball.site, x, rho, races);
     const auto row = [&](const RaceDual& of, auto&& y, auto&& by) {
       for (Index c = 0; c < 2; ++c) y(c) = of.d[static_cast<std::size_t>(c)];
@@ -100,14 +102,14 @@ Mat5 coupled_stiffness(const CoupledBalls& set, const BallRace& state) {
     T.block<3, 5>(3 * i, 5 * i).setZero();  // in f
     // Forces over given values: linear in tractions, of second order in the orbit.
     const std::array<double, 5> q{state.q(0), state.q(1), state.q(2), state.q(3), state.q(4)};
-    const auto here = see_races(m, ball.site, inner_pose<double>(m, q));
+    const auto here = races_in_azimuth_frame(m, ball.site, inner_race_pose<double>(m, q));
     for (Index t = 0; t < 3; ++t) {
       std::array<BallForces<double>, 2> at;
       const double step = t < 2 ? 1e-3 * std::max(value_of(f.contact[0].load), 1e-9)
                                 : 1e-3 * std::max(std::abs(value_of(f.orbital)), 1e-9);
       for (const std::size_t side : {0UL, 1UL}) {
         BallSite site = ball.site;
-        GivenTractions::Value& value =
+        LinearizedTractions::Value& value =
             t < 2 ? site.tractions->along[static_cast<std::size_t>(t)] : site.tractions->orbital;
         value.value += side == 1 ? step : -step;
         at[side] = ball_forces<double>(m, site, ball.x, ball.rho, here);
@@ -128,14 +130,14 @@ Mat5 coupled_stiffness(const CoupledBalls& set, const BallRace& state) {
 }  // namespace
 
 bool update_race(const CoupledBalls& set, const Vec5& q, BallRace& state, double accuracy) {
-  constexpr int kPasses = 60;
-  constexpr double kSteady = 1e-12, kRounding = 1e-8;  // over the largest load
+  constexpr int kMaxPasses = 60;
+  constexpr double kSteadyChange = 1e-12, kRoundingChange = 1e-8;  // over the largest load
   double last = std::numeric_limits<double>::infinity();
-  for (int pass = 0; pass < kPasses; ++pass) {
+  for (int pass = 0; pass < kMaxPasses; ++pass) {
     if (!update_race(*set.model, q, state, accuracy)) return false;
     const double change = follow_others(set, state) / state.largest_contact;
     if (!std::isfinite(change)) return false;
-    if (change <= kSteady || (change <= kRounding && change >= 0.5 * last)) {
+    if (change <= kSteadyChange || (change <= kRoundingChange && change >= 0.5 * last)) {
       state.stiffness = coupled_stiffness(set, state);
       return state.stiffness.allFinite();
     }

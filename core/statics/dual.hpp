@@ -99,7 +99,7 @@ struct ScalarMath<statics::Dual<N>> {
   using Mask = bool;
   static Dual sqrt(const Dual& x) { return statics::square_root(x); }
   static Dual root(const Dual& x) { return x.v > 0.0 ? statics::square_root(x) : Dual(0.0); }
-  static Dual root_and_inverse(const Dual& x, Dual& inverse) {
+  static Dual sqrt_and_inverse(const Dual& x, Dual& inverse) {
     const double value = std::sqrt(x.v), over = 1.0 / value;
     inverse = x.chain(over, -0.5 * over / x.v);
     return x.chain(value, 0.5 * over);

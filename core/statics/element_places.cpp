@@ -11,15 +11,16 @@ namespace adore::statics {
 namespace {
 
 template <class Set, class State>
-bool solve(const Set& set, const RaceTask& task, State& state) {
+bool solve(const Set& set, const RaceLoadCase& task, State& state) {
   const State start = state;
   if (solve_race(set, task, state).converged) return true;
   state = start;
-  return solve_race_surely(set, task, state).converged;
+  return solve_race_with_fallback(set, task, state).converged;
 }
 
-std::optional<ElementPlaces> of_balls(const PlaceModel& of, std::span<const double> azimuth,
-                                      const RaceTask& task, const Vec5& guess) {
+std::optional<ElementPositions> of_balls(const ElementPositionModel& of,
+                                         std::span<const double> azimuth, const RaceLoadCase& task,
+                                         const Vec5& guess) {
   BallModel model = make_ball_model(of.bearing, of.balls);
   model.azimuth.assign(azimuth.begin(), azimuth.end());
   const SpinLaw law = first_spin_law(of.bearing, of.balls);
@@ -39,7 +40,7 @@ std::optional<ElementPlaces> of_balls(const PlaceModel& of, std::span<const doub
     model.own_speed_share = 1.0;
     if (!solve(model, task, state)) return std::nullopt;
   }
-  ElementPlaces out;
+  ElementPositions out;
   out.race = state.q;
   out.stiffness = state.stiffness;
   out.load = state.load;
@@ -59,11 +60,13 @@ std::optional<ElementPlaces> of_balls(const PlaceModel& of, std::span<const doub
   return out;
 }
 
-std::optional<ElementPlaces> of_rollers(const PlaceModel& of, std::span<const double> azimuth,
-                                        const RaceTask& task, const Vec5& guess) {
+std::optional<ElementPositions> of_rollers(const ElementPositionModel& of,
+                                           std::span<const double> azimuth,
+                                           const RaceLoadCase& task, const Vec5& guess) {
   RollerModel model = make_roller_model(of.bearing, of.rollers);
   model.azimuth.assign(azimuth.begin(), azimuth.end());
-  set_load_floors(model, force_scale(race_scales(model), race_task(of.bearing.constraints), 0.0));
+  set_load_floors(model,
+                  force_scale(race_scales(model), race_load_case(of.bearing.constraints), 0.0));
   RollerRace state;
   state.q = guess;
   for (std::size_t k = 0; k < azimuth.size(); ++k) {
@@ -74,7 +77,7 @@ std::optional<ElementPlaces> of_rollers(const PlaceModel& of, std::span<const do
     state.elements.push_back(roller);
   }
   if (!solve(model, task, state)) return std::nullopt;
-  ElementPlaces out;
+  ElementPositions out;
   out.race = state.q;
   out.stiffness = state.stiffness;
   out.load = state.load;
@@ -93,9 +96,9 @@ std::optional<ElementPlaces> of_rollers(const PlaceModel& of, std::span<const do
 
 }  // namespace
 
-std::optional<ElementPlaces> element_places(const PlaceModel& model,
-                                            std::span<const double> azimuth, const RaceTask& task,
-                                            const Vec5& guess) {
+std::optional<ElementPositions> element_places(const ElementPositionModel& model,
+                                               std::span<const double> azimuth,
+                                               const RaceLoadCase& task, const Vec5& guess) {
   return model.bearing.rollers() != nullptr ? of_rollers(model, azimuth, task, guess)
                                             : of_balls(model, azimuth, task, guess);
 }

@@ -17,7 +17,7 @@
 namespace adore::statics {
 
 /// Element in balance; vectors on e_x, e_r, e_θ.
-struct ElementPlace {
+struct ElementPosition {
   double x = 0.0, r = 0.0;                          ///< centre of a ball, middle of a roller [m]
   double tilt = 0.0;                                ///< of a roller axis [rad]
   double load = 0.0;                                ///< larger of both race loads [N]
@@ -25,19 +25,19 @@ struct ElementPlace {
   Eigen::Vector3d omega = Eigen::Vector3d::Zero();  ///< of pure rolling, absolute [rad/s]
 };
 
-struct ElementPlaces {
+struct ElementPositions {
   Vec5 race = Vec5::Zero();       ///< displacement of the inner race [m, rad]
   Mat5 stiffness = Mat5::Zero();  ///< of the race on its elements [N/m ...]
   Vec5 load = Vec5::Zero();       ///< of the race [N, N m]
-  std::vector<ElementPlace> elements;
+  std::vector<ElementPosition> elements;
   std::vector<StaticBall> balls;  ///< the same with all figures; one of both is empty
   std::vector<StaticRoller> rollers;
 };
 
 /// Statics of one bearing.
-struct PlaceModel {
+struct ElementPositionModel {
   const bearing::Bearing& bearing;  ///< its constraints give the misalignment of the outer race
-  StaticsOptions balls;
+  BallStaticsOptions balls;
   RollerOptions rollers;
   /// Constant Hertz constants and one orbital speed for all balls: a convex problem with a solution
   /// wherever there is one.
@@ -47,8 +47,9 @@ struct PlaceModel {
 /// @param azimuth of every element [rad]
 /// @param guess displacement of the inner race; given directions stay there
 /// @return nothing when there is no equilibrium
-[[nodiscard]] std::optional<ElementPlaces> element_places(const PlaceModel& model,
-                                                          std::span<const double> azimuth,
-                                                          const RaceTask& task, const Vec5& guess);
+[[nodiscard]] std::optional<ElementPositions> element_places(const ElementPositionModel& model,
+                                                             std::span<const double> azimuth,
+                                                             const RaceLoadCase& task,
+                                                             const Vec5& guess);
 
 }  // namespace adore::statics

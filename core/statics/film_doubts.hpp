@@ -1,7 +1,9 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "statics/contact_films.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,23 +17,23 @@
 namespace adore::statics {
 
 /// What films of these temperatures are for.
-enum class FilmsOf : unsigned char {
+enum class FilmUse : unsigned char {
   Equilibrium,  ///< mode -1: a race that has no film asks nothing of its oil
   Motion,       ///< a race at rest turns later
   ThermalSteps  ///< a motion whose temperatures are iterates: films that are too thick may thin
 };
 
-/// Sentences to warn of; empty: nothing to doubt. Where no oil reaches the contacts (meniscus 0)
+/// Warnings film.*; empty: nothing to doubt. Where no oil reaches the contacts (meniscus 0)
 /// there is none.
 /// @throws DeckFault (kTrac) where the oil is a glass, or a film no film (but for thermal steps):
 /// nothing that hangs on it could be trusted. Laws of liquids say nothing of a glass.
-[[nodiscard]] std::vector<std::string> film_doubts(const LubricantFilms& films, FilmsOf use);
+[[nodiscard]] std::vector<Finding> film_doubts(const LubricantFilms& films, FilmUse use);
 
 /// The same of oil that only flows, such as that between cage and elements; empty: nothing.
 /// @param flag the variable of the deck that switches its effect
 /// @param place what stands behind "Mobil Jet Oil at 95 K, "
-[[nodiscard]] std::string flow_doubt(const std::string& flag, const std::string& oil,
-                                     double temperature, double viscosity,
-                                     const std::string& place);
+[[nodiscard]] std::optional<Finding> oil_flow_warning(const std::string& flag,
+                                                      const std::string& oil, double temperature,
+                                                      double viscosity, const std::string& place);
 
 }  // namespace adore::statics

@@ -14,11 +14,11 @@ namespace adore::statics {
 
 /// Slices that wait for their film.
 template <class T>
-struct WaitingSlices {
+struct PendingSlices {
   static constexpr int kMost = 2;
   int count = 0;
-  contact::KeptSlice<T> slice[kMost];
-  contact::SlicePlace<T> place[kMost];
+  contact::LoadedSlice<T> slice[kMost];
+  contact::SliceContactState<T> place[kMost];
 };
 
 template <class Law>
@@ -28,22 +28,22 @@ struct FilmOnSlices {
   const tribology::RollingResistance* rolling;  ///< null: none
 
   template <class T>
-  static tribology::ContactPoint<T> point(const contact::SlicePlace<T>& s) {
+  static tribology::ContactConditions<T> point(const contact::SliceContactState<T>& s) {
     return {s.load_per_length, s.peak_pressure, T(0.0),     s.half_width,
             s.entrainment,     s.slip,          s.curvature};
   }
   /// κ(s)/s and F per length of all that wait. A call, so that a kernel has one copy of each law.
   template <class T>
-  [[gnu::noinline]] void answer(const WaitingSlices<T>& at, T* over_slip, T* resistance) const {
-    if (by_floats(at, over_slip, resistance)) return;
+  [[gnu::noinline]] void answer(const PendingSlices<T>& at, T* over_slip, T* resistance) const {
+    if (answer_in_floats(at, over_slip, resistance)) return;
     for (int k = 0; k < at.count; ++k) {
       const auto contact = point(at.place[k]);
-      const auto inlet = law.film.logs(contact);
+      const auto inlet = law.film.inlet_logarithms(contact);
       const auto film = law.film.at(contact, inlet);
       const auto here = law.at(contact, film);  // to which its strip points
       const auto strip = here.strip(contact.peak_pressure);
-      over_slip[k] = tribology::RoundedLaw<decltype(strip)>{strip, floor}(at.slice[k].square,
-                                                                          contact.peak_pressure);
+      over_slip[k] = tribology::RegularizedLaw<decltype(strip)>{strip, floor}(
+          at.slice[k].square, contact.peak_pressure);
       if (rolling != nullptr) resistance[k] = rolling->force(contact, inlet, film.factor);
     }
   }
@@ -51,32 +51,32 @@ struct FilmOnSlices {
  private:
   /// False: the film does not take floats here.
   template <class T>
-  [[gnu::always_inline]] bool by_floats(const WaitingSlices<T>& at, T* over_slip,
-                                        T* resistance) const {
+  [[gnu::always_inline]] bool answer_in_floats(const PendingSlices<T>& at, T* over_slip,
+                                               T* resistance) const {
     if constexpr (requires { law.fluid.single_until; }) {
       using M = ScalarMath<T>;
-      using To = SingleOf<T>;
+      using To = SinglePrecisionOf<T>;
       using S = typename To::Type;
       const int b = at.count - 1;  // one alone stands for two
       const T most = M::max(at.place[0].peak_pressure, at.place[b].peak_pressure);
       if (law.fluid.single_until < 0.0 || M::any(most > law.fluid.single_until)) return false;
       const auto first = point(at.place[0]), last = point(at.place[b]);
-      const auto pack = [&](T tribology::ContactPoint<T>::*of) __attribute__((always_inline)) {
+      const auto pack = [&](T tribology::ContactConditions<T>::*of) __attribute__((always_inline)) {
         return To::pack(first.*of, last.*of);
       };
-      using C = tribology::ContactPoint<T>;
-      const tribology::ContactPoint<S> contact{
+      using C = tribology::ContactConditions<T>;
+      const tribology::ContactConditions<S> contact{
           pack(&C::load),       pack(&C::peak_pressure), S(0.0),
           pack(&C::half_minor), pack(&C::entrainment),   pack(&C::slip),
           pack(&C::curvature)};
-      const auto inlet = law.film.logs(contact);
+      const auto inlet = law.film.inlet_logarithms(contact);
       const auto film = law.film.at(contact, inlet);
       T inverse_of[2], slip_of[2], kappa_of[2];
       for (int k = 0; k < 2; ++k)
-        slip_of[k] = M::root_and_inverse(at.slice[k == 0 ? 0 : b].square + floor, inverse_of[k]);
+        slip_of[k] = M::sqrt_and_inverse(at.slice[k == 0 ? 0 : b].square + floor, inverse_of[k]);
       S kappa;
       if (!law.at(contact, film)
-               .mean_if(contact.peak_pressure, To::pack(slip_of[0], slip_of[1]), kappa))
+               .try_strip_mean(contact.peak_pressure, To::pack(slip_of[0], slip_of[1]), kappa))
         return false;
       To::unpack(kappa, kappa_of[0], kappa_of[1]);
       for (int k = 0; k < at.count; ++k) over_slip[k] = kappa_of[k] * inverse_of[k];
@@ -93,7 +93,7 @@ struct FilmOnSlices {
 
 /// Forces of the oil on one roller.
 template <class T>
-struct OilOnRoller {
+struct RollerOilForces {
   const contact::RollerPose* at = nullptr;
   contact::RollerRaceSums<T> traction, rolling;  ///< forces, moments and heats
 };
@@ -101,24 +101,24 @@ struct OilOnRoller {
 /// Takes slices from roller_race_sums, of one roller after the other, and the last of a roller with
 /// the first of the next; one type for all laws.
 template <class T>
-class SlicesInOil {
+class OilSliceBatcher {
  public:
-  using Answer = void (*)(const void* films, const WaitingSlices<T>&, T* over_slip, T* resistance);
+  using Answer = void (*)(const void* films, const PendingSlices<T>&, T* over_slip, T* resistance);
 
-  SlicesInOil(const void* films, Answer answer, bool rolls)
+  OilSliceBatcher(const void* films, Answer answer, bool rolls)
       : films_(films), answer_(answer), rolls_(rolls) {}
 
   /// Slices that come are of this roller.
-  void begin(OilOnRoller<T>& of) { now_ = &of; }
+  void begin(RollerOilForces<T>& of) { now_ = &of; }
 
-  [[gnu::always_inline]] void keep(const contact::KeptSlice<T>& slice,
-                                   const contact::SlicePlace<T>& at) {
+  [[gnu::always_inline]] void keep(const contact::LoadedSlice<T>& slice,
+                                   const contact::SliceContactState<T>& at) {
     waiting_.slice[waiting_.count] = slice;
     waiting_.place[waiting_.count] = at;
     owner_[waiting_.count] = now_;
-    if (++waiting_.count == WaitingSlices<T>::kMost) add();
+    if (++waiting_.count == PendingSlices<T>::kMost) add();
   }
-  [[nodiscard]] bool waits_for(const OilOnRoller<T>& one) const {
+  [[nodiscard]] bool has_pending_slices(const RollerOilForces<T>& one) const {
     for (int k = 0; k < waiting_.count; ++k)
       if (owner_[k] == &one) return true;
     return false;
@@ -129,13 +129,14 @@ class SlicesInOil {
 
  private:
   [[gnu::noinline]] void add() {
-    T over_slip[WaitingSlices<T>::kMost], resistance[WaitingSlices<T>::kMost];
+    T over_slip[PendingSlices<T>::kMost], resistance[PendingSlices<T>::kMost];
     answer_(films_, waiting_, over_slip, resistance);
     for (int k = 0; k < waiting_.count; ++k) {
-      OilOnRoller<T>& of = *owner_[k];
-      contact::add_kept(of.traction, waiting_.slice[k], over_slip[k]);
+      RollerOilForces<T>& of = *owner_[k];
+      contact::add_loaded_slice(of.traction, waiting_.slice[k], over_slip[k]);
       if (rolls_)
-        add_rolling(waiting_.slice[k], waiting_.place[k], resistance[k], *of.at, of.rolling);
+        add_rolling_resistance(waiting_.slice[k], waiting_.place[k], resistance[k], *of.at,
+                               of.rolling);
     }
     waiting_.count = 0;
   }
@@ -143,17 +144,17 @@ class SlicesInOil {
   const void* films_;
   Answer answer_;
   bool rolls_;
-  OilOnRoller<T>* now_ = nullptr;
-  WaitingSlices<T> waiting_;
-  OilOnRoller<T>* owner_[WaitingSlices<T>::kMost];
+  RollerOilForces<T>* now_ = nullptr;
+  PendingSlices<T> waiting_;
+  RollerOilForces<T>* owner_[PendingSlices<T>::kMost];
 };
 
 /// Receiver for roller_race_sums; its input is treated as constant.
 template <class T>
-struct HandsToOil {
-  SlicesInOil<T>& to;
-  [[gnu::always_inline]] void keep(const contact::KeptSlice<T>& slice,
-                                   const contact::SlicePlace<T>& at) const {
+struct OilSliceForwarder {
+  OilSliceBatcher<T>& to;
+  [[gnu::always_inline]] void keep(const contact::LoadedSlice<T>& slice,
+                                   const contact::SliceContactState<T>& at) const {
     to.keep(slice, at);
   }
 };

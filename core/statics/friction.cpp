@@ -28,11 +28,11 @@ using bearing::Bearing;
 using tribology::EllipseGeometry;
 using tribology::EllipseKinematics;
 
-constexpr double kStraight = 1e6;  ///< radius of a surface without curvature [m]
+constexpr double kFlatRadius = 1e6;  ///< radius of a surface without curvature [m]
 
 /// Does the film alone carry the traction of a contact (no metal contact)?
-bool is_film(const tribology::TractionLaw& law, const tribology::FilmContact& film) {
-  tribology::ContactPoint<double> point;
+bool is_film(const tribology::TractionLaw& law, const tribology::LubricatedContact& film) {
+  tribology::ContactConditions<double> point;
   point.load = film.load;
   point.peak_pressure = film.peak_pressure;
   point.half_major = film.k * film.half_width;
@@ -46,12 +46,12 @@ FrictionEstimate begin(const Bearing& bearing, const ContactLaws& oil) {
   FrictionEstimate out;
   out.speed = std::abs(bearing.speed[1] - bearing.speed[0]);
   const auto acts = [](const bearing::TractionCurve& of) {
-    return tribology::largest_traction(of) > 0.0;
+    return tribology::max_traction_coefficient(of) > 0.0;
   };
   out.resists = acts(bearing.race_traction) || bearing.churning ||
                 (bearing.flange_traction && acts(*bearing.flange_traction));
   const std::string curve = fmt::format("traction curve of record 10.1 (maximum {:.4g})",
-                                        tribology::largest_traction(bearing.race_traction));
+                                        tribology::max_traction_coefficient(bearing.race_traction));
   out.oil = oil.given();
   if (out.oil) {
     out.law =
@@ -101,12 +101,13 @@ std::string FrictionEstimate::why_none() const {
 
 namespace {
 
-/// Adds one contact; of a second contact with a split race (on_other_halves) to what the first has.
+/// Adds one contact; of a second contact with a split race (ball_at_second_contacts) to what the
+/// first has.
 void add_contact(const Bearing& bearing, const ContactLaws& oil, const tribology::EllipseRule& rule,
                  const StaticBall& ball, std::size_t j, const BallMotion& motion,
                  FrictionOfContact& one) {
   BallContact at = ball_contact(bearing, oil, ball, j);
-  EllipseKinematics m = contact_motion(bearing, at, motion, ball.r, j);
+  EllipseKinematics m = contact_kinematics(bearing, at, motion, ball.r, j);
   if (motion.balanced)
     at.film.speed = m.entrainment;
   else
@@ -147,11 +148,11 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
       if (!(ball.Q[j] > 0.0)) continue;
       add_contact(bearing, oil, rule, ball, j, motion, one);
       if (ball.second[j].Q > 0.0)
-        add_contact(bearing, oil, rule, on_other_halves(ball), j, motion, one);
+        add_contact(bearing, oil, rule, ball_at_second_contacts(ball), j, motion, one);
     }
   }
   add_drag(bearing, orbit, spin, out);
-  for (std::string& note : balance.notes()) out.notes.push_back(std::move(note));
+  for (std::string& note : sentences_of(balance.findings())) out.notes.push_back(std::move(note));
   if (!balance.balls.empty() && balance.failure.empty() && balance.left.empty())
     out.notes.emplace_back(
         "ball speeds, spin axes, loads and heat are calculated from friction equilibrium; kAngVel "
@@ -159,22 +160,22 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
   return out;
 }
 
-double rolling_over_strips(const Bearing& bearing, const StaticSolution& solution) {
+double rolling_point_strip_ratio(const Bearing& bearing, const StaticSolution& solution) {
   const ContactLaws oil(bearing);
   double points = 0.0, strips = 0.0;
   for (const StaticBall& ball : solution.balls)
     for (std::size_t j = 0; j < 2; ++j) {
       if (!(ball.Q[j] > 0.0)) continue;
-      const tribology::FilmContact film = film_of(bearing, ball, j);
+      const tribology::LubricatedContact film = film_contact_of(bearing, ball, j);
       points += ball.share[j] * oil.rolling(j, film, 0.0);
-      strips += ball.share[j] * oil.rolling_of_strips(j, film);
+      strips += ball.share[j] * oil.rolling_power_of_strips(j, film);
     }
   return strips > 0.0 ? points / strips : 0.0;
 }
 
-double rolling_excess(double over_strips) {
-  constexpr double kShare = 0.35;
-  return std::pow(std::max(over_strips, 1.0), kShare);
+double rolling_resistance_excess(double over_strips) {
+  constexpr double kExcessExponent = 0.35;
+  return std::pow(std::max(over_strips, 1.0), kExcessExponent);
 }
 
 FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution& solution) {
@@ -211,13 +212,13 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution&
       m.entrainment = u;
       const double groove = rollers.groove_factor[j] > 0.0
                                 ? 2.0 * rollers.groove_factor[j] * rollers.crown_radius
-                                : kStraight;
+                                : kFlatRadius;
       const contact::RollerRaceCurvature curvature = contact::roller_race_curvature(
           rollers, contact::roller_profile(rollers, rollers.deviation_of(i)), static_cast<int>(j),
           rollers.groove_factor[j] > 0.0 ? groove : std::numeric_limits<double>::infinity());
       const double k = at.half_width > 0.0 ? 0.5 * at.length / at.half_width : 1.0;
       const bool line = !at.slice_load.empty();
-      tribology::FilmContact film;
+      tribology::LubricatedContact film;
       film.line = line;
       film.load = line ? at.load / at.length : at.load;
       film.radius = 1.0 / curvature.rolling;
@@ -229,7 +230,7 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution&
           j, line, film.radius, at.half_width / std::max(at.peak_pressure, 1.0), race_speed);
       const auto slice_law = oil.line_law(law, film);
       EllipseGeometry g{at.load, 0.5 * at.length, at.half_width, 0.0, R};
-      const double crown = std::min(rollers.crown_radius, kStraight);
+      const double crown = std::min(rollers.crown_radius, kFlatRadius);
       g.rho = tribology::surface_radius(crown, groove);
       if (!(g.rho > g.a)) g.rho = 0.0;
       const auto heat_of = [&](const EllipseGeometry& surface) {
@@ -249,7 +250,7 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution&
             const double slip = creep + m.W_n * xi - m.W_c * surface.height(xi);
             const double kappa = slice_law(std::abs(slip), at.slice_pressure[s]);
             // A start of the law with friction at rest is rounded over a small slip.
-            const double rounded = std::hypot(slip, std::sqrt(law.slip_floor()));
+            const double rounded = std::hypot(slip, std::sqrt(law.regularization_slip_squared()));
             total += at.slice_load[s] * kappa * (heat ? slip * slip : slip) / rounded;
             one.load_slip += at.slice_load[s] * std::abs(slip);
           }

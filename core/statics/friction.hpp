@@ -69,12 +69,12 @@ struct FrictionEstimate {
 /// Rolling resistance of all balls by the law of points over that of strips with the law of lines,
 /// which knows the pressure coefficient of the oil (laws/rolling_resistance.hpp); 0: neither rolls
 /// in oil.
-[[nodiscard]] double rolling_over_strips(const bearing::Bearing& bearing,
-                                         const StaticSolution& solution);
+[[nodiscard]] double rolling_point_strip_ratio(const bearing::Bearing& bearing,
+                                               const StaticSolution& solution);
 /// What the law of points has over a numerical solution of the contact, of that ratio: at most
 /// ratio^0.35 in six contacts up to a ratio of 2.5 (exponents 0.1 to 0.30, and 0.32 with what a
 /// finer grid changes; theory/tribology.md 2a); beyond, it is extrapolated.
-[[nodiscard]] double rolling_excess(double over_strips);
+[[nodiscard]] double rolling_resistance_excess(double over_strips);
 /// Outputs doubt the law of points beyond the range "rolling.strips" (base/validity.hpp): it is 1.1
 /// to 1.3 where it agrees with measured torques.
 [[nodiscard]] FrictionEstimate friction_estimate(const bearing::Bearing& bearing,

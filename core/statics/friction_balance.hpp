@@ -42,11 +42,9 @@ struct FrictionBalance {
   /// Of ball k: in balance, or that of the solution.
   [[nodiscard]] BallMotion motion_of(std::size_t k, const StaticBall& ball) const;
   /// Orbit and angular velocity of the balls in balance, which start a motion.
-  void give_speeds(StaticSolution& solution) const;
+  void copy_speeds_to(StaticSolution& solution) const;
   /// Equilibria that were not found, and those used instead. Empty: none, or nothing was computed.
   [[nodiscard]] std::vector<Finding> findings() const;
-  /// Their sentences.
-  [[nodiscard]] std::vector<std::string> notes() const;
 };
 
 }  // namespace adore::statics

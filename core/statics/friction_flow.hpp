@@ -18,7 +18,7 @@ inline constexpr double kFirstPseudoTime = 1e3;
 /// @param ratio |F| over that of the first step
 /// @param longest largest size of each component; empty: the step is not finite
 template <int N>
-[[nodiscard]] std::optional<Eigen::Matrix<double, N, 1>> flow_step(
+[[nodiscard]] std::optional<Eigen::Matrix<double, N, 1>> pseudo_time_step(
     Eigen::Matrix<double, N, N> J, const Eigen::Matrix<double, N, 1>& F, double ratio,
     const Eigen::Matrix<double, N, 1>& longest) {
   J.diagonal().array() -= ratio / kFirstPseudoTime;
@@ -32,7 +32,7 @@ template <int N>
 /// ∂F/∂u of component k if the others follow it at once: J_kk - J_ko J_oo⁻¹ J_ok. Above 0 the
 /// component leaves the balance.
 template <int N>
-[[nodiscard]] double slope_with_others(const Eigen::Matrix<double, N, N>& J, int k) {
+[[nodiscard]] double condensed_slope(const Eigen::Matrix<double, N, N>& J, int k) {
   Eigen::Matrix<double, N - 1, N - 1> among;
   Eigen::Matrix<double, N - 1, 1> by_k, on_k;
   const auto other = [k](int a) { return a < k ? a : a + 1; };

@@ -15,11 +15,11 @@
 namespace adore::statics {
 namespace {
 
-constexpr int kPasses = 12;
-constexpr double kSteady = 1e-7;    ///< change of β where passes end [rad]
-constexpr double kAccepted = 1e-4;  ///< after the last pass [rad]
+constexpr int kMaxHeatPasses = 12;
+constexpr double kSteadyShift = 1e-7;     ///< change of β where passes end [rad]
+constexpr double kAcceptedChange = 1e-4;  ///< after the last pass [rad]
 
-std::array<double, 5> to_array(const Vec5& v) { return {v(0), v(1), v(2), v(3), v(4)}; }
+std::array<double, 5> array_of(const Vec5& v) { return {v(0), v(1), v(2), v(3), v(4)}; }
 
 /// Heat of both contacts of one ball at its place, over the shift of its spin axis.
 class HeatOfBall {
@@ -48,7 +48,7 @@ class HeatOfBall {
     motion.orbit = s.orbital_speed;
     double heat = 0.0;
     for (std::size_t j = 0; j < 2; ++j) {
-      tribology::EllipseKinematics m = contact_motion(bearing_, contact_[j], motion, s.r, j);
+      tribology::EllipseKinematics m = contact_kinematics(bearing_, contact_[j], motion, s.r, j);
       m.W_t = 0.0;
       heat += free_traction(contact_[j].law, contact_[j].ellipse, m, rule_).heat;
     }
@@ -60,13 +60,13 @@ class HeatOfBall {
     const double free = beta - ball_.site.axis_shift;
     double low = std::min(control[0], control[1]) - free,
            high = std::max(control[0], control[1]) - free;
-    constexpr double kMargin = 0.02;  // [rad]
-    low -= kMargin;
-    high += kMargin;
-    constexpr int kCells = 8;
-    double cell = (high - low) / kCells;
+    constexpr double kBracketMargin = 0.02;  // [rad]
+    low -= kBracketMargin;
+    high += kBracketMargin;
+    constexpr int kScanCells = 8;
+    double cell = (high - low) / kScanCells;
     double best = low, least = (*this)(low);
-    for (int k = 1; k <= kCells; ++k) {
+    for (int k = 1; k <= kScanCells; ++k) {
       const double at = low + k * cell, heat = (*this)(at);
       if (heat < least) {
         best = at;
@@ -80,9 +80,11 @@ class HeatOfBall {
       best = at;
       least = heat;
     }
-    constexpr double kStep = 1e-4, kWidth = 1e-8;  // [rad]
-    const auto slope = [&](double at) { return (*this)(at + kStep) - (*this)(at - kStep); };
-    return root_between(slope, best - cell, best + cell, kWidth);
+    constexpr double kSlopeStep = 1e-4, kRootWidth = 1e-8;  // [rad]
+    const auto slope = [&](double at) {
+      return (*this)(at + kSlopeStep) - (*this)(at - kSlopeStep);
+    };
+    return root_between(slope, best - cell, best + cell, kRootWidth);
   }
 
   double beta = 0.0;                ///< at the present shift [rad]
@@ -100,19 +102,19 @@ class HeatOfBall {
 
 }  // namespace
 
-void settle_least_heat(const bearing::Bearing& bearing, const BallModel& model,
-                       const RaceTask& task, BallRace& state, RaceSolve& solve,
-                       std::vector<std::string>& notes) {
+void solve_least_heat(const bearing::Bearing& bearing, const BallModel& model,
+                      const RaceLoadCase& task, BallRace& state, RaceSolveResult& solve,
+                      std::vector<Finding>& notes) {
   if (bearing.speed[0] == bearing.speed[1] || !model.per_ball_speeds ||
-      (!bearing.lubrication && !(tribology::largest_traction(bearing.race_traction) > 0.0)))
+      (!bearing.lubrication && !(tribology::max_traction_coefficient(bearing.race_traction) > 0.0)))
     return;
   const ContactLaws laws(bearing);
   const tribology::EllipseRule rule = tribology::make_split_ellipse_rule(30, 8);
   const BallRace before = state;
-  const RaceSolve first = solve;
+  const RaceSolveResult first = solve;
   double change = 0.0;
-  for (int pass = 0; pass < kPasses; ++pass) {
-    const auto q = to_array(state.q);
+  for (int pass = 0; pass < kMaxHeatPasses; ++pass) {
+    const auto q = array_of(state.q);
     change = 0.0;
     for (BallState& ball : state.elements) {
       const HeatOfBall heat(bearing, laws, rule, model, q, ball);
@@ -121,19 +123,21 @@ void settle_least_heat(const bearing::Bearing& bearing, const BallModel& model,
       change = std::max(change, std::abs(shift - ball.site.axis_shift));
       ball.site.axis_shift = shift;
     }
-    if (change <= kSteady) return;
+    if (change <= kSteadyShift) return;
     const int iterations = solve.iterations;
     solve = solve_race(model, task, state);
     solve.iterations += iterations;
     if (!solve.converged) break;
   }
-  if (solve.converged && change <= kAccepted) return;
+  if (solve.converged && change <= kAcceptedChange) return;
   state = before;
   solve = first;
-  notes.push_back(fmt::format(
-      "minimum-heat spin axis: {}. The spin axes for a constant friction coefficient are used",
-      solve.converged ? "spin axes and loads did not converge"
-                      : "no equilibrium with the traction law of the deck"));
+  notes.push_back(make_finding(
+      "statics.least_heat",
+      fmt::format(
+          "minimum-heat spin axis: {}. The spin axes for a constant friction coefficient are used",
+          solve.converged ? "spin axes and loads did not converge"
+                          : "no equilibrium with the traction law of the deck")));
 }
 
 }  // namespace adore::statics

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "bearing/bearing.hpp"
 #include "statics/ball_race.hpp"
 
@@ -19,15 +20,15 @@
 ///
 /// spin.hpp has the same minimum at a constant coefficient of friction, with its derivatives over
 /// loads and angles. Here only the angle between the two, BallSite::axis_shift, is searched; it is
-/// held during a solution of the bearing, and both are repeated until β stays within kSteady.
+/// held during a solution of the bearing, and both are repeated until β stays within kSteadyChange.
 /// Limits: rolling resistance and drag, which β does not change, are left out; a ball below the
 /// load window of ball_forces.hpp, or a deck without friction at its race contacts, keeps spin.hpp.
 namespace adore::statics {
 
 /// Changes `state` and `solve`. When no equilibrium is found on the way, both are those of the
 /// constant coefficient, with a note.
-void settle_least_heat(const bearing::Bearing& bearing, const BallModel& model,
-                       const RaceTask& task, BallRace& state, RaceSolve& solve,
-                       std::vector<std::string>& notes);
+void solve_least_heat(const bearing::Bearing& bearing, const BallModel& model,
+                      const RaceLoadCase& task, BallRace& state, RaceSolveResult& solve,
+                      std::vector<Finding>& notes);
 
 }  // namespace adore::statics

@@ -6,16 +6,18 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace adore::statics {
 namespace {
 
-bool is_given(const RaceTask& task, Eigen::Index k) {
+bool is_given(const RaceLoadCase& task, Eigen::Index k) {
   return task.given[static_cast<std::size_t>(k)];
 }
 
 }  // namespace
 
-Vec5 scaled_residual(const RaceScales& scales, const RaceTask& task, const Vec5& load) {
+Vec5 scaled_residual(const RaceScales& scales, const RaceLoadCase& task, const Vec5& load) {
   Vec5 r = Vec5::Zero();
   for (Eigen::Index k = 0; k < 5; ++k) {
     if (!is_given(task, k)) {
@@ -25,7 +27,7 @@ Vec5 scaled_residual(const RaceScales& scales, const RaceTask& task, const Vec5&
   return r;
 }
 
-Mat5 scaled_stiffness(const RaceScales& scales, const RaceTask& task, const Mat5& stiffness,
+Mat5 scaled_stiffness(const RaceScales& scales, const RaceLoadCase& task, const Mat5& stiffness,
                       double k_ref) {
   Mat5 K = Mat5::Zero();
   for (Eigen::Index i = 0; i < 5; ++i) {
@@ -78,7 +80,7 @@ Vec5 moved(const RaceScales& scales, const Vec5& q, const Vec5& direction, doubl
   return next;
 }
 
-double largest_move(const RaceScales& scales, const Vec5& q) {
+double largest_displacement(const RaceScales& scales, const Vec5& q) {
   double largest = 0.0;
   for (Eigen::Index k = 0; k < 5; ++k) {
     largest = std::max(largest, std::abs(q(k)) * lever_of(scales, k));
@@ -86,15 +88,15 @@ double largest_move(const RaceScales& scales, const Vec5& q) {
   return largest;
 }
 
-bool out_of_reach(const RaceScales& scales, const Vec5& q) {
-  return !(largest_move(scales, q) < scales.reach);
+bool is_out_of_reach(const RaceScales& scales, const Vec5& q) {
+  return !(largest_displacement(scales, q) < scales.reach);
 }
 
-bool starts_out_of_reach(const RaceScales& scales, const RaceTask& task, const Vec5& q) {
-  return out_of_reach(scales, q - given_only(task, q));
+bool starts_out_of_reach(const RaceScales& scales, const RaceLoadCase& task, const Vec5& q) {
+  return is_out_of_reach(scales, q - given_displacements(task, q));
 }
 
-double force_scale(const RaceScales& scales, const RaceTask& task, double largest_contact) {
+double force_scale(const RaceScales& scales, const RaceLoadCase& task, double largest_contact) {
   double scale = 0.0;
   for (Eigen::Index k = 0; k < 5; ++k) {
     if (!is_given(task, k)) {
@@ -104,7 +106,7 @@ double force_scale(const RaceScales& scales, const RaceTask& task, double larges
   return scale > 0.0 ? scale : std::max(largest_contact, scales.idle_load);
 }
 
-Vec5 given_only(const RaceTask& task, const Vec5& displacement) {
+Vec5 given_displacements(const RaceLoadCase& task, const Vec5& displacement) {
   Vec5 q = displacement;
   for (Eigen::Index k = 0; k < 5; ++k) {
     if (!is_given(task, k)) {
@@ -114,8 +116,8 @@ Vec5 given_only(const RaceTask& task, const Vec5& displacement) {
   return q;
 }
 
-UnstableMode unstable_mode(const RaceScales& scales, const RaceTask& task, const Mat5& stiffness,
-                           double k_ref) {
+UnstableMode unstable_mode(const RaceScales& scales, const RaceLoadCase& task,
+                           const Mat5& stiffness, double k_ref) {
   const Mat5 K = scaled_stiffness(scales, task, stiffness, k_ref);
   const SymmetricEigen<5> eigen = symmetric_eigen<5>(0.5 * (K + K.transpose()));
   UnstableMode mode;
@@ -129,18 +131,25 @@ UnstableMode unstable_mode(const RaceScales& scales, const RaceTask& task, const
   return mode;
 }
 
-std::string instability_note(const UnstableMode& mode,
-                             const std::vector<std::array<double, 5>>& stable_ones) {
+Finding instability_note(const UnstableMode& mode,
+                         const std::vector<std::array<double, 5>>& stable_ones) {
   Eigen::Index largest = 0;
   mode.direction.cwiseAbs().maxCoeff(&largest);
+  const double stiffness = mode.stiffness * mode.lever * mode.lever;
+  const char* const unit = largest < 3 ? "N/m" : "N.m/rad";
+  const auto finding = [&](std::string text) {
+    return make_finding("statics.unstable", std::move(text))
+        .of("inner race")
+        .measure("stiffness", stiffness, unit)
+        .at_least(0.0);
+  };
   std::string text = fmt::format(
       "this equilibrium is not stable: the stiffness of the inner race, mainly {}, is negative "
       "({:.3g} {}), so a disturbance grows. If the shaft prevents this displacement, prescribe "
       "it. ",
-      kDirection[static_cast<std::size_t>(largest)], mode.stiffness * mode.lever * mode.lever,
-      largest < 3 ? "N/m" : "N.m/rad");
+      kDirection[static_cast<std::size_t>(largest)], stiffness, unit);
   if (stable_ones.empty()) {
-    return text + "No stable equilibrium was found nearby";
+    return finding(text + "No stable equilibrium was found nearby");
   }
   text += stable_ones.size() == 1 ? "A stable equilibrium nearby:" : "Stable equilibria nearby:";
   for (std::size_t k = 0; k < stable_ones.size(); ++k) {
@@ -149,7 +158,7 @@ std::string instability_note(const UnstableMode& mode,
         fmt::format("{} x, y, z = {:.4g} m, {:.4g} m, {:.4g} m, about y, z = {:.4g}, {:.4g} rad",
                     k == 0 ? "" : ";", q[0], q[1], q[2], q[3], q[4]);
   }
-  return text;
+  return finding(std::move(text));
 }
 
 }  // namespace adore::statics

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "statics/slope_search.hpp"
 
 #include <Eigen/Core>
@@ -17,7 +18,7 @@
 ///   RaceScales race_scales(const Set&);                        constant sizes
 ///   double reference_stiffness(const Set&, double load);       of one contact under that load
 ///   [N/m] bool is_conservative(const Set&);                          the race load has a potential
-///   double first_accuracy(const Set&);                         `accuracy` before the first step
+///   double initial_accuracy(const Set&);                         `accuracy` before the first step
 ///   bool update_race(const Set&, const Vec5& q, RaceState<Element>&, double accuracy = 0);
 /// The last one brings every element into equilibrium for race displacement q, sums load and exact
 /// stiffness, and returns false when some element has no equilibrium. `accuracy`: out-of-balance
@@ -29,7 +30,7 @@ using Vec5 = Eigen::Matrix<double, 5, 1>;
 using Mat5 = Eigen::Matrix<double, 5, 5>;
 
 /// What is asked of the inner race.
-struct RaceTask {
+struct RaceLoadCase {
   std::array<bool, 5> given{};  ///< displacement given (else the load is)
   Vec5 load = Vec5::Zero();     ///< where not given [N, N m]
 };
@@ -44,7 +45,7 @@ struct RaceState {
   double largest_contact = 0.0;  ///< [N]
 };
 
-struct RaceSolve {
+struct RaceSolveResult {
   bool converged = false;
   int iterations = 0;
   double residual = 0.0;        ///< largest force residual over the force scale
@@ -68,12 +69,12 @@ struct RaceScales {
 }
 
 /// Forces that are missing, moments as forces on the lever; zero where the displacement is given.
-[[nodiscard]] Vec5 scaled_residual(const RaceScales& scales, const RaceTask& task,
+[[nodiscard]] Vec5 scaled_residual(const RaceScales& scales, const RaceLoadCase& task,
                                    const Vec5& load);
 
 /// Given directions become decoupled springs of the reference stiffness, which their zero residual
 /// never moves.
-[[nodiscard]] Mat5 scaled_stiffness(const RaceScales& scales, const RaceTask& task,
+[[nodiscard]] Mat5 scaled_stiffness(const RaceScales& scales, const RaceLoadCase& task,
                                     const Mat5& stiffness, double k_ref);
 
 struct RaceStep {
@@ -92,19 +93,19 @@ struct RaceStep {
 [[nodiscard]] Vec5 moved(const RaceScales& scales, const Vec5& q, const Vec5& direction, double t);
 
 /// Largest component of a displacement, tilts at their lever [m].
-[[nodiscard]] double largest_move(const RaceScales& scales, const Vec5& q);
-[[nodiscard]] bool out_of_reach(const RaceScales& scales, const Vec5& q);
+[[nodiscard]] double largest_displacement(const RaceScales& scales, const Vec5& q);
+[[nodiscard]] bool is_out_of_reach(const RaceScales& scales, const Vec5& q);
 /// The same of a first guess: what is given counts as within reach.
-[[nodiscard]] bool starts_out_of_reach(const RaceScales& scales, const RaceTask& task,
+[[nodiscard]] bool starts_out_of_reach(const RaceScales& scales, const RaceLoadCase& task,
                                        const Vec5& q);
 
 /// Largest force that the problem speaks of: applied loads (moments over the lever), else contact
 /// loads.
-[[nodiscard]] double force_scale(const RaceScales& scales, const RaceTask& task,
+[[nodiscard]] double force_scale(const RaceScales& scales, const RaceLoadCase& task,
                                  double largest_contact);
 
 /// The displacement where it is given, 0 elsewhere: no guess.
-[[nodiscard]] Vec5 given_only(const RaceTask& task, const Vec5& displacement);
+[[nodiscard]] Vec5 given_displacements(const RaceLoadCase& task, const Vec5& displacement);
 
 /// A mode of negative stiffness: a disturbance along it grows.
 struct UnstableMode {
@@ -115,35 +116,35 @@ struct UnstableMode {
 };
 /// The lowest eigenvalue of the symmetric part of the free directions' stiffness, if it lies below
 /// -1e-6 of the reference.
-[[nodiscard]] UnstableMode unstable_mode(const RaceScales& scales, const RaceTask& task,
+[[nodiscard]] UnstableMode unstable_mode(const RaceScales& scales, const RaceLoadCase& task,
                                          const Mat5& stiffness, double k_ref);
 
-/// What PRINT.txt says of an unstable equilibrium and of the stable ones beside it.
-[[nodiscard]] std::string instability_note(const UnstableMode& mode,
-                                           const std::vector<std::array<double, 5>>& stable_ones);
+/// Finding statics.unstable, with the stable equilibria nearby.
+[[nodiscard]] Finding instability_note(const UnstableMode& mode,
+                                       const std::vector<std::array<double, 5>>& stable_ones);
 
-enum class RaceSearch : unsigned char { Accepted, NoProgress, ElementFailed, RanAway };
+enum class RaceSearchOutcome : unsigned char { Accepted, NoProgress, ElementFailed, RanAway };
 
 /// Line search for a convex potential.
 template <class Set, class State>
-RaceSearch descend(const Set& set, const RaceScales& scales, const RaceTask& task,
-                   const State& state, const Vec5& r, const Vec5& direction, double accuracy,
-                   State& trial) {
+RaceSearchOutcome line_search_convex(const Set& set, const RaceScales& scales,
+                                     const RaceLoadCase& task, const State& state, const Vec5& r,
+                                     const Vec5& direction, double accuracy, State& trial) {
   SlopeSearch search(direction.dot(r), 1e-15);
-  RaceSearch outcome = RaceSearch::NoProgress;
+  RaceSearchOutcome outcome = RaceSearchOutcome::NoProgress;
   for (int attempt = 0; attempt < 60; ++attempt) {
     const Vec5 q = moved(scales, state.q, direction, search.length());
-    if (out_of_reach(scales, q)) {
-      return RaceSearch::RanAway;
+    if (is_out_of_reach(scales, q)) {
+      return RaceSearchOutcome::RanAway;
     }
     trial = state;
     if (!update_race(set, q, trial, accuracy)) {
-      outcome = RaceSearch::ElementFailed;
-      search.fall_back();
+      outcome = RaceSearchOutcome::ElementFailed;
+      search.backtrack();
       continue;
     }
     if (search.accepts(direction.dot(scaled_residual(scales, task, trial.load)))) {
-      return RaceSearch::Accepted;
+      return RaceSearchOutcome::Accepted;
     }
   }
   return outcome;
@@ -151,26 +152,26 @@ RaceSearch descend(const Set& set, const RaceScales& scales, const RaceTask& tas
 
 /// Line search without a potential: halve the step until the residual is smaller.
 template <class Set, class State>
-RaceSearch reduce(const Set& set, const RaceScales& scales, const RaceTask& task,
-                  const State& state, const Vec5& r, const Vec5& direction, double accuracy,
-                  State& trial) {
-  RaceSearch outcome = RaceSearch::NoProgress;
+RaceSearchOutcome reduce(const Set& set, const RaceScales& scales, const RaceLoadCase& task,
+                         const State& state, const Vec5& r, const Vec5& direction, double accuracy,
+                         State& trial) {
+  RaceSearchOutcome outcome = RaceSearchOutcome::NoProgress;
   double t = 1.0;
   for (int attempt = 0; attempt < 14; ++attempt, t *= 0.5) {
     const Vec5 q = moved(scales, state.q, direction, t);
-    if (out_of_reach(scales, q)) {
-      outcome = RaceSearch::RanAway;
+    if (is_out_of_reach(scales, q)) {
+      outcome = RaceSearchOutcome::RanAway;
       continue;
     }
     trial = state;
     if (!update_race(set, q, trial, accuracy)) {
-      outcome = RaceSearch::ElementFailed;
+      outcome = RaceSearchOutcome::ElementFailed;
       continue;
     }
     if (scaled_residual(scales, task, trial.load).norm() <= (1.0 - 1e-4 * t) * r.norm()) {
-      return RaceSearch::Accepted;
+      return RaceSearchOutcome::Accepted;
     }
-    outcome = RaceSearch::NoProgress;
+    outcome = RaceSearchOutcome::NoProgress;
   }
   return outcome;
 }
@@ -186,12 +187,12 @@ inline constexpr double kLastResidual = 1e-6;
 /// steps follow the load along every mode, to a stable equilibrium. `uphill_limit`: steps against
 /// the load before it gives up.
 template <class Set, class State>
-RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double target = 1e-12,
-                     bool downhill = false, int uphill_limit = 1000) {
-  RaceSolve result;
+RaceSolveResult solve_race(const Set& set, const RaceLoadCase& task, State& state,
+                           double target = 1e-12, bool downhill = false, int uphill_limit = 1000) {
+  RaceSolveResult result;
   const bool all_given =
       std::all_of(task.given.begin(), task.given.end(), [](bool given) { return given; });
-  double accuracy = all_given ? 0.0 : first_accuracy(set);
+  double accuracy = all_given ? 0.0 : initial_accuracy(set);
   if (!update_race(set, Vec5(state.q), state, accuracy)) {
     result.element_failed = true;
     return result;
@@ -250,7 +251,7 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
     if (n % kPatience == 0) {
       const Vec5 way = Vec5(state.q) - mark_q;
       if (n > 0 && r.norm() > 0.99 * mark_size &&
-          !(largest_move(scales, way) > scales.longest_step)) {
+          !(largest_displacement(scales, way) > scales.longest_step)) {
         return result;
       }
       mark_size = r.norm();
@@ -263,16 +264,16 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
     }
 
     accuracy = result.residual > kLastResidual
-                   ? first_accuracy(set) * std::min(result.residual, 1.0)
+                   ? initial_accuracy(set) * std::min(result.residual, 1.0)
                    : 0.0;
     State trial;
-    const RaceSearch search =
+    const RaceSearchOutcome search =
         conservative || downhill
-            ? descend(set, scales, task, state, r, step.direction, accuracy, trial)
+            ? line_search_convex(set, scales, task, state, r, step.direction, accuracy, trial)
             : reduce(set, scales, task, state, r, step.direction, accuracy, trial);
-    if (search != RaceSearch::Accepted) {
-      result.ran_away = search == RaceSearch::RanAway;
-      result.element_failed = search == RaceSearch::ElementFailed;
+    if (search != RaceSearchOutcome::Accepted) {
+      result.ran_away = search == RaceSearchOutcome::RanAway;
+      result.element_failed = search == RaceSearchOutcome::ElementFailed;
       if (result.residual <= 1e-9 && update_race(set, Vec5(state.q), state)) {
         result.residual = scaled_residual(scales, task, state.load).cwiseAbs().maxCoeff() / floor;
         result.converged = result.residual <= 1e-9;
@@ -289,18 +290,18 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
 /// elements hold off has forces far below their loads: there downhill all the way.
 /// @param hopeless of the state at which Newton gave up: there is no equilibrium to look for
 template <class Set, class State, class Hopeless>
-RaceSolve solve_race_surely(const Set& set, const RaceTask& task, State& state, double target,
-                            const Hopeless& hopeless) {
+RaceSolveResult solve_race_with_fallback(const Set& set, const RaceLoadCase& task, State& state,
+                                         double target, const Hopeless& hopeless) {
   const State start = state;
   constexpr int kUphill = 12;  // enough for an unstable equilibrium that is near
-  RaceSolve result = solve_race(set, task, state, target, false, kUphill);
+  RaceSolveResult result = solve_race(set, task, state, target, false, kUphill);
   if (result.converged || result.ran_away || hopeless(state)) {
     return result;
   }
   State down = start;
-  const RaceSolve descent = solve_race(set, task, down, std::max(target, 1e-4), true);
+  const RaceSolveResult descent = solve_race(set, task, down, std::max(target, 1e-4), true);
   if (descent.converged) {
-    RaceSolve again = solve_race(set, task, down, target);
+    RaceSolveResult again = solve_race(set, task, down, target);
     if (again.converged) {
       state = std::move(down);
       again.iterations += result.iterations + descent.iterations;
@@ -312,7 +313,7 @@ RaceSolve solve_race_surely(const Set& set, const RaceTask& task, State& state, 
   }
   if (descent.converged) {
     State all_the_way = start;
-    const RaceSolve last = solve_race(set, task, all_the_way, target, true);
+    const RaceSolveResult last = solve_race(set, task, all_the_way, target, true);
     if (last.converged) {
       state = std::move(all_the_way);
       return last;
@@ -323,16 +324,18 @@ RaceSolve solve_race_surely(const Set& set, const RaceTask& task, State& state, 
 }
 
 template <class Set, class State>
-RaceSolve solve_race_surely(const Set& set, const RaceTask& task, State& state,
-                            double target = 1e-12) {
-  return solve_race_surely(set, task, state, target, [](const State&) { return false; });
+RaceSolveResult solve_race_with_fallback(const Set& set, const RaceLoadCase& task, State& state,
+                                         double target = 1e-12) {
+  return solve_race_with_fallback(set, task, state, target, [](const State&) { return false; });
 }
 
 /// Looks for stable equilibria on both sides of an unstable one: a step along the mode, downhill
 /// from there, then Newton. Both sides are often mirror images.
 template <class Set, class State>
-std::vector<std::array<double, 5>> equilibria_beside(const Set& set, const RaceTask& task,
-                                                     const State& state, const UnstableMode& mode) {
+std::vector<std::array<double, 5>> adjacent_stable_equilibria(const Set& set,
+                                                              const RaceLoadCase& task,
+                                                              const State& state,
+                                                              const UnstableMode& mode) {
   std::vector<std::array<double, 5>> found;
   const RaceScales scales = race_scales(set);
   const auto far = [&](const Vec5& a, const Vec5& b) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "statics/contact_films.hpp"
 
 #include <Eigen/Core>
@@ -35,9 +36,8 @@ struct RaceResult {
   std::vector<std::array<double, 5>> other_equilibria;
   std::optional<LubricantFilms> films;  ///< with a lubricant, once computed (contact_films)
   int iterations = 0;
-  double residual = 0.0;  ///< largest force residual over the load scale
-  std::vector<std::string>
-      notes;  ///< e.g. "ball 7 touches the outer race only", "undetermined direction held"
+  double residual = 0.0;       ///< largest force residual over the load scale
+  std::vector<Finding> notes;  ///< statics.outer_only, statics.held ...
 };
 
 }  // namespace adore::statics

@@ -9,8 +9,8 @@
 
 namespace adore::statics {
 
-RaceTask race_task(const bearing::StaticConstraints& constraints) {
-  RaceTask task;
+RaceLoadCase race_load_case(const bearing::StaticConstraints& constraints) {
+  RaceLoadCase task;
   task.given = constraints.displacement_given;
   for (std::size_t k = 0; k < 5; ++k) {
     if (!std::isfinite(constraints.load[k]) || !std::isfinite(constraints.displacement[k])) {
@@ -23,7 +23,7 @@ RaceTask race_task(const bearing::StaticConstraints& constraints) {
   return task;
 }
 
-std::string load_text(const RaceTask& task) {
+std::string load_text(const RaceLoadCase& task) {
   std::string text;
   for (std::size_t k = 0; k < 5; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
@@ -35,21 +35,25 @@ std::string load_text(const RaceTask& task) {
   return text.empty() ? "no load" : text;
 }
 
-std::string how_far(const RaceSolve& solve) {
+std::string solve_failure_text(const RaceSolveResult& solve) {
   return solve.iterations == 0
              ? "could not start"
              : fmt::format("stopped with a residual of {:.2g} of the load after {}", solve.residual,
                            counted(solve.iterations, "step"));
 }
 
-std::vector<std::string> held_notes(const std::vector<int>& held,
-                                    const std::array<double, 5>& displacement) {
-  std::vector<std::string> notes;
+std::vector<Finding> unsupported_direction_notes(const std::vector<int>& held,
+                                                 const std::array<double, 5>& displacement) {
+  std::vector<Finding> notes;
   for (const int k : held) {
     const auto i = static_cast<std::size_t>(k);
-    notes.push_back(fmt::format(
-        "the inner race has no load and no support {}: the displacement remains at {:.6g} {}",
-        kDirection[i], displacement[i], k < 3 ? "m" : "rad"));
+    const char* const unit = k < 3 ? "m" : "rad";
+    notes.push_back(
+        make_finding("statics.held", fmt::format("the inner race has no load and no support {}: "
+                                                 "the displacement remains at {:.6g} {}",
+                                                 kDirection[i], displacement[i], unit))
+            .of("inner race")
+            .measure(fmt::format("displacement {}", kDirection[i]), displacement[i], unit));
   }
   return notes;
 }

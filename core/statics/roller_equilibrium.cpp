@@ -20,7 +20,7 @@ struct Balance {
 /// enough; 0: down to rounding.
 bool newton(const RollerModel& m, const Races<PlaceDual>& races, double accuracy,
             RollerState& state, Balance& found) {
-  constexpr int kIterations = 120;
+  constexpr int kMaxIterations = 120;
   const double nothing = m.load_floor;
   Contacts& contacts = found.contacts;
   found.rest.setZero();
@@ -30,7 +30,7 @@ bool newton(const RollerModel& m, const Races<PlaceDual>& races, double accuracy
     return scaled(m, forces_of(m, at, pose, contacts), contacts);
   };
   ScaledForces now = evaluate(state);
-  for (int n = 0; n < kIterations; ++n) {
+  for (int n = 0; n < kMaxIterations; ++n) {
     const double size = now.force.norm();
     if (!std::isfinite(size)) {
       return false;
@@ -51,7 +51,7 @@ bool newton(const RollerModel& m, const Races<PlaceDual>& races, double accuracy
       return false;
     }
     if (size <= accuracy * contacts.total && length <= 1e-2 * m.longest_step) {
-      found.rest = unscaled(m, step);
+      found.rest = unscaled_step(m, step);
       return true;
     }
     if (length > m.longest_step) {
@@ -63,7 +63,7 @@ bool newton(const RollerModel& m, const Races<PlaceDual>& races, double accuracy
     bool accepted = false;
     for (int attempt = 0; attempt < 50 && !accepted; ++attempt) {
       t = search.length();
-      trial.e = state.e + t * unscaled(m, step);
+      trial.e = state.e + t * unscaled_step(m, step);
       if (trial.e.head<2>().norm() > 0.5 * m.rollers.diameter || std::abs(trial.e(2)) > 0.5) {
         return false;
       }
@@ -89,7 +89,7 @@ bool solve_roller(const RollerModel& m, const Vec5& q, const Races<PlaceDual>& r
                   double accuracy, RollerState& state, Balance& found) {
   if (!m.moving) {
     RollerState middle = state;
-    middle.e = middle_place(m, state, q);
+    middle.e = middle_roller_position(m, state, q);
     found = {contacts_at(m, middle, pose_of(m, middle, races))};
     if (found.contacts.total == 0.0) {
       state.e = middle.e;
@@ -102,8 +102,8 @@ bool solve_roller(const RollerModel& m, const Vec5& q, const Races<PlaceDual>& r
   if (state.known && newton(m, races, accuracy, state, found)) {
     return true;
   }
-  const Eigen::Vector3d first = first_place(m, state, q);
-  const Eigen::Vector3d middle = middle_place(m, state, q);
+  const Eigen::Vector3d first = initial_roller_position(m, state, q);
+  const Eigen::Vector3d middle = middle_roller_position(m, state, q);
   state.e = first;
   state.known = newton(m, races, accuracy, state, found);
   if (!state.known && first != middle) {
@@ -132,12 +132,12 @@ double reference_stiffness(const RollerModel& m, double load) {
   return load > 0.0 ? 10.0 / 9.0 * load / delta : 0.0;
 }
 
-HeldRaces held_races(const RollerModel& m, const Vec5& q) {
+RacesAtDisplacement races_at_displacement(const RollerModel& m, const Vec5& q) {
   return {q, races_at<PlaceDual>(m, q), races_at<RollerDual>(m, q)};
 }
 
-bool add_roller(const RollerModel& m, const HeldRaces& races, const Vec5& change, double accuracy,
-                RollerState& roller, RaceLoad& sum) {
+bool add_roller(const RollerModel& m, const RacesAtDisplacement& races, const Vec5& change,
+                double accuracy, RollerState& roller, RaceLoad& sum) {
   if (roller.known) {
     follow_race(m, change, roller);
   }
@@ -154,7 +154,7 @@ bool add_roller(const RollerModel& m, const HeldRaces& races, const Vec5& change
     }
   }
   const Forces<RollerDual> forces = forces_of(m, roller, pose, contacts);
-  roller.follow = following(m, forces, contacts);
+  roller.follow = race_following_matrix(m, forces, contacts);
   roller.e += found.rest;
   if (contacts.total == 0.0) {
     return true;
@@ -177,7 +177,7 @@ bool add_roller(const RollerModel& m, const HeldRaces& races, const Vec5& change
 }
 
 bool update_race(const RollerModel& m, const Vec5& q, RollerRace& state, double accuracy) {
-  const HeldRaces races = held_races(m, q);
+  const RacesAtDisplacement races = races_at_displacement(m, q);
   const Vec5 change = q - state.q;
   RaceLoad sum;
   for (RollerState& roller : state.elements) {

@@ -14,12 +14,12 @@ namespace adore::statics {
 void follow_race(const RollerModel& model, const Vec5& change, RollerState& state);
 
 /// Both races with the inner one at q: for the search of rollers, and with derivatives.
-struct HeldRaces {
+struct RacesAtDisplacement {
   Vec5 q;
   Races<PlaceDual> held;
   Races<RollerDual> moved;
 };
-[[nodiscard]] HeldRaces held_races(const RollerModel& model, const Vec5& q);
+[[nodiscard]] RacesAtDisplacement races_at_displacement(const RollerModel& model, const Vec5& q);
 
 /// Sums over rollers.
 struct RaceLoad {
@@ -29,15 +29,16 @@ struct RaceLoad {
 };
 /// Brings one roller into equilibrium and adds what it hands on; false: there is none.
 /// @param change of q since the roller was in equilibrium
-[[nodiscard]] bool add_roller(const RollerModel& model, const HeldRaces& races, const Vec5& change,
-                              double accuracy, RollerState& roller, RaceLoad& sum);
+[[nodiscard]] bool add_roller(const RollerModel& model, const RacesAtDisplacement& races,
+                              const Vec5& change, double accuracy, RollerState& roller,
+                              RaceLoad& sum);
 
 // The inner race on rollers: what race_equilibrium.hpp asks of an element set.
 using RollerRace = RaceState<RollerState>;
 [[nodiscard]] RaceScales race_scales(const RollerModel& model);
 [[nodiscard]] double reference_stiffness(const RollerModel& model, double load);
 [[nodiscard]] inline bool is_conservative(const RollerModel&) { return true; }
-[[nodiscard]] inline double first_accuracy(const RollerModel&) { return 1e-3; }
+[[nodiscard]] inline double initial_accuracy(const RollerModel&) { return 1e-3; }
 [[nodiscard]] bool update_race(const RollerModel& model, const Vec5& q, RollerRace& state,
                                double accuracy = 0.0);
 

@@ -13,8 +13,9 @@ namespace {
 /// Roller axis in the race frame for the relative coordinates t, f.
 Vec3 axis_of(double t, double f) { return {std::sqrt(1.0 - t * t - f * f), f, t}; }
 
-contact::FlangeContact contact_at(const FlangePair& pair, const Vec4& p) {
-  return contact::flange_overlap(pair.face, pair.end, Vec3(p(0), 0.0, p(1)), axis_of(p(2), p(3)));
+contact::FlangeContact contact_at(const FlangeEndPair& pair, const Vec4& p) {
+  return contact::flange_contact_for_forces(pair.face, pair.end, Vec3(p(0), 0.0, p(1)),
+                                            axis_of(p(2), p(3)));
 }
 
 /// ∂gap/∂p: the contact point moves with the roller, only its motion along the normal counts.
@@ -29,11 +30,12 @@ Vec4 gap_gradient(const contact::FlangeContact& c, const Vec4& p) {
 
 }  // namespace
 
-std::vector<FlangePair> flange_pairs(bearing::Type type, const bearing::RollerGeometry& rollers,
-                                     const std::array<double, 2>& E_star,
-                                     const contact::RollerProfile& profile) {
-  std::vector<FlangePair> out;
-  const bearing::RollerGeometry g = rollers.on_bench();
+std::vector<FlangeEndPair> flange_end_pairs(bearing::Type type,
+                                            const bearing::RollerGeometry& rollers,
+                                            const std::array<double, 2>& E_star,
+                                            const contact::RollerProfile& profile) {
+  std::vector<FlangeEndPair> out;
+  const bearing::RollerGeometry g = rollers.unmounted_geometry();
   const RollerRaces races = bench_races(type, g);
   const auto growth = race_growths(type, rollers);
   const contact::RollerProfile ideal = contact::roller_profile(g);
@@ -64,7 +66,7 @@ std::vector<FlangePair> flange_pairs(bearing::Type type, const bearing::RollerGe
       const contact::RollerEnd ideal_end = contact::roller_end(ideal, side);
       try {
         flange = contact::placed_flange(flange, ideal_end, centre, axis, mid, travel);
-        FlangePair pair;
+        FlangeEndPair pair;
         pair.race = race;
         pair.side = side;
         pair.end = contact::roller_end(profile, side);
@@ -88,16 +90,17 @@ std::vector<FlangePair> flange_pairs(bearing::Type type, const bearing::RollerGe
   return out;
 }
 
-FlangeTouch flange_touch(const FlangePair& pair, const Vec4& p) {
-  FlangeTouch out;
+FlangeContactLoad flange_contact_load(const FlangeEndPair& pair, const Vec4& p) {
+  FlangeContactLoad out;
   out.contact =
       contact::flange_contact(pair.face, pair.end, Vec3(p(0), 0.0, p(1)), axis_of(p(2), p(3)));
   out.load = out.contact.steepness * contact::hertz_load(pair.K, -out.contact.gap);
   return out;
 }
 
-void add_flange(const FlangePair& pair, const Vec4& p, bool with_curvature, PairPotential& sum) {
-  if (pair.surely_open(p)) {
+void add_flange_force(const FlangeEndPair& pair, const Vec4& p, bool with_curvature,
+                      PairPotential& sum) {
+  if (pair.is_certainly_open(p)) {
     return;
   }
   const contact::FlangeContact c = contact_at(pair, p);

@@ -21,7 +21,7 @@
 namespace adore::statics {
 
 /// One flange and the roller end that faces it.
-struct FlangePair {
+struct FlangeEndPair {
   int race = 0, side = 0;  ///< side 0: -x
   contact::FlangeFace face;
   contact::RollerEnd end;
@@ -31,7 +31,7 @@ struct FlangePair {
   double open_gap = 0.0;          ///< [m]
   double reach = 0.0;             ///< of the roller's points from its middle [m]
 
-  [[nodiscard]] bool surely_open(const Vec4& p) const noexcept {
+  [[nodiscard]] bool is_certainly_open(const Vec4& p) const noexcept {
     const Vec4 d = p - open_pose;
     return open_gap >
            std::abs(d(0)) + std::abs(d(1)) + 1.1 * reach * (std::abs(d(2)) + std::abs(d(3)));
@@ -44,20 +44,21 @@ struct FlangePair {
 /// They are placed on the bench, for the nominal roller there, and grow with their race.
 /// @param profile the roller whose end they meet
 /// @throws InputError naming the flange that cannot be.
-[[nodiscard]] std::vector<FlangePair> flange_pairs(bearing::Type type,
-                                                   const bearing::RollerGeometry& rollers,
-                                                   const std::array<double, 2>& E_star,
-                                                   const contact::RollerProfile& profile);
+[[nodiscard]] std::vector<FlangeEndPair> flange_end_pairs(bearing::Type type,
+                                                          const bearing::RollerGeometry& rollers,
+                                                          const std::array<double, 2>& E_star,
+                                                          const contact::RollerProfile& profile);
 
 /// The contact at p, and the load on it.
-struct FlangeTouch {
+struct FlangeContactLoad {
   contact::FlangeContact contact;
   double load = 0.0;  ///< [N]
 };
-[[nodiscard]] FlangeTouch flange_touch(const FlangePair& pair, const Vec4& p);
+[[nodiscard]] FlangeContactLoad flange_contact_load(const FlangeEndPair& pair, const Vec4& p);
 
 /// Adds the flange's force at p; nothing when it is open. `with_curvature`: the derivative of the
 /// gap's gradient too, which costs several contact searches and matters little while iterating.
-void add_flange(const FlangePair& pair, const Vec4& p, bool with_curvature, PairPotential& sum);
+void add_flange_force(const FlangeEndPair& pair, const Vec4& p, bool with_curvature,
+                      PairPotential& sum);
 
 }  // namespace adore::statics

@@ -6,7 +6,7 @@
 namespace adore::statics {
 namespace {
 
-PairPotential race_potential(const RollerModel& m, const RollerBody& body, std::size_t j,
+PairPotential race_potential(const RollerModel& m, const RollerContactGeometry& body, std::size_t j,
                              const Vec4& p) {
   PairPotential sum;
   add_race(m, body, j, p, sum);
@@ -65,7 +65,7 @@ void add_exact(const std::array<S, 4>& g, const Roller<S>& roller, const Relativ
   sum.residual[1] += force.z;
   sum.residual[2] += -(turning.x * roller.over_tilt_x + turning.z * roller.over_tilt_r);
   if (std::is_same_v<S, RollerDual> && inner) {
-    const contact::MeridianTurn turn = azimuth_turn(at);
+    const contact::MeridianRotation turn = azimuth_rotation(at);
     const Triple<S> moment = turn.back(cross(rel.d, force) - cross(roller.axis, turning));
     const Triple<S> on_race = turn.back(force);
     sum.load[0] += on_race.x;
@@ -78,12 +78,12 @@ void add_exact(const std::array<S, 4>& g, const Roller<S>& roller, const Relativ
 
 }  // namespace
 
-PairPotential flange_potential(const RollerBody& body, std::size_t j, const Vec4& p,
+PairPotential flange_potential(const RollerContactGeometry& body, std::size_t j, const Vec4& p,
                                bool with_curvature) {
   PairPotential sum;
-  for (const FlangePair& flange : body.flanges) {
+  for (const FlangeEndPair& flange : body.flanges) {
     if (flange.race == static_cast<int>(j)) {
-      add_flange(flange, p, with_curvature, sum);
+      add_flange_force(flange, p, with_curvature, sum);
     }
   }
   return sum;
@@ -92,7 +92,7 @@ PairPotential flange_potential(const RollerBody& body, std::size_t j, const Vec4
 template <class S>
 Contacts contacts_at(const RollerModel& m, const RollerState& at, const Pose<S>& pose) {
   Contacts out;
-  const RollerBody& body = m.body(at.number);
+  const RollerContactGeometry& body = m.body(at.number);
   out.total = m.moving ? m.centrifugal : 0.0;
   for (std::size_t j = 0; j < 2; ++j) {
     const Vec4 p = pose.seen_from[j].values();

@@ -24,8 +24,8 @@ template <class S>
                                    const Pose<S>& pose);
 
 /// Flanges of race j. `with_curvature`: roller_flanges.hpp.
-[[nodiscard]] PairPotential flange_potential(const RollerBody& body, std::size_t j, const Vec4& p,
-                                             bool with_curvature);
+[[nodiscard]] PairPotential flange_potential(const RollerContactGeometry& body, std::size_t j,
+                                             const Vec4& p, bool with_curvature);
 
 /// What they make of it.
 template <class S>

@@ -22,17 +22,17 @@ using Mat65 = Eigen::Matrix<double, 6, 5>;
 using Vec11 = Eigen::Matrix<double, 11, 1>;
 using Mat11 = Eigen::Matrix<double, 11, 11>;
 
-constexpr int kSteps = 80, kCuts = 4, kPasses = 8;
+constexpr int kMaxRollerSteps = 80, kMaxRollerStepCuts = 4, kMaxPasses = 8;
 /// Residuals that the search for one roller may take in all.
-constexpr int kResiduals = 4000;
+constexpr int kMaxEvaluations = 4000;
 /// Rates: where steps end, what is taken where rounding ends them, and where they end at the place
 /// of the race without friction.
-constexpr double kBalanced = 1e-11, kAccepted = 1e-8, kFirstAccuracy = 1e-6;
+constexpr double kBalanceTolerance = 1e-11, kAcceptedRates = 1e-8, kFirstTolerance = 1e-6;
 /// Differences and longest steps in units of u.
 const Vec6 kDifference = (Vec6() << 1e-8, 1e-8, 1e-7, 1e-7, 2e-8, 2e-8).finished();
-const Vec6 kLongestStep = (Vec6() << 1e-2, 1e-2, 3e-3, 1e-2, 1e-2, 1e-2).finished();
+const Vec6 kMaxStep = (Vec6() << 1e-2, 1e-2, 3e-3, 1e-2, 1e-2, 1e-2).finished();
 constexpr double kRaceDifference = 1e-8;  ///< in units of q
-constexpr double kLightest = 1e-3;        ///< load of a roller in balance over the largest one
+constexpr double kMinLoadRatio = 1e-3;    ///< load of a roller in balance over the largest one
 
 /// A roller, its action where it was evaluated last, and derivatives that follow all evaluations
 /// (Broyden's update): 11 rows rates and load, 11 columns u and q in their units.
@@ -47,7 +47,7 @@ struct FrictionRoller {
   bool by_u = false, by_q = false;  ///< columns of D that are known
   bool balanced = false;
   bool axial = true;  ///< x is free
-  int left = kResiduals;
+  int left = kMaxEvaluations;
   [[nodiscard]] Mat6 J() const { return D.topLeftCorner<6, 6>(); }
 };
 
@@ -66,7 +66,7 @@ double reference_stiffness(const FrictionSet& set, double load) {
   return reference_stiffness(set.model, load);
 }
 bool is_conservative(const FrictionSet&) { return false; }
-double first_accuracy(const FrictionSet& set) { return set.fresh ? 0.0 : 0.03; }
+double initial_accuracy(const FrictionSet& set) { return set.fresh ? 0.0 : 0.03; }
 
 Races<double> races_of(const FrictionSet& set, const Vec5& q) {
   return races_at<double>(set.model, q);
@@ -96,14 +96,14 @@ Vec11 values(const RollerMotionAction& action) {
 /// evaluation corrects the derivatives.
 void move_to(const FrictionSet& set, FrictionRoller& roller, const Vec6& u, const Vec5& q,
              const Races<double>& races) {
-  constexpr double kShortest = 1e-11;
+  constexpr double kMinUpdateStep = 1e-11;
   roller.u = u;
   const RollerMotionAction there = evaluate(set, roller, u, races);
   Vec11 place;
   place << u.cwiseQuotient(set.forces.units()), q.cwiseQuotient(race_units(set));
   const Vec11 step = place - roller.place;
   const double square = step.squaredNorm();
-  if (roller.placed && roller.by_u && square > kShortest * kShortest) {
+  if (roller.placed && roller.by_u && square > kMinUpdateStep * kMinUpdateStep) {
     const Vec11 missing = values(there) - values(roller.action) - roller.D * step;
     if (missing.allFinite()) roller.D += missing * (step.transpose() / square);
   }
@@ -116,11 +116,11 @@ void move_to(const FrictionSet& set, FrictionRoller& roller, const Vec6& u, cons
 /// @param central both ways, with longer steps: their error is of second order
 void differentiate(const FrictionSet& set, FrictionRoller& roller, const Vec5& q,
                    const Races<double>& races, bool with_race, bool central) {
-  constexpr double kLonger = 10.0;
+  constexpr double kCentralStepFactor = 10.0;
   const Vec11 here = values(roller.action);
   const auto slope = [&](double step, const auto& at) {
     if (!central) return Vec11((values(at(step)) - here) / step);
-    step *= kLonger;
+    step *= kCentralStepFactor;
     return Vec11((values(at(step)) - values(at(-step))) / (2.0 * step));
   };
   for (Eigen::Index k = 0; k < 6; ++k)
@@ -145,27 +145,27 @@ void differentiate(const FrictionSet& set, FrictionRoller& roller, const Vec5& q
 /// `accuracy`.
 bool find_balance(const FrictionSet& set, FrictionRoller& roller, const Vec5& q,
                   const Races<double>& races, double accuracy) {
-  constexpr double kLeastFirst = 1e-2, kSlow = 0.3, kRounding = 1e-8;
-  constexpr int kSlowSteps = 2;
-  const double target = std::max(accuracy, kBalanced);
+  constexpr double kMinFirstRates = 1e-2, kSlowRatio = 0.3, kRounding = 1e-8;
+  constexpr int kMaxSlowSteps = 2;
+  const double target = std::max(accuracy, kBalanceTolerance);
   double size = roller.action.rates.norm();
-  const double first = std::max(size, kLeastFirst);
+  const double first = std::max(size, kMinFirstRates);
   int slow = 0;
-  for (int n = 0; n < kSteps && size > target; ++n) {
+  for (int n = 0; n < kMaxRollerSteps && size > target; ++n) {
     if (!std::isfinite(size) || roller.left <= 0) return false;
     const bool fresh = !roller.by_u;
     if (fresh) {
       differentiate(set, roller, q, races, false, false);
       slow = 0;
     }
-    const auto d = flow_step<6>(roller.J(), roller.action.rates, size / first, kLongestStep);
+    const auto d = pseudo_time_step<6>(roller.J(), roller.action.rates, size / first, kMaxStep);
     if (!d) return false;
     const FrictionRoller here = roller;
     Vec6 step = d->cwiseProduct(set.forces.units());
     move_to(set, roller, here.u + step, q, races);
     double next = roller.action.rates.norm();
     // Traction that saturates: shorter where the rates grow, and on in any case.
-    for (int cut = 0; cut < kCuts && fresh && !(next < size); ++cut) {
+    for (int cut = 0; cut < kMaxRollerStepCuts && fresh && !(next < size); ++cut) {
       step *= 0.5;
       move_to(set, roller, here.u + step, q, races);
       next = roller.action.rates.norm();
@@ -179,11 +179,11 @@ bool find_balance(const FrictionSet& set, FrictionRoller& roller, const Vec5& q,
       roller.by_u = false;
       continue;
     }
-    slow = next < kSlow * size ? 0 : slow + 1;
-    roller.by_u = slow < kSlowSteps;
+    slow = next < kSlowRatio * size ? 0 : slow + 1;
+    roller.by_u = slow < kMaxSlowSteps;
     size = next;
   }
-  return size <= std::max(accuracy, kAccepted);
+  return size <= std::max(accuracy, kAcceptedRates);
 }
 
 /// du/dq, and what the roller adds to load and stiffness of the race. With `last_step` its step
@@ -210,14 +210,14 @@ bool add_balanced(const FrictionSet& set, bool last_step, FrictionRoller& roller
 /// do not follow where traction saturates.
 void follow(const FrictionSet& set, FrictionRoller& roller, const Vec5& change, const Vec5& q,
             const Races<double>& races) {
-  constexpr double kFar = 3e-3;
+  constexpr double kMaxFollowRates = 3e-3;
   Vec6 shift = roller.follow * change;
-  const Vec6 over = shift.cwiseAbs().cwiseQuotient(set.forces.units().cwiseProduct(kLongestStep));
+  const Vec6 over = shift.cwiseAbs().cwiseQuotient(set.forces.units().cwiseProduct(kMaxStep));
   if (!(over.head<4>().maxCoeff() <= 1.0)) shift.setZero();
   if (!(over.tail<2>().maxCoeff() <= 1.0)) shift.tail<2>().setZero();
   const Vec6 from = roller.u;
   move_to(set, roller, from + shift, q, races);
-  if (!(roller.action.rates.norm() > kFar) || shift.tail<2>().isZero(0.0)) return;
+  if (!(roller.action.rates.norm() > kMaxFollowRates) || shift.tail<2>().isZero(0.0)) return;
   const FrictionRoller whole = roller;
   shift.tail<2>().setZero();
   move_to(set, roller, from + shift, q, races);
@@ -225,7 +225,7 @@ void follow(const FrictionSet& set, FrictionRoller& roller, const Vec5& change, 
 }
 
 bool update_race(const FrictionSet& set, const Vec5& q, FrictionRace& race, double accuracy = 0.0) {
-  const HeldRaces held = held_races(set.model, q);
+  const RacesAtDisplacement held = races_at_displacement(set.model, q);
   const Races<double> here = races_of(set, q);
   const Vec5 change = q - race.q;
   RaceLoad sum;
@@ -260,17 +260,17 @@ bool differentiate_race(const FrictionSet& set, FrictionRace& race) {
   return update_race(exact, Vec5(race.q), race);
 }
 
-bool carries(const StaticRoller& roller, double largest) {
-  return std::min(roller.race[0].load, roller.race[1].load) > kLightest * largest;
+bool is_carrying(const StaticRoller& roller, double largest) {
+  return std::min(roller.race[0].load, roller.race[1].load) > kMinLoadRatio * largest;
 }
 
 /// The rule of unloaded rollers, and those that friction does not keep.
 bool is_balance(const FrictionRoller& roller) {
   if (!(roller.action.race[0] > 0.0) || !(roller.action.race[1] > 0.0)) return false;
   const double skew = std::abs(roller.u[kPlaceSkew]);
-  constexpr double kStays = 1e-9;
+  constexpr double kNoSkew = 1e-9;
   return skew <= kLargestSkew &&
-         (skew <= kStays || !(slope_with_others<6>(roller.J(), kPlaceSkew) > 0.0));
+         (skew <= kNoSkew || !(condensed_slope<6>(roller.J(), kPlaceSkew) > 0.0));
 }
 
 Vec6 without_friction(const RollerModel& m, const RollerState& roller) {
@@ -281,14 +281,15 @@ Vec6 without_friction(const RollerModel& m, const RollerState& roller) {
 }
 
 /// Balances at the place of the race without friction, one roller after the other.
-void find_first(const FrictionSet& set, const RollerSolution& solution, FrictionRace& race) {
+void find_first_balances(const FrictionSet& set, const RollerSolution& solution,
+                         FrictionRace& race) {
   const Races<double> races = races_of(set, race.q);
   Vec6 ahead = Vec6::Zero();  // of the roller before
   const FrictionRoller* before = nullptr;
   for (std::size_t k = 0; k < race.elements.size(); ++k) {
     FrictionRoller& roller = race.elements[k];
     const StaticRoller& at = solution.rollers[k];
-    if (!carries(at, solution.max_load)) continue;
+    if (!is_carrying(at, solution.max_load)) continue;
     const bool flanged = std::any_of(at.flange.begin(), at.flange.end(), [](const auto& of_race) {
       return of_race[0].load > 0.0 || of_race[1].load > 0.0;
     });
@@ -298,12 +299,12 @@ void find_first(const FrictionSet& set, const RollerSolution& solution, Friction
       move_to(set, roller, plain + ahead, race.q, races);
       roller.D = before->D;
       roller.by_u = true;
-      roller.balanced = find_balance(set, roller, race.q, races, kFirstAccuracy);
+      roller.balanced = find_balance(set, roller, race.q, races, kFirstTolerance);
     }
     if (!roller.balanced) {
       move_to(set, roller, plain, race.q, races);
       roller.by_u = false;
-      roller.balanced = find_balance(set, roller, race.q, races, kFirstAccuracy);
+      roller.balanced = find_balance(set, roller, race.q, races, kFirstTolerance);
     }
     if (!roller.balanced) continue;
     ahead = roller.u - plain;
@@ -330,17 +331,17 @@ StaticRoller report(const FrictionSet& set, FrictionRoller& roller, const Vec5& 
 
 }  // namespace
 
-std::string RollerFriction::note() const {
+std::string RollerFrictionBalance::note() const {
   if (!failure.empty())
     return fmt::format(
-        "friction is not in balance: {}; rollers have no skew and roll by their "
-        "nominal geometry",
+        "no friction equilibrium: {}; the rollers have no skew and roll at their nominal geometry",
         failure);
   if (left.empty()) return {};
   std::vector<std::size_t> numbers;
   for (const std::size_t k : left) numbers.push_back(k + 1);
   return fmt::format(
-      "{}: no stable friction equilibrium was found; place, loads and heat are those without skew",
+      "{}: no stable friction equilibrium was found; position, loads and heat are those without "
+      "skew",
       number_list(numbers, "roller"));
 }
 
@@ -348,15 +349,16 @@ bool has_friction_balance(const Bearing& bearing, const RollerOptions& options) 
   if (!bearing.rollers() || !options.friction_balance) return false;
   const auto& rollers = *bearing.rollers();
   const bool resists =
-      bearing.lubrication || tribology::largest_traction(bearing.race_traction) > 0.0;
+      bearing.lubrication || tribology::max_traction_coefficient(bearing.race_traction) > 0.0;
   const bool held =
       bearing.type != bearing::Type::Spherical || rollers.has_flange(0) || rollers.has_flange(1);
   return resists && held && bearing.speed[0] != bearing.speed[1] &&
          options.contact == RollerContact::Sliced && options.kinematics == RollerKinematics::Exact;
 }
 
-bool balance_rollers(const Bearing& bearing, const RollerOptions& options, const RollerModel& model,
-                     const RaceTask& task, const RollerRace& without, RollerSolution& out) {
+bool solve_roller_friction_balance(const Bearing& bearing, const RollerOptions& options,
+                                   const RollerModel& model, const RaceLoadCase& task,
+                                   const RollerRace& without, RollerSolution& out) {
   if (!(out.max_load > 0.0)) return false;
   out.friction.computed = true;
   const RollerMotionForces forces(bearing, model, out.max_load);
@@ -365,13 +367,13 @@ bool balance_rollers(const Bearing& bearing, const RollerOptions& options, const
   FrictionRace race;
   race.q = without.q;
   for (const RollerState& roller : without.elements) race.elements.emplace_back().state = roller;
-  find_first(set, out, race);
+  find_first_balances(set, out, race);
   std::vector<bool> asked;
-  for (const StaticRoller& roller : out.rollers) asked.push_back(carries(roller, out.max_load));
+  for (const StaticRoller& roller : out.rollers) asked.push_back(is_carrying(roller, out.max_load));
   int iterations = 0;
   bool settled = false;
-  RaceSolve solve;
-  for (int pass = 0; pass < kPasses && !settled; ++pass) {
+  RaceSolveResult solve;
+  for (int pass = 0; pass < kMaxPasses && !settled; ++pass) {
     FrictionRace trial = race;
     lost.clear();
     solve = solve_race(set, task, trial, 1e-11);
@@ -392,7 +394,7 @@ bool balance_rollers(const Bearing& bearing, const RollerOptions& options, const
     if (settled) race = std::move(trial);
   }
   if (!settled) {
-    out.friction.failure = "no equilibrium of the bearing was found with its friction";
+    out.friction.failure = "the bearing has no equilibrium with the friction forces";
     return false;
   }
   for (std::size_t k = 0; k < race.elements.size(); ++k) {

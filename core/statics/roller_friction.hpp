@@ -17,11 +17,11 @@
 /// ends; between them each evaluation corrects them (Broyden's update). A roller keeps its
 /// equilibrium without friction where there is no balance, one with more than kLargestSkew, or one
 /// that skew leaves while the other unknowns follow at once (∂G_ψ/∂ψ > 0 then:
-/// slope_with_others()); where a race or the search for the bearing loses it; and after kResiduals
-/// evaluations. RollerSolution::friction reports that. Cylindrical rollers that no flange loads
-/// stay where they are along the bearing. Not balanced: barrels without a flange, which skew until
-/// their pocket stops them (decision 261); one elliptical contact per race and linear kinematics,
-/// which motion does not have either.
+/// condensed_slope()); where a race or the search for the bearing loses it; and after
+/// kMaxEvaluations evaluations. RollerSolution::friction reports that. Cylindrical rollers that no
+/// flange loads stay where they are along the bearing. Not balanced: barrels without a flange,
+/// which skew until their pocket stops them (decision 261); one elliptical contact per race and
+/// linear kinematics, which motion does not have either.
 namespace adore::statics {
 
 /// False: rollers have the equilibrium without friction (option, races that do not turn against
@@ -31,8 +31,8 @@ namespace adore::statics {
 
 /// The bearing with friction from one without; false: as it was, and `result` says why.
 /// @param out displacement, load, stiffness, rollers and iterations change; summaries do not
-bool balance_rollers(const bearing::Bearing& bearing, const RollerOptions& options,
-                     const RollerModel& model, const RaceTask& task, const RollerRace& race,
-                     RollerSolution& out);
+bool solve_roller_friction_balance(const bearing::Bearing& bearing, const RollerOptions& options,
+                                   const RollerModel& model, const RaceLoadCase& task,
+                                   const RollerRace& race, RollerSolution& out);
 
 }  // namespace adore::statics

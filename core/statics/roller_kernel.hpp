@@ -21,44 +21,44 @@ struct RollerKernelAction {
 
 /// Storage for the loaded slices of all rollers before a call of a user law: in sequence,
 /// in whole vectors, for one call. Sized at set-up (SliceScratch in user_points.hpp).
-struct UserSlices {
-  double* contact[7];              ///< ContactPoint in the order of TractionPoints
+struct UserLawSlices {
+  double* contact[7];              ///< ContactConditions in the order of UserTractionInput
   double *slip, *inverse, *kappa;  ///< s, rounded, and 1/s
-  double* kept[11];                ///< contact::KeptSlice
+  double* kept[11];                ///< contact::LoadedSlice
   int* vectors_of;                 ///< of each roller
 };
 
 /// Other loads on the same contacts.
-struct RollerRaceAddition {
+struct RollerResistanceLoad {
   double force[3], moment[3];  ///< on one roller, in its meridian frame, about its middle
   double heat;                 ///< [W]
 };
 
 struct RollerKernelInput {
-  const contact::RaceSlices* slices;  ///< of each roller, or of all
-  bool alike;                         ///< one for all
+  const contact::RaceSlicesView* slices;  ///< of each roller, or of all
+  bool alike;                             ///< one for all
   std::size_t n;
   const contact::RollerPose* rollers;
-  const contact::RaceSlope* slopes;  ///< of each roller on a race with errors, or null
+  const contact::RaceAzimuthSlope* slopes;  ///< of each roller on a race with errors, or null
   RollerKernelAction* out;
   bool traction;
   // Law of traction: one of tribology::TractionLawList.
   std::size_t law_index;
   const void* law;
-  double slip_floor;       ///< ε² of the rounded slip sqrt(u² + ε²) [m²/s²], > 0
-  const UserSlices* user;  ///< of a law of the user; else null
+  double regularization_slip_squared;  ///< ε² of the rounded slip sqrt(u² + ε²) [m²/s²], > 0
+  const UserLawSlices* user;           ///< of a law of the user; else null
   /// Of a law with a film: rolling resistance of the oil, of the same films; null: none.
   const tribology::RollingResistance* rolling;
-  RollerRaceAddition* rolled;  ///< meaning of the above
+  RollerResistanceLoad* rolled;  ///< meaning of the above
 };
 
 /// Rolling resistance of the oil with a traction law without a film (statics/roller_rolling.hpp).
-struct RollerRollingInput {
-  const contact::RaceSlices* slices;  ///< as in RollerKernelInput
+struct RollingResistanceInput {
+  const contact::RaceSlicesView* slices;  ///< as in RollerKernelInput
   bool alike;
   std::size_t n;
   const contact::RollerPose* rollers;
-  RollerRaceAddition* out;
+  RollerResistanceLoad* out;
   const tribology::RollingResistance* law;
 };
 
@@ -71,25 +71,25 @@ struct RollerSliceRows {
 };
 /// Writes the slices that press. The roller need not touch.
 struct RollerReportInput {
-  const contact::RaceSlices* slices;
+  const contact::RaceSlicesView* slices;
   const contact::RollerPose* roller;
-  const contact::RaceSlope* slope;  ///< of a race with errors; null: none
+  const contact::RaceAzimuthSlope* slope;  ///< of a race with errors; null: none
   RollerSliceRows rows;
 };
 
 using RollerKernel = void (*)(const RollerKernelInput&) noexcept;
-using RollerRollingKernel = void (*)(const RollerRollingInput&) noexcept;
+using RollingResistanceKernel = void (*)(const RollingResistanceInput&) noexcept;
 using RollerReportKernel = void (*)(const RollerReportInput&) noexcept;
 
 void roller_kernel_baseline(const RollerKernelInput& in) noexcept;
-void roller_rolling_baseline(const RollerRollingInput& in) noexcept;
+void roller_rolling_resistance_baseline(const RollingResistanceInput& in) noexcept;
 void roller_report_baseline(const RollerReportInput& in) noexcept;
 #if defined(__x86_64__)
 void roller_kernel_avx2(const RollerKernelInput& in) noexcept;
-void roller_rolling_avx2(const RollerRollingInput& in) noexcept;
+void roller_rolling_resistance_avx2(const RollingResistanceInput& in) noexcept;
 void roller_report_avx2(const RollerReportInput& in) noexcept;
 void roller_kernel_avx512(const RollerKernelInput& in) noexcept;
-void roller_rolling_avx512(const RollerRollingInput& in) noexcept;
+void roller_rolling_resistance_avx512(const RollingResistanceInput& in) noexcept;
 void roller_report_avx512(const RollerReportInput& in) noexcept;
 #endif
 

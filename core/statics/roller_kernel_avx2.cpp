@@ -5,7 +5,9 @@
 namespace adore::statics {
 
 void roller_kernel_avx2(const RollerKernelInput& in) noexcept { evaluate_rollers(in); }
-void roller_rolling_avx2(const RollerRollingInput& in) noexcept { roll_rollers(in); }
+void roller_rolling_resistance_avx2(const RollingResistanceInput& in) noexcept {
+  evaluate_rolling_resistance(in);
+}
 void roller_report_avx2(const RollerReportInput& in) noexcept { report_slices(in); }
 
 }  // namespace adore::statics

@@ -20,7 +20,8 @@ namespace {
 using V = SimdReal;
 using Lanes = contact::SliceLanes<V>;
 
-inline void put_addition(const contact::RollerRaceSums<V>& sums, RollerRaceAddition& out) {
+inline void store_resistance_load(const contact::RollerRaceSums<V>& sums,
+                                  RollerResistanceLoad& out) {
   out.force[0] = Lanes::sum(sums.force.x);
   out.force[1] = Lanes::sum(sums.force.y);
   out.force[2] = Lanes::sum(sums.force.z);
@@ -31,7 +32,7 @@ inline void put_addition(const contact::RollerRaceSums<V>& sums, RollerRaceAddit
 }
 
 /// Slices that wait for traction.
-inline void put_traction(const contact::RollerRaceSums<V>& sums, RollerKernelAction& out) {
+inline void store_traction(const contact::RollerRaceSums<V>& sums, RollerKernelAction& out) {
   out.force[0] = Lanes::sum(sums.force.x);
   out.force[1] = Lanes::sum(sums.force.y);
   out.force[2] = Lanes::sum(sums.force.z);
@@ -42,7 +43,7 @@ inline void put_traction(const contact::RollerRaceSums<V>& sums, RollerKernelAct
 }
 
 inline void put(const contact::RollerRaceSums<V>& sums, RollerKernelAction& out) {
-  put_traction(sums, out);
+  store_traction(sums, out);
   out.load = Lanes::sum(sums.load);
   out.energy = Lanes::sum(sums.energy);
   out.load_slip = Lanes::sum(sums.load_slip);
@@ -75,16 +76,16 @@ void evaluate_rollers(const RollerKernelInput& in, const Traction& traction) {
 }
 
 /// Of a law of the user: both passes (roller_kernel_user.hpp).
-inline void evaluate_rollers_asking(const RollerKernelInput& in) {
-  const auto& law = *static_cast<const tribology::UserLaw*>(in.law);
-  const UserSlices& user = *in.user;
+inline void evaluate_rollers_user_law(const RollerKernelInput& in) {
+  const auto& law = *static_cast<const tribology::UserTractionLaw*>(in.law);
+  const UserLawSlices& user = *in.user;
   std::size_t column = 0;
   for (std::size_t i = 0; i < in.n; ++i) {
     user.vectors_of[i] = 0;
     in.out[i] = {};
     if (in.rollers[i].open) continue;
     const std::size_t before = column;
-    const CollectedSlices collect{user, in.slip_floor, column};
+    const UserSliceCollector collect{user, in.regularization_slip_squared, column};
     if (in.slopes != nullptr) {
       const auto sums =
           contact::roller_race_sums<V>(in.slices[i], in.rollers[i], collect, in.slopes[i]);
@@ -96,18 +97,18 @@ inline void evaluate_rollers_asking(const RollerKernelInput& in) {
     }
     user.vectors_of[i] = static_cast<int>((column - before) / V::size());
   }
-  ask_user(law, user, column);
+  call_user_routine(law, user, column);
   column = 0;
   for (std::size_t i = 0; i < in.n; ++i) {
     if (user.vectors_of[i] == 0) continue;
     contact::RollerRaceSums<V> sums;
     for (int k = user.vectors_of[i]; k > 0; --k, column += V::size())
-      add_answered(user, column, sums);
-    put_traction(sums, in.out[i]);
+      add_user_law_results(user, column, sums);
+    store_traction(sums, in.out[i]);
   }
 }
 
-using AnswerOfOil = SlicesInOil<V>::Answer;
+using AnswerOfOil = OilSliceBatcher<V>::Answer;
 
 /// Rollers in a lubricant, two at a time: slices of one may wait for those of the next.
 /// @param films FilmOnSlices of the law, which `answer` knows
@@ -116,20 +117,20 @@ using AnswerOfOil = SlicesInOil<V>::Answer;
   struct Roller {
     std::size_t index = 0;
     contact::RollerRaceSums<V> sums;
-    OilOnRoller<V> oil;
+    RollerOilForces<V> oil;
   };
   Roller two[2];
-  SlicesInOil<V> slices(films, answer, in.rolling != nullptr);
+  OilSliceBatcher<V> slices(films, answer, in.rolling != nullptr);
   const auto put_roller = [&](Roller& one) {
     if (one.oil.at == nullptr) return;
-    if (slices.waits_for(one.oil)) slices.finish();
+    if (slices.has_pending_slices(one.oil)) slices.finish();
     RollerKernelAction& out = in.out[one.index];
     one.sums.force = one.sums.force + one.oil.traction.force;
     one.sums.moment = one.sums.moment + one.oil.traction.moment;
     one.sums.heat = one.oil.traction.heat;
     put(one.sums, out);
     out.turning = in.slopes != nullptr ? Lanes::sum(one.sums.turning) : 0.0;
-    if (in.rolling != nullptr) put_addition(one.oil.rolling, in.rolled[one.index]);
+    if (in.rolling != nullptr) store_resistance_load(one.oil.rolling, in.rolled[one.index]);
   };
   int which = 0;
   for (std::size_t i = 0; i < in.n; ++i) {
@@ -142,7 +143,7 @@ using AnswerOfOil = SlicesInOil<V>::Answer;
     one.index = i;
     one.oil = {&at, {}, {}};
     slices.begin(one.oil);
-    const HandsToOil<V> hands{slices};
+    const OilSliceForwarder<V> hands{slices};
     one.sums = in.slopes != nullptr
                    ? contact::roller_race_sums<V>(in.slices[i], at, hands, in.slopes[i])
                    : contact::roller_race_sums<V>(in.slices[in.alike ? 0 : i], at, hands);
@@ -154,18 +155,19 @@ using AnswerOfOil = SlicesInOil<V>::Answer;
 template <class Law>
 void evaluate_with_law(const RollerKernelInput& in) {
   const Law& law = *static_cast<const Law*>(in.law);
-  if constexpr (std::is_same_v<Law, tribology::UserLaw>) {
-    evaluate_rollers_asking(in);
+  if constexpr (std::is_same_v<Law, tribology::UserTractionLaw>) {
+    evaluate_rollers_user_law(in);
   } else if constexpr (tribology::kHasFilm<Law>) {
     using Films = FilmOnSlices<Law>;
-    const Films films{law, in.slip_floor, in.rolling};
+    const Films films{law, in.regularization_slip_squared, in.rolling};
     evaluate_rollers_in_oil(
-        in, &films, [](const void* of, const WaitingSlices<V>& waiting, V* over_slip, V* F) {
+        in, &films, [](const void* of, const PendingSlices<V>& waiting, V* over_slip, V* F) {
           static_cast<const Films*>(of)->answer(waiting, over_slip, F);
         });
   } else {
-    const auto here = law.at(tribology::ContactPoint<V>{});
-    evaluate_rollers(in, tribology::RoundedLaw<decltype(here)>{here, in.slip_floor});
+    const auto here = law.at(tribology::ContactConditions<V>{});
+    evaluate_rollers(
+        in, tribology::RegularizedLaw<decltype(here)>{here, in.regularization_slip_squared});
   }
 }
 
@@ -183,26 +185,26 @@ inline void evaluate_rollers(const RollerKernelInput& in) {
     evaluate_rollers(in, nullptr);
 }
 
-inline void roll_rollers(const RollerRollingInput& in) {
+inline void evaluate_rolling_resistance(const RollingResistanceInput& in) {
   for (std::size_t i = 0; i < in.n; ++i) {
     const contact::RollerPose& at = in.rollers[i];
-    RollerRaceAddition& out = in.out[i];
+    RollerResistanceLoad& out = in.out[i];
     out = {};
     if (at.open) continue;
     contact::RollerRaceSums<V> sums;
-    const RollingOnSlices<V> rolling{*in.law, at, sums};
+    const SliceRollingResistance<V> rolling{*in.law, at, sums};
     (void)contact::roller_race_sums<V>(in.slices[in.alike ? 0 : i], at, rolling);
-    put_addition(sums, out);
+    store_resistance_load(sums, out);
   }
 }
 
 /// Takes the slices of one vector, from `first` on.
-struct ReportedSlices {
+struct SliceReporter {
   const RollerSliceRows& rows;
   std::size_t first;
 
-  [[gnu::always_inline]] void keep(const contact::KeptSlice<V>& slice,
-                                   const contact::SlicePlace<V>& at) const {
+  [[gnu::always_inline]] void keep(const contact::LoadedSlice<V>& slice,
+                                   const contact::SliceContactState<V>& at) const {
     const auto put = [this](const V& from, double* row) {
       from.copy_to(row + first, stdx::element_aligned);
     };
@@ -221,11 +223,11 @@ struct ReportedSlices {
 
 /// Vector by vector, since sums skip those that do not press.
 inline void report_slices(const RollerReportInput& in) {
-  contact::RaceSlices some = *in.slices;
+  contact::RaceSlicesView some = *in.slices;
   some.count = Lanes::kSize;
-  contact::RaceSlope slope = in.slope != nullptr ? *in.slope : contact::RaceSlope{};
+  contact::RaceAzimuthSlope slope = in.slope != nullptr ? *in.slope : contact::RaceAzimuthSlope{};
   for (std::size_t k = 0; k < in.slices->count; k += Lanes::kSize) {
-    const ReportedSlices report{in.rows, k};
+    const SliceReporter report{in.rows, k};
     if (in.slope != nullptr)
       (void)contact::roller_race_sums<V>(some, *in.roller, report, slope);
     else

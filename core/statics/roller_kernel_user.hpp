@@ -13,16 +13,16 @@
 namespace adore::statics {
 namespace {
 
-struct CollectedSlices {
-  const UserSlices& to;
+struct UserSliceCollector {
+  const UserLawSlices& to;
   double floor;  ///< ε² of the rounded slip [m²/s²]
   std::size_t& column;
 
   template <class T>
-  [[gnu::always_inline]] void keep(const contact::KeptSlice<T>& c,
-                                   const contact::SlicePlace<T>& at) const {
+  [[gnu::always_inline]] void keep(const contact::LoadedSlice<T>& c,
+                                   const contact::SliceContactState<T>& at) const {
     T inverse;
-    const T slip = ScalarMath<T>::root_and_inverse(c.square + floor, inverse), none = 0.0;
+    const T slip = ScalarMath<T>::sqrt_and_inverse(c.square + floor, inverse), none = 0.0;
     const T* contact[7] = {&at.load_per_length, &at.peak_pressure, &none,   &at.half_width,
                            &at.entrainment,     &at.curvature,     &at.slip};
     for (int k = 0; k < 7; ++k) contact[k]->copy_to(to.contact[k] + column, stdx::element_aligned);
@@ -36,7 +36,8 @@ struct CollectedSlices {
 };
 
 /// Asks for what was collected. The pressure of the point is that of the line.
-inline void ask_user(const tribology::UserLaw& law, const UserSlices& user, std::size_t n) {
+inline void call_user_routine(const tribology::UserTractionLaw& law, const UserLawSlices& user,
+                              std::size_t n) {
   if (n == 0) return;
   const auto count = static_cast<long>(n);
   law.of->ask(law.of->routine, {law.kind, law.race, count, 1, count, user.slip,
@@ -45,18 +46,18 @@ inline void ask_user(const tribology::UserLaw& law, const UserSlices& user, std:
                                 user.contact[5], user.contact[6], user.kappa});
 }
 
-inline void add_answered(const UserSlices& user, std::size_t column,
-                         contact::RollerRaceSums<SimdReal>& sums) {
+inline void add_user_law_results(const UserLawSlices& user, std::size_t column,
+                                 contact::RollerRaceSums<SimdReal>& sums) {
   using T = SimdReal;
   const auto at = [column](const double* from) { return T(from + column, stdx::element_aligned); };
   double* const* k = user.kept;
-  const contact::KeptSlice<T> slice{at(k[0]),
-                                    {at(k[1]), at(k[2]), at(k[3])},
-                                    {at(k[4]), at(k[5]), at(k[6])},
-                                    {at(k[7]), at(k[8]), at(k[9])},
-                                    at(k[10])};
-  contact::add_kept(sums, slice,
-                    ScalarMath<T>::over(at(user.kappa), at(user.slip), at(user.inverse)));
+  const contact::LoadedSlice<T> slice{at(k[0]),
+                                      {at(k[1]), at(k[2]), at(k[3])},
+                                      {at(k[4]), at(k[5]), at(k[6])},
+                                      {at(k[7]), at(k[8]), at(k[9])},
+                                      at(k[10])};
+  contact::add_loaded_slice(sums, slice,
+                            ScalarMath<T>::over(at(user.kappa), at(user.slip), at(user.inverse)));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "statics/roller_model.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "contact/hertz.hpp"
 #include "contact/race_errors.hpp"
@@ -11,13 +12,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
 namespace adore::statics {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kNominal =
     std::numeric_limits<std::size_t>::max();  // no roller has this number
 
@@ -87,7 +86,7 @@ double point_constant(const RollerModel& m, std::size_t j, const contact::Roller
 
 /// Both races as they are at one azimuth.
 void place_races(const RollerModel& m, const bearing::Imperfections& errors, double psi,
-                 RollerBody& body) {
+                 RollerContactGeometry& body) {
   body.race = m.race;
   for (std::size_t j = 0; j < 2; ++j) {
     if (errors.race[j].ideal() || bearing::table_of(errors.race[j].given.get()) != nullptr) {
@@ -104,9 +103,9 @@ void place_races(const RollerModel& m, const bearing::Imperfections& errors, dou
   }
 }
 
-RollerBody body_of(const RollerModel& m, bearing::Type type, const bearing::Imperfections& errors,
-                   std::size_t roller) {
-  RollerBody body;
+RollerContactGeometry body_of(const RollerModel& m, bearing::Type type,
+                              const bearing::Imperfections& errors, std::size_t roller) {
+  RollerContactGeometry body;
   place_races(m, errors, m.azimuth[roller], body);
   body.profile = profile_of(m.rollers, roller);
   body.slices = contact::roller_slices(body.profile, m.slicing);
@@ -128,7 +127,7 @@ RollerBody body_of(const RollerModel& m, bearing::Type type, const bearing::Impe
     for (const contact::RollerSlice& slice : body.slices) {
       radius.push_back(slice.radius);
     }
-    contact::recede_slices(*table, m.azimuth[roller], radius.data(), rise.data());
+    contact::apply_table_to_slices(*table, m.azimuth[roller], radius.data(), rise.data());
     if (j == bearing::kInner) {
       body.inner_slope =
           std::accumulate(rise.begin(), rise.end(), 0.0) / static_cast<double>(rise.size());
@@ -155,7 +154,7 @@ RollerBody body_of(const RollerModel& m, bearing::Type type, const bearing::Impe
       }
     }
   }
-  body.flanges = flange_pairs(type, m.rollers, m.E_star, body.profile);
+  body.flanges = flange_end_pairs(type, m.rollers, m.E_star, body.profile);
   return body;
 }
 
@@ -222,10 +221,10 @@ RollerModel make_roller_model(const bearing::Bearing& b, const RollerOptions& op
   return m;
 }
 
-void add_race(const RollerModel& m, const RollerBody& body, std::size_t j, const Vec4& p,
+void add_race(const RollerModel& m, const RollerContactGeometry& body, std::size_t j, const Vec4& p,
               PairPotential& sum, std::span<SliceResult> each) {
   if (m.contact == RollerContact::Point) {
-    add_point(body.point[j], p, sum, each.empty() ? nullptr : each.data());
+    add_point_contact(body.point[j], p, sum, each.empty() ? nullptr : each.data());
   } else if (m.linear) {
     add_slices_linear(m.slices(j, body), p, sum, each);
   } else {

@@ -14,15 +14,15 @@
 namespace adore::statics {
 
 /// Shape of one roller and of the races where it stands, or of all when nothing deviates.
-struct RollerBody {
+struct RollerContactGeometry {
   contact::RollerProfile profile;
   std::vector<contact::RollerSlice> slices;
   std::array<contact::RaceSurface, 2> race;
   /// As they meet race j where its surface is a table: less what it recedes; empty: `slices`.
   std::array<std::vector<contact::RollerSlice>, 2> on_race;
-  double inner_slope = 0.0;         ///< dR/dψ of the inner race here [m/rad]
-  std::array<PointSet, 2> point;    ///< RollerContact::Point
-  std::vector<FlangePair> flanges;  ///< that this roller can touch
+  double inner_slope = 0.0;              ///< dR/dψ of the inner race here [m/rad]
+  std::array<PointContactSet, 2> point;  ///< RollerContact::Point
+  std::vector<FlangeEndPair> flanges;    ///< that this roller can touch
 };
 
 struct RollerModel {
@@ -34,11 +34,11 @@ struct RollerModel {
   RollerRaces race;  ///< ideal
   std::array<contact::PowerLaw, 2> law;
   std::array<double, 2> E_star{};
-  std::array<double, 2> line_constant{};  ///< K_l [N/m²]
-  std::vector<RollerBody> bodies;         ///< one, or one per roller
-  std::vector<double> azimuth;            ///< [rad]
-  std::array<double, 2> race_speed{};     ///< [rad/s]
-  std::array<double, 2> outer_tilt{};     ///< about y, z [rad]
+  std::array<double, 2> line_constant{};      ///< K_l [N/m²]
+  std::vector<RollerContactGeometry> bodies;  ///< one, or one per roller
+  std::vector<double> azimuth;                ///< [rad]
+  std::array<double, 2> race_speed{};         ///< [rad/s]
+  std::array<double, 2> outer_tilt{};         ///< about y, z [rad]
   contact::RollingSpeeds speeds;
   double mass = 0.0, mass_offset = 0.0;
   double centrifugal = 0.0;  ///< of each roller, at its mass centre [N]
@@ -60,14 +60,14 @@ struct RollerModel {
                                 ///< contact only (roller_equilibrium.cpp); infinite where the guide
                                 ///< force holds the roller [N]
 
-  [[nodiscard]] const RollerBody& body(std::size_t k) const {
+  [[nodiscard]] const RollerContactGeometry& body(std::size_t k) const {
     return bodies[bodies.size() == 1 ? 0 : k];
   }
   /// Contacts of a roller with one race: its slices, or one.
-  [[nodiscard]] std::size_t results(const RollerBody& body) const {
+  [[nodiscard]] std::size_t results(const RollerContactGeometry& body) const {
     return contact == RollerContact::Point ? 1 : body.slices.size();
   }
-  [[nodiscard]] SliceSet slices(std::size_t j, const RollerBody& body) const {
+  [[nodiscard]] SliceSet slices(std::size_t j, const RollerContactGeometry& body) const {
     return {body.race[j], body.on_race[j].empty() ? body.slices : body.on_race[j], slicing.width,
             law[j]};
   }
@@ -84,8 +84,8 @@ struct RollerModel {
 
 /// Adds what race j does to a roller of this body at p, by the contact and the kinematics of the
 /// model. `each`: empty, or as many as RollerModel::results.
-void add_race(const RollerModel& model, const RollerBody& body, std::size_t j, const Vec4& p,
-              PairPotential& sum, std::span<SliceResult> each = {});
+void add_race(const RollerModel& model, const RollerContactGeometry& body, std::size_t j,
+              const Vec4& p, PairPotential& sum, std::span<SliceResult> each = {});
 
 /// Fills load_floor and weak_floor: a roller need not be balanced better than to 1e-13 of the load
 /// on the bearing, and cannot be where a step of its position in floating point changes the force

@@ -32,12 +32,13 @@ RollerMotionForces::RollerMotionForces(const bearing::Bearing& bearing, const Ro
       load_(load),
       radius_(0.5 * model.rollers.diameter) {
   for (std::size_t j = 0; j < 2; ++j) {
-    for (const RollerBody& body : model.bodies) {
+    for (const RollerContactGeometry& body : model.bodies) {
       const SliceSet set = model.slices(j, body);
       slices_[j].push_back(
           contact::roller_race_slices(set.race, set.slices, set.width, set.law, model.E_star[j]));
     }
-    const tribology::FilmSurface surface = roller_film_surface(bearing, j, model.E_star[j], false);
+    const tribology::RaceFilmInputs surface =
+        roller_film_surface(bearing, j, model.E_star[j], false);
     law_[j] = roller_race_law(bearing, surface);
     if (bearing.lubrication && bearing.lubrication->meniscus > 0.0) {
       demand(law_[j].has_film(), "oil without a film");
@@ -57,7 +58,7 @@ RollerMotionAction RollerMotionForces::at(const RollerState& roller, const Vec6&
                                           const RollerMotionAction* same_outer) const {
   RollerMotionAction out;
   const RollerModel& m = model_;
-  const contact::MeridianTurn azimuth = azimuth_turn(roller);
+  const contact::MeridianRotation azimuth = azimuth_rotation(roller);
   const double cos_tilt = std::cos(u[kPlaceTilt]), sin_tilt = std::sin(u[kPlaceTilt]);
   const double cos_skew = std::cos(u[kPlaceSkew]);
   const Vec3 a(cos_skew * cos_tilt, std::sin(u[kPlaceSkew]), cos_skew * sin_tilt);
@@ -82,10 +83,10 @@ RollerMotionAction RollerMotionForces::at(const RollerState& roller, const Vec6&
     contact::RollerInMeridian in = contact::roller_in_meridian(pose, race, C, a, motion);
     const Vec3 spin = pose.direction(u[kPlaceSpin] * a);
     in.roller.spin = in.turn.into<double>({spin[0], spin[1], spin[2]});
-    const contact::RaceSlices view = contact::view_of(slices_[j][body]);
-    in.roller.open = contact::surely_open(view, in.roller.x, in.roller.r, in.roller.axes.a);
+    const contact::RaceSlicesView view = contact::view_of(slices_[j][body]);
+    in.roller.open = contact::is_certainly_open(view, in.roller.x, in.roller.r, in.roller.axes.a);
     RollerKernelAction action{};
-    RollerRaceAddition rolled{};
+    RollerResistanceLoad rolled{};
     RollerKernelInput input{&view,
                             true,
                             1,
@@ -95,7 +96,7 @@ RollerMotionAction RollerMotionForces::at(const RollerState& roller, const Vec6&
                             true,
                             law_[j].index(),
                             law_[j].address(),
-                            law_[j].slip_floor(),
+                            law_[j].regularization_slip_squared(),
                             nullptr,
                             rolls_ ? &rolling_[j] : nullptr,
                             &rolled};
@@ -109,9 +110,9 @@ RollerMotionAction RollerMotionForces::at(const RollerState& roller, const Vec6&
     out.heat.rolling[j] = rolled.heat;
 
     const Vec4 p(in.roller.x, in.roller.r, in.roller.axes.a.z, in.roller.axes.a.y);
-    for (const FlangePair& pair : m.body(roller.number).flanges) {
-      if (pair.race != static_cast<int>(j) || pair.surely_open(p)) continue;
-      const contact::FlangeContact touch = contact::flange_overlap(
+    for (const FlangeEndPair& pair : m.body(roller.number).flanges) {
+      if (pair.race != static_cast<int>(j) || pair.is_certainly_open(p)) continue;
+      const contact::FlangeContact touch = contact::flange_contact_for_forces(
           pair.face, pair.end, Vec3(p(0), 0.0, p(1)), vector_of(in.roller.axes.a));
       if (!(touch.gap < 0.0)) continue;
       const auto to_frame = [&](const Vec3& v) { return in.back(pose, {v[0], v[1], v[2]}); };
@@ -120,7 +121,7 @@ RollerMotionAction RollerMotionForces::at(const RollerState& roller, const Vec6&
       const Vec3 slip = contact::contact_slip(race, motion, X, n);
       const double square = slip.squaredNorm();
       const double per_slip =
-          load * flange_law_.visit_rounded([&](const auto& law) { return law(square); });
+          load * flange_law_.visit_regularized([&](const auto& law) { return law(square); });
       const Vec3 push = load * n + per_slip * slip;
       of_race += push;
       about_C += (X - C).cross(push);
@@ -152,7 +153,7 @@ RollerMotionAction RollerMotionForces::at(const RollerState& roller, const Vec6&
   Vec3 about_G = moment - from_C.cross(force);
   if (drag_) {
     const Vec3 V = motion.at(G) - bearing_.speed[0] * Vec3::UnitX().cross(G);
-    force -= drag_->element_force(V.norm()) * V;
+    force -= drag_->element_force_per_speed(V.norm()) * V;
     const double w = (motion.omega - bearing_.speed[0] * Vec3::UnitX()).dot(a);
     about_G -= drag_->element_spin(std::abs(w)) * w * a;
   }

@@ -10,7 +10,7 @@ namespace {
 /// Largest penetration of a roller into race j; negative: the gap.
 double penetration(const RollerModel& m, const RollerState& at, std::size_t j, const Vec5& q) {
   const Vec4 p = relative_pose(m, at, j, q);
-  const RollerBody& body = m.body(at.number);
+  const RollerContactGeometry& body = m.body(at.number);
   PairPotential unused;
   std::vector<SliceResult> each(m.results(body));
   add_race(m, body, j, p, unused, each);
@@ -21,7 +21,8 @@ double penetration(const RollerModel& m, const RollerState& at, std::size_t j, c
 
 }  // namespace
 
-Eigen::Vector3d middle_place(const RollerModel& m, const RollerState& state, const Vec5& q) {
+Eigen::Vector3d middle_roller_position(const RollerModel& m, const RollerState& state,
+                                       const Vec5& q) {
   const double moved = 0.5 * (q(2) * state.cos - q(1) * state.sin);
   const double turned = -0.5 * (q(3) * state.cos + q(4) * state.sin);
   const double from_outer = -0.5 * (m.outer_tilt[0] * state.cos + m.outer_tilt[1] * state.sin);
@@ -29,7 +30,8 @@ Eigen::Vector3d middle_place(const RollerModel& m, const RollerState& state, con
   return {held ? 0.5 * q(0) : 0.0, moved, turned + from_outer};
 }
 
-Eigen::Vector3d first_place(const RollerModel& m, const RollerState& state, const Vec5& q) {
+Eigen::Vector3d initial_roller_position(const RollerModel& m, const RollerState& state,
+                                        const Vec5& q) {
   if (m.moving) {
     RollerState seated = state;
     seated.e = {0.0, 0.0, -(m.outer_tilt[0] * state.cos + m.outer_tilt[1] * state.sin)};
@@ -40,7 +42,7 @@ Eigen::Vector3d first_place(const RollerModel& m, const RollerState& state, cons
       return seated.e;
     }
   }
-  return middle_place(m, state, q);
+  return middle_roller_position(m, state, q);
 }
 
 Vec4 relative_pose(const RollerModel& m, const RollerState& at, std::size_t j, const Vec5& q) {

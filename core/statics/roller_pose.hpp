@@ -37,7 +37,7 @@ S coordinate(double value, int k) {
 }
 
 /// The azimuth frame of a roller in the base frame.
-[[nodiscard]] inline contact::MeridianTurn azimuth_turn(const RollerState& at) noexcept {
+[[nodiscard]] inline contact::MeridianRotation azimuth_rotation(const RollerState& at) noexcept {
   return {-at.sin, at.cos};
 }
 
@@ -92,7 +92,8 @@ struct Relative {
 
 /// A race that is not round: `ahead` is the azimuth of the roller in it minus that of its body.
 template <class S>
-void look_from(const RollerBody& body, std::size_t j, const S& ahead, Relative<S>& out) {
+void apply_race_slope(const RollerContactGeometry& body, std::size_t j, const S& ahead,
+                      Relative<S>& out) {
   out.seen = out.r;
   if (j == 1 && body.inner_slope != 0.0) {
     out.lean = body.inner_slope;
@@ -103,25 +104,26 @@ void look_from(const RollerBody& body, std::size_t j, const S& ahead, Relative<S
 /// First order (reference family D): x' = x - q_x, r' = r - w, t = θ - g, w = z cos ψ - y sin ψ, g
 /// = -(θ_y cos ψ + θ_z sin ψ).
 template <class S>
-Relative<S> linear_relative(const Roller<S>& roller, const RollerState& at, const RacePose<S>& race,
-                            const RollerBody& body, std::size_t j) {
+Relative<S> linearized_relative_pose(const Roller<S>& roller, const RollerState& at,
+                                     const RacePose<S>& race, const RollerContactGeometry& body,
+                                     std::size_t j) {
   Relative<S> out{};  // f = 0: no skew to first order
   const auto& q = race.q;
   out.x = roller.centre.x - q[0];
   out.r = roller.centre.z - (q[2] * at.cos - q[1] * at.sin);
   out.t = coordinate<S>(at.e(2), 2) + (q[3] * at.cos + q[4] * at.sin);
-  look_from(body, j, (q[1] * at.cos + q[2] * at.sin) / out.r, out);
+  apply_race_slope(body, j, (q[1] * at.cos + q[2] * at.sin) / out.r, out);
   return out;
 }
 
 template <class S>
 Relative<S> relative(const RollerModel& m, const Roller<S>& roller, const RollerState& at,
                      const RacePose<S>& race, std::size_t j) {
-  const RollerBody& body = m.body(at.number);
+  const RollerContactGeometry& body = m.body(at.number);
   if (m.linear) {
-    return linear_relative(roller, at, race, body, j);
+    return linearized_relative_pose(roller, at, race, body, j);
   }
-  const contact::MeridianTurn turn = azimuth_turn(at);
+  const contact::MeridianRotation turn = azimuth_rotation(at);
   Relative<S> out;
   out.d = roller.centre - turn.into(race.centre);
   out.A = turn.into(race.axis);
@@ -132,7 +134,7 @@ Relative<S> relative(const RollerModel& m, const Roller<S>& roller, const Roller
   out.y = cross(out.e, out.A);
   out.t = dot(roller.axis, out.e);
   out.f = dot(roller.axis, out.y);
-  look_from(body, j, -out.e.y, out);
+  apply_race_slope(body, j, -out.e.y, out);
   return out;
 }
 

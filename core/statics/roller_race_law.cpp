@@ -7,12 +7,12 @@
 
 namespace adore::statics {
 
-tribology::FilmSurface roller_film_surface(const bearing::Bearing& bearing, std::size_t race,
-                                           double E_star, bool single) {
+tribology::RaceFilmInputs roller_film_surface(const bearing::Bearing& bearing, std::size_t race,
+                                              double E_star, bool single) {
   const bearing::RollerGeometry& g = *bearing.rollers();
   const double roller = 0.5 * bearing.element_diameter(),
                of_race = g.race_radius(static_cast<int>(race));
-  tribology::FilmSurface surface;
+  tribology::RaceFilmInputs surface;
   surface.line = true;
   surface.radius = 1.0 / (1.0 / roller + (race == 0 ? -1.0 : 1.0) / of_race);
   surface.modulus = 2.0 * E_star;
@@ -27,7 +27,7 @@ tribology::FilmSurface roller_film_surface(const bearing::Bearing& bearing, std:
 }
 
 tribology::TractionLaw roller_race_law(const bearing::Bearing& bearing,
-                                       const tribology::FilmSurface& surface) {
+                                       const tribology::RaceFilmInputs& surface) {
   if (!bearing.lubrication) return bearing.race_traction;
   return tribology::film_law(bearing.race_traction, tribology::lubricant_of(*bearing.lubrication),
                              *bearing.lubrication, surface);
@@ -42,13 +42,13 @@ RollerKernel roller_kernel() noexcept {
   return roller_kernel_baseline;
 }
 
-RollerRollingKernel roller_rolling_kernel() noexcept {
+RollingResistanceKernel rolling_resistance_kernel() noexcept {
 #if defined(__x86_64__)
   const InstructionSet set = chosen_instruction_set();
-  if (set == InstructionSet::Avx512) return roller_rolling_avx512;
-  if (set == InstructionSet::Avx2) return roller_rolling_avx2;
+  if (set == InstructionSet::Avx512) return roller_rolling_resistance_avx512;
+  if (set == InstructionSet::Avx2) return roller_rolling_resistance_avx2;
 #endif
-  return roller_rolling_baseline;
+  return roller_rolling_resistance_baseline;
 }
 
 }  // namespace adore::statics

@@ -12,16 +12,16 @@ namespace adore::statics {
 /// What films of one race read. Inlets and walls have the mean bulk temperature of race and rollers
 /// for the run.
 /// @param single films by floats, where they can
-[[nodiscard]] tribology::FilmSurface roller_film_surface(const bearing::Bearing& bearing,
-                                                         std::size_t race, double E_star,
-                                                         bool single);
+[[nodiscard]] tribology::RaceFilmInputs roller_film_surface(const bearing::Bearing& bearing,
+                                                            std::size_t race, double E_star,
+                                                            bool single);
 
 /// The deck's curve, or its lubricant's film with the curve where it breaks down.
 [[nodiscard]] tribology::TractionLaw roller_race_law(const bearing::Bearing& bearing,
-                                                     const tribology::FilmSurface& surface);
+                                                     const tribology::RaceFilmInputs& surface);
 
 /// Of the instruction set of this process.
 [[nodiscard]] RollerKernel roller_kernel() noexcept;
-[[nodiscard]] RollerRollingKernel roller_rolling_kernel() noexcept;
+[[nodiscard]] RollingResistanceKernel rolling_resistance_kernel() noexcept;
 
 }  // namespace adore::statics

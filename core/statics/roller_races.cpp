@@ -22,7 +22,7 @@ RollerRaces bench_races(bearing::Type type, const bearing::RollerGeometry& g) {
     default:
       for (int j = 0; j < 2; ++j) {
         race[static_cast<std::size_t>(j)] = contact::cylinder_race(
-            j, contact::cylinder_radius(j, g.pitch_diameter, g.diameter, g.clearance));
+            j, contact::cylindrical_race_radius(j, g.pitch_diameter, g.diameter, g.clearance));
       }
   }
   for (std::size_t j = 0; j < 2; ++j) {
@@ -41,7 +41,7 @@ std::array<contact::RaceGrowth, 2> race_growths(bearing::Type type,
   if (!rollers.bench) {
     return {};
   }
-  const RollerRaces bench = bench_races(type, rollers.on_bench());
+  const RollerRaces bench = bench_races(type, rollers.unmounted_geometry());
   const double held = type == bearing::Type::Spherical ? bench[0].groove_x : 0.0;
   const auto& growth = rollers.bench->growth;
   return {contact::race_growth(growth[0], bench[0], held),
@@ -49,7 +49,7 @@ std::array<contact::RaceGrowth, 2> race_growths(bearing::Type type,
 }
 
 RollerRaces race_surfaces(const bearing::Bearing& b) {
-  RollerRaces race = bench_races(b.type, b.rollers()->on_bench());
+  RollerRaces race = bench_races(b.type, b.rollers()->unmounted_geometry());
   if (b.rollers()->bench) {
     const auto growth = race_growths(b.type, *b.rollers());
     for (std::size_t j = 0; j < 2; ++j) {

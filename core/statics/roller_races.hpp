@@ -17,7 +17,7 @@ using RollerRaces = std::array<contact::RaceSurface, 2>;
 /// Without what deviates (imperfections), and as the bearing is now: on the bench or in operation.
 [[nodiscard]] RollerRaces race_surfaces(const bearing::Bearing& b);
 
-/// @param rollers not in operation (RollerGeometry::on_bench)
+/// @param rollers not in operation (RollerGeometry::unmounted_geometry)
 [[nodiscard]] RollerRaces bench_races(bearing::Type type, const bearing::RollerGeometry& rollers);
 
 /// How both races have grown; nothing when the rollers are on the bench.

@@ -1,5 +1,6 @@
 #include "statics/roller_report.hpp"
 
+#include "base/constants.hpp"
 #include "contact/hertz.hpp"
 #include "contact/roller_shape.hpp"
 #include "statics/race_text.hpp"
@@ -8,12 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace adore::statics {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr std::array<const char*, 2> kRace{"outer", "inner"};
 constexpr std::array<const char*, 2> kSide{"-x", "+x"};
 
@@ -34,8 +33,8 @@ RollerRaceContact without_load(RollerRaceContact contact) {
   return out;
 }
 
-RollerRaceContact sliced_contact(const RollerModel& m, const RollerBody& body, std::size_t j,
-                                 const Vec4& p) {
+RollerRaceContact sliced_contact(const RollerModel& m, const RollerContactGeometry& body,
+                                 std::size_t j, const Vec4& p) {
   RollerRaceContact out;
   std::vector<SliceResult> slices(body.slices.size());
   PairPotential sum;
@@ -83,8 +82,8 @@ RollerRaceContact sliced_contact(const RollerModel& m, const RollerBody& body, s
   return out;
 }
 
-RollerRaceContact point_contact(const RollerModel& m, const RollerBody& body, std::size_t j,
-                                const Vec4& p) {
+RollerRaceContact point_contact(const RollerModel& m, const RollerContactGeometry& body,
+                                std::size_t j, const Vec4& p) {
   RollerRaceContact out;
   PairPotential sum;
   SliceResult at;
@@ -122,31 +121,42 @@ class Notes {
  public:
   explicit Notes(const std::vector<StaticRoller>& rollers) : rollers_(rollers) {}
 
+  /// @return the finding; nullptr: no roller
   template <class Predicate, class... Args>
-  void add(Predicate predicate, fmt::format_string<Args...> what, Args&&... args) {
+  Finding* add(const char* code, Predicate predicate, fmt::format_string<Args...> what,
+               Args&&... args) {
     std::vector<std::size_t> numbers;
     for (std::size_t k = 0; k < rollers_.size(); ++k) {
       if (predicate(rollers_[k])) {
         numbers.push_back(k + 1);
       }
     }
-    if (!numbers.empty()) {
-      notes_.push_back(fmt::format("{}: {}", number_list(numbers, "roller"),
-                                   fmt::format(what, std::forward<Args>(args)...)));
-    }
+    if (numbers.empty()) return nullptr;
+    const std::string list = number_list(numbers, "roller");
+    notes_.push_back(make_finding(
+        code, fmt::format("{}: {}", list, fmt::format(what, std::forward<Args>(args)...))));
+    return &notes_.back().of(list);
   }
-  std::vector<std::string> take() { return std::move(notes_); }
+  /// The same at a race.
+  template <class Predicate, class... Args>
+  Finding* add_at(std::size_t race, const char* code, Predicate predicate,
+                  fmt::format_string<Args...> what, Args&&... args) {
+    Finding* const out = add(code, predicate, what, std::forward<Args>(args)...);
+    if (out != nullptr) out->body += fmt::format(", {} race", kRace[race]);
+    return out;
+  }
+  std::vector<Finding> take() { return std::move(notes_); }
 
  private:
   const std::vector<StaticRoller>& rollers_;
-  std::vector<std::string> notes_;
+  std::vector<Finding> notes_;
 };
 
 }  // namespace
 
 StaticRoller report_roller(const RollerModel& m, const Vec5& q, const RollerState& roller) {
   StaticRoller out;
-  const RollerBody& body = m.body(roller.number);
+  const RollerContactGeometry& body = m.body(roller.number);
   out.azimuth = m.azimuth[roller.number];
   out.x = roller.e(0);
   out.r = 0.5 * m.rollers.pitch_diameter + roller.e(1);
@@ -157,11 +167,11 @@ StaticRoller report_roller(const RollerModel& m, const Vec5& q, const RollerStat
     const Vec4 p = relative_pose(m, roller, j, q);
     out.race[j] = m.contact == RollerContact::Point ? point_contact(m, body, j, p)
                                                     : sliced_contact(m, body, j, p);
-    for (const FlangePair& pair : body.flanges) {
+    for (const FlangeEndPair& pair : body.flanges) {
       if (pair.race != static_cast<int>(j)) {
         continue;
       }
-      const FlangeTouch touch = flange_touch(pair, p);
+      const FlangeContactLoad touch = flange_contact_load(pair, p);
       auto& flange = out.flange[j][static_cast<std::size_t>(pair.side)];
       flange.present = true;
       flange.load = touch.load > 10.0 * m.load_floor ? touch.load : 0.0;
@@ -184,7 +194,7 @@ void fill_summary(RollerSolution& s) {
   }
 }
 
-std::string unloaded_rule(const RollerModel& m) {
+std::string unloaded_position_rule(const RollerModel& m) {
   if (!m.moving) {
     return "A roller without contact has no unique position at rest. It is placed in the middle "
            "between both races and has no load.";
@@ -206,27 +216,32 @@ std::string unloaded_rule(const RollerModel& m) {
   return text + "It slides axially without friction until a flange stops it.";
 }
 
-std::vector<std::string> roller_notes(const RollerModel& m,
-                                      const std::vector<StaticRoller>& rollers) {
+std::vector<Finding> roller_notes(const RollerModel& m, const std::vector<StaticRoller>& rollers) {
   Notes notes(rollers);
-  notes.add([](const StaticRoller& r) { return r.idle; },
-            "no load; assumed position at rest: in the middle between both races");
   notes.add(
+      "statics.unloaded", [](const StaticRoller& r) { return r.idle; },
+      "no load; assumed position at rest: in the middle between both races");
+  notes.add(
+      "statics.unloaded",
       [](const StaticRoller& r) {
         return !r.idle && r.race[0].load == 0.0 && r.race[1].load == 0.0;
       },
       "no load; position: where the last contact was lost");
-  notes.add([](const StaticRoller& r) { return r.race[0].load > 0.0 && r.race[1].load == 0.0; },
-            "contact with the outer race only (centrifugal force); position: by the rule for "
-            "unloaded rollers");
+  notes.add(
+      "statics.outer_only",
+      [](const StaticRoller& r) { return r.race[0].load > 0.0 && r.race[1].load == 0.0; },
+      "contact with the outer race only (centrifugal force); position: by the rule for "
+      "unloaded rollers");
   for (std::size_t j = 0; j < 2; ++j) {
-    notes.add([j](const StaticRoller& r) { return r.race[j].at_edge; },
-              "in the contact with the {} race, the pressure at a corner of the roller or at an "
-              "edge of the land is more than a tenth of the largest pressure. The edge stress "
-              "exceeds the printed pressure; independent slices cannot determine how much",
-              kRace[j]);
+    notes.add_at(
+        j, "statics.edge_load", [j](const StaticRoller& r) { return r.race[j].at_edge; },
+        "in the contact with the {} race, the pressure at a corner of the roller or at an "
+        "edge of the land is more than a tenth of the largest pressure. The edge stress "
+        "exceeds the printed pressure; independent slices cannot determine how much",
+        kRace[j]);
     for (std::size_t side = 0; side < 2; ++side) {
-      notes.add(
+      notes.add_at(
+          j, "statics.flange_corner",
           [j, side](const StaticRoller& r) {
             const auto& f = r.flange[j][side];
             return f.load > 0.0 && !f.on_face;
@@ -241,14 +256,20 @@ std::vector<std::string> roller_notes(const RollerModel& m,
     const double enough = std::min(8, m.slicing.count);
     const double shortest = enough * m.slicing.width * (1.0 - 1e-9);
     for (std::size_t j = 0; j < 2; ++j) {
-      notes.add(
-          [j, shortest](const StaticRoller& r) {
-            return r.race[j].load > 0.0 && r.race[j].length < shortest && r.race[0].load > 0.0 &&
-                   r.race[1].load > 0.0;
-          },
+      const auto few = [j, shortest](const StaticRoller& r) {
+        return r.race[j].load > 0.0 && r.race[j].length < shortest && r.race[0].load > 0.0 &&
+               r.race[1].load > 0.0;
+      };
+      Finding* const found = notes.add_at(
+          j, "statics.few_slices", few,
           "fewer than {} of {} slices touch the {} race; increase the number of slices (option "
           "rollerSlices) for more accurate results",
           enough, m.slicing.count, kRace[j]);
+      if (found == nullptr) continue;
+      double least = enough;
+      for (const StaticRoller& r : rollers)
+        if (few(r)) least = std::min(least, std::round(r.race[j].length / m.slicing.width));
+      found->measure(least).at_least(enough);
     }
   }
   return notes.take();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "statics/roller_equilibrium.hpp"
 
 #include <string>
@@ -17,10 +18,10 @@ void fill_summary(RollerSolution& solution);
 
 /// Notes about the whole solution: rollers without load, contacts that reach the ends or the lands'
 /// edges, flange contacts on lips and corners, contacts too short for the slices.
-[[nodiscard]] std::vector<std::string> roller_notes(const RollerModel& model,
-                                                    const std::vector<StaticRoller>& rollers);
+[[nodiscard]] std::vector<Finding> roller_notes(const RollerModel& model,
+                                                const std::vector<StaticRoller>& rollers);
 
 /// Where rollers stand that no load puts in place (decision 124), in a sentence.
-[[nodiscard]] std::string unloaded_rule(const RollerModel& model);
+[[nodiscard]] std::string unloaded_position_rule(const RollerModel& model);
 
 }  // namespace adore::statics

@@ -10,11 +10,11 @@ namespace adore::statics {
 
 /// Adds force, moment and heat of a slice. @param per_length F per length [N/m]
 template <class T>
-[[gnu::always_inline]] inline void add_rolling(const contact::KeptSlice<T>& slice,
-                                               const contact::SlicePlace<T>& at,
-                                               const T& per_length,
-                                               const contact::RollerPose& roller,
-                                               contact::RollerRaceSums<T>& sum) {
+[[gnu::always_inline]] inline void add_rolling_resistance(const contact::LoadedSlice<T>& slice,
+                                                          const contact::SliceContactState<T>& at,
+                                                          const T& per_length,
+                                                          const contact::RollerPose& roller,
+                                                          contact::RollerRaceSums<T>& sum) {
   using contact::Triple;
   const T F = at.width * per_length;
   const Triple<T> push = T(2.0 * F / (at.curvature * at.radius)) * at.along;
@@ -27,18 +27,18 @@ template <class T>
 
 /// For slices whose traction has no film: receiver of the slices of roller_race_sums.
 template <class T>
-struct RollingOnSlices {
+struct SliceRollingResistance {
   const tribology::RollingResistance& law;
   const contact::RollerPose& roller;
   contact::RollerRaceSums<T>& sum;  ///< force, moment and heat are added
 
-  [[gnu::always_inline]] void keep(const contact::KeptSlice<T>& slice,
-                                   const contact::SlicePlace<T>& at) const {
-    add_rolling(
-        slice, at,
-        law.force(tribology::ContactPoint<T>{at.load_per_length, at.peak_pressure, T(0.0),
-                                             at.half_width, at.entrainment, at.slip, at.curvature}),
-        roller, sum);
+  [[gnu::always_inline]] void keep(const contact::LoadedSlice<T>& slice,
+                                   const contact::SliceContactState<T>& at) const {
+    add_rolling_resistance(slice, at,
+                           law.force(tribology::ContactConditions<T>{
+                               at.load_per_length, at.peak_pressure, T(0.0), at.half_width,
+                               at.entrainment, at.slip, at.curvature}),
+                           roller, sum);
   }
 };
 

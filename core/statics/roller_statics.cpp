@@ -22,7 +22,7 @@ double closure(const RollerModel& m, double load) { return 2.0 * line_approach(m
 
 /// Cold start: play closed, and about the deflection of the heaviest roller (Q = 4.6 F/(Z cos α),
 /// the radial bearing with play: 5 for points, 4.6 for lines).
-Vec5 first_guess(const RollerModel& m, const RaceTask& task, const Vec5& given) {
+Vec5 first_guess(const RollerModel& m, const RaceLoadCase& task, const Vec5& given) {
   Vec5 q = given;
   const auto& g = m.rollers;
   const double count = g.count;
@@ -62,7 +62,7 @@ Vec5 displacement_of(const RollerSolution& solution) {
 
 /// Where the earlier solution ended, but what is given now; moved on by its stiffness towards the
 /// load of now if that is a small step.
-Vec5 start_displacement(const RollerModel& m, const RollerSolution& start, const RaceTask& task,
+Vec5 start_displacement(const RollerModel& m, const RollerSolution& start, const RaceLoadCase& task,
                         const Vec5& given) {
   const Vec5 before = displacement_of(start);
   Vec5 q = given;
@@ -119,7 +119,7 @@ double row_angle(const RollerModel& m, const Vec5& q) {
 /// radial load; cones add the centrifugal force of all Z rollers, which the rib of the inner race
 /// takes along x (that of barrels their guide ring holds): F_x >= (F_r + Z F_c) tan α. Why a row
 /// whose x is free has no equilibrium; empty when that is not the reason.
-std::string missing_thrust(const RollerModel& m, const RaceTask& task, const Vec5& q) {
+std::string missing_thrust(const RollerModel& m, const RaceLoadCase& task, const Vec5& q) {
   const auto& flange = m.rollers.flange;
   if (task.given[0] || !(m.rollers.race_angle[0] > 0.0) || (flange[0][0] && flange[1][1])) {
     return "";
@@ -134,23 +134,23 @@ std::string missing_thrust(const RollerModel& m, const RaceTask& task, const Vec
   if (!(task.load(0) < needed && task.load(0) < still)) {
     return "";
   }
-  constexpr double kDegree = 180.0 / std::numbers::pi;
+  constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
   std::string text = fmt::format(
       ". A row with a contact angle of {:.4g} degrees supports thrust towards +x only, and each "
       "roller converts its radial load{} into thrust. Under a radial load of {:.6g} N the row "
       "needs an axial load of at least {} tan α = {:.4g} N along x, but the axial load is {:.6g} N",
-      angle * kDegree,
+      angle * kDegreesPerRadian,
       thrown > 0.0 ? fmt::format(" and its centrifugal force of {:.4g} N", m.centrifugal) : "",
       radial, thrown > 0.0 ? "(F_r + Z F_c)" : "F_r", needed, task.load(0));
   if (m.rollers.shape == bearing::RollerShape::Arc) {
     text += fmt::format(" (with the race at x = {:.4g} m the angle is still {:.4g} degrees)", q(0),
-                        row_angle(m, q) * kDegree);
+                        row_angle(m, q) * kDegreesPerRadian);
   }
   return text;
 }
 
 /// Newton ended with the race well out of the row for want of thrust: no other search finds more.
-bool slides_out(const RollerModel& m, const RaceTask& task, const Vec5& q) {
+bool slides_out(const RollerModel& m, const RaceLoadCase& task, const Vec5& q) {
   return q(0) < -0.25 * m.rollers.length && !missing_thrust(m, task, q).empty();
 }
 
@@ -176,13 +176,13 @@ bool centre_gripped(const RollerModel& m, RollerRace& state) {
   return any;
 }
 
-UnstableMode unstable_at(const RollerModel& m, const RaceTask& task, const RollerRace& state) {
+UnstableMode unstable_at(const RollerModel& m, const RaceLoadCase& task, const RollerRace& state) {
   const double k_ref = reference_stiffness(m, std::max(state.largest_contact, 1e-300));
   return unstable_mode(race_scales(m), task, state.stiffness, k_ref);
 }
 
-[[noreturn]] void give_up(const RollerModel& m, const RaceTask& task, const RaceSolve& solve,
-                          const RollerRace& state) {
+[[noreturn]] void throw_no_equilibrium(const RollerModel& m, const RaceLoadCase& task,
+                                       const RaceSolveResult& solve, const RollerRace& state) {
   const std::string loads = load_text(task);
   const double tilt = std::hypot(state.q(3), state.q(4));
   if (const std::string why = missing_thrust(m, task, state.q); !why.empty()) {
@@ -219,7 +219,7 @@ UnstableMode unstable_at(const RollerModel& m, const RaceTask& task, const Rolle
   throw SolverError(
       fmt::format("bearing equilibrium: under {} Newton's iteration {}{}; enter a first guess of "
                   "the displacement, or prescribe the displacement in one direction",
-                  loads, how_far(solve),
+                  loads, solve_failure_text(solve),
                   solve.element_failed ? ", because a roller lost its equilibrium (no support "
                                          "along the roller axis, or the race moved too far)"
                                        : ""));
@@ -229,7 +229,7 @@ UnstableMode unstable_at(const RollerModel& m, const RaceTask& task, const Rolle
 
 RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const RollerOptions& options) {
   RollerModel model = make_roller_model(bearing, options);
-  const RaceTask task = race_task(bearing.constraints);
+  const RaceLoadCase task = race_load_case(bearing.constraints);
   Vec5 given;
   for (std::size_t k = 0; k < 5; ++k) {
     given(static_cast<Eigen::Index>(k)) = bearing.constraints.displacement[k];
@@ -242,39 +242,42 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
                                           : first_guess(model, task, given);
   RollerRace state = rollers_at(model, options.start, start);
   const auto hopeless = [&](const RollerRace& at) { return slides_out(model, task, at.q); };
-  RaceSolve solve = solve_race_surely(model, task, state, 1e-12, hopeless);
-  const Vec5 cold = first_guess(model, task, given_only(task, given));
+  RaceSolveResult solve = solve_race_with_fallback(model, task, state, 1e-12, hopeless);
+  const Vec5 cold = first_guess(model, task, given_displacements(task, given));
   RollerSolution out;
   const bool guessed = cold != start || options.start;
   if (guessed && (!solve.converged || unstable_at(model, task, state))) {
     RollerRace from_cold = rollers_at(model, nullptr, cold);
-    const RaceSolve second = solve_race_surely(model, task, from_cold, 1e-12, hopeless);
+    const RaceSolveResult second =
+        solve_race_with_fallback(model, task, from_cold, 1e-12, hopeless);
     if (!solve.converged || (second.converged && !unstable_at(model, task, from_cold))) {
-      out.notes.push_back(solve.converged
-                              ? "the equilibrium found from the first guess of the displacement is "
-                                "not stable; this one was found without the guess"
-                              : "the search from the first guess of the displacement found no "
-                                "equilibrium; this equilibrium was found without that guess");
+      out.notes.push_back(make_finding(
+          "statics.first_guess",
+          solve.converged ? "the equilibrium found from the first guess of the displacement is "
+                            "not stable; this one was found without the guess"
+                          : "the search from the first guess of the displacement found no "
+                            "equilibrium; this equilibrium was found without that guess"));
       state = std::move(from_cold);
       solve = second;
     }
   }
   if (!solve.converged) {
-    give_up(model, task, solve, state);
+    throw_no_equilibrium(model, task, solve, state);
   }
   if (model.grips) {
     RollerRace centred = state;
     if (centre_gripped(model, centred)) {
-      const RaceSolve again = solve_race(model, task, centred);
+      const RaceSolveResult again = solve_race(model, task, centred);
       if (again.converged) {
         const int before = solve.iterations;
         solve = again;
         solve.iterations += before;
         state = std::move(centred);
       } else {
-        out.notes.emplace_back(
+        out.notes.push_back(make_finding(
+            "statics.roller_place",
             "rollers without flange load: no equilibrium was found with them in the middle of the "
-            "race. Their axial positions are those where the search ended");
+            "race. Their axial positions are those where the search ended"));
       }
     }
   }
@@ -301,26 +304,26 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
   out.spin_speed = model.speeds.spin;
   out.centrifugal_force = model.centrifugal;
   out.guide_force = std::hypot(model.guide[0], model.guide[1]);
-  out.unloaded_rule = unloaded_rule(model);
+  out.unloaded_position_rule = unloaded_position_rule(model);
   out.gyroscopic_moment = model.gyroscopic;
   out.roller_mass = model.mass;
   out.mass_offset = model.mass_offset;
   fill_summary(out);
   bool with_friction = false;
   if (has_friction_balance(bearing, options)) {
-    with_friction = balance_rollers(bearing, options, model, task, state, out);
+    with_friction = solve_roller_friction_balance(bearing, options, model, task, state, out);
   }
   if (options.difference_share > 0.0 && !with_friction) {
     add_difference_stiffness(model, state, options.difference_share, out);
   }
-  for (std::string& note : held_notes(solve.held, out.displacement)) {
+  for (Finding& note : unsupported_direction_notes(solve.held, out.displacement)) {
     out.notes.push_back(std::move(note));
   }
   if (const UnstableMode mode = unstable_at(model, task, state)) {
-    out.other_equilibria = equilibria_beside(model, task, state, mode);
+    out.other_equilibria = adjacent_stable_equilibria(model, task, state, mode);
     out.notes.push_back(instability_note(mode, out.other_equilibria));
   }
-  for (std::string& note : roller_notes(model, out.rollers)) {
+  for (Finding& note : roller_notes(model, out.rollers)) {
     out.notes.push_back(std::move(note));
   }
   return out;

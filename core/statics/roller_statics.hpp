@@ -52,7 +52,7 @@ struct RollerOptions {
   RollerKinematics kinematics = RollerKinematics::Exact;
   double line_constant = 0.0;  ///< K_l of Q = K_l L^(8/9) δ^(10/9) [N/m²]; 0: of the materials
   std::optional<bearing::FrameMotion> frame;  ///< base frame that turns; speeds relative to it
-  bool ball_balance = false;                  ///< of balls: StaticsOptions::friction_balance
+  bool ball_balance = false;                  ///< of balls: BallStaticsOptions::friction_balance
   bool friction_balance = false;              ///< rollers with friction (roller_friction.hpp)
   double first_azimuth = 0.0;                 ///< of roller 1 [rad]
   double difference_share = 0.0;  ///< above 0: stiffness by differences too, displaced by this
@@ -119,7 +119,7 @@ struct StaticRoller {
 };
 
 /// Rollers in balance of friction: which are not.
-struct RollerFriction {
+struct RollerFrictionBalance {
   bool computed = false;
   std::string failure;            ///< why it was given up for the whole bearing; empty: it was not
   std::vector<std::size_t> left;  ///< loaded rollers without a balance, from 0
@@ -129,16 +129,16 @@ struct RollerFriction {
 };
 
 struct RollerSolution : RaceResult {
-  RollerFriction friction;
+  RollerFrictionBalance friction;
   std::vector<StaticRoller> rollers;
   std::vector<double> slice_position;     ///< s of the slices of a nominal roller [m]
   double slice_width = 0.0;               ///< [m]
   std::array<double, 2> line_constant{};  ///< K_l by race [N/m²]; Point: Hertz K [N/m^1.5]
   double orbital_speed = 0.0;             ///< ω_m about +x [rad/s]
   double spin_speed = 0.0;  ///< about the roller axis, relative to the orbiting frame [rad/s]
-  double centrifugal_force = 0.0;  ///< on each roller [N]
-  double guide_force = 0.0;        ///< on each barrel along its axis, by guide ring or cage [N]
-  std::string unloaded_rule;       ///< where rollers stand that no load puts in place
+  double centrifugal_force = 0.0;      ///< on each roller [N]
+  double guide_force = 0.0;            ///< on each barrel along its axis, by guide ring or cage [N]
+  std::string unloaded_position_rule;  ///< where rollers stand that no load puts in place
   double gyroscopic_moment =
       0.0;                   ///< about y = z × x, what the contacts supply to each roller [N m]
   double roller_mass = 0.0;  ///< [kg]

@@ -32,13 +32,13 @@ ScaledForces scaled(const RollerModel& m, const Forces<S>& f, const Contacts& co
   return out;
 }
 
-Eigen::Vector3d unscaled(const RollerModel& m, Eigen::Vector3d step) {
+Eigen::Vector3d unscaled_step(const RollerModel& m, Eigen::Vector3d step) {
   step(2) /= m.lever;
   return step;
 }
 
 RollerStep roller_step(const RollerModel& m, const ScaledForces& s, double k_ref, double rounding) {
-  constexpr double kWeak = 1e-6;
+  constexpr double kWeakStiffness = 1e-6;
   RollerStep out;
   const Eigen::Matrix3d K = 0.5 * (s.stiffness + s.stiffness.transpose());
   const double d0 = K(0, 0);
@@ -71,7 +71,7 @@ RollerStep roller_step(const RollerModel& m, const ScaledForces& s, double k_ref
     const Eigen::Vector3d mode = eigen.vectors.col(k);
     const double load = mode.dot(s.force);
     const double stiffness = std::abs(eigen.values(k));
-    if (stiffness > kWeak * stiffest) {
+    if (stiffness > kWeakStiffness * stiffest) {
       out.step += mode * (load / stiffness);
       load_of_rest = std::hypot(load_of_rest, load);
     } else if (std::abs(load) > m.weak_floor) {
@@ -87,8 +87,8 @@ RollerStep roller_step(const RollerModel& m, const ScaledForces& s, double k_ref
   return out;
 }
 
-Eigen::Matrix<double, 3, 5> following(const RollerModel& m, const Forces<RollerDual>& f,
-                                      const Contacts& contacts) {
+Eigen::Matrix<double, 3, 5> race_following_matrix(const RollerModel& m, const Forces<RollerDual>& f,
+                                                  const Contacts& contacts) {
   const ScaledForces s = scaled(m, f, contacts);
   Eigen::Matrix<double, 3, 5> by_race;
   for (Eigen::Index i = 0; i < 3; ++i) {

@@ -17,7 +17,7 @@ template <class S>
                                   const Contacts& contacts);
 
 /// The step as changes of RollerState::e.
-[[nodiscard]] Eigen::Vector3d unscaled(const RollerModel& m, Eigen::Vector3d step);
+[[nodiscard]] Eigen::Vector3d unscaled_step(const RollerModel& m, Eigen::Vector3d step);
 
 /// Newton step. A contact with load Q is held along its normal by some Q/δ, but across it only by Q
 /// over its radii: for light contacts that is 1e-8 of the former and less, and along a valley of
@@ -32,8 +32,8 @@ struct RollerStep {
                                      double rounding);
 
 /// How the roller follows the race, -K⁻¹ ∂R/∂q, without the modes that nothing holds.
-[[nodiscard]] Eigen::Matrix<double, 3, 5> following(const RollerModel& m,
-                                                    const Forces<RollerDual>& f,
-                                                    const Contacts& contacts);
+[[nodiscard]] Eigen::Matrix<double, 3, 5> race_following_matrix(const RollerModel& m,
+                                                                const Forces<RollerDual>& f,
+                                                                const Contacts& contacts);
 
 }  // namespace adore::statics

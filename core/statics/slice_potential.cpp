@@ -14,7 +14,7 @@
 namespace adore::statics {
 namespace {
 
-using contact::SliceDeepest;
+using contact::DeepestSlicePoint;
 /// One slice per lane.
 using Lanes = SimdReal;
 
@@ -26,7 +26,7 @@ void add_matrices(PairPotential& sum, const Sums& of) {
   for (int i = 0; i < 4; ++i) {
     sum.gradient(i) += total(of.gradient[static_cast<std::size_t>(i)]);
     for (int j = 0; j <= i; ++j) {
-      const double value = total(of.hessian[static_cast<std::size_t>(triangle_entry(i, j))]);
+      const double value = total(of.hessian[static_cast<std::size_t>(lower_triangle_index(i, j))]);
       sum.hessian(i, j) += value;
       if (i != j) {
         sum.hessian(j, i) += value;
@@ -47,7 +47,7 @@ void add_to(PairPotential& sum, const SliceSums<T>& of) {
 void add_slices(const SliceSet& set, const Vec4& p, PairPotential& sum,
                 std::span<SliceResult> each) {
   constexpr std::size_t kLanes = Lanes::size();
-  const SliceTurns axes = slice_turns(p(2), p(3));
+  const SliceRotations axes = slice_rotations(p(2), p(3));
   SliceSums<Lanes> sums;
   EdgeSums<double> edges;
   Lanes tan_chi = 0.0;
@@ -59,8 +59,8 @@ void add_slices(const SliceSet& set, const Vec4& p, PairPotential& sum,
     };
     const Lanes s([&](auto lane) { return slice(lane).s; });
     const Lanes radius([&](auto lane) { return slice(lane).radius; });
-    const SliceDeepest<Lanes> d =
-        contact::deepest_on_slice(set.race, axes, p(0), p(1), s, radius, tan_chi);
+    const DeepestSlicePoint<Lanes> d =
+        contact::deepest_slice_point(set.race, axes, p(0), p(1), s, radius, tan_chi);
     // χ changes evenly along the roller: the next slices start from its extrapolation.
     const Lanes found = tan_chi;
     tan_chi = first == 0 ? found : 2.0 * found - last;
@@ -72,7 +72,7 @@ void add_slices(const SliceSet& set, const Vec4& p, PairPotential& sum,
       const double depth = d.at.depth[lane];
       if (depth > 0.0 || !each.empty()) {
         const double x =
-            contact::slice_place(set.race, axes, p(0), slice(lane).s, slice(lane).radius);
+            contact::slice_axial_position(set.race, axes, p(0), slice(lane).s, slice(lane).radius);
         land[lane] =
             contact::land_width(set.race, contact::land_coordinate(set.race, x), set.width);
         q[lane] = contact::slice_load(set.law, land[lane].width, depth);
@@ -85,7 +85,7 @@ void add_slices(const SliceSet& set, const Vec4& p, PairPotential& sum,
       for (std::size_t lane = 0; lane < count; ++lane) {
         if (q[lane].load > 0.0 && land[lane].slope != 0.0) {
           edges.add(
-              land_place(axes, set.race.sigma(), slice(lane).s, slice(lane).radius),
+              land_position_derivatives(axes, set.race.sigma(), slice(lane).s, slice(lane).radius),
               {sums.over[0][lane], sums.over[1][lane], sums.over[2][lane], sums.over[3][lane]},
               q[lane].load, d.at.depth[lane], land[lane].width, land[lane].slope,
               set.race.cos_angle);
@@ -137,26 +137,27 @@ void add_slices_linear(const SliceSet& set, const Vec4& p, PairPotential& sum,
   sum.stiffness += line.load_by_approach;
 }
 
-void add_point(const PointSet& set, const Vec4& p, PairPotential& sum, SliceResult* each) {
-  const SliceTurns axes = slice_turns(p(2), p(3));
+void add_point_contact(const PointContactSet& set, const Vec4& p, PairPotential& sum,
+                       SliceResult* each) {
+  const SliceRotations axes = slice_rotations(p(2), p(3));
   const auto deepest = [&](const contact::RaceSurface& race, const contact::RollerSlice& slice) {
     double tan_chi = 0.0;
-    return contact::deepest_on_slice(race, axes, p(0), p(1), slice.s, slice.radius, tan_chi);
+    return contact::deepest_slice_point(race, axes, p(0), p(1), slice.s, slice.radius, tan_chi);
   };
-  SliceDeepest<double> d = deepest(set.race, set.centre);
+  DeepestSlicePoint<double> d = deepest(set.race, set.centre);
   if (d.at.depth > 0.0 || each != nullptr) {
     const double s = set.centre.s + set.crown_radius * dot(d.at.n, axes.a);
     const bool facing = dot(d.at.n, d.u) > 0.0;
     if (!(facing && s >= set.ends[0].s && s <= set.ends[1].s)) {
-      const SliceDeepest<double> first = deepest(set.groove, set.ends[0]);
-      const SliceDeepest<double> second = deepest(set.groove, set.ends[1]);
+      const DeepestSlicePoint<double> first = deepest(set.groove, set.ends[0]);
+      const DeepestSlicePoint<double> second = deepest(set.groove, set.ends[1]);
       d = first.at.depth > second.at.depth ? first : second;
     }
   }
   contact::SliceLoad q;
   if (d.at.depth > 0.0) {
     const double root = std::sqrt(d.at.depth);
-    q = {contact::point_load(set.K, d.at.depth, root), 1.5 * set.K * root};
+    q = {contact::point_contact_load(set.K, d.at.depth, root), 1.5 * set.K * root};
     SliceSums<double> sums;
     sums.add(axes, d, q.load, q.slope);
     add_to(sum, sums);

@@ -62,7 +62,7 @@ void add_slices_linear(const SliceSet& set, const Vec4& p, PairPotential& sum,
 /// The arc ends where the corners begin. Where the normal through both centres meets the roller
 /// beyond that, or on its far side, δ is that of the deeper end: the deepest point of the arc that
 /// exists, with a continuous gradient [derived].
-struct PointSet {
+struct PointContactSet {
   contact::RaceSurface race;    ///< groove_radius = r_g - Rc
   contact::RollerSlice centre;  ///< s_A = -Rc sin ν, ρ_A = D/2 - Rc cos ν
   double K = 0.0;
@@ -70,6 +70,7 @@ struct PointSet {
   contact::RaceSurface groove;               ///< as it is
   std::array<contact::RollerSlice, 2> ends;  ///< of the arc: -s, +s
 };
-void add_point(const PointSet& set, const Vec4& p, PairPotential& sum, SliceResult* each = nullptr);
+void add_point_contact(const PointContactSet& set, const Vec4& p, PairPotential& sum,
+                       SliceResult* each = nullptr);
 
 }  // namespace adore::statics

@@ -14,14 +14,15 @@ namespace adore::statics {
 /// How t and f turn the roller axis a = (c, f, t): a changes by θ × a, θ = θ_t dt + θ_f df + ½ (0,
 /// t, -f) (k_tt dt² + 2 k_tf dt df + k_ff df²), θ_t = a × a_t and so on. A turn about a itself
 /// moves no slice circle, so that θ is free of it.
-struct SliceTurns : contact::SliceAxes {
+struct SliceRotations : contact::SliceAxes {
   contact::Triple<double> turn_t, turn_f;
   double k_tt = 0.0, k_tf = 0.0, k_ff = 0.0;  ///< x of a_tt, a_tf, a_ff, which have no y and z
   double tt = 0.0, tf = 0.0, ff = 0.0;        ///< θ_t·θ_t and so on
 };
 
-[[nodiscard, gnu::always_inline]] inline SliceTurns slice_turns(double t, double f) noexcept {
-  SliceTurns out{contact::slice_axes(t, f), {}, {}};
+[[nodiscard, gnu::always_inline]] inline SliceRotations slice_rotations(double t,
+                                                                        double f) noexcept {
+  SliceRotations out{contact::slice_axes(t, f), {}, {}};
   const double c = out.a.x;
   const double c3 = c * c * c;
   out.turn_t = cross(out.a, contact::Triple<double>{-t / c, 0.0, 1.0});
@@ -36,18 +37,19 @@ struct SliceTurns : contact::SliceAxes {
 }
 
 /// Lower triangle of a symmetric matrix of 4, row by row.
-[[gnu::always_inline]] constexpr int triangle_entry(int i, int j) { return i * (i + 1) / 2 + j; }
+[[gnu::always_inline]] constexpr int lower_triangle_index(int i, int j) {
+  return i * (i + 1) / 2 + j;
+}
 
 /// Of the place of a slice along the land (contact/land_edge.hpp): derivatives over p.
 template <class T>
-struct LandPlace {
+struct LandPositionDerivatives {
   std::array<T, 4> over;
   T tt, tf, ff;  ///< second ones over t and f
 };
 template <class T>
-[[nodiscard, gnu::always_inline]] inline LandPlace<T> land_place(const SliceTurns& axes,
-                                                                 double sigma, const T& s,
-                                                                 const T& radius) {
+[[nodiscard, gnu::always_inline]] inline LandPositionDerivatives<T> land_position_derivatives(
+    const SliceRotations& axes, double sigma, const T& s, const T& radius) {
   const double c = axes.a.x, f = axes.a.y, t = axes.a.z;
   const double m = std::sqrt(1.0 - f * f), m3 = m * m * m;
   const T out = sigma * radius;
@@ -69,8 +71,8 @@ struct EdgeSums {
     hessian.fill(T(0.0));
   }
   /// @param over ∂δ/∂p of the slice; narrows: w' of its width on the land over the land coordinate
-  void add(const LandPlace<T>& place, const std::array<T, 4>& over, const T& load, const T& depth,
-           const T& width, const T& narrows, double cos_angle) {
+  void add(const LandPositionDerivatives<T>& place, const std::array<T, 4>& over, const T& load,
+           const T& depth, const T& width, const T& narrows, double cos_angle) {
     reached = true;
     const T per_width = load * narrows * (1.0 / cos_angle) / ScalarMath<T>::max(width, T(1e-30));
     const T energy = (9.0 / 19.0) * depth * per_width;
@@ -80,9 +82,9 @@ struct EdgeSums {
       for (std::size_t j = 0; j <= i; ++j)
         hessian[k++] += per_width * (over[i] * place.over[j] + place.over[i] * over[j]);
     }
-    hessian[triangle_entry(2, 2)] += energy * place.tt;
-    hessian[triangle_entry(3, 2)] += energy * place.tf;
-    hessian[triangle_entry(3, 3)] += energy * place.ff;
+    hessian[lower_triangle_index(2, 2)] += energy * place.tt;
+    hessian[lower_triangle_index(3, 2)] += energy * place.tf;
+    hessian[lower_triangle_index(3, 3)] += energy * place.ff;
   }
 };
 
@@ -100,7 +102,7 @@ struct SliceSums {
   }
 
   /// Load and stiffness of slices with the derivatives of their penetration.
-  void add(const SliceTurns& axes, const contact::SliceDeepest<T>& d, const T& q,
+  void add(const SliceRotations& axes, const contact::DeepestSlicePoint<T>& d, const T& q,
            const T& q_slope) {
     const contact::Triple<T>& n = d.at.n;
     const contact::Triple<T> arm = d.s * axes.a + d.radius * d.u;
@@ -142,10 +144,10 @@ struct SliceSums {
     const T n_arm = d.s * dot(n, axes.a) + n_u;
     const T bow = n.x * (axes.a.z * arm.z + axes.a.y * arm.y) -
                   arm.x * (axes.a.y * n.y + axes.a.z * n.z);  // n·((0, t, -f) × arm)
-    hessian[triangle_entry(2, 2)] += q * (axes.k_tt * bow + n_t * arm_t - axes.tt * n_arm);
-    hessian[triangle_entry(3, 2)] +=
+    hessian[lower_triangle_index(2, 2)] += q * (axes.k_tt * bow + n_t * arm_t - axes.tt * n_arm);
+    hessian[lower_triangle_index(3, 2)] +=
         q * (axes.k_tf * bow + 0.5 * (n_t * arm_f + n_f * arm_t) - axes.tf * n_arm);
-    hessian[triangle_entry(3, 3)] += q * (axes.k_ff * bow + n_f * arm_f - axes.ff * n_arm);
+    hessian[lower_triangle_index(3, 3)] += q * (axes.k_ff * bow + n_f * arm_f - axes.ff * n_arm);
     load += q;
     slope += q_slope;
   }

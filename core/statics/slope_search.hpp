@@ -11,14 +11,14 @@ class SlopeSearch {
  public:
   /// @param first load along the step where it begins
   /// @param closed width of the bracket, over its upper end, in which nothing is left to search
-  SlopeSearch(double first, double closed) noexcept : first_(first), closed_(closed) {}
+  SlopeSearch(double first, double closed) noexcept : first_(first), bracket_width_limit_(closed) {}
 
   /// What to try, as a share of the step.
   [[nodiscard]] double length() const noexcept { return t_; }
 
   /// Is length() good, where the load along the step is `slope`? If not, it is now another one.
   [[nodiscard]] bool accepts(double slope) noexcept {
-    const bool bracket_closed = high_ > 0.0 && high_ - low_ <= closed_ * high_;
+    const bool bracket_closed = high_ > 0.0 && high_ - low_ <= bracket_width_limit_ * high_;
     if (slope < -0.5 * first_ && first_ > 0.0 && !bracket_closed) {
       high_ = t_;
       t_ = low_ + (high_ - low_) * std::clamp(first_ / (first_ - slope), 0.05, 0.5);
@@ -32,13 +32,13 @@ class SlopeSearch {
     return true;
   }
   /// Nothing is known at length(): nearer.
-  void fall_back() noexcept {
+  void backtrack() noexcept {
     high_ = t_;
     t_ = 0.5 * (low_ + high_);
   }
 
  private:
-  double first_, closed_;
+  double first_, bracket_width_limit_;
   double low_ = 0.0, high_ = 0.0;  ///< high 0: no overshoot yet
   double t_ = 1.0;
 };

@@ -186,7 +186,7 @@ Bracket bracket_minimum(double first, double second, HeatAt heat) {
 
 /// Steps below this leave an error of the order of their square, and derivatives as good as at the
 /// minimum.
-constexpr double kSmallStep = 1e-8;
+constexpr double kMaxAcceptedStep = 1e-8;
 
 /// The heat next to its minimum over β: Newton from a guess while steps shrink quickly on a convex
 /// stretch; from the first that does not, inside a shrinking bracket of the minimum.
@@ -211,7 +211,7 @@ Heat least_heat(HeatAt heat, BracketOf bracket_of, double& beta) {
     }
     last = std::abs(next - beta);
     beta = next;
-    if (!bracket && last < kSmallStep) {
+    if (!bracket && last < kMaxAcceptedStep) {
       return now;
     }
     if (bracket && last < 1e-13) {

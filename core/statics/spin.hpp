@@ -49,7 +49,7 @@ Direction<S> race_control_axis(const Direction<S>& alpha, double gamma, bool out
 }
 
 template <class S>
-struct Rolling {
+struct PureRollingSpeeds {
   S orbital = 0.0;  ///< ω_m [rad/s]
   S spin = 0.0;     ///< ω_R, relative to the orbiting frame, sign of Ω_i - Ω_o [rad/s]
   bool possible =
@@ -58,12 +58,13 @@ struct Rolling {
 
 /// No slip at both contact centres for a given pitch angle.
 template <class S>
-Rolling<S> roll_without_slip(const std::array<Direction<S>, 2>& alpha, const Direction<S>& beta,
-                             double gamma, const std::array<double, 2>& race_speed) {
+PureRollingSpeeds<S> roll_without_slip(const std::array<Direction<S>, 2>& alpha,
+                                       const Direction<S>& beta, double gamma,
+                                       const std::array<double, 2>& race_speed) {
   const S outer = cos_between(beta, alpha[0]) / (1.0 + gamma * alpha[0].cos);
   const S inner = cos_between(beta, alpha[1]) / (1.0 - gamma * alpha[1].cos);
   const S sum = outer + inner;
-  Rolling<S> result;
+  PureRollingSpeeds<S> result;
   if (!(value_of(sum) > 0.02)) {
     result.possible = false;
     result.orbital = 0.5 * (race_speed[0] + race_speed[1]);

@@ -12,7 +12,7 @@ namespace {
 
 using Index = Eigen::Index;
 
-constexpr int kSteps = 100, kCuts = 4;
+constexpr int kMaxLagSteps = 100, kMaxLagStepCuts = 4;
 
 /// Largest residual of a ball.
 double largest(const Eigen::VectorXd& R) {
@@ -54,7 +54,7 @@ Vec4 SpinLag::derivative(Index k, const Eigen::VectorXd& U) const {
   const Stencil& at = stencils_[static_cast<std::size_t>(k)];
   Vec4 out = Vec4::Zero();
   for (std::size_t i = 0; i < 3; ++i) out += at.weight[i] * U.segment<4>(4 * at.ball[i]);
-  if (balls_[static_cast<std::size_t>(k)].at->is_carried()) out[3] = 0.0;
+  if (balls_[static_cast<std::size_t>(k)].at->has_cage_orbital_speed()) out[3] = 0.0;
   return out;
 }
 
@@ -80,7 +80,7 @@ Eigen::VectorXd SpinLag::residual(const Eigen::VectorXd& U, double share,
 void SpinLag::add_inertia(const Eigen::VectorXd& U, double share, Eigen::MatrixXd& J) const {
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     const auto k = static_cast<Index>(i);
-    const Index rows = balls_[i].at->is_carried() ? 3 : 4;
+    const Index rows = balls_[i].at->has_cage_orbital_speed() ? 3 : 4;
     const double m = share * inertia(k), orbit = U[4 * k + 3];
     J.block(4 * k, 4 * k + 3, rows, 1) -= m * derivative(k, U).head(rows);
     for (std::size_t s = 0; s < 3; ++s)
@@ -96,7 +96,7 @@ bool SpinLag::search(Eigen::VectorXd& U, double share, double balanced,
   const double first = std::max(largest(R), balanced);
   Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(4 * n, 4 * n);
   bool known = false;
-  for (int step = 0; step < kSteps && largest(R) > balanced; ++step) {
+  for (int step = 0; step < kMaxLagSteps && largest(R) > balanced; ++step) {
     const double size = R.norm();
     if (!std::isfinite(size)) return false;
     for (Index k = 0; k < n && !known; ++k) {
@@ -121,15 +121,15 @@ bool SpinLag::search(Eigen::VectorXd& U, double share, double balanced,
     Eigen::VectorXd d = J.partialPivLu().solve(-R);
     const double longest = d.cwiseAbs().maxCoeff();
     if (!std::isfinite(longest)) return false;
-    if (longest > kLongestSpeedStep) d *= kLongestSpeedStep / longest;
+    if (longest > kMaxSpeedStep) d *= kMaxSpeedStep / longest;
     Eigen::VectorXd next = residual(U + d, share, motions);
-    for (int cut = 0; cut < kCuts && !(next.norm() < size); ++cut) {
+    for (int cut = 0; cut < kMaxLagStepCuts && !(next.norm() < size); ++cut) {
       d *= 0.5;
       next = residual(U + d, share, motions);
     }
-    constexpr double kFast = 0.1, kSmall = 1e-8, kSlow = 0.9;
-    known = next.norm() < kFast * size;
-    const bool at_end = size <= kSmall && !(next.norm() < kSlow * size);
+    constexpr double kKeepSlopesRatio = 0.1, kNearRounding = 1e-8, kStalledRatio = 0.9;
+    known = next.norm() < kKeepSlopesRatio * size;
+    const bool at_end = size <= kNearRounding && !(next.norm() < kStalledRatio * size);
     if (at_end && !(next.norm() < size)) {
       (void)residual(U, share, motions);
       break;
@@ -138,7 +138,7 @@ bool SpinLag::search(Eigen::VectorXd& U, double share, double balanced,
     R = next;
     if (at_end) break;
   }
-  return largest(R) <= std::max(balanced, kAcceptedBalance);
+  return largest(R) <= std::max(balanced, kAcceptedResidual);
 }
 
 bool SpinLag::find(std::vector<BallMotion>& motions, const tribology::EllipseRule& few,
@@ -155,11 +155,11 @@ bool SpinLag::find(std::vector<BallMotion>& motions, const tribology::EllipseRul
   };
   const auto finish = [&] {
     use(rule);
-    if (!search(U, 1.0, kBalanced, now)) return false;
+    if (!search(U, 1.0, kBalanceTolerance, now)) return false;
     for (Index k = 0; k < n; ++k) {
       const Ball& ball = balls_[static_cast<std::size_t>(k)];
       BallMotion& motion = now[ball.number];
-      ball.at->give(U.segment<4>(4 * k) * (unit_ / ball.at->spin()), motion);
+      ball.at->set_speeds(U.segment<4>(4 * k) * (unit_ / ball.at->spin()), motion);
       motion.balanced = true;
     }
     motions = std::move(now);
@@ -167,27 +167,27 @@ bool SpinLag::find(std::vector<BallMotion>& motions, const tribology::EllipseRul
   };
   const Eigen::VectorXd start = U;
   use(few);
-  if (search(U, 1.0, kNear, now) && finish()) return true;
+  if (search(U, 1.0, kFewNodesTolerance, now) && finish()) return true;
   U = start;
   use(few);
   // Steps of the share that shrink where they fail.
-  constexpr double kFirstShare = 0.25, kLeastShare = 1e-3;
-  double share = 0.0, step = kFirstShare;
+  constexpr double kFirstInertiaStep = 0.25, kMinInertiaStep = 1e-3;
+  double share = 0.0, step = kFirstInertiaStep;
   while (share < 1.0) {
     Eigen::VectorXd trial = U;
     const double next = std::min(1.0, share + step);
-    if (search(trial, next, kNear, now)) {
+    if (search(trial, next, kFewNodesTolerance, now)) {
       U = trial;
       share = next;
       step *= 2.0;
-    } else if ((step *= 0.5) < kLeastShare) {
+    } else if ((step *= 0.5) < kMinInertiaStep) {
       return false;
     }
   }
   return finish();
 }
 
-Eigen::MatrixXd SpinLag::slopes(const std::vector<BallSlopes>& of_balls,
+Eigen::MatrixXd SpinLag::slopes(const std::vector<BallLinearization>& of_balls,
                                 const std::vector<BallMotion>& motions, std::size_t count) const {
   const auto n = static_cast<Index>(balls_.size()), all = static_cast<Index>(count);
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(4 * n, 4 * n),
@@ -195,7 +195,7 @@ Eigen::MatrixXd SpinLag::slopes(const std::vector<BallSlopes>& of_balls,
   Eigen::VectorXd U(4 * n);
   for (Index k = 0; k < n; ++k) {
     const Ball& ball = balls_[static_cast<std::size_t>(k)];
-    const BallSlopes& by = of_balls[ball.number];
+    const BallLinearization& by = of_balls[ball.number];
     U.segment<4>(4 * k) = speeds_of(ball, motions[ball.number]);
     J.block<4, 4>(4 * k, 4 * k) = by.G_v * (unit_ / ball.at->spin());
     R_s.block<4, 5>(4 * k, 5 * k) = by.G_s;
@@ -205,7 +205,7 @@ Eigen::MatrixXd SpinLag::slopes(const std::vector<BallSlopes>& of_balls,
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(3 * all, 5 * all);
   for (Index k = 0; k < n; ++k) {
     const Ball& ball = balls_[static_cast<std::size_t>(k)];
-    const BallSlopes& by = of_balls[ball.number];
+    const BallLinearization& by = of_balls[ball.number];
     const auto row = static_cast<Index>(ball.number);
     for (Index l = 0; l < n; ++l) {
       const auto column = static_cast<Index>(balls_[static_cast<std::size_t>(l)].number);
@@ -218,8 +218,8 @@ Eigen::MatrixXd SpinLag::slopes(const std::vector<BallSlopes>& of_balls,
   return out;
 }
 
-std::vector<double> SpinLag::moment_ratio(const std::vector<BallMotion>& motions, double radius,
-                                          std::size_t count) const {
+std::vector<double> SpinLag::spin_moment_ratio(const std::vector<BallMotion>& motions,
+                                               double radius, std::size_t count) const {
   const auto n = static_cast<Index>(balls_.size());
   std::vector<double> out(count, 0.0);
   Eigen::VectorXd U(4 * n);
@@ -235,7 +235,7 @@ std::vector<double> SpinLag::moment_ratio(const std::vector<BallMotion>& motions
   for (Index k = 0; k < n; ++k) {
     const Ball& ball = balls_[static_cast<std::size_t>(k)];
     const double moment = inertia(k) * std::abs(U[4 * k + 3]) * derivative(k, U).head<3>().norm();
-    const double available = ball.at->moment_at(variation * unit_ * radius);
+    const double available = ball.at->friction_moment_at(variation * unit_ * radius);
     if (available > 0.0) out[ball.number] = moment / available;
   }
   return out;

@@ -45,14 +45,14 @@ class SpinLag {
   [[nodiscard]] bool find(std::vector<BallMotion>& motions, const tribology::EllipseRule& few,
                           const tribology::EllipseRule& rule) const;
   /// dt/ds of all `count` balls of the bearing, 3 count × 5 count, at their balance.
-  [[nodiscard]] Eigen::MatrixXd slopes(const std::vector<BallSlopes>& of_balls,
+  [[nodiscard]] Eigen::MatrixXd slopes(const std::vector<BallLinearization>& of_balls,
                                        const std::vector<BallMotion>& motions,
                                        std::size_t count) const;
   /// Moment that turns the spin axis of each ball at these motions, over its friction moment if it
   /// slid by the whole variation of the spin axes: above 1, the spin axis cannot follow its
   /// contacts. By ball of the bearing, 0 of those passed over.
-  [[nodiscard]] std::vector<double> moment_ratio(const std::vector<BallMotion>& motions,
-                                                 double radius, std::size_t count) const;
+  [[nodiscard]] std::vector<double> spin_moment_ratio(const std::vector<BallMotion>& motions,
+                                                      double radius, std::size_t count) const;
 
  private:
   /// dU/dθ of ball k = Σ weight U over itself and the two before it.

@@ -16,14 +16,14 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// Values and slopes at n azimuths k 2π/n.
-struct Nodes {
+struct RadiusNodes {
   std::vector<double> value, slope;
 };
 
 /// The series through them, of n waves at most.
-bearing::TurnSeries series_through(const Nodes& nodes) {
+bearing::AzimuthSeries series_through(const RadiusNodes& nodes) {
   const std::size_t n = nodes.value.size(), samples = 4 * n;
-  bearing::TurnSeries out;
+  bearing::AzimuthSeries out;
   out.least = *std::min_element(nodes.value.begin(), nodes.value.end());
   out.largest = *std::max_element(nodes.value.begin(), nodes.value.end());
   if (std::all_of(nodes.value.begin(), nodes.value.end(), [](double v) { return v == 0.0; }) &&
@@ -56,11 +56,11 @@ bearing::TurnSeries series_through(const Nodes& nodes) {
 }
 
 /// Height of a ball that is not round over its mean, in a direction of its azimuth frame.
-double height_of(const bearing::GivenRace* form, double azimuth, double latitude) {
+double height_of(const bearing::SurfaceSeries* form, double azimuth, double latitude) {
   const bearing::SurfaceTable* const t = bearing::table_of(form);
   if (t == nullptr) return 0.0;
-  const contact::RaceTable table{t->height.data(), nullptr, t->around, t->across,
-                                 t->first,         t->step, 1.0};
+  const contact::SurfaceDeviationTable table{t->height.data(), nullptr, t->around, t->across,
+                                             t->first,         t->step, 1.0};
   return contact::table_value(table, table.height, azimuth, latitude).value;
 }
 
@@ -93,7 +93,7 @@ std::optional<bearing::Bearing> with_start_radii(const bearing::Bearing& b, Form
     const double own_azimuth = j == bearing::kOuter ? 0.0 : std::numbers::pi;
     const double growth = sign * race_growth(race_surfaces(b)[j]);
     const double race_radius = b.rollers()->race_radius(static_cast<int>(j));
-    Nodes radius, taper, factor;
+    RadiusNodes radius, taper, factor;
     for (std::size_t k = 0; k < count; ++k) {
       contact::LocalRaceError race, roller;
       if (!errors.ideal())
@@ -111,7 +111,7 @@ std::optional<bearing::Bearing> with_start_radii(const bearing::Bearing& b, Form
       factor.value.push_back(race.curvature_factor);
       factor.slope.push_back(race.curvature_factor_slope);
     }
-    auto given = std::make_shared<bearing::GivenRace>();
+    auto given = std::make_shared<bearing::SurfaceSeries>();
     given->radius = series_through(radius);
     given->taper = series_through(taper);
     given->curvature_factor = series_through(factor);
@@ -120,11 +120,12 @@ std::optional<bearing::Bearing> with_start_radii(const bearing::Bearing& b, Form
   return out;
 }
 
-StaticSolution solve_balls(const bearing::Bearing& b, const StaticsOptions& options, Forms forms,
-                           FrictionBalance& balance) {
+StaticSolution solve_balls_with_friction(const bearing::Bearing& b,
+                                         const BallStaticsOptions& options, Forms forms,
+                                         FrictionBalance& balance) {
   StaticSolution out = solve_ball_statics(b, options);
   if (forms.empty()) {
-    balance = balance_balls(b, options, out);
+    balance = solve_ball_friction_balance(b, options, out);
     return out;
   }
   bearing::Bearing at_start = b;
@@ -141,7 +142,7 @@ StaticSolution solve_balls(const bearing::Bearing& b, const StaticsOptions& opti
     }
     out = solve_ball_statics(at_start, options);
   }
-  balance = balance_balls(at_start, options, out);
+  balance = solve_ball_friction_balance(at_start, options, out);
   for (std::size_t k = 0; k < out.balls.size(); ++k) {
     StaticBall& ball = out.balls[k];
     const std::array<double, 2> angle = angles_of(ball, b.balls().contact_angle);

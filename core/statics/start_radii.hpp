@@ -15,7 +15,7 @@
 /// contact angles. An equilibrium is that of the radii there. SI, rad.
 namespace adore::statics {
 
-using Forms = std::span<const std::shared_ptr<const bearing::GivenRace>>;
+using Forms = std::span<const std::shared_ptr<const bearing::SurfaceSeries>>;
 
 /// Radius of a race that acts as 1 of the radius of its rollers: 1/n_r, n_r the radial part of the
 /// nominal contact normal.
@@ -28,11 +28,12 @@ using Forms = std::span<const std::shared_ptr<const bearing::GivenRace>>;
 [[nodiscard]] std::optional<bearing::Bearing> with_start_radii(const bearing::Bearing& bearing,
                                                                Forms forms);
 
-/// Balls in equilibrium, and in friction equilibrium (balance_balls). Not round: loads are those of
-/// a diameter that has the heights h at both contacts more, and the ball is (h_o - h_i)/2 nearer to
-/// the inner race. The contact angles of round balls are the places, then those found there.
-[[nodiscard]] StaticSolution solve_balls(const bearing::Bearing& bearing,
-                                         const StaticsOptions& options, Forms forms,
-                                         FrictionBalance& balance);
+/// Balls in equilibrium, and in friction equilibrium (solve_ball_friction_balance). Not round:
+/// loads are those of a diameter that has the heights h at both contacts more, and the ball is (h_o
+/// - h_i)/2 nearer to the inner race. The contact angles of round balls are the places, then those
+/// found there.
+[[nodiscard]] StaticSolution solve_balls_with_friction(const bearing::Bearing& bearing,
+                                                       const BallStaticsOptions& options,
+                                                       Forms forms, FrictionBalance& balance);
 
 }  // namespace adore::statics

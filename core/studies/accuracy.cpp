@@ -5,6 +5,7 @@
 #include "results/energy_judgement.hpp"
 #include "studies/accuracy_judgement.hpp"
 #include "studies/accuracy_settings.hpp"
+#include "studies/accuracy_statement.hpp"
 
 #include <fmt/format.h>
 
@@ -20,24 +21,30 @@
 namespace adore::studies {
 namespace {
 
-constexpr double kShortTurns = 2.0;   ///< of the first round, at most
-constexpr double kShortShare = 0.35;  ///< of the budget, for which the first round is laid out
-constexpr double kShortMost = 0.5;    ///< hard limit of the span
-constexpr double kModelShare = 0.15;  ///< of the budget, at most, is kept for other models
-constexpr double kLongShare = 0.85;  ///< of the remaining time: motions may become slower with time
-constexpr double kReferenceShare =
-    0.3;                             ///< of the remaining time, each reference of the second round
-constexpr double kAfterCut = 0.4;    ///< of the turns that one came to which was cut
-constexpr double kRowShare = 0.5;    ///< of the remaining time, a row of the second round
-constexpr double kLongestRow = 5.0;  ///< times the cost of the deck's own run; slower ones are cut
-constexpr std::size_t kFinalists = 8;                  ///< in addition to the deck's own settings
-constexpr double kDearTurns = 0.05, kDearShare = 0.5;  ///< of models that are much slower
+/// Longest span of the first round.
+constexpr double kMaxShortRevolutions = 2.0;
+/// Planned and largest part of the budget for the first round.
+constexpr double kFirstRoundShare = 0.35, kMaxFirstRoundShare = 0.5;
+/// Largest part of the budget that is kept for other models.
+constexpr double kModelRoundShare = 0.15;
+/// Part of the remaining time for the second round: motions may become slower with time.
+constexpr double kSecondRoundShare = 0.85;
+/// Largest parts of the remaining time for a reference and for a row of the second round.
+constexpr double kReferenceShare = 0.3, kMaxRowShare = 0.5;
+/// New span after a run that the time limit ended, over the revolutions of that run.
+constexpr double kSpanAfterTimeout = 0.4;
+/// Largest cost of a row, in runs with the deck's own settings.
+constexpr double kMaxRowCost = 5.0;
+/// Largest number of rows of the second round, without the deck's own settings.
+constexpr std::size_t kMaxFinalists = 8;
+/// Span of models that are much slower, and the largest part of the budget for one of them.
+constexpr double kSlowModelRevolutions = 0.05, kSlowModelShare = 0.5;
 constexpr double kReferenceTolerance = 1e-9;
-constexpr double kNearbyLoads = 1e-6;  ///< change above which a motion counts as irregular
-constexpr std::size_t kNearbyMethods = 2, kNearbyRuns = 3;  ///< that tell it
-constexpr double kNearbyCost = 2.0;  ///< at most half of the remaining time for them
-constexpr int kRules = 5;  ///< of comparing; rows of a study by other ones are not taken over
-constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+constexpr std::size_t kIrregularityMethods = 2, kIrregularityRuns = 3;
+/// Remaining time that these runs need, over their estimated time.
+constexpr double kIrregularityReserve = 2.0;
+/// Version of the rules of comparison: rows of a study with another version are not reused.
+constexpr int kRulesVersion = 5;
 
 /// The deck as requested, with the settings that the study varies.
 struct Subject {
@@ -100,21 +107,21 @@ Trial try_setting(const Subject& subject, const AccuracySetting& setting, double
   return out;
 }
 
-class Study {
+class Trials {
  public:
-  Study(const AccuracyRequest& request, const AccuracySink& sink, std::stop_token stop,
-        const AccuracyStudy& earlier)
+  Trials(const AccuracyRequest& request, const AccuracySink& sink, std::stop_token stop,
+         const AccuracyStudy& earlier)
       : request_(request), sink_(sink), stop_(std::move(stop)), earlier_(earlier) {}
 
   AccuracyStudy run() {
     set_up();
-    if (goes_on_ && earlier_.complete) return earlier_;
+    if (continues_ && earlier_.complete) return earlier_;
     try {
       first_round();
       second_round();
       measure_irregularity();
       model_round();
-      repeat_those_that_count();
+      repeat_deciding_rows();
       study_.complete = true;
     } catch (const Interrupted&) {
       study_ = joined(study_, earlier_);
@@ -151,14 +158,14 @@ class Study {
     study_.target = request_.target;
     study_.digest = runs::request_digest(subject_.request, prepared.input) +
                     fmt::format("-{:g}-{:g}-{:g}-{}-{}", request_.turns, request_.budget,
-                                request_.target, request_.models, kRules);
+                                request_.target, request_.models, kRulesVersion);
     for (const std::string& method : request_.methods) study_.digest += "-" + method;
     for (const double tolerance : request_.tolerances)
       study_.digest += fmt::format("-{:g}", tolerance);
-    settings_ = settings_of(prepared, request_.methods, request_.tolerances);
-    models_ = models_of(prepared);
-    goes_on_ = study_.digest == earlier_.digest;
-    if (goes_on_) study_.twins = earlier_.twins;
+    settings_ = trial_settings(prepared, request_.methods, request_.tolerances);
+    models_ = trial_model_settings(prepared);
+    continues_ = study_.digest == earlier_.digest;
+    if (continues_) study_.twins = earlier_.twins;
     stp_max_ = prepared.control.step_maximum;
     deck_ = prepared.input.deck;
   }
@@ -166,7 +173,7 @@ class Study {
   /// The row of an earlier study of the same deck and span; nullptr: none.
   [[nodiscard]] const AccuracyRow* known(const std::vector<AccuracyRow>& rows,
                                          const AccuracySetting& setting, double turns) const {
-    if (!goes_on_) return nullptr;
+    if (!continues_) return nullptr;
     for (const AccuracyRow& row : rows)
       if (row.setting.name == setting.name && row.turns == turns) return &row;
     return nullptr;
@@ -189,7 +196,7 @@ class Study {
   }
 
   /// Time of runs without a row, which a continued study does not repeat.
-  void spend_unlisted(double seconds) {
+  void count_unlisted_time(double seconds) {
     study_.seconds += seconds;
     study_.unlisted_seconds += seconds;
   }
@@ -201,7 +208,7 @@ class Study {
 
   /// @throws SolverError, ReferenceCut when one of both takes more than most_seconds
   AccuracyReference references(double turns, const AccuracyReference& known, double most_seconds) {
-    if (goes_on_ && !known.results.empty()) {
+    if (continues_ && !known.results.empty()) {
       study_.reference = earlier_.reference;
       study_.seconds += known.seconds;
       return known;
@@ -213,7 +220,7 @@ class Study {
       // Its steps may be shorter than the deck allows, not longer.
       setting.sets = {{"stpMin", fmt::format("{:.3g}", 1e-6 * std::min(1.0, stp_max_))}};
       Trial out = try_setting(subject_, setting, turns, most_seconds, stop_);
-      spend_unlisted(out.row.seconds);  // until both have come to their end
+      count_unlisted_time(out.row.seconds);  // until both have come to their end
       if (out.cut_at > 0.0) throw ReferenceCut{out.cut_at / subject_.turn};
       if (!out.good())
         throw SolverError(fmt::format("no reference solution: {} at tolerance {:.0e}: {}", method,
@@ -244,7 +251,7 @@ class Study {
   }
 
   void first_round() {
-    const auto same = goes_on_ && earlier_.short_turns > 0.0;
+    const auto same = continues_ && earlier_.short_turns > 0.0;
     // Two short runs with the deck's own settings measure the time of the start and of one
     // revolution; a run before them loads programs and files into the cache.
     const double few = 0.02, more = 0.2;
@@ -254,13 +261,14 @@ class Study {
     start_cost_ = std::max(0.0, start - few * turn_cost_);
     const double references_cost = 12.0;  // in turns of the deck's own run; measured below
     const double rows = static_cast<double>(settings_.size());
-    study_.short_turns = std::clamp((kShortShare * request_.budget - (rows + 2.0) * start_cost_) /
-                                        (turn_cost_ * (1.2 * rows + references_cost)),
-                                    0.02, std::min(kShortTurns, request_.turns));
+    study_.short_turns =
+        std::clamp((kFirstRoundShare * request_.budget - (rows + 2.0) * start_cost_) /
+                       (turn_cost_ * (1.2 * rows + references_cost)),
+                   0.02, std::min(kMaxShortRevolutions, request_.turns));
     if (same) study_.short_turns = earlier_.short_turns;
-    study_.short_reference = references(study_.short_turns, earlier_.short_reference, kUnlimited);
+    study_.short_reference = references(study_.short_turns, earlier_.short_reference, kInfinity);
     reference_cost_ = (study_.short_reference.seconds - 2.0 * start_cost_) / study_.short_turns;
-    const double most = start_cost_ + 0.05 + kLongestRow * turn_cost_ * study_.short_turns;
+    const double most = start_cost_ + 0.05 + kMaxRowCost * turn_cost_ * study_.short_turns;
     // From the tightest tolerance up: once the longest step decides, looser ones change nothing.
     std::string settled;
     for (const AccuracySetting& setting : settings_) {
@@ -270,7 +278,7 @@ class Study {
         settled = group;
         continue;
       }
-      const double room = left() - (1.0 - kShortMost) * request_.budget;
+      const double room = left() - (1.0 - kMaxFirstRoundShare) * request_.budget;
       if (room < start_cost_ && !setting.own &&
           known(earlier_.screening, setting, study_.short_turns) == nullptr) {
         ++study_.untried;
@@ -304,8 +312,8 @@ class Study {
   }
 
   double try_seconds(double turns) {
-    const Trial own = try_setting(subject_, own_setting(settings_), turns, kUnlimited, stop_);
-    spend_unlisted(own.row.seconds);
+    const Trial own = try_setting(subject_, deck_setting(settings_), turns, kInfinity, stop_);
+    count_unlisted_time(own.row.seconds);
     if (!own.good() && own.row.seconds == 0.0)
       throw InputError(own.row.failure);  // refused before it began
     return own.row.seconds;
@@ -313,9 +321,9 @@ class Study {
 
   /// The deck's own settings, and those that may be the cheapest of their accuracy.
   [[nodiscard]] std::vector<AccuracySetting> finalists() const {
-    std::vector<AccuracySetting> out{own_setting(settings_)};
+    std::vector<AccuracySetting> out{deck_setting(settings_)};
     for (const std::size_t k :
-         candidates(study_.screening, study_.short_reference.noise, study_.target, kFinalists))
+         candidates(study_.screening, study_.short_reference.noise, study_.target, kMaxFinalists))
       out.push_back(study_.screening[k].setting);
     return out;
   }
@@ -330,10 +338,10 @@ class Study {
 
   /// Possible cost of the other models, by the deck's own run, at most a fraction of the budget
   /// [s].
-  [[nodiscard]] double kept_for_models() const {
+  [[nodiscard]] double time_for_models() const {
     if (!request_.models) return 0.0;
     const double one = start_cost_ + 2.0 * turn_cost_ * study_.short_turns;
-    return std::min(one * static_cast<double>(models_.size()), kModelShare * request_.budget);
+    return std::min(one * static_cast<double>(models_.size()), kModelRoundShare * request_.budget);
   }
 
   /// References of the second span, which becomes shorter if they are slower than measured in the
@@ -349,7 +357,7 @@ class Study {
             references(study_.long_turns, earlier_.long_reference, kReferenceShare * left());
         return;
       } catch (const ReferenceCut& cut) {
-        const double turns = std::min(kAfterCut * cut.turns, 0.5 * study_.long_turns);
+        const double turns = std::min(kSpanAfterTimeout * cut.turns, 0.5 * study_.long_turns);
         study_.long_turns = std::max(turns >= 1.0 ? std::floor(turns) : turns, study_.short_turns);
       }
     }
@@ -357,23 +365,23 @@ class Study {
 
   void second_round() {
     // Time spent earlier without a row was spent in this round, except for a few short runs.
-    if (goes_on_) spend_unlisted(earlier_.unlisted_seconds);
+    if (continues_) count_unlisted_time(earlier_.unlisted_seconds);
     const std::vector<AccuracySetting> chosen = finalists();
     std::vector<double> costs;
     for (const AccuracySetting& setting : chosen) costs.push_back(cost_of(setting));
     double turn_of_all = std::accumulate(costs.begin(), costs.end(), reference_cost_);
     // Minimum time for runs with loads changed by 1e-6; the most accurate that it allows are run.
     std::sort(costs.begin(), costs.end());
-    costs.resize(std::min(costs.size(), kNearbyMethods));
-    for (const double cost : costs) turn_of_all += kNearbyRuns * cost;
-    const double runs = static_cast<double>(chosen.size() + 2 + kNearbyRuns * costs.size());
+    costs.resize(std::min(costs.size(), kIrregularityMethods));
+    for (const double cost : costs) turn_of_all += kIrregularityRuns * cost;
+    const double runs = static_cast<double>(chosen.size() + 2 + kIrregularityRuns * costs.size());
     const double affordable =
-        (kLongShare * (left() - kept_for_models()) - runs * start_cost_) / turn_of_all;
+        (kSecondRoundShare * (left() - time_for_models()) - runs * start_cost_) / turn_of_all;
     double turns = std::min(request_.turns, affordable);
     // Means over whole revolutions; if less than one is possible, over the available span.
     turns = turns >= 1.0 ? std::floor(turns) : turns;
     study_.long_turns = std::max(turns, study_.short_turns);
-    if (goes_on_ && earlier_.long_turns > 0.0) study_.long_turns = earlier_.long_turns;
+    if (continues_ && earlier_.long_turns > 0.0) study_.long_turns = earlier_.long_turns;
     long_references();
     for (const AccuracySetting& setting : chosen) {
       if (left() < start_cost_ && !study_.finals.empty() &&
@@ -383,7 +391,7 @@ class Study {
       }
       // Motions may become slower than in the first round: no row may use the time of the others.
       Trial row = trial(earlier_.finals, setting, study_.long_turns,
-                        std::max(kRowShare * left(), start_cost_));
+                        std::max(kMaxRowShare * left(), start_cost_));
       add(study_.finals, row, study_.long_reference.results);
     }
     judge_rows(study_.finals, study_.noise(), study_.target);
@@ -410,7 +418,7 @@ class Study {
   /// errors are within the target: coarse steps scatter anyway and would hide the
   /// irregularity.
   void measure_irregularity() {
-    if (goes_on_ && earlier_.irregular.load >= 0.0) {
+    if (continues_ && earlier_.irregular.load >= 0.0) {
       study_.irregular = earlier_.irregular;
       study_.irregular_by = earlier_.irregular_by;
       return;
@@ -419,16 +427,16 @@ class Study {
     std::vector<NearbyRuns> methods;
     std::vector<std::string> used;
     std::string by;
-    while (methods.size() < kNearbyMethods) {
+    while (methods.size() < kIrregularityMethods) {
       const AccuracyRow* row = best_for_nearby_runs(used);
       if (row == nullptr) break;
       used.push_back(row->setting.method);
       NearbyRuns runs = nearby_runs(*row);
-      if (runs.size() < kNearbyRuns) continue;
+      if (runs.size() < kIrregularityRuns) continue;
       methods.push_back(std::move(runs));
       by += (by.empty() ? "" : "; ") + row->setting.name;
     }
-    study_.irregular = noise_of(methods);
+    study_.irregular = estimate_noise(methods);
     study_.irregular_by = by;
   }
 
@@ -442,9 +450,10 @@ class Study {
     for (const AccuracyRow& row : study_.finals) {
       const bool tried = std::find(used.begin(), used.end(), row.setting.method) != used.end();
       if (tried || !row.failure.empty() || row.energy_share > results::kMovedWarning ||
-          left() < kNearbyCost * kNearbyRuns * row.seconds)
+          left() < kIrregularityReserve * kIrregularityRuns * row.seconds)
         continue;
-      const std::pair rank(over_limits(row.errors, noise, study_.target), row.errors.largest());
+      const std::pair rank(error_to_limit_ratio(row.errors, noise, study_.target),
+                           row.errors.largest());
       if (!(rank < least)) continue;
       least = rank;
       out = &row;
@@ -455,11 +464,11 @@ class Study {
   /// Under the loads as they are, a millionth more and less; fewer where one fails.
   NearbyRuns nearby_runs(const AccuracyRow& row) {
     NearbyRuns out;
-    for (const double change : {0.0, kNearbyLoads, -kNearbyLoads}) {
+    for (const double change : {0.0, kLoadChange, -kLoadChange}) {
       Subject subject = subject_;
       for (auto& load : runs::nearby_loads(deck_, change)) subject.request.changes.push_back(load);
-      Trial one = try_setting(subject, row.setting, row.turns, kUnlimited, stop_);
-      spend_unlisted(one.row.seconds);
+      Trial one = try_setting(subject, row.setting, row.turns, kInfinity, stop_);
+      count_unlisted_time(one.row.seconds);
       if (!one.good()) break;
       out.push_back(std::move(one.results));
     }
@@ -473,9 +482,9 @@ class Study {
       study_.untried += static_cast<int>(models_.size());
       return;
     }
-    const AccuracySetting own = own_setting(settings_);
-    const Trial base = try_setting(subject_, own, study_.short_turns, kUnlimited, stop_);
-    spend_unlisted(base.row.seconds);
+    const AccuracySetting own = deck_setting(settings_);
+    const Trial base = try_setting(subject_, own, study_.short_turns, kInfinity, stop_);
+    count_unlisted_time(base.row.seconds);
     if (!base.good()) return;
     for (AccuracySetting setting : models_) {
       setting.method = own.method;
@@ -485,13 +494,13 @@ class Study {
         continue;
       }
       if (setting.dear) {
-        const double turns = std::min(study_.short_turns, kDearTurns);
-        const Trial beside = try_setting(subject_, own, turns, kUnlimited, stop_);
-        spend_unlisted(beside.row.seconds);
-        if (!beside.good()) continue;
-        Trial row =
-            trial(earlier_.models, setting, turns, std::min(kDearShare * request_.budget, left()));
-        add(study_.models, row, beside.results);
+        const double turns = std::min(study_.short_turns, kSlowModelRevolutions);
+        const Trial own_run = try_setting(subject_, own, turns, kInfinity, stop_);
+        count_unlisted_time(own_run.row.seconds);
+        if (!own_run.good()) continue;
+        Trial row = trial(earlier_.models, setting, turns,
+                          std::min(kSlowModelShare * request_.budget, left()));
+        add(study_.models, row, own_run.results);
         continue;
       }
       Trial row =
@@ -504,12 +513,12 @@ class Study {
   /// Processor times of what is recommended, of the deck's own settings and of the front become the
   /// median of three runs, as far as the budget goes: caches and neighbors make a tenth of one
   /// run.
-  void repeat_those_that_count() {
+  void repeat_deciding_rows() {
     const auto repeat = [&](AccuracyRow& row) {
       if (row.runs >= 3 || !row.failure.empty() || left() < 2.0 * row.seconds) return;
       std::array<double, 3> seconds{row.seconds, 0.0, 0.0};
       for (std::size_t k = 1; k < 3; ++k) {
-        const Trial again = try_setting(subject_, row.setting, row.turns, kUnlimited, stop_);
+        const Trial again = try_setting(subject_, row.setting, row.turns, kInfinity, stop_);
         study_.seconds += again.row.seconds;
         if (!again.good()) return;
         seconds[k] = again.row.seconds;
@@ -554,8 +563,8 @@ class Study {
   double stp_max_ = 0.0;
   deck::Deck deck_;
   double turn_cost_ = 0.0, start_cost_ = 0.0, reference_cost_ = 0.0;  ///< [s/turn, s, s/turn]
-  bool goes_on_ = false;  ///< the earlier study is of the same request
-  bool known_ = false;    ///< the last trial was taken from the earlier study
+  bool continues_ = false;  ///< the earlier study is of the same request
+  bool known_ = false;      ///< the last trial was taken from the earlier study
   AccuracyStudy study_;
 };
 
@@ -570,7 +579,7 @@ results::AccuracyErrors AccuracyStudy::limits() const {
 }
 
 bool AccuracyStudy::keeps(const results::AccuracyErrors& errors) const {
-  return over_limits(errors, noise(), target) <= 1.0;
+  return error_to_limit_ratio(errors, noise(), target) <= 1.0;
 }
 
 AccuracyStudy joined(AccuracyStudy study, const AccuracyStudy& earlier) {
@@ -605,7 +614,7 @@ AccuracyStudy joined(AccuracyStudy study, const AccuracyStudy& earlier) {
 
 AccuracyStudy study_accuracy(const AccuracyRequest& request, const AccuracySink& row_done,
                              std::stop_token stop, const AccuracyStudy& earlier) {
-  return Study(request, row_done, std::move(stop), earlier).run();
+  return Trials(request, row_done, std::move(stop), earlier).run();
 }
 
 }  // namespace adore::studies

@@ -17,9 +17,9 @@
 /// Errors of the results (results/accuracy_errors.hpp): all runs over the same span of whole
 /// revolutions from the same start. The error of a row is the largest of them. A second reference
 /// by another method, and runs of two methods with loads changed by 1e-6, limit the accuracy of
-/// such means: for an irregular motion such runs differ too (accuracy_judgement.hpp: noise_of()).
-/// This is judged for each quantity separately: an irregular whirl does not excuse an error of heat
-/// or of the cage speed.
+/// such means: for an irregular motion such runs differ too (accuracy_judgement.hpp:
+/// estimate_noise()). This is judged for each quantity separately: an irregular whirl does not
+/// excuse an error of heat or of the cage speed.
 ///
 /// Two rounds: all settings over a short span, then the deck's own and the best candidates over as
 /// many revolutions as the budget allows. The study ends within the budget: rows are cut or left

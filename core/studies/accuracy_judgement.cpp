@@ -8,12 +8,13 @@
 namespace adore::studies {
 namespace {
 
-constexpr double kFarOff = 5.0;  ///< times the limits: first rounds are short, and tell as much
+/// Errors over the limits above which a row of the short first round is tried last.
+constexpr double kUnlikelyFactor = 5.0;
 
 }  // namespace
 
-results::AccuracyErrors standing_out(const results::AccuracyErrors& errors,
-                                     const results::AccuracyErrors& noise) {
+results::AccuracyErrors significant_errors(const results::AccuracyErrors& errors,
+                                           const results::AccuracyErrors& noise) {
   const auto of = [](double error, double known) {
     return error > kBeyondNoise * std::max(known, 0.0) ? error : std::min(error, 0.0);
   };
@@ -23,16 +24,16 @@ results::AccuracyErrors standing_out(const results::AccuracyErrors& errors,
   return out;
 }
 
-double over_limits(const results::AccuracyErrors& errors, const results::AccuracyErrors& noise,
-                   double target) {
-  const results::AccuracyErrors out = standing_out(errors, noise);
+double error_to_limit_ratio(const results::AccuracyErrors& errors,
+                            const results::AccuracyErrors& noise, double target) {
+  const results::AccuracyErrors out = significant_errors(errors, noise);
   double worst = 0.0;
   for (const results::AccuracyQuantity& q : results::kAccuracyQuantities)
     worst = std::max(worst, out.*q.member / std::max(target, kBeyondNoise * noise.*q.member));
   return worst;
 }
 
-results::AccuracyErrors noise_of(const std::vector<NearbyRuns>& methods) {
+results::AccuracyErrors estimate_noise(const std::vector<NearbyRuns>& methods) {
   constexpr std::array<double, 2> kStudent{4.303, 2.776};  // two-sided 95 %; 2 and 4 degrees
   if (methods.empty()) return results::AccuracyErrors::none();
   const double factor = kStudent.at(std::min(methods.size(), kStudent.size()) - 1) / kBeyondNoise;
@@ -56,7 +57,9 @@ results::AccuracyErrors noise_of(const std::vector<NearbyRuns>& methods) {
 
 void judge_rows(std::vector<AccuracyRow>& rows, const results::AccuracyErrors& noise,
                 double target) {
-  const auto over = [&](const AccuracyRow& row) { return over_limits(row.errors, noise, target); };
+  const auto over = [&](const AccuracyRow& row) {
+    return error_to_limit_ratio(row.errors, noise, target);
+  };
   for (AccuracyRow& row : rows) {
     row.front =
         row.failure.empty() &&
@@ -74,8 +77,8 @@ void judge_rows(std::vector<AccuracyRow>& rows, const results::AccuracyErrors& n
       if (!next || row.at_longest > kAtLongest || other.at_longest > kAtLongest) continue;
       const double steps = std::log(static_cast<double>(row.steps) /
                                     std::max(1.0, static_cast<double>(other.steps)));
-      const double errors = std::log(standing_out(other.errors, noise).largest() /
-                                     standing_out(row.errors, noise).largest());
+      const double errors = std::log(significant_errors(other.errors, noise).largest() /
+                                     significant_errors(row.errors, noise).largest());
       if (steps > 0.05 && std::isfinite(errors)) row.order = errors / steps;
     }
 }
@@ -87,8 +90,11 @@ std::vector<std::size_t> candidates(const std::vector<AccuracyRow>& rows,
   for (std::size_t k = 0; k < rows.size(); ++k)
     if (rows[k].failure.empty() && !rows[k].setting.own) out.push_back(k);
   const auto rank = [&](std::size_t k) {
-    const double over = over_limits(rows[k].errors, noise, target);
-    return std::pair(over > kFarOff ? 2 : rows[k].front || over <= 1.0 ? 0 : 1, rows[k].seconds);
+    const double over = error_to_limit_ratio(rows[k].errors, noise, target);
+    return std::pair(over > kUnlikelyFactor         ? 2
+                     : rows[k].front || over <= 1.0 ? 0
+                                                    : 1,
+                     rows[k].seconds);
   };
   std::stable_sort(out.begin(), out.end(),
                    [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });

@@ -14,13 +14,13 @@ constexpr double kAtLongest = 0.98;   ///< mean step over longest: it never took
 
 /// Errors above `kBeyondNoise` times the noise of their own quantity; others are 0:
 /// over this span they cannot be resolved. Values that were not computed stay negative.
-[[nodiscard]] results::AccuracyErrors standing_out(const results::AccuracyErrors& errors,
-                                                   const results::AccuracyErrors& noise);
+[[nodiscard]] results::AccuracyErrors significant_errors(const results::AccuracyErrors& errors,
+                                                         const results::AccuracyErrors& noise);
 
 /// The largest of them over its limit, the larger of `target` and `kBeyondNoise` times its noise:
 /// up to 1 a row keeps to the target, of two rows the one with less is the better.
-[[nodiscard]] double over_limits(const results::AccuracyErrors& errors,
-                                 const results::AccuracyErrors& noise, double target);
+[[nodiscard]] double error_to_limit_ratio(const results::AccuracyErrors& errors,
+                                          const results::AccuracyErrors& noise, double target);
 
 /// Runs of one method from nearly identical starts.
 using NearbyRuns = std::vector<results::KeyResults>;
@@ -32,7 +32,7 @@ using NearbyRuns = std::vector<results::KeyResults>;
 /// off. Errors of a method do not count, since its runs all have them; one method alone may cross
 /// a sudden motion (a cage that passes its axis) alike in all of its runs.
 /// Negative where it was not computed.
-[[nodiscard]] results::AccuracyErrors noise_of(const std::vector<NearbyRuns>& methods);
+[[nodiscard]] results::AccuracyErrors estimate_noise(const std::vector<NearbyRuns>& methods);
 
 /// Front (no row of the round is cheaper and as good) and observed order of the rows of one round.
 void judge_rows(std::vector<AccuracyRow>& rows, const results::AccuracyErrors& noise,

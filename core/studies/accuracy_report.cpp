@@ -34,10 +34,11 @@ std::string table_of(const std::vector<AccuracyRow>& rows) {
   for (const AccuracyRow& row : rows) {
     const std::string mark = row.front ? "* " : "  ";
     if (!row.failure.empty()) {
-      constexpr std::size_t kRoom = 90;
-      out += fmt::format(
-          "{}{:<{}}{}\n", mark, row.setting.name, width,
-          row.failure.size() > kRoom ? row.failure.substr(0, kRoom) + " ..." : row.failure);
+      constexpr std::size_t kMaxFailureLength = 90;
+      out += fmt::format("{}{:<{}}{}\n", mark, row.setting.name, width,
+                         row.failure.size() > kMaxFailureLength
+                             ? row.failure.substr(0, kMaxFailureLength) + " ..."
+                             : row.failure);
       continue;
     }
     std::string errors;
@@ -157,8 +158,9 @@ std::string growth_text(const AccuracyStudy& study) {
   return fmt::format(
       "Measured growth ({}): from {:.4g} to {} the error changed from {} to {}, the energy "
       "residual from {:.1e} to {:.1e} of the exchanged energy{}.",
-      row->setting.name, before->turns, turns_text(row->turns), percent(before->errors.largest()),
-      percent(row->errors.largest()), before->energy_share, row->energy_share,
+      row->setting.name, before->turns, revolutions_text(row->turns),
+      percent(before->errors.largest()), percent(row->errors.largest()), before->energy_share,
+      row->energy_share,
       row->growth > 0.0 ? fmt::format(", a factor of {:.4g} per revolution", row->growth)
                         : "; the spans differ by less than one revolution, too little for a rate");
 }
@@ -177,8 +179,9 @@ const AccuracyRow* cheaper_but_warned(const AccuracyStudy& study, const Accuracy
 const AccuracyRow* other_model(const AccuracyStudy& study) {
   const AccuracyRow* out = nullptr;
   const auto change = [&](const AccuracyRow& row) {
-    return row.failure.empty() ? standing_out(row.errors, study.short_reference.noise).largest()
-                               : 0.0;
+    return row.failure.empty()
+               ? significant_errors(row.errors, study.short_reference.noise).largest()
+               : 0.0;
   };
   for (const AccuracyRow& row : study.models)
     if (change(row) > (out == nullptr ? study.target : change(*out))) out = &row;
@@ -215,12 +218,12 @@ std::string recommendation(const AccuracyStudy& study) {
   std::string out;
   if (study.recommended < 0) {
     out = fmt::format("No setting has errors within {} over {}", limits_text(study),
-                      turns_text(study.long_turns));
+                      revolutions_text(study.long_turns));
   } else {
     const AccuracyRow& best = study.finals[static_cast<std::size_t>(study.recommended)];
     out =
         fmt::format("{}: the fastest settings with errors within {} over {}, {:.3g} s (errors: {})",
-                    best.setting.name, limits_text(study), turns_text(study.long_turns),
+                    best.setting.name, limits_text(study), revolutions_text(study.long_turns),
                     best.seconds, errors_text(best.errors));
     if (best.energy_share > results::kMovedWarning)
       out += fmt::format(
@@ -268,7 +271,7 @@ std::string round_text(const AccuracyRow& row, const AccuracyStudy& study) {
   const char* round = !study.models.empty()   ? "models"
                       : !study.finals.empty() ? "second round"
                                               : "first round";
-  return fmt::format("{}, {}", round, turns_text(row.turns));
+  return fmt::format("{}, {}", round, revolutions_text(row.turns));
 }
 
 std::string accuracy_table(const AccuracyStudy& study) {
@@ -284,23 +287,24 @@ std::string accuracy_table(const AccuracyStudy& study) {
                          const std::vector<AccuracyRow>& rows) {
     if (rows.empty()) return;
     out += fmt::format("\n{}: {}. The two references differ by {} ({}).\n{}", what,
-                       turns_text(turns), percent(reference.noise.largest()),
+                       revolutions_text(turns), percent(reference.noise.largest()),
                        errors_text(reference.noise), table_of(rows));
   };
   round("First round", study.short_turns, study.short_reference, study.screening);
   round("Second round", study.long_turns, study.long_reference, study.finals);
   if (study.long_turns > 0.0 && study.long_turns < study.asked)
     out += fmt::format("Specified: {}; the time budget allows only {:.4g}. {}\n",
-                       turns_text(study.asked), study.long_turns, growth_text(study));
+                       revolutions_text(study.asked), study.long_turns, growth_text(study));
   if (study.irregular.largest() > 0.0)
     out += fmt::format("A relative load change of 1e-6 changes these means by up to {} ({}; {}).\n",
                        percent(study.irregular.largest()), errors_text(study.irregular),
                        study.irregular_by);
   else if (!study.finals.empty() && study.irregular.load < 0.0)
     out +=
-        "The effect of a relative load change of 1e-6 was not measured (no loads, no time left, or "
-        "a failed run). Only the difference of the two references shows how regular the motion "
-        "is.\n";
+        "The effect of a relative load change of 1e-6 was not measured (no load, no time left, or "
+        "a "
+        "failed run). Only the difference of the two reference runs shows whether the motion is "
+        "irregular.\n";
   if (study.untried > 0)
     out += fmt::format(
         "{} not run: the time budget was used up.\n",
@@ -309,7 +313,7 @@ std::string accuracy_table(const AccuracyStudy& study) {
     out += fmt::format(
         "\nOther models with the deck's own settings, {}. The errors are changes relative to the "
         "model of the deck.\n{}",
-        turns_text(study.short_turns), table_of(study.models));
+        revolutions_text(study.short_turns), table_of(study.models));
   return out + "\n" + recommendation(study) + "\n";
 }
 
@@ -347,32 +351,32 @@ std::string accuracy_csv(const AccuracyStudy& study) {
 }
 
 std::string accuracy_json(const AccuracyStudy& study) {
-  Json out{
-      {"program", "adore"},
-      {"study", "accuracy"},
-      {"digest", study.digest},
-      {"complete", study.complete},
-      {"title", fmt::format("Cost of accuracy: {}, reference {}",
-                            turns_text(study.finals.empty() ? study.short_turns : study.long_turns),
-                            study.reference)},
-      {"error_title", "largest error of speeds, whirl, loads, heat and life"},
-      {"turn_s", study.turn},
-      {"asked_turns", study.asked},
-      {"short_turns", study.short_turns},
-      {"long_turns", study.long_turns},
-      {"target", study.target},
-      {"beyond_noise", kBeyondNoise},
-      {"reference", study.reference},
-      {"short_reference", json_of(study.short_reference)},
-      {"long_reference", json_of(study.long_reference)},
-      {"irregular", json_of(study.irregular)},
-      {"irregular_by", study.irregular_by},
-      {"twins", study.twins},
-      {"seconds", study.seconds},
-      {"unlisted_seconds", study.unlisted_seconds},
-      {"untried", study.untried},
-      {"recommended", study.recommended},
-      {"recommendation", recommendation(study)}};
+  Json out{{"program", "adore"},
+           {"study", "accuracy"},
+           {"digest", study.digest},
+           {"complete", study.complete},
+           {"title", fmt::format("Cost of accuracy: {}, reference {}",
+                                 revolutions_text(study.finals.empty() ? study.short_turns
+                                                                       : study.long_turns),
+                                 study.reference)},
+           {"error_title", "largest error of speeds, whirl, loads, heat and life"},
+           {"turn_s", study.turn},
+           {"asked_turns", study.asked},
+           {"short_turns", study.short_turns},
+           {"long_turns", study.long_turns},
+           {"target", study.target},
+           {"beyond_noise", kBeyondNoise},
+           {"reference", study.reference},
+           {"short_reference", json_of(study.short_reference)},
+           {"long_reference", json_of(study.long_reference)},
+           {"irregular", json_of(study.irregular)},
+           {"irregular_by", study.irregular_by},
+           {"twins", study.twins},
+           {"seconds", study.seconds},
+           {"unlisted_seconds", study.unlisted_seconds},
+           {"untried", study.untried},
+           {"recommended", study.recommended},
+           {"recommendation", recommendation(study)}};
   const auto list = [](const std::vector<AccuracyRow>& rows) {
     Json all = Json::array();
     for (const AccuracyRow& row : rows) all.push_back(json_of(row));

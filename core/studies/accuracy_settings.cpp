@@ -26,9 +26,9 @@ AccuracySetting setting(const std::string& method, double tolerance, bool free, 
 
 }  // namespace
 
-std::vector<AccuracySetting> settings_of(const runs::Prepared& prepared,
-                                         const std::vector<std::string>& methods,
-                                         const std::vector<double>& tolerances) {
+std::vector<AccuracySetting> trial_settings(const runs::Prepared& prepared,
+                                            const std::vector<std::string>& methods,
+                                            const std::vector<double>& tolerances) {
   const setup::RunControl& control = prepared.control;
   const bool constant = control.step_minimum == control.step_maximum;
   std::vector<AccuracySetting> out{
@@ -55,11 +55,11 @@ std::vector<AccuracySetting> settings_of(const runs::Prepared& prepared,
   return out;
 }
 
-const AccuracySetting& own_setting(const std::vector<AccuracySetting>& settings) {
+const AccuracySetting& deck_setting(const std::vector<AccuracySetting>& settings) {
   return settings.front();
 }
 
-std::vector<AccuracySetting> models_of(const runs::Prepared& prepared) {
+std::vector<AccuracySetting> trial_model_settings(const runs::Prepared& prepared) {
   std::vector<AccuracySetting> out;
   const auto option = [&](const std::string& name, const std::string& value) {
     AccuracySetting next;

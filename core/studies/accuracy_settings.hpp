@@ -8,14 +8,14 @@ namespace adore::studies {
 
 /// The deck's own settings first; then of every method, from the tightest tolerance to the loosest,
 /// with the deck's longest step and with steps as long as contact vibrations allow.
-[[nodiscard]] std::vector<AccuracySetting> settings_of(const runs::Prepared& prepared,
-                                                       const std::vector<std::string>& methods,
-                                                       const std::vector<double>& tolerances);
+[[nodiscard]] std::vector<AccuracySetting> trial_settings(const runs::Prepared& prepared,
+                                                          const std::vector<std::string>& methods,
+                                                          const std::vector<double>& tolerances);
 /// @pre the list is not empty
-[[nodiscard]] const AccuracySetting& own_setting(const std::vector<AccuracySetting>& settings);
+[[nodiscard]] const AccuracySetting& deck_setting(const std::vector<AccuracySetting>& settings);
 
 /// Resolutions and simplifications of the model that this deck can choose: quadrature nodes or
 /// slices, Hertz constants, force balance instead of motion.
-[[nodiscard]] std::vector<AccuracySetting> models_of(const runs::Prepared& prepared);
+[[nodiscard]] std::vector<AccuracySetting> trial_model_settings(const runs::Prepared& prepared);
 
 }  // namespace adore::studies

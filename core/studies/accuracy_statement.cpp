@@ -19,7 +19,7 @@ namespace adore::studies {
 namespace {
 
 /// Values of one quantity in the three runs [SI]: a load has three components.
-struct Values {
+struct StatementValues {
   std::array<double, 3> run{}, tighter{}, twin{};
 };
 
@@ -72,11 +72,13 @@ class Statement {
   }
 
   /// @param scatters of the components; empty: the quantity has no batches
-  void judge(StatedQuantity& q, const Values& v, const Scatters& scatters) const {
+  void judge(StatedQuantity& q, const StatementValues& v, const Scatters& scatters) const {
     if (!(q.scale > 0.0)) return;
     const double changed = twin_ != nullptr ? distance(v.run, v.twin) / q.scale : 0.0;
     const double off = distance(v.run, v.tighter) / q.scale;
-    q.statistical = (scatters.empty() && changed > kRegular ? kFew : kTwin) * changed;
+    q.statistical =
+        (scatters.empty() && changed > kRegularChange ? kNoBatchesFactor : kDifferenceFactor) *
+        changed;
     double squares = 0.0, own = 0.0, largest = 0.0, late = 1.0;
     for (const auto& [paired, alone] : scatters) {
       if (!std::isfinite(paired.half_width)) continue;
@@ -88,15 +90,15 @@ class Statement {
       late = paired.late;
     }
     q.statistical = std::max(q.statistical, std::sqrt(squares) / q.scale);
-    q.parted = std::sqrt(late) * q.statistical;
-    q.parting = late > kParting;
+    q.diverged_statistical = std::sqrt(late) * q.statistical;
+    q.parting = late > kDivergingLimit;
     if (q.parting) {
-      q.statistical = q.parted;
-      q.parted = std::max(q.parted, std::sqrt(own) / q.scale);
+      q.statistical = q.diverged_statistical;
+      q.diverged_statistical = std::max(q.diverged_statistical, std::sqrt(own) / q.scale);
     }
-    q.irregular = twin_ == nullptr || q.statistical > kTwin * kRegular;
+    q.irregular = twin_ == nullptr || q.statistical > kDifferenceFactor * kRegularChange;
     const double beyond = q.irregular ? std::max(off - q.statistical, 0.0) : off;
-    q.numerical = std::max(kNumerical * beyond, kFloor);
+    q.numerical = std::max(kNumericalFactor * beyond, kMinNumericalError);
   }
 
   /// @param least of the scale [SI] @return whether there is such a result
@@ -120,7 +122,7 @@ class Statement {
   }
 
   void add_load(double least) {
-    Values v;
+    StatementValues v;
     Scatters scatters;
     const std::array<const char*, 3> ids{"mean_load_x_N", "mean_load_y_N", "mean_load_z_N"};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -148,7 +150,7 @@ class Statement {
   std::vector<StatedQuantity> out_;
 };
 
-std::string percent(double share) {
+std::string share_text(double share) {
   return share >= 0.9995 ? fmt::format("{:.0f} %", 100.0 * share)
                          : fmt::format("{:.2g} %", 100.0 * share);
 }
@@ -167,18 +169,19 @@ double AccuracyStatement::numerical() const {
   return out;
 }
 
-double AccuracyStatement::needed_turns(const StatedQuantity& q, double asked) const {
+double AccuracyStatement::required_revolutions(const StatedQuantity& q, double asked) const {
   if (!q.mean || !(q.statistical > asked) || !(turns > 0.0)) return 0.0;
-  return rounded_up(kSpare * turns * std::pow(q.parted / asked, 1.0 / q.fall));
+  return rounded_up(kLengthMargin * turns * std::pow(q.diverged_statistical / asked, 1.0 / q.fall));
 }
 
-double AccuracyStatement::needed_turns(double asked) const {
+double AccuracyStatement::required_revolutions(double asked) const {
   double longest = 0.0;
-  for (const StatedQuantity& q : quantities) longest = std::max(longest, needed_turns(q, asked));
+  for (const StatedQuantity& q : quantities)
+    longest = std::max(longest, required_revolutions(q, asked));
   return longest;
 }
 
-bool AccuracyStatement::needs_more(double asked) const {
+bool AccuracyStatement::has_diverging_quantity(double asked) const {
   return std::any_of(quantities.begin(), quantities.end(), [&](const StatedQuantity& q) {
     return q.mean && q.parting && q.statistical > asked;
   });
@@ -190,8 +193,9 @@ bool AccuracyStatement::keeps() const {
                      [&](const StatedQuantity& q) { return q.half_width() <= target; });
 }
 
-AccuracyStatement state_accuracy(const runs::RunRequest& request, const runs::RunOutcome& outcome,
-                                 double target, std::stop_token stop) {
+AccuracyStatement make_accuracy_statement(const runs::RunRequest& request,
+                                          const runs::RunOutcome& outcome, double target,
+                                          std::stop_token stop) {
   AccuracyStatement out;
   out.target = target;
   out.time = outcome.time;
@@ -203,7 +207,7 @@ AccuracyStatement state_accuracy(const runs::RunRequest& request, const runs::Ru
   runs::RunRequest beside = repeated(request, prepared, outcome);
   beside.options.emplace_back("resultsH5", "0");
   std::optional<runs::RunOutcome> twin;
-  if (const auto loads = runs::nearby_loads(prepared.input.deck, kNearby); loads.empty()) {
+  if (const auto loads = runs::nearby_loads(prepared.input.deck, kLoadChange); loads.empty()) {
     out.twin_failure = "the deck has no external load";
   } else {
     for (const auto& load : loads) beside.changes.push_back(load);
@@ -243,29 +247,30 @@ std::string statement_text(const AccuracyStatement& statement) {
       tighter.seconds, second, "", "value", "", "numerical", "statistical", "interval");
   for (const StatedQuantity& q : statement.quantities)
     out += fmt::format("  {:<36} {:>14.6g} {:<5} {:>11} {:>12} {:>10}{}\n", q.label, q.value,
-                       q.unit, percent(q.numerical), percent(q.statistical),
-                       "±" + percent(q.half_width()), q.irregular ? "  irregular" : "");
+                       q.unit, share_text(q.numerical), share_text(q.statistical),
+                       "±" + share_text(q.half_width()), q.irregular ? "  irregular" : "");
   if (!(statement.target > 0.0)) return out;
   std::string worst;
   for (const StatedQuantity& q : statement.quantities)
     if (q.half_width() > statement.target)
-      worst += fmt::format("{}{} ±{}", worst.empty() ? "" : ", ", q.label, percent(q.half_width()));
+      worst +=
+          fmt::format("{}{} ±{}", worst.empty() ? "" : ", ", q.label, share_text(q.half_width()));
   if (worst.empty())
-    return out + fmt::format("  All intervals are within {}.\n", percent(statement.target));
-  out += fmt::format("  Wider than {}: {}.\n", percent(statement.target), worst);
-  const double turns = statement.needed_turns(statement.target);
+    return out + fmt::format("  All intervals are within {}.\n", share_text(statement.target));
+  out += fmt::format("  Intervals wider than {}: {}.\n", share_text(statement.target), worst);
+  const double turns = statement.required_revolutions(statement.target);
   if (!(turns > 0.0)) return out;
   const std::string needed = counted(fmt::format("{:.3g}", turns), "revolution");
   std::string each;
   for (const StatedQuantity& q : statement.quantities)
-    if (const double own = statement.needed_turns(q, statement.target); own > 0.0)
+    if (const double own = statement.required_revolutions(q, statement.target); own > 0.0)
       each += fmt::format("{}{} {:.3g}", each.empty() ? "" : ", ", q.label, own);
   out += fmt::format(
       "  The means need {} for an accuracy of {} ({}; this run: {:.4g}; the estimate is {}). "
       "Simulate this length, or use `adore run --accuracy ... --extend`.\n",
-      (statement.needs_more(statement.target) ? "very roughly " : "about ") + needed,
-      percent(statement.target), each, statement.turns,
-      statement.needs_more(statement.target)
+      (statement.has_diverging_quantity(statement.target) ? "on the order of " : "about ") + needed,
+      share_text(statement.target), each, statement.turns,
+      statement.has_diverging_quantity(statement.target)
           ? "an order of magnitude only, because the two runs still diverge"
           : fmt::format("correct within a factor of {:g}", kNeededFactor));
   return out;
@@ -295,15 +300,15 @@ nlohmann::ordered_json statement_json(const AccuracyStatement& statement,
                                  {"half_width", q.half_width()},
                                  {"fall_exponent", q.fall},
                                  {"irregular", q.irregular}});
-    const double turns = statement.needed_turns(q, statement.target);
+    const double turns = statement.required_revolutions(q, statement.target);
     if (statement.target > 0.0 && turns > 0.0)
       out["quantities"].back()["needs_revolutions"] = turns;
   }
   if (statement.target > 0.0) {
     out["keeps_target"] = statement.keeps();
-    if (const double turns = statement.needed_turns(statement.target); turns > 0.0) {
+    if (const double turns = statement.required_revolutions(statement.target); turns > 0.0) {
       out["needs_revolutions"] = turns;
-      if (statement.needs_more(statement.target))
+      if (statement.has_diverging_quantity(statement.target))
         out["needs_revolutions_rough"] = true;
       else
         out["needs_revolutions_factor"] = kNeededFactor;

@@ -6,7 +6,7 @@
 namespace adore::studies {
 
 using results::CageInstant;
-using results::judge_whirl;
+using results::classify_whirl;
 using results::kRestingOrbit;
 using results::kSteadyDeviation;
 using results::kWhirlFigures;

@@ -28,11 +28,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kTasks = "tasks.jsonl";
-constexpr const char* kElsewhere =
+constexpr const char* kOtherNameRemedy =
     "copy the study file to another name; the results of the copy are written next to it";
 constexpr double kRecordMegabytes = 0.0041;  ///< a block of the disk
-constexpr double kEnoughPilot = 20.0;        ///< [s]; after that no further pilot run
+constexpr double kMaxPilotSeconds = 20.0;    ///< [s]; after that no further pilot run
 
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -59,9 +58,10 @@ std::vector<Task> pilots_of(const std::vector<Task>& tasks) {
 
 /// Records of these runs; as many at a time as the study will have, so that none waits for another
 /// and each costs what the runs of the study cost.
-std::vector<Record> made(const CampaignRequest& request, const fs::path& folder,
-                         const std::vector<Task>& tasks, int workers, const std::stop_token& stop) {
-  EngineWork work;
+std::vector<Record> run_pilots(const CampaignRequest& request, const fs::path& folder,
+                               const std::vector<Task>& tasks, int workers,
+                               const std::stop_token& stop) {
+  EngineRequest work;
   work.folder = fs::absolute(folder);
   work.program = request.program;
   work.workers = workers;
@@ -90,10 +90,11 @@ Pilot measure(const CampaignRequest& request, const fs::path& folder,
                     : request.workers > 0     ? request.workers
                                               : usable_cores();
   const auto at_a_time = static_cast<std::size_t>(std::max(1, cores));
-  for (std::size_t from = 0; from < pilots.size() && out.wall <= kEnoughPilot; from += at_a_time) {
+  for (std::size_t from = 0; from < pilots.size() && out.wall <= kMaxPilotSeconds;
+       from += at_a_time) {
     const auto end = pilots.begin() + static_cast<long>(std::min(from + at_a_time, pilots.size()));
     const std::vector<Task> some(pilots.begin() + static_cast<long>(from), end);
-    for (const Record& record : made(request, folder, some, cores, stop)) {
+    for (const Record& record : run_pilots(request, folder, some, cores, stop)) {
       if (record.exit_code == 2) {
         const auto task = std::find_if(some.begin(), some.end(),
                                        [&](const Task& one) { return one.key == record.key; });
@@ -102,7 +103,7 @@ Pilot measure(const CampaignRequest& request, const fs::path& folder,
       }
       if (!record.message.empty() && record.exit_code == 0)
         throw InputError(fmt::format(
-            "quantities that the runs do not have: {}; remove these quantities, or change the deck",
+            "quantities not available in the runs: {}; remove these quantities, or change the deck",
             record.message));
       records.push_back(record);
       out.wall += record.wall;
@@ -126,8 +127,9 @@ Pilot measure(const CampaignRequest& request, const fs::path& folder,
 int planned_workers(const CampaignRequest& request, const Pilot& pilot) {
   if (request.engine == "slurm") return slurm_cores();
   if (request.workers > 0) return request.workers;
-  constexpr double kOfMemory = 0.8;
-  const double fit = free_megabytes() * kOfMemory / std::max(64.0, pilot.memory_megabytes);
+  constexpr double kUsableMemoryShare = 0.8;
+  const double fit =
+      available_memory_megabytes() * kUsableMemoryShare / std::max(64.0, pilot.memory_megabytes);
   return std::max(1, std::min(usable_cores(), static_cast<int>(std::min(fit, 1e6))));
 }
 
@@ -232,11 +234,11 @@ class Campaign {
 
   CampaignOutcome run() {
     const auto begin = Clock::now();
-    // Mistakes of the study file come before anything is made.
-    std::vector<Point> points = points_to_begin(study_);
+    // Mistakes of the study file are reported before anything is run.
+    std::vector<Point> points = initial_points(study_);
     check_decks(study_, points);
     place_.emplace(open_study_folder(folder_));
-    const runs::FolderLock lock(*place_, kElsewhere);
+    const runs::FolderLock lock(*place_, kOtherNameRemedy);
     job_ = prepare_job(study_, *place_);
     add(points);
     if (request_.retry_failed) forget_failures();
@@ -270,7 +272,7 @@ class Campaign {
   void forget_failures() {
     for (const Task& task : tasks_)
       if (const auto record = read_record(folder_, task.key); record && record->exit_code != 0) {
-        const fs::path file = record_file(folder_, task.key).lexically_relative(folder_);
+        const fs::path file = run_record_path(folder_, task.key).lexically_relative(folder_);
         place_->folder(file.parent_path()).remove(file.filename().string());
       }
   }
@@ -287,7 +289,7 @@ class Campaign {
       }
     }
     meter_->expect(static_cast<long>(tasks_.size()), done, failed);
-    EngineWork work;
+    EngineRequest work;
     work.folder = fs::absolute(folder_);
     work.program = request_.program;
     work.workers = request_.workers;
@@ -381,10 +383,10 @@ Study open_study_text(const std::string& text, const fs::path& file) {
 Plan make_plan(const CampaignRequest& request, const std::stop_token& stop) {
   const Study& study = request.study;
   const fs::path folder = study.folder();
-  const std::vector<Point> points = points_to_begin(study);
+  const std::vector<Point> points = initial_points(study);
   check_decks(study, points);
   const WriteFolder place = open_study_folder(folder);
-  const runs::FolderLock lock(place, kElsewhere);
+  const runs::FolderLock lock(place, kOtherNameRemedy);
   const Job job = prepare_job(study, place);
   const std::vector<Task> tasks = make_tasks(job, points, 1);
   const Pilot pilot = measure(request, folder, tasks, job.keep_files, stop);
@@ -411,7 +413,7 @@ std::string plan_text(const CampaignRequest& request, const Plan& plan) {
 }
 
 std::string progress_text(const StudyProgress& p) {
-  return fmt::format("{} of {} runs done, {} failed, {} active, {} left{}{}", p.done, p.total,
+  return fmt::format("{} of {} runs done, {} failed, {} active; time left: {}{}{}", p.done, p.total,
                      p.failed, p.workers,
                      p.remaining >= 0.0 ? duration_text(p.remaining) : "unknown time",
                      p.note.empty() ? "" : "; ", p.note);
@@ -447,7 +449,7 @@ std::vector<results::FileCheck> verify_study(const fs::path& folder) {
   long intact = 0;
   std::error_code error;
   for (const Task& task : read_tasks(folder / kTasks, read_job(folder).decks.size())) {
-    const fs::path file = record_file(folder, task.key);
+    const fs::path file = run_record_path(folder, task.key);
     if (!seen.insert(task.key).second || !fs::exists(file, error)) continue;
     if (read_record(folder, task.key))
       ++intact;
@@ -480,7 +482,7 @@ Status study_status(const Study& study) {
       out.diagnoses.push_back(fmt::format("run {}: {}", results.tasks[i].number, record->message));
   }
   try {
-    const runs::FolderLock lock(WriteFolder(folder), kElsewhere);
+    const runs::FolderLock lock(WriteFolder(folder), kOtherNameRemedy);
   } catch (const InputError&) {
     out.at_work = true;
   }

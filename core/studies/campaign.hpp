@@ -21,7 +21,7 @@ class OverBudget : public InputError {
 struct CampaignRequest {
   Study study;                    ///< of open_study()
   std::string engine = "local";   ///< or "slurm"
-  std::filesystem::path program;  ///< see EngineWork
+  std::filesystem::path program;  ///< see EngineRequest
   int workers = 0;
   bool retry_failed = false;  ///< repeat runs whose record reports a failure
   bool over_budget = false;   ///< the user has seen the plan and starts the study anyway

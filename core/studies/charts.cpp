@@ -25,7 +25,7 @@ Chart grid(const std::vector<std::vector<double>>& values) {
 
 std::string words_of(const TableColumn& column) { return studies::words_of(column.name); }
 
-std::string heading(const TableColumn& column) {
+std::string axis_heading(const TableColumn& column) {
   return column.unit.empty() || column.unit == "-"
              ? words_of(column)
              : fmt::format("{} [{}]", words_of(column), column.unit);
@@ -69,8 +69,8 @@ Chart heat_map(const std::string& name, const TableColumn& x, const TableColumn&
   return {{"kind", "heat-map"},
           {"name", name},
           {"title", fmt::format("{} versus {} and {}", words_of(of), words_of(x), words_of(y))},
-          {"x_title", heading(x)},
-          {"y_title", heading(y)},
+          {"x_title", axis_heading(x)},
+          {"y_title", axis_heading(y)},
           {"legend", words_of(of)},
           {"unit", unit(of)},
           {"x", numbers(xs)},
@@ -86,15 +86,15 @@ Chart parallel_chart(const std::string& name, const std::vector<const TableColum
             {"heavy", heavy},     {"axes", Chart::array()}, {"columns", Chart::array()}};
   out["runs"] = runs;
   for (const TableColumn* column : columns) {
-    out["axes"].push_back(heading(*column));
+    out["axes"].push_back(axis_heading(*column));
     out["columns"].push_back(numbers(column->values));
   }
   return out;
 }
 
-std::vector<const TableColumn*> axes_of(const std::vector<TableColumn>& variables,
-                                        const std::vector<TableColumn>& quantities) {
-  constexpr std::size_t kMost = 12;
+std::vector<const TableColumn*> parallel_chart_axes(const std::vector<TableColumn>& variables,
+                                                    const std::vector<TableColumn>& quantities) {
+  constexpr std::size_t kMaxAxes = 12;
   const auto varying = [](const std::vector<TableColumn>& of) {
     std::vector<const TableColumn*> out;
     for (const TableColumn& column : of) {
@@ -108,8 +108,9 @@ std::vector<const TableColumn*> axes_of(const std::vector<TableColumn>& variable
     return out;
   };
   std::vector<const TableColumn*> out = varying(variables), last = varying(quantities);
-  last.resize(std::min(last.size(), std::max(kMost / 2, kMost - std::min(kMost, out.size()))));
-  out.resize(std::min(out.size(), kMost - last.size()));
+  last.resize(
+      std::min(last.size(), std::max(kMaxAxes / 2, kMaxAxes - std::min(kMaxAxes, out.size()))));
+  out.resize(std::min(out.size(), kMaxAxes - last.size()));
   out.insert(out.end(), last.begin(), last.end());
   return out;
 }

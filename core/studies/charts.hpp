@@ -36,8 +36,8 @@ struct ChartLine {
                                    const std::vector<long>& runs);
 /// Columns that vary, for parallel_chart: as many variables as leave room for quantities in twelve
 /// legible axes, then those. Quantities are never displaced by random variables.
-[[nodiscard]] std::vector<const TableColumn*> axes_of(const std::vector<TableColumn>& variables,
-                                                      const std::vector<TableColumn>& quantities);
+[[nodiscard]] std::vector<const TableColumn*> parallel_chart_axes(
+    const std::vector<TableColumn>& variables, const std::vector<TableColumn>& quantities);
 struct Bar {
   std::string name;
   double value = 0.0, doubt = 0.0;

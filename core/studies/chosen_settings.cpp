@@ -20,9 +20,10 @@
 namespace adore::studies {
 namespace {
 
-constexpr double kForSteps = 0.75;  ///< of the target
-constexpr double kStudyTurns = 5.0, kStudySeconds = 20.0;
-constexpr double kMostTurns = 1.0, kLeastTurns = 0.02, kSeconds = 10.0;  ///< of all resolutions
+constexpr double kStepErrorShare = 0.75;  ///< of the target
+constexpr double kStudyRevolutions = 5.0, kStudySeconds = 20.0;
+constexpr double kMaxRevolutions = 1.0, kMinRevolutions = 0.02,
+                 kResolutionSeconds = 10.0;  ///< of all resolutions
 
 /// From the cheapest on; the last one is what the others are compared with. Across the contact two
 /// nodes do, four where a film follows the pressure (decisions 390, 414, 328).
@@ -67,19 +68,19 @@ std::vector<ResolutionRow> resolutions(const runs::Prepared& prepared) {
   if (prepared.rollers) {
     if (given.contains("rollerSlices") || given.contains("rollerContact")) return out;
     for (const int slices : kSlices) out.push_back(slices_row(slices));
-    const int usual = prepared.options.rollers.slices;
-    for (ResolutionRow& row : out) row.usual = row.name == slices_row(usual).name;
+    const int default_slices = prepared.options.rollers.slices;
+    for (ResolutionRow& row : out) row.is_default = row.name == slices_row(default_slices).name;
     return out;
   }
   if (given.contains("ellipseMajor") || given.contains("ellipseMinor")) return out;
-  const auto& usual = prepared.options.system;
-  const bool strips = usual.ellipse_major == tribology::kStripNodes.major;
-  for (const auto& [major, minor] : usual.ellipse_minor > 2 ? kFilmNodes
-                                    : strips                ? kStripNodes
-                                                            : kNodes)
+  const auto& system = prepared.options.system;
+  const bool strips = system.ellipse_major == tribology::kStripNodes.major;
+  for (const auto& [major, minor] : system.ellipse_minor > 2 ? kFilmNodes
+                                    : strips                 ? kStripNodes
+                                                             : kNodes)
     out.push_back(nodes_row(major, minor));
   for (ResolutionRow& row : out)
-    row.usual = row.name == nodes_row(usual.ellipse_major, usual.ellipse_minor).name;
+    row.is_default = row.name == nodes_row(system.ellipse_major, system.ellipse_minor).name;
   return out;
 }
 
@@ -108,9 +109,9 @@ class Choice {
   void choose_steps() {
     AccuracyRequest asked;
     static_cast<runs::DeckRequest&>(asked) = request_;
-    asked.target = kForSteps * target_;
+    asked.target = kStepErrorShare * target_;
     asked.methods = {"rk4", "rkf5", "rkf6", "rkf7", "pece2"};
-    asked.turns = std::min(kStudyTurns, most_turns_);
+    asked.turns = std::min(kStudyRevolutions, most_turns_);
     asked.budget = kStudySeconds;
     asked.models = false;
     const AccuracyStudy study = study_accuracy(asked, {}, stop_);
@@ -147,7 +148,7 @@ class Choice {
   [[nodiscard]] static const AccuracyRow* most_accurate(const AccuracyStudy& study) {
     const AccuracyRow* out = nullptr;
     const auto over = [&](const AccuracyRow& row) {
-      return over_limits(row.errors, study.noise(), study.target);
+      return error_to_limit_ratio(row.errors, study.noise(), study.target);
     };
     for (const AccuracyRow& row : study.finals)
       if (row.failure.empty() && (out == nullptr || over(row) < over(*out))) out = &row;
@@ -165,7 +166,7 @@ class Choice {
   [[nodiscard]] runs::RunRequest run_of(const ResolutionRow& row) const {
     runs::RunRequest run;
     static_cast<runs::DeckRequest&>(run) = request_;
-    add_choice(run, out_);
+    apply_chosen_settings(run, out_);
     run.until = fmt::format("{:.17g}s", out_.turns * turn_);
     run.options.insert(run.options.end(), row.options.begin(), row.options.end());
     return run;
@@ -188,15 +189,17 @@ class Choice {
   }
 
   void choose_resolution(const runs::Prepared& prepared) {
-    const auto usual = std::find_if(rows_.begin(), rows_.end(),
-                                    [](const ResolutionRow& row) { return row.usual; });
+    const auto default_row = std::find_if(rows_.begin(), rows_.end(),
+                                          [](const ResolutionRow& row) { return row.is_default; });
     // A quarter of a run's cost is not that of its contacts.
     double sizes = 0.0;
-    const double one = usual != rows_.end() ? size_of(*usual) : size_of(rows_[rows_.size() / 2]);
+    const double one =
+        default_row != rows_.end() ? size_of(*default_row) : size_of(rows_[rows_.size() / 2]);
     for (const ResolutionRow& row : rows_) sizes += 0.25 + 0.75 * size_of(row) / one;
     sizes += 0.25 + 0.75 * size_of(rows_.back()) / one;
-    out_.turns = std::min(
-        std::clamp(kSeconds / (seconds_per_turn_ * sizes), kLeastTurns, kMostTurns), most_turns_);
+    out_.turns = std::min(std::clamp(kResolutionSeconds / (seconds_per_turn_ * sizes),
+                                     kMinRevolutions, kMaxRevolutions),
+                          most_turns_);
     ResolutionRow finest = rows_.back();
     rows_.pop_back();
     out_.finest = finest.name;
@@ -214,19 +217,19 @@ class Choice {
       return;
     }
     out_.noise = results::compare_results(*other, *is);
-    const double limit = target_ - std::min(out_.steps.largest(), kForSteps * target_);
+    const double limit = target_ - std::min(out_.steps.largest(), kStepErrorShare * target_);
     int before = -1;  // the row before this one keeps to the limit
     for (ResolutionRow& row : rows_) {
       const auto results = results_of(run_of(row), row);
       if (results) {
         const results::AccuracyErrors errors = results::compare_results(*results, *is);
-        row.told = standing_out(errors, out_.noise);
+        row.significant = significant_errors(errors, out_.noise);
         for (const results::AccuracyQuantity& q : results::kAccuracyQuantities)
-          row.hidden = row.hidden || errors.*q.member > row.told.*q.member;
+          row.below_noise = row.below_noise || errors.*q.member > row.significant.*q.member;
       }
       out_.rows.push_back(row);
       const int here = static_cast<int>(out_.rows.size()) - 1;
-      const bool keeps = results && row.told.largest() <= limit;
+      const bool keeps = results && row.significant.largest() <= limit;
       if (keeps && before >= 0) {
         out_.resolution = before;
         break;
@@ -246,13 +249,15 @@ class Choice {
     }
     const ResolutionRow& chosen = out_.rows[static_cast<std::size_t>(out_.resolution)];
     out_.options = chosen.options;
-    out_.text += fmt::format("; {} ({}: {}{}{})", chosen.name, against, errors_text(chosen.told),
-                             chosen.usual ? ", the default" : "", noise_text(chosen));
+    out_.text +=
+        fmt::format("; {} ({}: {}{}{})", chosen.name, against, errors_text(chosen.significant),
+                    chosen.is_default ? ", the default" : "", noise_text(chosen));
   }
 
   /// Noise below which an error counts as 0.
   [[nodiscard]] static std::string noise_text(const ResolutionRow& row) {
-    return row.hidden ? "; 0 %: not more than the effect of a relative load change of 1e-6" : "";
+    return row.below_noise ? "; 0 %: not more than the effect of a relative load change of 1e-6"
+                           : "";
   }
 
   const runs::DeckRequest& request_;
@@ -266,7 +271,7 @@ class Choice {
 
 }  // namespace
 
-void add_choice(runs::RunRequest& request, const ChosenSettings& chosen) {
+void apply_chosen_settings(runs::RunRequest& request, const ChosenSettings& chosen) {
   request.integrator = chosen.integrator;
   request.tolerance = chosen.tolerance;
   for (const auto& [name, value] : chosen.sets) set_again(request, name, value);
@@ -278,7 +283,7 @@ ChosenSettings choose_settings(const runs::DeckRequest& request, double target,
   return Choice(request, target, std::move(stop), most_turns).make();
 }
 
-double asked_turns(const runs::RunRequest& request) {
+double requested_revolutions(const runs::RunRequest& request) {
   const runs::Prepared prepared = runs::prepare(request);
   const double speed = std::abs(prepared.bearing.speed[1] - prepared.bearing.speed[0]);
   if (!prepared.control.dynamic || !(speed > 0.0)) return std::numeric_limits<double>::infinity();
@@ -287,10 +292,10 @@ double asked_turns(const runs::RunRequest& request) {
   return span.end * speed / (2.0 * std::numbers::pi);
 }
 
-void tighten(ChosenSettings& chosen, const runs::RunRequest& request,
-             const runs::RunOutcome& outcome) {
+void tighten_settings(ChosenSettings& chosen, const runs::RunRequest& request,
+                      const runs::RunOutcome& outcome) {
   runs::RunRequest run = request;
-  add_choice(run, chosen);
+  apply_chosen_settings(run, chosen);
   const runs::Prepared prepared = runs::prepare(run);
   const double longest = 0.5 * outcome.longest_step / runs::make_system(prepared).scales().time;
   chosen.tolerance *= 0.1;
@@ -308,9 +313,10 @@ void tighten(ChosenSettings& chosen, const runs::RunRequest& request,
     chosen.text += fmt::format(", {} {}", name, value);
 }
 
-runs::RunOutcome run_chosen(runs::RunRequest request, const ChosenSettings& chosen,
-                            const runs::ProgressSink& progress, std::stop_token stop) {
-  add_choice(request, chosen);
+runs::RunOutcome run_with_chosen_settings(runs::RunRequest request, const ChosenSettings& chosen,
+                                          const runs::ProgressSink& progress,
+                                          std::stop_token stop) {
+  apply_chosen_settings(request, chosen);
   request.settings_note = chosen.text;
   return runs::run(request, progress, std::move(stop));
 }

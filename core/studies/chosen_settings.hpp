@@ -14,12 +14,12 @@ namespace adore::studies {
 /// A resolution of the contacts against the finest one.
 struct ResolutionRow {
   std::vector<std::pair<std::string, std::string>> options;
-  std::string name;              ///< "ellipse nodes 15 x 2", "roller slices 31"
-  results::AccuracyErrors told;  ///< errors above `noise`; others are 0
-  bool hidden = false;           ///< some error is within the noise
+  std::string name;                     ///< "ellipse nodes 15 x 2", "roller slices 31"
+  results::AccuracyErrors significant;  ///< errors above `noise`; others are 0
+  bool below_noise = false;             ///< some error is within the noise
   double seconds = 0.0;
-  bool usual = false;   ///< settings of the run without a choice
-  std::string failure;  ///< empty, or why there is no result
+  bool is_default = false;  ///< settings of the run without a choice
+  std::string failure;      ///< empty, or why there is no result
 };
 
 struct ChosenSettings {
@@ -44,8 +44,8 @@ struct ChosenSettings {
 /// within it of the finest (60 x 4 nodes, 60 x 8 with films, 121 slices). Differences below
 /// 1.5 times the noise do not count as errors. Resolutions of the request are kept. Limits: over
 /// a longer span irregular motions (the whirl of a cage) diverge after any change: the
-/// statement on a run is that of state_accuracy(). If no steps of the study meet the target,
-/// the most accurate ones are taken.
+/// statement on a run is that of make_accuracy_statement(). If no steps of the study meet the
+/// target, the most accurate ones are taken.
 /// @param most_turns longest run of the study: the span of the run
 /// @throws SolverError when no run completes; InputError and Interrupted as study_accuracy()
 [[nodiscard]] ChosenSettings choose_settings(
@@ -53,18 +53,19 @@ struct ChosenSettings {
     double most_turns = std::numeric_limits<double>::infinity());
 
 /// Span of the run as far as it is known before its first step: its end by time [revolutions].
-[[nodiscard]] double asked_turns(const runs::RunRequest& request);
+[[nodiscard]] double requested_revolutions(const runs::RunRequest& request);
 
 /// A tenth of the tolerance, half of the longest step and twice the nodes or slices.
-void tighten(ChosenSettings& chosen, const runs::RunRequest& request,
-             const runs::RunOutcome& outcome);
+void tighten_settings(ChosenSettings& chosen, const runs::RunRequest& request,
+                      const runs::RunOutcome& outcome);
 
 /// Adds what was chosen to the request, in the place of what it says of the same variables.
-void add_choice(runs::RunRequest& request, const ChosenSettings& chosen);
+void apply_chosen_settings(runs::RunRequest& request, const ChosenSettings& chosen);
 
 /// run() with settings chosen for the request, which PRINT.txt and RUN.json tell in a note.
-[[nodiscard]] runs::RunOutcome run_chosen(runs::RunRequest request, const ChosenSettings& chosen,
-                                          const runs::ProgressSink& progress = {},
-                                          std::stop_token stop = {});
+[[nodiscard]] runs::RunOutcome run_with_chosen_settings(runs::RunRequest request,
+                                                        const ChosenSettings& chosen,
+                                                        const runs::ProgressSink& progress = {},
+                                                        std::stop_token stop = {});
 
 }  // namespace adore::studies

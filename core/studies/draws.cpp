@@ -89,8 +89,8 @@ double sobol(const std::array<std::uint32_t, kBits>& v, std::uint64_t n, std::ui
 
 }  // namespace
 
-std::vector<std::vector<double>> unit_samples(Sampling method, long samples, int dimensions,
-                                              std::uint64_t seed) {
+std::vector<std::vector<double>> unit_cube_samples(Sampling method, long samples, int dimensions,
+                                                   std::uint64_t seed) {
   const auto n = static_cast<std::size_t>(samples);
   const auto d = static_cast<std::size_t>(dimensions);
   if (method == Sampling::Sobol && dimensions > kSobolDimensions)
@@ -126,9 +126,9 @@ std::vector<std::vector<double>> unit_samples(Sampling method, long samples, int
   return out;
 }
 
-double normal_share(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
+double normal_cdf(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
-double normal_score(double u) {
+double normal_quantile(double u) {
   constexpr std::array<double, 6> a{-3.969683028665376e+01, 2.209460984245205e+02,
                                     -2.759285104469687e+02, 1.383577518672690e+02,
                                     -3.066479806614716e+01, 2.506628277459239e+00};
@@ -155,28 +155,28 @@ double normal_score(double u) {
     z = (((((a[0] * r + a[1]) * r + a[2]) * r + a[3]) * r + a[4]) * r + a[5]) * q /
         (((((b[0] * r + b[1]) * r + b[2]) * r + b[3]) * r + b[4]) * r + 1.0);
   }
-  const double e = normal_share(z) - u;
+  const double e = normal_cdf(z) - u;
   const double step = e * std::sqrt(2.0 * std::numbers::pi) * std::exp(0.5 * z * z);
   return z - step / (1.0 + 0.5 * z * step);
 }
 
-bool correlation_factor(const Eigen::MatrixXd& correlation, Eigen::MatrixXd& factor) {
-  constexpr double kNone = 1e-10;
+bool factorize_correlation(const Eigen::MatrixXd& correlation, Eigen::MatrixXd& factor) {
+  constexpr double kZeroVariance = 1e-10;
   const Eigen::Index n = correlation.rows();
   factor = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index j = 0; j < n; ++j) {
     double square = correlation(j, j);
     for (Eigen::Index k = 0; k < j; ++k) square -= factor(j, k) * factor(j, k);
-    if (square < -kNone) return false;
-    const double root = square > kNone ? std::sqrt(square) : 0.0;
+    if (square < -kZeroVariance) return false;
+    const double root = square > kZeroVariance ? std::sqrt(square) : 0.0;
     factor(j, j) = root;
     for (Eigen::Index i = j + 1; i < n; ++i) {
       double left = correlation(i, j);
       for (Eigen::Index k = 0; k < j; ++k) left -= factor(i, k) * factor(j, k);
       if (root == 0.0) {
         // Row j depends on those before it, so this must too.
-        constexpr double kFits = 1e-8;
-        if (std::abs(left) > kFits) return false;
+        constexpr double kMaxMismatch = 1e-8;
+        if (std::abs(left) > kMaxMismatch) return false;
         continue;
       }
       factor(i, j) = left / root;

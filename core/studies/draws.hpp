@@ -18,16 +18,18 @@ inline constexpr int kSobolDimensions = 21;
 /// place of it, strata shuffled. Sobol: the low-discrepancy sequence with the direction numbers of
 /// Joe and Kuo (2008), shifted digit by digit by the seed, at most kSobolDimensions dimensions.
 /// @throws InputError for more dimensions than Sobol has
-[[nodiscard]] std::vector<std::vector<double>> unit_samples(Sampling method, long samples,
-                                                            int dimensions, std::uint64_t seed);
+[[nodiscard]] std::vector<std::vector<double>> unit_cube_samples(Sampling method, long samples,
+                                                                 int dimensions,
+                                                                 std::uint64_t seed);
 
 /// Φ(z) of the standard normal law, and its inverse: Acklam's rational approximation and one step
 /// of Halley's method, 1e-15 relative. @pre 0 < u < 1
-[[nodiscard]] double normal_share(double z);
-[[nodiscard]] double normal_score(double u);
+[[nodiscard]] double normal_cdf(double z);
+[[nodiscard]] double normal_quantile(double u);
 
 /// Lower Cholesky factor L of a correlation matrix, LLᵀ = C; semi-definite matrices too.
 /// @return false when C is none (an eigenvalue below -1e-10)
-[[nodiscard]] bool correlation_factor(const Eigen::MatrixXd& correlation, Eigen::MatrixXd& factor);
+[[nodiscard]] bool factorize_correlation(const Eigen::MatrixXd& correlation,
+                                         Eigen::MatrixXd& factor);
 
 }  // namespace adore::studies

@@ -7,13 +7,13 @@
 #include "base/version.hpp"
 #include "base/write_error.hpp"
 #include "base/write_folder.hpp"
-#include "deck/keep_text.hpp"
+#include "deck/deck_text_with_comments.hpp"
 #include "deck/monitored_bodies.hpp"
 #include "results/reader_killed.hpp"
 #include "runs/option_file.hpp"
-#include "runs/passing_folder.hpp"
 #include "runs/run_ending.hpp"
 #include "runs/solver_stamp.hpp"
+#include "runs/temporary_folder.hpp"
 #include "scene/cost_ledger.hpp"
 #include "studies/quantities.hpp"
 #include "studies/quantity_check.hpp"
@@ -103,8 +103,8 @@ class FolderFile {
   }
   [[noreturn]] void refuse(const std::string& key, const Json& value,
                            const std::string& valid) const {
-    constexpr std::size_t kLongestValue = 80;
-    refuse(fmt::format("{} = {}: {}", key, dump_json(value).substr(0, kLongestValue), valid));
+    constexpr std::size_t kMaxValueLength = 80;
+    refuse(fmt::format("{} = {}: {}", key, dump_json(value).substr(0, kMaxValueLength), valid));
   }
   [[nodiscard]] long whole(const std::string& key, const Json& value, long low, long high) const {
     const double number = real(key, value, static_cast<double>(low), static_cast<double>(high));
@@ -126,7 +126,7 @@ class FolderFile {
 };
 
 Quantity quantity_of(const Json& json, const FolderFile& file, const std::string& at) {
-  constexpr long kMaxPlace = 1'000'000;  // as in the study file
+  constexpr long kMaxIndex = 1'000'000;  // as in the study file
   Quantity q;
   q.name = json.at("name").get<std::string>();
   q.channel = json.at("channel").get<std::string>();
@@ -136,7 +136,7 @@ Quantity quantity_of(const Json& json, const FolderFile& file, const std::string
   q.from = file.real(at + ".from", json.at("from"), 0.0, 1.0);
   q.to = file.real(at + ".to", json.at("to"), 0.0, 1.0);
   for (const Json& place : json.at("places"))
-    q.places.push_back(static_cast<std::size_t>(file.whole(at + ".places", place, 1, kMaxPlace)));
+    q.places.push_back(static_cast<std::size_t>(file.whole(at + ".places", place, 1, kMaxIndex)));
   q.unit = json.at("unit").get<std::string>();
   return q;
 }
@@ -312,7 +312,7 @@ std::vector<Task> make_tasks(const Job& job, const std::vector<Point>& points, l
     Hash hash = common;
     deck::Deck deck = base->deck;
     try {
-      (void)deck::set_all_and_follow(deck, sets_of(job, task));
+      (void)deck::set_all_and_renumber(deck, sets_of(job, task));
       hash.add(deck::write_deck(deck));
     } catch (const InputError& error) {
       hash.add(error.what());  // the run will be rejected with the same sentence
@@ -387,7 +387,7 @@ std::vector<Task> read_tasks(const fs::path& file, std::size_t decks) {
           .refuse("run", out.back().number,
                   fmt::format("not larger than the number in the previous line, {}",
                               out[out.size() - 2].number));
-    bytes += memory_of(out.back().point);
+    bytes += point_memory_bytes(out.back().point);
     if (bytes > kMaxStudyBytes)
       throw InputError(fmt::format(
           "{}, line {}: the list of runs needs more than {:.3g} GB of memory. Split the study.",
@@ -396,12 +396,12 @@ std::vector<Task> read_tasks(const fs::path& file, std::size_t decks) {
   return out;
 }
 
-fs::path record_file(const fs::path& folder, const std::string& key) {
+fs::path run_record_path(const fs::path& folder, const std::string& key) {
   return folder / "runs" / key.substr(0, 2) / (key + ".json");
 }
 
 std::optional<Record> read_record(const fs::path& folder, const std::string& key) {
-  const fs::path file = record_file(folder, key);
+  const fs::path file = run_record_path(folder, key);
   std::error_code error;
   if (!fs::exists(file, error)) return {};
   try {
@@ -435,7 +435,7 @@ std::optional<Record> read_record(const fs::path& folder, const std::string& key
 }
 
 void write_record(const fs::path& folder, const Record& record) {
-  const fs::path file = record_file(folder, record.key).lexically_relative(folder);
+  const fs::path file = run_record_path(folder, record.key).lexically_relative(folder);
   Json json;
   json["adore_run"] = 1;
   json["key"] = record.key;
@@ -458,7 +458,7 @@ std::optional<Record> run_task(const Job& job, const Task& task, const fs::path&
                                const std::stop_token& stop) {
   const auto begin = std::chrono::steady_clock::now();
   const double processor = scene::processor_seconds();
-  std::optional<runs::PassingFolder> passing;
+  std::optional<runs::TemporaryFolder> temporary;
   runs::RunRequest request;
   request.deck = job.decks.at(task.point.deck).deck;
   request.sets = sets_of(job, task);
@@ -472,8 +472,8 @@ std::optional<Record> run_task(const Job& job, const Task& task, const fs::path&
     request.out = folder.parent_path();
     request.below = folder.filename() / "files" / task.key;
   } else {
-    passing.emplace();
-    request.out = passing->path();
+    temporary.emplace();
+    request.out = temporary->path();
     if (!needs_channels(job.quantities)) {
       std::erase_if(request.options, [](const auto& set) { return set.first == "resultsH5"; });
       request.options.emplace_back("resultsH5", "0");
@@ -482,7 +482,7 @@ std::optional<Record> run_task(const Job& job, const Task& task, const fs::path&
   const fs::path files = *request.out / request.below;
   runs::RunEnding ending;
   try {
-    ending = runs::end_of_run(request, stop);
+    ending = runs::run_catching_errors(request, stop);
   } catch (const std::logic_error& bug) {
     ending.failure = bug.what();
     ending.exit_code = 1;
@@ -497,10 +497,10 @@ std::optional<Record> run_task(const Job& job, const Task& task, const fs::path&
   out.values.assign(job.quantities.size(), std::numeric_limits<double>::quiet_NaN());
   if (ending.exit_code == 0) {
     try {
-      Answers answers =
+      QuantityValues answers =
           answer(job.quantities, ending.outcome.summary, files, [&](const Quantity& quantity) {
             const runs::LoadedDeck read = runs::load_deck(request);
-            return why_missing(quantity, read.deck, job.until);
+            return missing_quantity_reason(quantity, read.deck, job.until);
           });
       out.values = std::move(answers.values);
       out.message = std::move(answers.missing);

@@ -62,6 +62,9 @@ struct Record {
 [[nodiscard]] std::vector<Task> make_tasks(const Job& job, const std::vector<Point>& points,
                                            long first_number);
 
+/// Name of a file of tasks, in the folder of a study or of a submission.
+inline constexpr const char* kTasks = "tasks.jsonl";
+
 [[nodiscard]] std::string task_line(const Task& task);
 /// Origin of a line of tasks, and the decks of its job.
 struct TaskSource {
@@ -78,8 +81,8 @@ void write_tasks(const WriteFolder& folder, const std::string& name,
 /// line, key and value
 [[nodiscard]] std::vector<Task> read_tasks(const std::filesystem::path& file, std::size_t decks);
 
-[[nodiscard]] std::filesystem::path record_file(const std::filesystem::path& folder,
-                                                const std::string& key);
+[[nodiscard]] std::filesystem::path run_record_path(const std::filesystem::path& folder,
+                                                    const std::string& key);
 /// Nothing when there is none, or a damaged one: the run is made again.
 [[nodiscard]] std::optional<Record> read_record(const std::filesystem::path& folder,
                                                 const std::string& key);

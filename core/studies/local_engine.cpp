@@ -29,14 +29,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kCrashes = 2;  ///< crashed (SIGSEGV ...): then the run has its record
-constexpr int kKills = 20;   ///< from outside: then it is left, so that no study runs for ever
-constexpr double kOfMemory = 0.8;  ///< of what is free may be planned for
-constexpr double kLeastMegabytes = 64.0;
+/// Part of the free memory that may be planned for.
+constexpr double kUsableMemoryShare = 0.8;
+constexpr double kMinMegabytes = 64.0;
 
 class Worker {
  public:
-  explicit Worker(const EngineWork& work) {
+  explicit Worker(const EngineRequest& work) {
     std::array<int, 2> in{}, out{};
     if (pipe2(in.data(), O_CLOEXEC) != 0) refuse();
     if (pipe2(out.data(), O_CLOEXEC) != 0) {
@@ -84,7 +83,7 @@ class Worker {
   [[nodiscard]] const Task* task() const { return task_; }
 
   /// False when it is dead. SIGPIPE is ignored by the program.
-  bool give(const Task& task) {
+  bool send_task(const Task& task) {
     task_ = &task;
     const std::string line = task_line(task);
     std::size_t sent = 0;
@@ -140,7 +139,7 @@ struct Deaths {
 
 class LocalEngine {
  public:
-  LocalEngine(const EngineWork& work, const TaskDone& done, const EngineNews& news)
+  LocalEngine(const EngineRequest& work, const TaskDone& done, const EngineNews& news)
       : work_(work), done_(done), news_(news), megabytes_(work.megabytes_each) {
     for (const Task& task : work.tasks) waiting_.push_back(&task);
     most_ = work.workers > 0 ? work.workers : usable_cores();
@@ -148,15 +147,15 @@ class LocalEngine {
 
   void run(const std::stop_token& stop) {
     while (!stop.stop_requested() && (!waiting_.empty() || busy() > 0)) {
-      hand_out();
-      listen();
+      distribute_tasks();
+      read_messages();
     }
     if (left_ > 0 && !stop.stop_requested())
       throw InputError(
           fmt::format("{} no result, because the process was killed {} times, by a user or by the "
                       "system when memory was short. All other runs are recorded. Continue "
                       "with `adore study resume`; if memory is short, with --workers 1",
-                      counted(left_, "run has", "runs have"), kKills));
+                      counted(left_, "run has", "runs have"), kMaxKills));
   }
 
  private:
@@ -166,67 +165,68 @@ class LocalEngine {
   }
 
   /// One more only where it finds its memory; one always works.
-  [[nodiscard]] bool room_for_another() const {
+  [[nodiscard]] bool can_start_worker() const {
     if (static_cast<int>(workers_.size()) >= most_) return false;
-    return workers_.empty() || free_megabytes() * kOfMemory > std::max(megabytes_, kLeastMegabytes);
+    return workers_.empty() ||
+           available_memory_megabytes() * kUsableMemoryShare > std::max(megabytes_, kMinMegabytes);
   }
 
-  void hand_out() {
+  void distribute_tasks() {
     for (const auto& worker : workers_) {
       if (waiting_.empty()) break;
-      if (worker->task() == nullptr) give(*worker);
+      if (worker->task() == nullptr) send_task(*worker);
     }
-    while (!waiting_.empty() && room_for_another()) {
+    while (!waiting_.empty() && can_start_worker()) {
       workers_.push_back(std::make_unique<Worker>(work_));
-      give(*workers_.back());
+      send_task(*workers_.back());
     }
-    const bool held = !waiting_.empty() && static_cast<int>(workers_.size()) < most_;
+    const bool memory_limits = !waiting_.empty() && static_cast<int>(workers_.size()) < most_;
     std::string note =
-        held ? "memory allows " + counted(workers_.size(), "process", "processes") : "";
+        memory_limits ? "memory allows " + counted(workers_.size(), "process", "processes") : "";
     if (kills_ > 0)
       note += fmt::format("{}{} repeated", note.empty() ? "" : ", ", counted(kills_, "killed run"));
     news_(busy(), note);
   }
 
-  void give(Worker& worker) {
+  void send_task(Worker& worker) {
     const Task* task = waiting_.front();
     waiting_.pop_front();
-    (void)worker.give(*task);  // a dead one is found by listen()
+    (void)worker.send_task(*task);  // read_messages() finds a dead process
   }
 
-  void listen() {
+  void read_messages() {
     std::vector<pollfd> files;
     for (const auto& worker : workers_) files.push_back({worker->out(), POLLIN, 0});
-    constexpr int kPatience = 200;  // [ms]
-    if (poll(files.data(), files.size(), kPatience) <= 0) return;
+    constexpr int kPollMilliseconds = 200;  // [ms]
+    if (poll(files.data(), files.size(), kPollMilliseconds) <= 0) return;
     std::vector<std::size_t> dead;
     for (std::size_t k = 0; k < files.size(); ++k) {
       if (files[k].revents == 0) continue;
       bool gone = false;
-      for (const std::string& line : workers_[k]->lines(gone)) heard(*workers_[k], line);
+      for (const std::string& line : workers_[k]->lines(gone)) handle_message(*workers_[k], line);
       if (gone) dead.push_back(k);
     }
     for (auto k = dead.rbegin(); k != dead.rend(); ++k) {
       const auto at = workers_.begin() + static_cast<long>(*k);
       std::unique_ptr<Worker> worker = std::move(*at);
       workers_.erase(at);
-      bury(*worker);
+      handle_death(*worker);
     }
   }
 
-  void heard(Worker& worker, const std::string& line) {
+  void handle_message(Worker& worker, const std::string& line) {
     if (line.starts_with("halt ")) throw WriteError(line.substr(5));
     if (!line.starts_with("done ") || worker.task() == nullptr) return;
     const std::optional<Record> record = read_record(work_.folder, worker.task()->key);
     if (!record)
       throw WriteError(fmt::format("{}: this record was written but cannot be read",
-                                   record_file(work_.folder, worker.task()->key).string()));
+                                   run_record_path(work_.folder, worker.task()->key).string()));
     megabytes_ = std::max(megabytes_, record->memory_megabytes);
     worker.is_free();
     done_(*record);
   }
 
-  void bury(Worker& worker) {
+  void handle_death(Worker& worker) {
     const Task* task = worker.task();
     const int status = worker.wait();
     if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
@@ -244,17 +244,18 @@ class LocalEngine {
     ++(outside ? deaths.kills : deaths.crashes);
     if (outside) ++kills_;
     // Memory may have been the reason: one fewer as long as there are several.
-    if (signal == SIGKILL && free_megabytes() * kOfMemory < std::max(megabytes_, kLeastMegabytes) &&
+    if (signal == SIGKILL &&
+        available_memory_megabytes() * kUsableMemoryShare < std::max(megabytes_, kMinMegabytes) &&
         most_ > 1)
       --most_;
     if (outside) {
-      if (deaths.kills < kKills)
+      if (deaths.kills < kMaxKills)
         waiting_.push_back(task);
       else
         ++left_;
       return;
     }
-    if (deaths.crashes < kCrashes) {
+    if (deaths.crashes < kMaxCrashes) {
       waiting_.push_front(task);
       return;
     }
@@ -273,7 +274,7 @@ class LocalEngine {
     done_(record);
   }
 
-  const EngineWork& work_;
+  const EngineRequest& work_;
   const TaskDone& done_;
   const EngineNews& news_;
   std::deque<const Task*> waiting_;
@@ -286,7 +287,7 @@ class LocalEngine {
 
 }  // namespace
 
-void run_local(const EngineWork& work, const TaskDone& done, const EngineNews& news,
+void run_local(const EngineRequest& work, const TaskDone& done, const EngineNews& news,
                const std::stop_token& stop) {
   LocalEngine(work, done, news).run(stop);
 }

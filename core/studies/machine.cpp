@@ -24,7 +24,7 @@ int usable_cores() {
   return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-double free_megabytes() {
+double available_memory_megabytes() {
   double free = std::numeric_limits<double>::infinity();
   InputFile file("/proc/meminfo");
   std::string name, unit;

@@ -1,6 +1,8 @@
 #include "studies/model_errors.hpp"
 
+#include "base/constants.hpp"
 #include "runs/measured_run.hpp"
+#include "studies/accuracy_statement.hpp"
 #include "studies/chosen_settings.hpp"
 #include "studies/verify.hpp"
 
@@ -8,14 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace adore::studies {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kNearbyLoads = 1e-6;
 
 /// Friction of a curve of record 10 by a factor: its values and slopes, not its slip speeds.
 std::vector<std::pair<std::string, std::string>> scaled_curve(const deck::Deck& deck,
@@ -36,7 +34,7 @@ std::vector<std::pair<std::string, std::string>> scaled_curve(const deck::Deck& 
 }
 
 double relative(double a, double b) {
-  return std::isfinite(a) && std::isfinite(b) && b != 0.0 ? a / b - 1.0 : kNan;
+  return std::isfinite(a) && std::isfinite(b) && b != 0.0 ? a / b - 1.0 : kNaN;
 }
 
 }  // namespace
@@ -104,9 +102,9 @@ std::vector<runs::ModelVariant> model_variants(const runs::Prepared& prepared) {
   return out;
 }
 
-runs::ModelStudy study_models(const runs::DeckRequest& request, double turns, double budget,
-                              const std::function<void(const runs::ModelRow&)>& row_done,
-                              std::stop_token stop) {
+runs::ModelStudy run_model_study(const runs::DeckRequest& request, double turns, double budget,
+                                 const std::function<void(const runs::ModelRow&)>& row_done,
+                                 std::stop_token stop) {
   runs::RunRequest own;
   static_cast<runs::DeckRequest&>(own) = request;
   const runs::Prepared prepared = runs::prepare(request);
@@ -114,12 +112,13 @@ runs::ModelStudy study_models(const runs::DeckRequest& request, double turns, do
     throw InputError(
         "model errors need a motion, but this deck is quasi-static (mode < 0); set mode = 0");
   std::vector<runs::ModelVariant> variants = model_variants(prepared);
-  if (const auto loads = runs::nearby_loads(prepared.input.deck, kNearbyLoads); !loads.empty())
-    variants.insert(variants.begin(), {"scatter",
-                                       "loads x 1.000001",
-                                       "not an uncertainty: scatter of an irregular motion",
-                                       loads,
-                                       {}});
+  if (const auto loads = runs::nearby_loads(prepared.input.deck, kLoadChange); !loads.empty())
+    variants.insert(variants.begin(),
+                    {"scatter",
+                     "loads x 1.000001",
+                     "statistical scatter of an irregular motion, not a model uncertainty",
+                     loads,
+                     {}});
   if (prepared.control.start != setup::StartState::Statics) own.changes.emplace_back("kIcOpt", "0");
   own.options.emplace_back("resultsH5", "0");
   runs::ModelStudy study;
@@ -128,7 +127,7 @@ runs::ModelStudy study_models(const runs::DeckRequest& request, double turns, do
   const double speed = std::abs(prepared.bearing.speed[1] - prepared.bearing.speed[0]);
   const double turn = speed > 0.0 ? 2.0 * std::numbers::pi / speed
                                   : prepared.control.end_time * make_system(prepared).scales().time;
-  study.turns = speed > 0.0 ? std::min(turns, asked_turns(own)) : 1.0;
+  study.turns = speed > 0.0 ? std::min(turns, requested_revolutions(own)) : 1.0;
   // Finer and smoother models take two to four times the time of the deck's own run.
   const double each = budget / (2.0 * static_cast<double>(variants.size() + 1));
   runs::MeasuredRun base;

@@ -22,7 +22,7 @@ namespace adore::studies {
 /// @param turns of each run at most; the deck's own end ends it earlier
 /// @param budget processor time of all runs [s]; fewer revolutions if need be
 /// @throws InputError (quasi-static deck), SolverError (the deck's own run fails)
-[[nodiscard]] runs::ModelStudy study_models(
+[[nodiscard]] runs::ModelStudy run_model_study(
     const runs::DeckRequest& request, double turns, double budget,
     const std::function<void(const runs::ModelRow&)>& row_done = {}, std::stop_token stop = {});
 

@@ -17,7 +17,7 @@
 namespace adore::studies {
 namespace {
 
-std::vector<const Variable*> of_law(const Study& study, bool random) {
+std::vector<const Variable*> variables_of_law(const Study& study, bool random) {
   std::vector<const Variable*> out;
   for (const Variable& variable : study.variables)
     if ((variable.law != Law::Values) == random) out.push_back(&variable);
@@ -27,13 +27,12 @@ std::vector<const Variable*> of_law(const Study& study, bool random) {
 /// Of a law cut at its limits, from a share of the whole.
 double from_share(const Variable& variable, double u) {
   if (variable.law == Law::Uniform) return variable.a + (variable.b - variable.a) * u;
-  const double below = variable.low ? normal_share((*variable.low - variable.a) / variable.b) : 0.0;
-  const double above =
-      variable.high ? normal_share((*variable.high - variable.a) / variable.b) : 1.0;
+  const double below = variable.low ? normal_cdf((*variable.low - variable.a) / variable.b) : 0.0;
+  const double above = variable.high ? normal_cdf((*variable.high - variable.a) / variable.b) : 1.0;
   // The nearest numbers inside: a share of exactly 0 or 1 has no score.
-  constexpr double kEdge = 1e-300;
-  const double share = std::clamp(below + (above - below) * u, kEdge, std::nextafter(1.0, 0.0));
-  double value = variable.a + variable.b * normal_score(share);
+  constexpr double kMinShare = 1e-300;
+  const double share = std::clamp(below + (above - below) * u, kMinShare, std::nextafter(1.0, 0.0));
+  double value = variable.a + variable.b * normal_quantile(share);
   if (variable.low) value = std::max(value, *variable.low);
   if (variable.high) value = std::min(value, *variable.high);
   return value;
@@ -41,14 +40,14 @@ double from_share(const Variable& variable, double u) {
 
 /// Values of every random variable's targets: [sample][target], in the order of the variables.
 std::vector<std::vector<double>> sampled(const Study& study) {
-  const std::vector<const Variable*> random = of_law(study, true);
+  const std::vector<const Variable*> random = variables_of_law(study, true);
   int dimensions = 0;
   std::vector<int> first;
   for (const Variable* variable : random) {
     first.push_back(dimensions);
     dimensions += static_cast<int>(variable->targets.size()) + (variable->common > 0.0 ? 1 : 0);
   }
-  const auto units = unit_samples(study.sampling, study.samples, dimensions, study.seed);
+  const auto units = unit_cube_samples(study.sampling, study.samples, dimensions, study.seed);
   // Correlated scores of single variables: lots have their own rule.
   const auto n = static_cast<Eigen::Index>(random.size());
   Eigen::MatrixXd correlation = Eigen::MatrixXd::Identity(n, n), factor;
@@ -62,7 +61,7 @@ std::vector<std::vector<double>> sampled(const Study& study) {
     correlation(i, j) = correlation(j, i) = pair.value;
   }
   const bool correlated = !study.correlations.empty();
-  if (correlated && !correlation_factor(correlation, factor))
+  if (correlated && !factorize_correlation(correlation, factor))
     throw InputError(
         fmt::format("{}: correlation: the values are inconsistent (their matrix has a negative "
                     "eigenvalue); use smaller correlations",
@@ -75,7 +74,8 @@ std::vector<std::vector<double>> sampled(const Study& study) {
     if (correlated) {
       scores.resize(n);
       for (Eigen::Index i = 0; i < n; ++i)
-        scores(i) = normal_score(u[static_cast<std::size_t>(first[static_cast<std::size_t>(i)])]);
+        scores(i) =
+            normal_quantile(u[static_cast<std::size_t>(first[static_cast<std::size_t>(i)])]);
       scores = factor * scores;
     }
     for (std::size_t v = 0; v < random.size(); ++v) {
@@ -83,16 +83,16 @@ std::vector<std::vector<double>> sampled(const Study& study) {
       auto at = static_cast<std::size_t>(first[v]);
       if (!variable.lot()) {
         row.push_back(from_share(
-            variable, correlated ? normal_share(scores(static_cast<Eigen::Index>(v))) : u[at]));
+            variable, correlated ? normal_cdf(scores(static_cast<Eigen::Index>(v))) : u[at]));
         continue;
       }
-      const double lot = variable.common > 0.0 ? normal_score(u[at++]) : 0.0;
+      const double lot = variable.common > 0.0 ? normal_quantile(u[at++]) : 0.0;
       for (std::size_t k = 0; k < variable.targets.size(); ++k)
-        row.push_back(from_share(
-            variable, variable.common > 0.0
-                          ? normal_share(std::sqrt(variable.common) * lot +
-                                         std::sqrt(1.0 - variable.common) * normal_score(u[at + k]))
-                          : u[at + k]));
+        row.push_back(from_share(variable, variable.common > 0.0
+                                               ? normal_cdf(std::sqrt(variable.common) * lot +
+                                                            std::sqrt(1.0 - variable.common) *
+                                                                normal_quantile(u[at + k]))
+                                               : u[at + k]));
     }
     out.push_back(std::move(row));
   }
@@ -122,7 +122,7 @@ void add(const Variable& variable, const std::string& target, double value, Poin
 Point typical_point(const Study& study) {
   std::vector<double> values;
   for (const bool random : {false, true})
-    for (const Variable* variable : of_law(study, random))
+    for (const Variable* variable : variables_of_law(study, random))
       values.insert(values.end(), variable->targets.size(),
                     variable->values.empty() ? variable->a : variable->values.front());
   return point_at(study, values);
@@ -131,10 +131,10 @@ Point typical_point(const Study& study) {
 /// Largest count of random numbers of a sample, with the rows that contain them.
 double memory_of_sample(const Study& study) {
   double targets = 0.0;
-  for (const Variable* variable : of_law(study, true))
+  for (const Variable* variable : variables_of_law(study, true))
     targets += static_cast<double>(variable->targets.size()) + 1.0;
-  constexpr double kCopies = 2.0;  // shares of the laws, and values
-  return kCopies * (sizeof(std::vector<double>) + targets * sizeof(double));
+  constexpr double kStoredCopies = 2.0;  // shares of the laws, and values
+  return kStoredCopies * (sizeof(std::vector<double>) + targets * sizeof(double));
 }
 
 std::vector<Point> what_if_points(const Study& study) {
@@ -164,13 +164,13 @@ Columns columns_of(const Study& study) {
   out.decks = study.decks.size() > 1;
   out.labels = study.kind == Kind::WhatIf;
   for (const bool random : {false, true})
-    for (const Variable* variable : of_law(study, random))
+    for (const Variable* variable : variables_of_law(study, random))
       out.names.insert(out.names.end(), variable->targets.begin(), variable->targets.end());
   if (!study.bearing_seeds.empty()) out.names.emplace_back("seed");
   return out;
 }
 
-double memory_of(const Point& point) {
+double point_memory_bytes(const Point& point) {
   // A text of more than 15 characters has a separate block.
   double own = static_cast<double>(point.values.size() * sizeof(double) + point.label.capacity());
   for (const Settings* settings : {&point.sets, &point.options})
@@ -182,22 +182,22 @@ double memory_of(const Point& point) {
 long count_points(const Study& study) {
   double count = static_cast<double>(study.decks.size());
   if (study.kind == Kind::WhatIf) {
-    double bytes = count * memory_of(Point{});
+    double bytes = count * point_memory_bytes(Point{});
     for (const WhatIfCase& one : study.cases)
-      bytes += count * memory_of({0, one.sets, one.options, {}, one.name});
+      bytes += count * point_memory_bytes({0, one.sets, one.options, {}, one.name});
     return checked(count * static_cast<double>(study.cases.size() + 1), bytes, study);
   }
-  const double each = memory_of(typical_point(study));
+  const double each = point_memory_bytes(typical_point(study));
   if (study.kind == Kind::Sensitivity) {
     count *= 1.0 + 4.0 * static_cast<double>(study.variables.size());
     return checked(count, count * each, study);
   }
-  for (const Variable* variable : of_law(study, false))
+  for (const Variable* variable : variables_of_law(study, false))
     count *= static_cast<double>(variable->values.size());
-  if (study.has_random()) count *= static_cast<double>(study.samples);
+  if (study.has_random_variables()) count *= static_cast<double>(study.samples);
   if (!study.bearing_seeds.empty()) count *= static_cast<double>(study.bearing_seeds.size());
   if (study.kind == Kind::WorstCase)
-    count += static_cast<double>(corners_and_middle(study)) +
+    count += static_cast<double>(count_corners_and_middle(study)) +
              2.0 * static_cast<double>(study.rounds) *
                  static_cast<double>(columns_of(study).names.size());
   return checked(count, count * each + static_cast<double>(study.samples) * memory_of_sample(study),
@@ -208,7 +208,7 @@ Point point_at(const Study& study, const std::vector<double>& values) {
   Point out;
   std::size_t at = 0;
   for (const bool random : {false, true})
-    for (const Variable* variable : of_law(study, random))
+    for (const Variable* variable : variables_of_law(study, random))
       for (const std::string& target : variable->targets)
         add(*variable, target, values.at(at++), out);
   out.values = values;
@@ -219,9 +219,9 @@ std::vector<Point> make_points(const Study& study) {
   (void)count_points(study);
   if (study.kind == Kind::Sensitivity) return sensitivity_points(study);
   if (study.kind == Kind::WhatIf) return what_if_points(study);
-  const std::vector<const Variable*> values = of_law(study, false);
+  const std::vector<const Variable*> values = variables_of_law(study, false);
   const std::vector<std::vector<double>> samples =
-      study.has_random() ? sampled(study) : std::vector<std::vector<double>>{{}};
+      study.has_random_variables() ? sampled(study) : std::vector<std::vector<double>>{{}};
   std::vector<Point> out;
   std::vector<std::size_t> at(values.size(), 0);
   for (std::size_t deck = 0; deck < study.decks.size(); ++deck) {

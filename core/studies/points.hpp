@@ -29,7 +29,7 @@ struct Columns {
 [[nodiscard]] long count_points(const Study& study);
 
 /// Memory of a run in the lists of points and tasks [bytes].
-[[nodiscard]] double memory_of(const Point& point);
+[[nodiscard]] double point_memory_bytes(const Point& point);
 
 /// All points of kinds that know them beforehand, in the order of the table: decks, then values of
 /// grids and lists (the last one fastest), then samples, then bearing seeds. For a worst-case

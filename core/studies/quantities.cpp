@@ -1,5 +1,6 @@
 #include "studies/quantities.hpp"
 
+#include "base/constants.hpp"
 #include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "results/reader_killed.hpp"
@@ -10,13 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace adore::studies {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 bool is_whirl(const std::string& name) {
   return std::find(kWhirlFigures.begin(), kWhirlFigures.end(), name) != kWhirlFigures.end();
@@ -88,7 +86,7 @@ class Channels {
     for (std::size_t i = 0; i < in.count; ++i)
       instants.push_back(
           {y[i], z[i], ratio * velocity[3 * i + 1], ratio * velocity[3 * i + 2], omega[3 * i]});
-    return judge_whirl(instants);
+    return classify_whirl(instants);
   }
 
  private:
@@ -136,7 +134,7 @@ double time_mean(const std::vector<double>& times, const std::vector<double>& va
       weights += weight;
     }
   }
-  return weights > 0.0 ? sum / weights : kNone;
+  return weights > 0.0 ? sum / weights : kNaN;
 }
 
 }  // namespace
@@ -148,7 +146,7 @@ bool needs_channels(const std::vector<Quantity>& quantities) {
 }
 
 double percentile_of_sorted(const std::vector<double>& sorted, double percent) {
-  if (sorted.empty()) return kNone;
+  if (sorted.empty()) return kNaN;
   const double at = percent / 100.0 * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(at);
   if (below + 1 >= sorted.size()) return sorted.back();
@@ -162,7 +160,7 @@ double statistic(Statistic of, double percent, const std::vector<double>& times,
   std::vector<double> known;
   for (const double value : values)
     if (!std::isnan(value)) known.push_back(value);
-  if (known.empty()) return kNone;
+  if (known.empty()) return kNaN;
   const auto [least, largest] = std::minmax_element(known.begin(), known.end());
   switch (of) {
     case Statistic::Mean:
@@ -190,13 +188,13 @@ double statistic(Statistic of, double percent, const std::vector<double>& times,
       std::sort(known.begin(), known.end());
       return percentile_of_sorted(known, percent);
   }
-  return kNone;
+  return kNaN;
 }
 
-Answers answer(const std::vector<Quantity>& quantities, const results::KeyResults& summary,
-               const std::filesystem::path& folder,
-               const std::function<std::string(const Quantity&)>& why) {
-  Answers out;
+QuantityValues answer(const std::vector<Quantity>& quantities, const results::KeyResults& summary,
+                      const std::filesystem::path& folder,
+                      const std::function<std::string(const Quantity&)>& why) {
+  QuantityValues out;
   std::optional<Channels> channels;
   std::optional<Whirl> whirl;
   const auto file = [&]() -> const Channels& {
@@ -209,11 +207,11 @@ Answers answer(const std::vector<Quantity>& quantities, const results::KeyResult
   };
   const auto miss = [&](const Quantity& quantity, const std::string& reason) {
     out.missing += fmt::format("{}{}: {}", out.missing.empty() ? "" : "; ", quantity.name, reason);
-    return kNone;
+    return kNaN;
   };
   bool lacks_result = false;
   for (const Quantity& quantity : quantities) {
-    double value = kNone;
+    double value = kNaN;
     try {
       if (!quantity.channel.empty()) {
         value = file().value(quantity);

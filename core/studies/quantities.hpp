@@ -14,7 +14,7 @@ namespace adore::studies {
 /// Does one of them need RESULTS.h5?
 [[nodiscard]] bool needs_channels(const std::vector<Quantity>& quantities);
 
-struct Answers {
+struct QuantityValues {
   std::vector<double> values;  ///< one per quantity, SI; NaN: the run does not say
   std::string missing;         ///< a sentence that names missing quantities; empty: none
 };
@@ -22,10 +22,10 @@ struct Answers {
 /// @param folder of the run's files
 /// @param why reason for a missing key result, from the deck; may return nothing
 /// @throws results::ReaderKilled, whose cause is not the run
-[[nodiscard]] Answers answer(const std::vector<Quantity>& quantities,
-                             const results::KeyResults& summary,
-                             const std::filesystem::path& folder,
-                             const std::function<std::string(const Quantity&)>& why);
+[[nodiscard]] QuantityValues answer(const std::vector<Quantity>& quantities,
+                                    const results::KeyResults& summary,
+                                    const std::filesystem::path& folder,
+                                    const std::function<std::string(const Quantity&)>& why);
 
 /// Statistic of a sampled quantity. `values` holds `width` values for each time. Mean, rms and
 /// deviation weigh time by the trapezoidal rule; percentiles count stored values.

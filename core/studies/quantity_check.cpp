@@ -109,18 +109,18 @@ std::string of_result(const std::string& id, const deck::Deck& deck, const std::
 
 }  // namespace
 
-std::string why_missing(const Quantity& quantity, const deck::Deck& deck,
-                        const std::string& until) {
+std::string missing_quantity_reason(const Quantity& quantity, const deck::Deck& deck,
+                                    const std::string& until) {
   return quantity.channel.empty() ? of_result(quantity.name, deck, until)
                                   : of_channel(quantity.channel, deck);
 }
 
-std::string missing_quantities(const std::vector<Quantity>& quantities, const deck::Deck& deck,
-                               const std::string& until) {
+std::string missing_quantities_message(const std::vector<Quantity>& quantities,
+                                       const deck::Deck& deck, const std::string& until) {
   std::string out;
   bool lacks_result = false;
   for (const Quantity& quantity : quantities) {
-    const std::string why = why_missing(quantity, deck, until);
+    const std::string why = missing_quantity_reason(quantity, deck, until);
     if (why.empty()) continue;
     out += fmt::format("{}{}: {}", out.empty() ? "" : "; ", quantity.name, why);
     lacks_result = lacks_result || quantity.channel.empty();

@@ -29,7 +29,7 @@ std::string file_name(std::string text) {
   return text;
 }
 
-std::vector<double> sorted_values(const std::vector<double>& values) {
+std::vector<double> sorted_unique_values(const std::vector<double>& values) {
   const std::set<double> once(values.begin(), values.end());
   return {once.begin(), once.end()};
 }
@@ -41,39 +41,39 @@ std::string number(double value, int digits) {
 Reporter::Reporter(const Study& study, const Results& results, const StudyTable& table)
     : study_(study), results_(results), table_(table) {
   for (const Variable& variable : study.variables)
-    (variable.law == Law::Values ? grids_ : randoms_).push_back(&variable);
+    (variable.law == Law::Values ? grids_ : random_variables_).push_back(&variable);
 }
 
 Report Reporter::make() {
-  head();
+  add_header();
   switch (study_.kind) {
     case Kind::Sweep:
     case Kind::Tolerance:
       statistics();
-      if (!grids_.empty()) over_grids();
-      if (!randoms_.empty()) influence();
+      if (!grids_.empty()) add_grid_curves();
+      if (!random_variables_.empty()) influence();
       parallel(-1);
       break;
     case Kind::CageMap:
-      cage_map();
+      add_cage_map();
       break;
     case Kind::Sensitivity:
       for (std::size_t deck = 0; deck < study_.decks.size(); ++deck) sensitivity(deck);
       break;
     case Kind::WorstCase:
-      worst_case();
+      add_worst_case();
       break;
     case Kind::WhatIf:
-      what_if();
+      add_what_if();
       break;
   }
-  no_part();
-  failures();
+  add_unused_variables();
+  add_failures();
   findings();
   return {text_, dump_json(charts_, 1) + "\n"};
 }
 
-void Reporter::head() {
+void Reporter::add_header() {
   const auto count = [&](auto&& test) {
     return std::count_if(table_.exit.begin(), table_.exit.end(), test);
   };
@@ -83,7 +83,7 @@ void Reporter::head() {
                        count([](long e) { return e > 0; }), count([](long e) { return e < 0; }));
 }
 
-void Reporter::no_part() {
+void Reporter::add_unused_variables() {
   if (study_.kind == Kind::WhatIf) return;
   try {
     runs::DeckRequest request;
@@ -101,7 +101,7 @@ void Reporter::no_part() {
   }
 }
 
-void Reporter::failures() {
+void Reporter::add_failures() {
   std::size_t shown = 0;
   for (std::size_t i = 0; i < table_.rows(); ++i) {
     if (table_.exit[i] <= 0 || ++shown > kShownFailures) continue;
@@ -139,7 +139,7 @@ void Reporter::findings() {
                          line.kind->code, line.kind->meaning);
 }
 
-std::vector<std::size_t> Reporter::rows_at(
+std::vector<std::size_t> Reporter::rows_with_values(
     const std::vector<std::pair<const TableColumn*, double>>& where) const {
   std::vector<std::size_t> out;
   for (std::size_t i = 0; i < table_.rows(); ++i)
@@ -149,14 +149,14 @@ std::vector<std::size_t> Reporter::rows_at(
   return out;
 }
 
-std::vector<long> Reporter::numbers_of(const std::vector<std::size_t>& rows) const {
+std::vector<long> Reporter::run_numbers(const std::vector<std::size_t>& rows) const {
   std::vector<long> out;
   for (const std::size_t i : rows) out.push_back(table_.run[i]);
   return out;
 }
 
-std::vector<double> Reporter::picked(const TableColumn& column,
-                                     const std::vector<std::size_t>& rows) {
+std::vector<double> Reporter::values_at_rows(const TableColumn& column,
+                                             const std::vector<std::size_t>& rows) {
   std::vector<double> out;
   for (const std::size_t i : rows) out.push_back(column.values[i]);
   return out;
@@ -172,7 +172,7 @@ const TableColumn& Reporter::column_of(const Variable& variable) const {
   return *table_.find(variable.targets.front());
 }
 
-TableColumn Reporter::shown_of(const Variable& variable) const {
+TableColumn Reporter::display_column(const Variable& variable) const {
   TableColumn out = column_of(variable);
   if (!variable.lot()) return out;
   const auto n = static_cast<double>(variable.targets.size());
@@ -185,16 +185,16 @@ TableColumn Reporter::shown_of(const Variable& variable) const {
   return out;
 }
 
-std::vector<TableColumn> Reporter::shown_variables() const {
+std::vector<TableColumn> Reporter::display_columns() const {
   std::vector<TableColumn> out;
-  for (const Variable& variable : study_.variables) out.push_back(shown_of(variable));
+  for (const Variable& variable : study_.variables) out.push_back(display_column(variable));
   if (const TableColumn* seeds = table_.find("seed")) out.push_back(*seeds);
   return out;
 }
 
 void Reporter::parallel(long heavy) {
-  const std::vector<TableColumn> variables = shown_variables();
-  const std::vector<const TableColumn*> columns = axes_of(variables, table_.quantities);
+  const std::vector<TableColumn> variables = display_columns();
+  const std::vector<const TableColumn*> columns = parallel_chart_axes(variables, table_.quantities);
   if (columns.size() > 2 && table_.rows() > 2)
     charts_.push_back(parallel_chart("parallel", columns, heavy, table_.run));
 }

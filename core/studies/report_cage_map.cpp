@@ -18,16 +18,17 @@ std::string class_of(double value) {
 
 }  // namespace
 
-void Reporter::cage_map() {
+void Reporter::add_cage_map() {
   const TableColumn &x = column_of(*grids_[0]), &y = column_of(*grids_[1]);
-  const std::vector<double> xs = sorted_values(x.values), ys = sorted_values(y.values);
+  const std::vector<double> xs = sorted_unique_values(x.values),
+                            ys = sorted_unique_values(y.values);
   const TableColumn& kind = *table_.find(std::string(kWhirlFigures[3]));
   std::vector<std::vector<std::string>> marks;
   for (const double b : ys) {
     marks.emplace_back();
     for (const double a : xs) {
-      const auto rows = rows_at({{&x, a}, {&y, b}});
-      const double of = rows.empty() ? kNone : kind.values[rows.front()];
+      const auto rows = rows_with_values({{&x, a}, {&y, b}});
+      const double of = rows.empty() ? kNaN : kind.values[rows.front()];
       marks.back().push_back(class_of(of));
     }
   }
@@ -39,9 +40,9 @@ void Reporter::cage_map() {
       values.emplace_back();
       runs.emplace_back();
       for (const double a : xs) {
-        const auto rows = rows_at({{&x, a}, {&y, b}});
-        runs.back().push_back(numbers_of(rows));
-        values.back().push_back(rows.empty() ? kNone : quantity.values[rows.front()]);
+        const auto rows = rows_with_values({{&x, a}, {&y, b}});
+        runs.back().push_back(run_numbers(rows));
+        values.back().push_back(rows.empty() ? kNaN : quantity.values[rows.front()]);
       }
     }
     charts_.push_back(

@@ -29,7 +29,7 @@ void Reporter::sensitivity(std::size_t deck) {
       std::vector<double> f;
       for (std::size_t k = 0; k < 4; ++k) f.push_back(quantity.values[from + 1 + 4 * v + k]);
       const Derivative by = difference(f, bases[v].step);
-      double known = kNone;
+      double known = kNaN;
       if (v < exact.size())
         if (const auto found = exact[v].find(quantity.name); found != exact[v].end())
           known = found->second;
@@ -41,7 +41,7 @@ void Reporter::sensitivity(std::size_t deck) {
                            number(std::abs(known - by.value) /
                                       std::max({std::abs(known), std::abs(by.value), 1e-300}),
                                   2),
-                           number(std::isfinite(relative) ? relative : kNone, 4));
+                           number(std::isfinite(relative) ? relative : kNaN, 4));
       // A variable whose value is 0 has no percent: per step instead.
       const double scale =
           bases[v].value != 0.0 ? bases[v].value / base : 100.0 * bases[v].step / base;
@@ -57,7 +57,7 @@ void Reporter::sensitivity(std::size_t deck) {
   text_ += "\n";
 }
 
-void Reporter::worst_case() {
+void Reporter::add_worst_case() {
   const TableColumn& objective = *table_.find(study_.objective);
   long best = -1;
   for (std::size_t i = 0; i < table_.rows(); ++i) {
@@ -87,16 +87,16 @@ void Reporter::worst_case() {
     }
   text_ += "\n";
   // The objective last: lines are coloured by it.
-  const std::vector<TableColumn> variables = shown_variables();
+  const std::vector<TableColumn> variables = display_columns();
   std::vector<TableColumn> others;
   for (const TableColumn& column : table_.quantities)
     if (&column != &objective) others.push_back(column);
-  std::vector<const TableColumn*> columns = axes_of(variables, others);
+  std::vector<const TableColumn*> columns = parallel_chart_axes(variables, others);
   columns.push_back(&objective);
   charts_.push_back(parallel_chart("parallel", columns, best, table_.run));
 }
 
-void Reporter::what_if() {
+void Reporter::add_what_if() {
   const std::size_t each = 1 + study_.cases.size();
   for (std::size_t deck = 0; deck < study_.decks.size(); ++deck) {
     const std::size_t base = deck * each;

@@ -16,7 +16,7 @@ void Reporter::statistics() {
   for (const double percent : study_.percentiles) text_ += fmt::format(" {:>11}%", percent);
   text_ += "\n";
   for (const TableColumn& column : table_.quantities) {
-    const Summary summary = summarise(column.values, study_.percentiles);
+    const Summary summary = summarize(column.values, study_.percentiles);
     text_ += fmt::format("{:<34} {:>6}", label(column), summary.count);
     if (summary.count == 0) {
       text_ += "  no run has a value\n";
@@ -52,13 +52,14 @@ void Reporter::distribution(const TableColumn& column) {
                                  {"fraction of the runs below this value", "", {}}, {line}));
 }
 
-void Reporter::over_grids() {
+void Reporter::add_grid_curves() {
   const TableColumn& x = column_of(*grids_[0]);
   const TableColumn* second = grids_.size() > 1 ? &column_of(*grids_[1]) : nullptr;
-  const std::vector<double> xs = sorted_values(x.values);
+  const std::vector<double> xs = sorted_unique_values(x.values);
   const std::vector<double> others =
-      second != nullptr ? sorted_values(second->values) : std::vector<double>{0.0};
-  const bool band = !randoms_.empty() || grids_.size() > 2 || !study_.bearing_seeds.empty();
+      second != nullptr ? sorted_unique_values(second->values) : std::vector<double>{0.0};
+  const bool band =
+      !random_variables_.empty() || grids_.size() > 2 || !study_.bearing_seeds.empty();
   for (const TableColumn& quantity : table_.quantities) {
     std::vector<ChartLine> lines;
     std::vector<std::vector<double>> map;
@@ -72,12 +73,13 @@ void Reporter::over_grids() {
       for (const double at : xs) {
         std::vector<std::pair<const TableColumn*, double>> where{{&x, at}};
         if (second != nullptr) where.emplace_back(second, other);
-        const std::vector<std::size_t> rows = rows_at(where);
-        line.runs.push_back(numbers_of(rows));
-        const Summary summary = summarise(
-            picked(quantity, rows), {study_.percentiles.front(), 50.0, study_.percentiles.back()});
+        const std::vector<std::size_t> rows = rows_with_values(where);
+        line.runs.push_back(run_numbers(rows));
+        const Summary summary =
+            summarize(values_at_rows(quantity, rows),
+                      {study_.percentiles.front(), 50.0, study_.percentiles.back()});
         const auto value = [&](std::size_t k) {
-          return summary.count > 0 ? summary.percentiles[k].value : kNone;
+          return summary.count > 0 ? summary.percentiles[k].value : kNaN;
         };
         line.x.push_back(at);
         line.y.push_back(value(1));
@@ -100,7 +102,7 @@ void Reporter::over_grids() {
   if (band) text_ += "\n";
 }
 
-std::vector<std::vector<std::size_t>> Reporter::grid_points() const {
+std::vector<std::vector<std::size_t>> Reporter::rows_by_grid_point() const {
   std::map<std::vector<double>, std::vector<std::size_t>> out;
   for (std::size_t i = 0; i < table_.rows(); ++i) {
     std::vector<double> at;
@@ -114,18 +116,19 @@ std::vector<std::vector<std::size_t>> Reporter::grid_points() const {
 }
 
 void Reporter::influence() {
-  const auto groups = grid_points();
+  const auto groups = rows_by_grid_point();
   text_ += "rank correlation (Spearman) of each quantity with the random variables:\n";
   for (const TableColumn& quantity : table_.quantities) {
     std::vector<Bar> bars;
-    for (const Variable* variable : randoms_) {
-      const TableColumn shown = shown_of(*variable);
+    for (const Variable* variable : random_variables_) {
+      const TableColumn shown = display_column(*variable);
       const std::vector<double>& values = shown.values;
       const std::string& name = shown.name;
       double sum = 0.0;
       int known = 0;  // a point whose runs all failed gives no information
       for (const auto& rows : groups) {
-        const double one = rank_correlation(picked({{}, {}, values}, rows), picked(quantity, rows));
+        const double one = rank_correlation(values_at_rows({{}, {}, values}, rows),
+                                            values_at_rows(quantity, rows));
         if (std::isnan(one)) continue;
         sum += one;
         ++known;

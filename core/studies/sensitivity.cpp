@@ -13,7 +13,7 @@
 namespace adore::studies {
 namespace {
 
-constexpr double kShare = 1e-3;  ///< of the value: the step unless the study gives one
+constexpr double kDefaultStepShare = 1e-3;  ///< of the value: the step unless the study gives one
 
 /// "appLoadX", "cageGsCls[2]", "cageGcPos[3]" as --set takes them: of repeated records the first
 /// index is the instance, of arrays the element; which of both it is the deck knows.
@@ -54,7 +54,7 @@ std::vector<BaseValue> base_values(const Study& study, std::size_t deck) {
           variable.name));
     BaseValue base;
     base.value = value_in(loaded.deck, variable.name);
-    base.step = variable.step > 0.0 ? variable.step : kShare * std::abs(base.value);
+    base.step = variable.step > 0.0 ? variable.step : kDefaultStepShare * std::abs(base.value);
     if (base.step == 0.0)
       throw InputError(fmt::format(
           "variable {}: its value is 0, so a suitable difference is unknown; give \"step\"",

@@ -41,7 +41,7 @@ long whole(const std::string& text, long otherwise) {
 }
 
 /// "0:9": exit code and signal.
-SlurmEnd end_of(const std::string& state, const std::string& code) {
+SlurmExitState end_of(const std::string& state, const std::string& code) {
   const std::size_t colon = code.find(':');
   return {state, static_cast<int>(whole(code.substr(0, colon), 0)),
           colon == std::string::npos ? 0 : static_cast<int>(whole(code.substr(colon + 1), 0))};
@@ -127,7 +127,7 @@ int slurm_cores() {
   return static_cast<int>(most);
 }
 
-long slurm_largest_array() {
+long slurm_max_array_size() {
   constexpr long kDefault = 1001;
   const auto text = command_output({"scontrol", "show", "config"});
   if (!text) return kDefault;
@@ -155,8 +155,8 @@ std::optional<std::map<std::string, int>> slurm_queue(const std::string& job) {
   return out;
 }
 
-std::map<long, SlurmEnd> slurm_ends(const std::string& job) {
-  std::map<long, SlurmEnd> out;
+std::map<long, SlurmExitState> slurm_exit_states(const std::string& job) {
+  std::map<long, SlurmExitState> out;
   if (const auto text = command_output({"sacct", "--noheader", "--allocations", "--parsable2",
                                         "--jobs=" + job, "--format=JobID,State,ExitCode"})) {
     std::istringstream lines(*text);

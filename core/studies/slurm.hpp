@@ -20,19 +20,19 @@ namespace adore::studies {
 [[nodiscard]] int slurm_cores();
 /// Largest number of array elements of one job, MaxArraySize of the configuration; 1001 unless it
 /// says.
-[[nodiscard]] long slurm_largest_array();
+[[nodiscard]] long slurm_max_array_size();
 
 /// Elements of a job that are not over, by state ("PENDING", "RUNNING" ...). Nothing: Slurm does
 /// not answer.
 [[nodiscard]] std::optional<std::map<std::string, int>> slurm_queue(const std::string& job);
 
 /// How an element of a job ended.
-struct SlurmEnd {
+struct SlurmExitState {
   std::string state;  ///< "COMPLETED", "TIMEOUT", "NODE_FAIL" ...; empty: nobody knows
   int exit_code = 0, signal = 0;
 };
 /// By element: from the accounting (sacct), or from the controller while it still knows the job
 /// (scontrol), where no accounting runs.
-[[nodiscard]] std::map<long, SlurmEnd> slurm_ends(const std::string& job);
+[[nodiscard]] std::map<long, SlurmExitState> slurm_exit_states(const std::string& job);
 
 }  // namespace adore::studies

@@ -29,18 +29,16 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
-constexpr int kTryAgain = 75;            ///< of a worker that could not write
-constexpr int kCrashes = 2;              ///< of one run, before it gets a record of that
-constexpr int kKills = 20;               ///< of one run from outside, before it is left without
-constexpr int kLimits = 4;               ///< times that a run met its time or memory limit
-constexpr int kFruitless = 5;            ///< submissions in a row that gave no record
-constexpr double kPieceSeconds = 120.0;  ///< of computing in an element: its start costs about one
-constexpr double kOfTime = 4.0;          ///< time limit over what the pilot says
-constexpr int kLeastMinutes = 2;
-constexpr double kOfMemory = 2.0;
-constexpr double kLeastMegabytes = 256.0;
+/// Times that a run may reach its time or memory limit.
+constexpr int kMaxLimitHits = 4;
+/// Consecutive submissions without a record.
+constexpr int kMaxFruitlessJobs = 5;
+/// Computing time of an array task; its start takes about 1 s.
+constexpr double kPieceSeconds = 120.0;
+/// Time and memory limits over the estimates from the pilot runs, and their least values.
+constexpr double kTimeLimitFactor = 4.0, kMemoryLimitFactor = 2.0, kMinMegabytes = 256.0;
+constexpr int kMinMinutes = 2;
 constexpr const char* kCurrent = "current.json";
-constexpr const char* kTasks = "tasks.jsonl";
 constexpr const char* kSubmission = "submission";  ///< folders: submission-1, submission-2 ...
 
 bool is_submission(const std::string& name) {
@@ -57,24 +55,25 @@ std::string quoted(const std::string& text) {
 
 /// A death that is not caused by the run: it gives no record. A shell reports a signal as
 /// exit code 128 + signal.
-bool from_outside(const SlurmEnd& end) {
-  constexpr int kOfShell = 128;
+bool was_killed_externally(const SlurmExitState& end) {
+  constexpr int kShellSignalBase = 128;
   for (const int signal : {SIGKILL, SIGTERM, SIGINT, SIGHUP})
-    if (end.signal == signal || end.exit_code == kOfShell + signal) return true;
+    if (end.signal == signal || end.exit_code == kShellSignalBase + signal) return true;
   return false;
 }
 
 /// The kernel reports it to Slurm if control groups limit memory. If Slurm checks it itself
 /// (OverMemoryKill) the job fails by SIGKILL, and only its last output shows the cause.
-bool out_of_memory(const SlurmEnd& end, const std::string& said) {
+bool exceeded_memory(const SlurmExitState& end, const std::string& task_output) {
   if (end.state == "OUT_OF_MEMORY") return true;
-  return end.state == "FAILED" && (said.find("Exceeded job memory limit") != std::string::npos ||
-                                   said.find("exceeded memory limit") != std::string::npos);
+  return end.state == "FAILED" &&
+         (task_output.find("Exceeded job memory limit") != std::string::npos ||
+          task_output.find("exceeded memory limit") != std::string::npos);
 }
 
 class SlurmEngine {
  public:
-  SlurmEngine(const EngineWork& work, const TaskDone& done, const EngineNews& news,
+  SlurmEngine(const EngineRequest& work, const TaskDone& done, const EngineNews& news,
               const std::stop_token& stop)
       : work_(work),
         done_(done),
@@ -84,11 +83,11 @@ class SlurmEngine {
         folder_(place_.path()) {
     for (const Task& task : work.tasks) left_.insert(&task);
     cores_ = slurm_cores();
-    megabytes_ = std::max(kLeastMegabytes, kOfMemory * work.megabytes_each);
+    megabytes_ = std::max(kMinMegabytes, kMemoryLimitFactor * work.megabytes_each);
   }
 
   void run() {
-    if (take_over()) watch();  // a job of a driver that was killed
+    if (resume_job()) watch();  // a job of a driver that was killed
     while (!left_.empty() && !stop_.stop_requested()) {
       const std::size_t before = left_.size();
       submit();
@@ -96,14 +95,15 @@ class SlurmEngine {
       if (stop_.stop_requested()) break;
       fruitless_ = left_.size() < before ? 0 : fruitless_ + 1;
       killed_ = limited_ = 0;
-      if (!left_.empty()) find_reasons();
-      if (killed_ > 0 || limited_ > 0) fruitless_ = 0;  // bounded by kKills and kLimits
+      if (!left_.empty()) find_causes();
+      if (killed_ > 0 || limited_ > 0) fruitless_ = 0;  // bounded by kMaxKills and kMaxLimitHits
       forget_job();
-      if (fruitless_ >= kFruitless)
+      if (fruitless_ >= kMaxFruitlessJobs)
         throw InputError(fmt::format(
             "--engine slurm: {} consecutive submissions gave no result: {}. The output of the jobs "
             "is in {}",
-            kFruitless, reason_.empty() ? "Slurm gives no reason" : reason_, folder_.string()));
+            kMaxFruitlessJobs, reason_.empty() ? "Slurm gives no reason" : reason_,
+            folder_.string()));
     }
     if (stop_.stop_requested())
       cancel();
@@ -111,14 +111,14 @@ class SlurmEngine {
       throw InputError(
           fmt::format("{} no result, because the process was killed {} times. All other "
                       "runs are recorded. Continue with `adore study resume --engine slurm`",
-                      counted(given_up_, "run has", "runs have"), kKills));
+                      counted(given_up_, "run has", "runs have"), kMaxKills));
   }
 
  private:
   [[nodiscard]] std::string job_name() const { return "adore-" + work_.folder.stem().string(); }
   [[nodiscard]] fs::path current() const { return folder_ / kCurrent; }
 
-  bool take_over() {
+  bool resume_job() {
     std::error_code error;
     if (!fs::exists(current(), error)) return false;
     try {
@@ -150,12 +150,13 @@ class SlurmEngine {
     // nearly the same time; no more of them than an array may have.
     const double by_time = kPieceSeconds / std::max(1e-3, work_.seconds_each);
     const double by_share = n / (4.0 * cores_);
-    const double by_array = n / static_cast<double>(slurm_largest_array() - 1);
+    const double by_array = n / static_cast<double>(slurm_max_array_size() - 1);
     piece_ = static_cast<long>(std::ceil(std::max({1.0, std::min(by_time, by_share), by_array})));
     const long elements = (static_cast<long>(batch_.size()) + piece_ - 1) / piece_;
     const int minutes =
-        minutes_ + static_cast<int>(std::ceil(more_time_ * kOfTime * static_cast<double>(piece_) *
-                                              std::max(0.05, work_.seconds_each) / 60.0));
+        minutes_ +
+        static_cast<int>(std::ceil(more_time_ * kTimeLimitFactor * static_cast<double>(piece_) *
+                                   std::max(0.05, work_.seconds_each) / 60.0));
     // A new folder: Slurm itself writes into it, and follows links.
     const WriteFolder place = place_.new_folder(kSubmission);
     submission_ = place.path();
@@ -168,17 +169,17 @@ class SlurmEngine {
                                       quoted(tasks.string()), piece_, piece_));
     std::string array = fmt::format("--array=0-{}", elements - 1);
     if (work_.workers > 0) array += fmt::format("%{}", work_.workers);
-    std::string said;
+    std::string rejection;
     const auto answer = command_output(
         {"sbatch", "--parsable", array, "--requeue", "--open-mode=append", "--ntasks=1",
          "--cpus-per-task=1", fmt::format("--time={}", minutes),
          fmt::format("--mem={:.0f}M", std::ceil(more_memory_ * megabytes_)),
          "--job-name=" + job_name(), "--output=" + (submission_ / "said-%A_%a.txt").string(),
          "--chdir=" + work_.folder.string(), script.string()},
-        &said);
+        &rejection);
     if (!answer || answer->empty())
       throw InputError(fmt::format("--engine slurm: sbatch rejected the job: {}",
-                                   said.substr(0, said.find('\n'))));
+                                   rejection.substr(0, rejection.find('\n'))));
     job_ = answer->substr(0, answer->find_first_of(";\n"));
     if (!is_slurm_job(job_))
       throw InputError("--engine slurm: sbatch returned no job number: " + *answer);
@@ -193,7 +194,7 @@ class SlurmEngine {
   void collect() {
     for (auto task = left_.begin(); task != left_.end();) {
       std::error_code error;
-      const auto record = fs::exists(record_file(work_.folder, (*task)->key), error)
+      const auto record = fs::exists(run_record_path(work_.folder, (*task)->key), error)
                               ? read_record(work_.folder, (*task)->key)
                               : std::nullopt;
       if (!record) {
@@ -207,7 +208,7 @@ class SlurmEngine {
 
   /// Until the job is over.
   void watch() {
-    constexpr double kShortest = 0.5, kOfTimeForLooking = 20.0;  // [s], [-]
+    constexpr double kMinWait = 0.5, kWaitPerQuery = 20.0;  // [s], [-]
     while (!stop_.stop_requested()) {
       const auto begin = Clock::now();
       const auto queue = slurm_queue(job_);
@@ -226,14 +227,14 @@ class SlurmEngine {
                            : fmt::format("job {}", job_));
       }
       const double looked = std::chrono::duration<double>(Clock::now() - begin).count();
-      const auto until = Clock::now() + std::chrono::duration<double>(
-                                            std::max(kShortest, kOfTimeForLooking * looked));
+      const auto until =
+          Clock::now() + std::chrono::duration<double>(std::max(kMinWait, kWaitPerQuery * looked));
       while (Clock::now() < until && !stop_.stop_requested())
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
   }
 
-  [[nodiscard]] std::string said(long element) const {
+  [[nodiscard]] std::string task_output(long element) const {
     try {
       return read_text_file(submission_ / fmt::format("said-{}_{}.txt", job_, element));
     } catch (const InputError&) {
@@ -242,8 +243,8 @@ class SlurmEngine {
   }
 
   /// Why pieces of the job that is over have no record for all their runs.
-  void find_reasons() {
-    const std::map<long, SlurmEnd> ends = slurm_ends(job_);
+  void find_causes() {
+    const std::map<long, SlurmExitState> ends = slurm_exit_states(job_);
     std::map<std::string, const Task*> open;
     for (const Task* task : left_) open[task->key] = task;
     bool time_was_short = false, memory_was_short = false;
@@ -259,8 +260,8 @@ class SlurmEngine {
         }
       if (culprit == nullptr || end.state == "COMPLETED") continue;
       reason_ = fmt::format("an array task of the job ended in the state {}", end.state);
-      if (end.exit_code == kTryAgain) {
-        const std::string text = said(element);
+      if (end.exit_code == kWriteFailedExit) {
+        const std::string text = task_output(element);
         const std::size_t at = text.rfind("halt ");
         forget_job();
         throw WriteError(at == std::string::npos
@@ -268,10 +269,10 @@ class SlurmEngine {
                              : text.substr(at + 5, text.find('\n', at) - at - 5));
       }
       const bool late = end.state == "TIMEOUT" || end.state == "DEADLINE";
-      if (late || out_of_memory(end, said(element))) {
+      if (late || exceeded_memory(end, task_output(element))) {
         (late ? time_was_short : memory_was_short) = true;
         ++limited_;
-        if (++limits_[culprit->key] < kLimits) continue;
+        if (++limits_[culprit->key] < kMaxLimitHits) continue;
         record_limit(*culprit, late);
         left_.erase(culprit);
         open.erase(culprit->key);
@@ -280,14 +281,14 @@ class SlurmEngine {
         throw InputError(
             "the job was canceled in Slurm; finished runs are recorded, continue with `adore study "
             "resume`");
-      } else if (end.state == "FAILED" && from_outside(end)) {
+      } else if (end.state == "FAILED" && was_killed_externally(end)) {
         ++killed_;
-        if (++kills_[culprit->key] < kKills) continue;
+        if (++kills_[culprit->key] < kMaxKills) continue;
         ++given_up_;
         left_.erase(culprit);
         open.erase(culprit->key);
-      } else if (end.state == "FAILED" && ++deaths_[culprit->key] >= kCrashes) {
-        record_crash(*culprit, end, said(element));
+      } else if (end.state == "FAILED" && ++deaths_[culprit->key] >= kMaxCrashes) {
+        record_crash(*culprit, end, task_output(element));
         left_.erase(culprit);
         open.erase(culprit->key);
       }
@@ -310,25 +311,25 @@ class SlurmEngine {
         "Slurm ended the run at its {} limit {} times, although the limit was doubled each time. "
         "The run needs far more than the pilot runs; examine it separately, then repeat it with "
         "--retry-failed",
-        late ? "time" : "memory", kLimits);
+        late ? "time" : "memory", kMaxLimitHits);
     write_record(work_.folder, record);
     done_(record);
   }
 
-  void record_crash(const Task& task, const SlurmEnd& end, const std::string& text) {
+  void record_crash(const Task& task, const SlurmExitState& end, const std::string& text) {
     Record record;
     record.key = task.key;
     record.exit_code = 1;
     record.values.assign(read_job(work_.folder).quantities.size(),
                          std::numeric_limits<double>::quiet_NaN());
-    constexpr std::size_t kTail = 200;
+    constexpr std::size_t kShownOutput = 200;
     record.message = fmt::format(
         "the process of this run ended with {} (exit code {}, signal {}), {}. {}. Repeat the run "
         "with --retry-failed",
         end.state, end.exit_code, end.signal, counted(deaths_[task.key], "time"),
         text.empty() ? "It had no output"
                      : "The end of its output is: " +
-                           text.substr(text.size() - std::min(kTail, text.size())));
+                           text.substr(text.size() - std::min(kShownOutput, text.size())));
     write_record(work_.folder, record);
     done_(record);
   }
@@ -336,8 +337,8 @@ class SlurmEngine {
   void cancel() {
     // Of this name only: the number comes from a file.
     (void)command_output({"scancel", "--name=" + job_name(), job_});
-    constexpr int kPatience = 100;  // of 100 ms: the runs under way end at once
-    for (int i = 0; i < kPatience; ++i) {
+    constexpr int kCancelPolls = 100;  // of 100 ms: the runs under way end at once
+    for (int i = 0; i < kCancelPolls; ++i) {
       const auto queue = slurm_queue(job_);
       if (!queue || queue->empty()) break;
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -346,7 +347,7 @@ class SlurmEngine {
     forget_job();
   }
 
-  const EngineWork& work_;
+  const EngineRequest& work_;
   const TaskDone& done_;
   const EngineNews& news_;
   std::stop_token stop_;
@@ -356,7 +357,7 @@ class SlurmEngine {
   std::vector<Task> batch_;
   std::string job_, reason_;
   long piece_ = 1;
-  int cores_ = 1, minutes_ = kLeastMinutes, fruitless_ = 0;
+  int cores_ = 1, minutes_ = kMinMinutes, fruitless_ = 0;
   double more_time_ = 1.0, more_memory_ = 1.0, megabytes_ = 0.0;
   std::map<std::string, int> deaths_, kills_, limits_;
   long limited_ = 0;                ///< pieces of the last job that met a limit
@@ -365,7 +366,7 @@ class SlurmEngine {
 
 }  // namespace
 
-void run_slurm(const EngineWork& work, const TaskDone& done, const EngineNews& news,
+void run_slurm(const EngineRequest& work, const TaskDone& done, const EngineNews& news,
                const std::stop_token& stop) {
   SlurmEngine(work, done, news, stop).run();
 }

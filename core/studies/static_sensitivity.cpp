@@ -55,8 +55,9 @@ bool hold(runs::Prepared& prepared, const Vector5& q) {
     prepared.rollers = statics::solve_roller_statics(held, prepared.options.rollers);
     return prepared.rollers->friction.note().empty();
   }
-  prepared.statics = statics::solve_ball_statics(held, runs::ball_options(prepared));
-  return statics::balance_balls(held, runs::ball_options(prepared), prepared.statics)
+  prepared.statics = statics::solve_ball_statics(held, runs::ball_statics_options(prepared));
+  return statics::solve_ball_friction_balance(held, runs::ball_statics_options(prepared),
+                                              prepared.statics)
       .findings()
       .empty();
 }

@@ -27,7 +27,7 @@ std::vector<double> ranks(const std::vector<double>& values) {
 
 }  // namespace
 
-Summary summarise(const std::vector<double>& values, const std::vector<double>& percents) {
+Summary summarize(const std::vector<double>& values, const std::vector<double>& percents) {
   Summary out;
   std::vector<double> known;
   for (const double value : values) {
@@ -47,8 +47,8 @@ Summary summarise(const std::vector<double>& values, const std::vector<double>& 
     out.deviation = std::sqrt(squares / (n - 1.0));
   }
   for (const double percent : percents) {
-    constexpr double kWidth = 1.96;
-    const double p = percent / 100.0, spread = kWidth * std::sqrt(n * p * (1.0 - p));
+    constexpr double kNormal95 = 1.96;
+    const double p = percent / 100.0, spread = kNormal95 * std::sqrt(n * p * (1.0 - p));
     const auto at = [&](double rank) {
       return known[static_cast<std::size_t>(std::clamp(rank, 0.0, n - 1.0))];
     };

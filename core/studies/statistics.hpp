@@ -19,7 +19,7 @@ struct Summary {
   double least = 0.0, largest = 0.0;
   std::vector<Percentile> percentiles;
 };
-[[nodiscard]] Summary summarise(const std::vector<double>& values,
+[[nodiscard]] Summary summarize(const std::vector<double>& values,
                                 const std::vector<double>& percents);
 
 /// Spearman's rank correlation, ties with their mean rank; pairs with a missing value are left out.

@@ -110,7 +110,7 @@ struct Study {
   bool keep_files = false;  ///< the files of every run stay
   Budget budget;
 
-  [[nodiscard]] bool has_random() const;
+  [[nodiscard]] bool has_random_variables() const;
   /// Folder of its results: "clearance.json" -> "clearance.study" in the same folder.
   [[nodiscard]] std::filesystem::path folder() const;
 };

@@ -34,14 +34,14 @@ std::string problem_of(const Study& study, const Point& point, const deck::Deck&
   } catch (const InputError& error) {
     return error.what();
   }
-  const std::string missing = missing_quantities(study.quantities, deck, study.until);
-  return missing.empty() ? "" : "quantities that the runs do not have: " + missing;
+  const std::string missing = missing_quantities_message(study.quantities, deck, study.until);
+  return missing.empty() ? "" : "quantities not available in the runs: " + missing;
 }
 
 }  // namespace
 
-std::vector<Point> points_to_begin(const Study& study) {
-  return study.kind == Kind::WorstCase ? first_round(study) : make_points(study);
+std::vector<Point> initial_points(const Study& study) {
+  return study.kind == Kind::WorstCase ? first_round_points(study) : make_points(study);
 }
 
 void check_decks(const Study& study, const std::vector<Point>& points) {
@@ -63,7 +63,7 @@ void check_decks(const Study& study, const std::vector<Point>& points) {
   throw InputError(fmt::format("{}: nothing was started: {}", study.file.string(), first));
 }
 
-std::string key_of_sentence(const std::string& sentence, const std::string& file) {
+std::string key_in_message(const std::string& sentence, const std::string& file) {
   if (!sentence.starts_with(file)) return {};
   std::size_t begin = file.size();
   if (constexpr std::string_view kLine = ", line ";

@@ -124,11 +124,12 @@ void read_law(JsonObject& object, Variable& out) {
       const auto cut = object.numbers(
           "within", 2, 2, "[low, high], the limits of the truncated normal distribution");
       // A cut far from the mean leaves no digits of the normal distribution.
-      constexpr double kFar = 6.0;
-      if (!(cut[0] < cut[1]) || cut[0] > out.a + kFar * out.b || cut[1] < out.a - kFar * out.b)
+      constexpr double kMaxDeviations = 6.0;
+      if (!(cut[0] < cut[1]) || cut[0] > out.a + kMaxDeviations * out.b ||
+          cut[1] < out.a - kMaxDeviations * out.b)
         object.refuse("within",
-                      "[low, high] with low below high, not entirely more than 6 standard "
-                      "deviations from the mean");
+                      "[low, high] with low below high; part of the interval must be within 6 "
+                      "standard deviations of the mean");
       out.low = cut[0];
       out.high = cut[1];
     }
@@ -149,8 +150,7 @@ Variable read_variable(const Json& json, const std::string& where, Kind kind) {
                         : object.text("name", "the name of a deck variable, e.g. \"appLoadX\"");
   check_name(object, out.option ? "option" : "name", out.name, out.option);
   if (object.has("also")) {
-    if (out.option || out.lot())
-      object.refuse("also", "\"also\" only with the name of a single deck variable");
+    if (out.option || out.lot()) object.refuse("also", "\"also\" only for a single deck variable");
     out.also = object.texts("also", "a list of deck variables that take the same value");
     for (const std::string& name : out.also) check_name(object, "also", name, false);
   }
@@ -160,7 +160,7 @@ Variable read_variable(const Json& json, const std::string& where, Kind kind) {
       if (!(out.step > 0.0)) object.refuse("step", "a difference above 0, in the deck's units");
     }
     out.targets = {out.name};
-    object.done();
+    object.reject_unknown_keys();
     return out;
   }
   read_law(object, out);
@@ -176,7 +176,7 @@ Variable read_variable(const Json& json, const std::string& where, Kind kind) {
     object.refuse("name",
                   "a lot (#) with a uniform or normal distribution, so that its elements differ");
   out.targets = {out.name};
-  object.done();
+  object.reject_unknown_keys();
   return out;
 }
 
@@ -217,7 +217,7 @@ Quantity read_quantity(const Json& json, const std::string& where) {
   if (object.has("result")) {
     Quantity out =
         named_quantity(object.text("result", "the name of a key result"), object.at("result"));
-    object.done();
+    object.reject_unknown_keys();
     return out;
   }
   Quantity out;
@@ -257,7 +257,7 @@ Quantity read_quantity(const Json& json, const std::string& where) {
                                 : out.channel + "." + object.text("statistic", "");
   if (out.name.find_first_of(",\"\n/") != std::string::npos || out.name.empty())
     object.refuse("name", "a heading without commas, quotes and slashes");
-  object.done();
+  object.reject_unknown_keys();
   return out;
 }
 
@@ -279,7 +279,7 @@ void read_sampling(const Json& json, const std::string& where, Study& out) {
   if (object.has("seed"))
     out.seed = static_cast<std::uint64_t>(
         object.whole("seed", 0, 1L << 53, "a whole number from 0 to 2^53"));
-  object.done();
+  object.reject_unknown_keys();
 }
 
 void read_correlations(const Json& json, const std::string& where, Study& out) {
@@ -322,7 +322,7 @@ void read_cases(const Json& json, const std::string& where, Study& out) {
     if (object.has("options")) next.options = read_settings(object, "options");
     if (next.sets.empty() && next.options.empty())
       object.refuse("set", "the variables that the case changes, e.g. {\"kGsHydro\": 0}");
-    object.done();
+    object.reject_unknown_keys();
     out.cases.push_back(std::move(next));
   }
 }
@@ -337,7 +337,7 @@ void read_budget(const Json& json, const std::string& where, Study& out) {
   positive("runs", out.budget.runs);
   positive("hours", out.budget.hours);
   positive("disk_megabytes", out.budget.disk_megabytes);
-  object.done();
+  object.reject_unknown_keys();
 }
 
 /// Keys that fit no kind, or not this one.
@@ -391,10 +391,10 @@ void check_kind(const Study& study, const std::string& name) {
     if (!study.correlations.empty())
       refuse("correlation has no effect in a worst-case search; remove it");
   }
-  if (study.has_random() && study.samples == 0)
+  if (study.has_random_variables() && study.samples == 0)
     refuse(
         "sampling.runs is missing: give the number of samples of the uniform and normal variables");
-  if (!study.has_random() && study.samples > 0 && study.kind != Kind::Sensitivity)
+  if (!study.has_random_variables() && study.samples > 0 && study.kind != Kind::Sensitivity)
     refuse("sampling.runs has no effect without variables with a uniform or normal distribution");
 }
 
@@ -402,7 +402,7 @@ void check_kind(const Study& study, const std::string& name) {
 
 std::string kind_name(Kind kind) { return kKindNames.at(static_cast<std::size_t>(kind)); }
 
-bool Study::has_random() const {
+bool Study::has_random_variables() const {
   if (kind == Kind::Sensitivity) return false;
   return std::any_of(variables.begin(), variables.end(),
                      [](const Variable& v) { return v.law != Law::Values; });
@@ -533,11 +533,11 @@ Study checked_study(const Json& json, const std::filesystem::path& file) {
     if (objective.has("rounds"))
       out.rounds =
           static_cast<int>(objective.whole("rounds", 1, 100, "a whole number from 1 to 100"));
-    objective.done();
+    objective.reject_unknown_keys();
   }
-  if (object.has("keep_files")) out.keep_files = object.truth("keep_files");
+  if (object.has("keep_files")) out.keep_files = object.boolean("keep_files");
   if (object.has("budget")) read_budget(object.get("budget", ""), object.at("budget"), out);
-  object.done();
+  object.reject_unknown_keys();
   check_kind(out, name);
   return out;
 }
@@ -545,7 +545,7 @@ Study checked_study(const Json& json, const std::filesystem::path& file) {
 /// "a.toml: variables[2].normal = ..." gets the line of its key, or of what holds it.
 std::string with_line(const std::string& sentence, const std::string& file,
                       const std::map<std::string, int>& lines) {
-  for (std::string key = key_of_sentence(sentence, file); !key.empty();) {
+  for (std::string key = key_in_message(sentence, file); !key.empty();) {
     if (const auto found = lines.find(key); found != lines.end())
       return fmt::format("{}, line {}{}", file, found->second, sentence.substr(file.size()));
     const std::size_t end = key.find_last_of(".[");

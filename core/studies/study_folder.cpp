@@ -58,7 +58,8 @@ bool is_study_file(const std::string& name, std::string_view first_bytes) {
   if (name == "REPORT.txt")
     return line.find(" done, ") != std::string_view::npos && line.ends_with(" open");
   // Records of runs, and copies of decks.
-  return first_bytes.starts_with("{\"adore_run\":") || sort_of(first_bytes) == FileSort::Deck;
+  return first_bytes.starts_with("{\"adore_run\":") ||
+         detect_file_type(first_bytes) == AdoreFileType::Deck;
 }
 
 void write_into_study(const WriteFolder& folder, const std::string& name,

@@ -12,11 +12,11 @@
 namespace adore::studies {
 namespace {
 
-constexpr std::size_t kLongestValue = 80;
+constexpr std::size_t kMaxValueLength = 80;
 
 std::string shown(const nlohmann::ordered_json& value) {
   std::string text = dump_json(value);
-  if (text.size() > kLongestValue) text = text.substr(0, kLongestValue) + "...";
+  if (text.size() > kMaxValueLength) text = text.substr(0, kMaxValueLength) + "...";
   return text;
 }
 
@@ -74,7 +74,7 @@ long JsonObject::whole(std::string_view key, long least, long most, std::string_
   return static_cast<long>(number);
 }
 
-bool JsonObject::truth(std::string_view key) {
+bool JsonObject::boolean(std::string_view key) {
   const auto& value = get(key, "true or false");
   if (!value.is_boolean()) refuse(key, "true or false");
   return value.get<bool>();
@@ -103,7 +103,7 @@ std::vector<std::string> JsonObject::texts(std::string_view key, std::string_vie
   return out;
 }
 
-void JsonObject::done() const {
+void JsonObject::reject_unknown_keys() const {
   for (const auto& [key, value] : json_.items()) {
     if (key.starts_with("//")) continue;
     if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;

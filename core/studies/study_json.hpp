@@ -26,14 +26,14 @@ class JsonObject {
   [[nodiscard]] std::string text(std::string_view key, std::string_view valid);
   [[nodiscard]] double number(std::string_view key, std::string_view valid);
   [[nodiscard]] long whole(std::string_view key, long least, long most, std::string_view valid);
-  [[nodiscard]] bool truth(std::string_view key);
+  [[nodiscard]] bool boolean(std::string_view key);
   /// `least` to `most` finite numbers.
   [[nodiscard]] std::vector<double> numbers(std::string_view key, std::size_t least,
                                             std::size_t most, std::string_view valid);
   [[nodiscard]] std::vector<std::string> texts(std::string_view key, std::string_view valid);
   /// @throws InputError for keys that nobody asked for, with the nearest known one. Keys that
   /// begin with "//" are remarks.
-  void done() const;
+  void reject_unknown_keys() const;
 
   /// "KEY = VALUE: valid"
   [[noreturn]] void refuse(std::string_view key, std::string_view valid) const;

@@ -12,23 +12,25 @@
 namespace adore::studies {
 namespace {
 
-using Json = nlohmann::json;  // sorted keys: their order does not matter
-using Values = nlohmann::ordered_json;
+using PlainJson = nlohmann::json;  // sorted keys: their order does not matter
+using OrderedJson = nlohmann::ordered_json;
 
-Json bare(const Json& value) {
+PlainJson bare(const PlainJson& value) {
   if (value.is_array()) {
-    Json out = Json::array();
-    for (const Json& item : value) out.push_back(bare(item));
+    PlainJson out = PlainJson::array();
+    for (const PlainJson& item : value) out.push_back(bare(item));
     return out;
   }
   if (!value.is_object()) return value;
-  Json out = Json::object();
+  PlainJson out = PlainJson::object();
   for (const auto& [key, item] : value.items())
     if (!item.is_null() && !key.starts_with("//")) out[key] = bare(item);
   return out;
 }
 
-bool same(const Json& there, const Values& value) { return there == bare(Json(value)); }
+bool same(const PlainJson& there, const OrderedJson& value) {
+  return there == bare(PlainJson(value));
+}
 
 /// A change of the text between two bytes.
 struct Splice {
@@ -41,7 +43,7 @@ class Splicer {
   explicit Splicer(const std::string& text) : text_(text) {}
 
   /// Nothing: it cannot be done so.
-  std::optional<std::string> spliced(const TomlPlace& root, const Values& values) {
+  std::optional<std::string> spliced(const TomlNode& root, const OrderedJson& values) {
     if (!table(root, values)) return {};
     std::stable_sort(splices_.begin(), splices_.end(),
                      [](const Splice& a, const Splice& b) { return a.begin < b.begin; });
@@ -57,7 +59,7 @@ class Splicer {
   }
 
  private:
-  bool change(const TomlPlace& place, const Values& value) {
+  bool change(const TomlNode& place, const OrderedJson& value) {
     if (same(place.value, value)) return true;
     const std::size_t known = splices_.size();
     if (place.value.is_array() && value.is_array() && array(place, value)) return true;
@@ -68,7 +70,7 @@ class Splicer {
   }
 
   /// Existing keys are changed; a table with one key per line gains and loses keys.
-  bool table(const TomlPlace& place, const Values& value) {
+  bool table(const TomlNode& place, const OrderedJson& value) {
     bool done = true;
     std::size_t last = place.keys_begin;  // possible position of a new key
     for (const auto& [key, child] : place.keys) {
@@ -93,7 +95,7 @@ class Splicer {
     return done;
   }
 
-  bool array(const TomlPlace& place, const Values& value) {
+  bool array(const TomlNode& place, const OrderedJson& value) {
     const std::size_t old = place.items.size(), now = value.size();
     if (old == now) {
       bool done = true;
@@ -117,7 +119,7 @@ class Splicer {
     return true;
   }
 
-  void append(const TomlPlace& last, const std::string& item) {
+  void append(const TomlNode& last, const std::string& item) {
     std::size_t at = blanks(last.end);
     const bool comma = at < text_.size() && text_[at] == ',';
     if (comma) at = blanks(at + 1);
@@ -135,7 +137,7 @@ class Splicer {
   }
 
   /// An item with its comma, and its whole line when nothing but a comment stands behind it.
-  Splice item_of(const TomlPlace& item) const {
+  Splice item_of(const TomlNode& item) const {
     std::size_t end = blanks(item.end);
     if (end < text_.size() && text_[end] == ',') end = blanks(end + 1);
     const std::size_t begin = line_begin(item.begin);
@@ -147,7 +149,7 @@ class Splicer {
   }
 
   /// Key, value and the comment behind it.
-  Splice line_of(const TomlPlace& place) const {
+  Splice line_of(const TomlNode& place) const {
     return {line_begin(place.key_begin), line_end(place.end), ""};
   }
 
@@ -172,12 +174,12 @@ class Splicer {
 
 EditedText edited_study_text(const std::string& text, const nlohmann::ordered_json& values,
                              const std::filesystem::path& file) {
-  const Json wanted = bare(Json(values));
+  const PlainJson wanted = bare(PlainJson(values));
   if (is_toml(file)) {
     try {
-      const TomlPlace root = toml_places(text, file.string());
+      const TomlNode root = parse_toml_nodes(text, file.string());
       std::optional<std::string> spliced = Splicer(text).spliced(root, values);
-      if (spliced && bare(Json(read_study_text(*spliced, file).json)) == wanted)
+      if (spliced && bare(PlainJson(read_study_text(*spliced, file).json)) == wanted)
         return {std::move(*spliced), false};
     } catch (const InputError&) {
       // Written anew.

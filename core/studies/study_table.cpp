@@ -55,11 +55,11 @@ void check_tasks(const Study& study, const std::vector<Task>& tasks) {
     refuse(fmt::format("the list has {}, but the study has {}", counted(tasks.size(), "run"),
                        points.size()));
   // A program of another version may differ in the last digit.
-  constexpr double kSame = 1e-9;
+  constexpr double kSameValueTolerance = 1e-9;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point &is = tasks[i].point, &expected = points[i];
     const auto same = [](double a, double b) {
-      return std::abs(a - b) <= kSame * std::max(std::abs(a), std::abs(b));
+      return std::abs(a - b) <= kSameValueTolerance * std::max(std::abs(a), std::abs(b));
     };
     if (is.deck != expected.deck || is.label != expected.label ||
         !std::equal(is.values.begin(), is.values.end(), expected.values.begin(),
@@ -119,11 +119,11 @@ std::string table_csv(const StudyTable& table) {
   for (std::size_t i = 0; i < table.rows(); ++i) {
     out +=
         fmt::format("{},{}", table.run[i], table.exit[i] < 0 ? "" : fmt::to_string(table.exit[i]));
-    if (!table.deck.empty()) out += "," + runs::message_field(table.deck[i]);
-    if (!table.label.empty()) out += "," + runs::message_field(table.label[i]);
+    if (!table.deck.empty()) out += "," + runs::quoted_message_field(table.deck[i]);
+    if (!table.label.empty()) out += "," + runs::quoted_message_field(table.label[i]);
     for (const auto* columns : {&table.variables, &table.quantities})
       for (const TableColumn& column : *columns) out += "," + field(column.values[i]);
-    out += "," + runs::message_field(table.message[i]) + "\n";
+    out += "," + runs::quoted_message_field(table.message[i]) + "\n";
   }
   return out;
 }

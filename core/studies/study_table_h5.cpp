@@ -16,9 +16,9 @@ namespace {
 
 using results::h5::Handle;
 
-class Writer {
+class TableWriter {
  public:
-  explicit Writer(const std::filesystem::path& path) : path_(path) {
+  explicit TableWriter(const std::filesystem::path& path) : path_(path) {
     const Handle access(H5Pcreate(H5P_FILE_ACCESS));
     constexpr std::size_t kGrowth = std::size_t{1} << 20;
     H5Pset_fapl_core(access, kGrowth, 0);
@@ -31,7 +31,7 @@ class Writer {
   }
 
   void attribute(hid_t object, const char* name, const std::string& text) const {
-    const Handle type = results::h5::text_type(text.size(), text);
+    const Handle type = results::h5::string_datatype(text.size(), text);
     const Handle space(H5Screate(H5S_SCALAR));
     const Handle attribute(
         checked(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT)));
@@ -62,7 +62,7 @@ class Writer {
     std::string all(width * values.size(), '\0');
     for (std::size_t i = 0; i < values.size(); ++i)
       std::copy(values[i].begin(), values[i].end(), all.begin() + static_cast<long>(i * width));
-    const Handle type = results::h5::text_type(width, all);
+    const Handle type = results::h5::string_datatype(width, all);
     const Handle set = dataset(name, type, values.size());
     if (!values.empty()) check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()));
   }
@@ -103,8 +103,8 @@ class Writer {
 
 std::string table_h5(const StudyTable& table, const std::string& kind,
                      const std::filesystem::path& path) {
-  const results::h5::Quiet quiet;
-  const Writer file(path);
+  const results::h5::Hdf5Lock quiet;
+  const TableWriter file(path);
   file.attribute("program", std::string(kProgramVersion));
   file.attribute("solver", std::string(runs::solver_stamp()));
   file.attribute("study", kind);

@@ -1,5 +1,6 @@
 #include "studies/study_table_read.hpp"
 
+#include "base/constants.hpp"
 #include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "base/input_file.hpp"
@@ -17,23 +18,21 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <set>
 
 namespace adore::studies {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-std::string no_table_text(const std::string& why) {
+std::string not_a_table_text(const std::string& why) {
   return fmt::format(
       "this is not a table of `adore study`: {}; give the RUNS.csv or STUDY.h5 of a study, or the "
       "folder of the study",
       why);
 }
 
-[[noreturn]] void no_table(const fs::path& file, const std::string& why) {
-  throw InputError(fmt::format("{}: {}", file.string(), no_table_text(why)));
+[[noreturn]] void fail_not_a_table(const fs::path& file, const std::string& why) {
+  throw InputError(fmt::format("{}: {}", file.string(), not_a_table_text(why)));
 }
 
 /// Fields of one line without their quotes, and one more than `most` where it has more.
@@ -64,9 +63,9 @@ long whole_of(const std::string& text) {
 }
 
 double number_of(const std::string& text) {
-  double value = kNone;
+  double value = kNaN;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() ? value : kNone;
+  return error == std::errc() && end == text.data() + text.size() ? value : kNaN;
 }
 
 bool is_varied(const std::string& name) {
@@ -99,9 +98,9 @@ StudyTable read_csv(const fs::path& file) {
     if (head.empty()) {
       head = fields;
       if (head.size() < 3 || head[0] != "run" || head[1] != "exit" || head.back() != "message")
-        no_table(file, "its first line is not run,exit,...,message");
+        fail_not_a_table(file, "the first line is not the heading \"run,exit,...,message\"");
       if (head.size() > kMaxTableColumns)
-        no_table(file, fmt::format("it has more than {} columns", kMaxTableColumns));
+        fail_not_a_table(file, fmt::format("it has more than {} columns", kMaxTableColumns));
       out.variables.reserve(head.size());
       out.quantities.reserve(head.size());
       for (const std::string& heading : head) {
@@ -109,7 +108,7 @@ StudyTable read_csv(const fs::path& file) {
         if (heading == "run" || heading == "exit" || heading == "message" || heading == "deck" ||
             heading == "case") {
           if (std::count(head.begin(), head.end(), heading) > 1)
-            no_table(file, fmt::format("its first line has {} twice", heading));
+            fail_not_a_table(file, fmt::format("its first line has {} twice", heading));
           continue;
         }
         TableColumn column = column_of(heading);
@@ -120,16 +119,16 @@ StudyTable read_csv(const fs::path& file) {
       continue;
     }
     if (fields.size() != head.size())
-      no_table(file, fmt::format("line {} does not have {}, as the first line has", out.rows() + 2,
-                                 counted(head.size(), "field")));
+      fail_not_a_table(file, fmt::format("line {} does not have {} like the first line",
+                                         out.rows() + 2, counted(head.size(), "field")));
     if (out.rows() >= static_cast<std::size_t>(kMaxStudyRuns))
-      no_table(file, fmt::format("the study has more than {} runs", kMaxStudyRuns));
+      fail_not_a_table(file, fmt::format("the study has more than {} runs", kMaxStudyRuns));
     const auto whole = [&](const std::string& name, const std::string& field, long least) {
       const long value = whole_of(field);
       if (value < least)
-        no_table(file,
-                 fmt::format("line {}: {} = \"{}\" is not a whole number from {} to {}",
-                             out.rows() + 2, name, field.substr(0, 80), least, kMaxStudyRuns));
+        fail_not_a_table(
+            file, fmt::format("line {}: {} = \"{}\" is not a whole number from {} to {}",
+                              out.rows() + 2, name, field.substr(0, 80), least, kMaxStudyRuns));
       return value;
     };
     std::pair<long, long> numbers;
@@ -150,7 +149,7 @@ StudyTable read_csv(const fs::path& file) {
     out.run.push_back(numbers.first);
     out.exit.push_back(numbers.second);
   }
-  if (head.empty()) no_table(file, "it is empty");
+  if (head.empty()) fail_not_a_table(file, "it is empty");
   return out;
 }
 
@@ -169,14 +168,15 @@ class H5Table {
  public:
   explicit H5Table(const fs::path& file)
       : file_(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {
-    if (!file_.valid()) no_table("it is not an HDF5 file");
+    if (!file_.valid()) fail_not_a_table("it is not an HDF5 file");
   }
   StudyTable read() const {
     StudyTable out;
     out.run = whole("run");
     out.exit = whole("exit");
-    if (out.exit.size() != out.run.size()) no_table("run and exit have different lengths");
-    if (out.rows() > static_cast<std::size_t>(kMaxStudyRuns)) no_table("it has too many runs");
+    if (out.exit.size() != out.run.size()) fail_not_a_table("run and exit have different lengths");
+    if (out.rows() > static_cast<std::size_t>(kMaxStudyRuns))
+      fail_not_a_table("it has too many runs");
     out.variables = group("variables", out.rows());
     out.quantities = group("quantities", out.rows());
     out.message = texts("message", out.rows());
@@ -193,13 +193,13 @@ class H5Table {
   }
   [[nodiscard]] std::vector<long> whole(const std::string& name) const {
     const Handle set = open(name);
-    if (!set.valid()) no_table("it has no " + name);
+    if (!set.valid()) fail_not_a_table("it has no " + name);
     const hsize_t rows = rows_of(set);
-    if (rows > static_cast<hsize_t>(kMaxStudyRuns)) no_table(name + " has too many rows");
+    if (rows > static_cast<hsize_t>(kMaxStudyRuns)) fail_not_a_table(name + " has too many rows");
     std::vector<long> out(rows);
     if (!out.empty() &&
         H5Dread(set, H5T_NATIVE_LONG, H5S_ALL, H5S_ALL, H5P_DEFAULT, out.data()) < 0)
-      no_table(name + " cannot be read");
+      fail_not_a_table(name + " cannot be read");
     return out;
   }
   [[nodiscard]] std::vector<std::string> texts(const std::string& name, std::size_t rows) const {
@@ -230,15 +230,15 @@ class H5Table {
           return 0;
         },
         &names);
-    if (names.size() > kMaxTableColumns) no_table("it has too many columns");
+    if (names.size() > kMaxTableColumns) fail_not_a_table("it has too many columns");
     for (const std::string& column : names) {
       const Handle set(H5Dopen2(in, column.c_str(), H5P_DEFAULT));
       if (!set.valid() || rows_of(set) != rows)
-        no_table(column + " has a different number of rows than the dataset run");
+        fail_not_a_table(column + " has a different number of rows than the dataset run");
       TableColumn next{column, unit_of(set), std::vector<double>(rows)};
       if (rows > 0 &&
           H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, next.values.data()) < 0)
-        no_table(column + " cannot be read");
+        fail_not_a_table(column + " cannot be read");
       out.push_back(std::move(next));
     }
     return out;
@@ -247,9 +247,9 @@ class H5Table {
     if (H5Aexists(set, "unit") <= 0) return {};
     const Handle attribute(H5Aopen(set, "unit", H5P_DEFAULT));
     const Handle type(H5Aget_type(attribute));
-    constexpr std::size_t kLongest = 200;
+    constexpr std::size_t kMaxUnitLength = 200;
     const std::size_t size = H5Tget_size(type);
-    if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || size > kLongest)
+    if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || size > kMaxUnitLength)
       return {};
     std::string out(size, '\0');
     if (H5Aread(attribute, type, out.data()) < 0) return {};
@@ -257,25 +257,25 @@ class H5Table {
   }
 
   /// The process that asked knows the file's name.
-  [[noreturn]] static void no_table(const std::string& why) {
-    throw InputError(no_table_text(why));
+  [[noreturn]] static void fail_not_a_table(const std::string& why) {
+    throw InputError(not_a_table_text(why));
   }
 
   Handle file_;
 };
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
-Json columns_json(const std::vector<TableColumn>& columns) {
-  Json out = Json::array();
+PlainJson columns_json(const std::vector<TableColumn>& columns) {
+  PlainJson out = PlainJson::array();
   for (const TableColumn& column : columns)
     out.push_back({column.name, column.unit, column.values});
   return out;
 }
 
-std::vector<TableColumn> columns_of(const Json& json) {
+std::vector<TableColumn> columns_of(const PlainJson& json) {
   std::vector<TableColumn> out;
-  for (const Json& column : json)
+  for (const PlainJson& column : json)
     out.push_back({column.at(0).get<std::string>(), column.at(1).get<std::string>(),
                    column.at(2).get<std::vector<double>>()});
   return out;
@@ -283,22 +283,22 @@ std::vector<TableColumn> columns_of(const Json& json) {
 
 /// In a separate process: effects of a damaged file on the HDF5 library stay there.
 StudyTable read_h5(const fs::path& file) {
-  results::h5::Limits limits;
+  results::h5::ReaderLimits limits;
   limits.memory = std::size_t{2} << 30;
-  constexpr std::size_t kLargestTable = std::size_t{1} << 30;
-  const std::string bytes = results::h5::read_apart(
+  constexpr std::size_t kMaxTableBytes = std::size_t{1} << 30;
+  const std::string bytes = results::h5::read_in_child_process(
       file,
       [&file] {
         const StudyTable table = H5Table(file).read();
         const std::vector<std::uint8_t> cbor =
-            Json::to_cbor({table.run, table.exit, table.deck, table.label, table.message,
-                           columns_json(table.variables), columns_json(table.quantities)});
+            PlainJson::to_cbor({table.run, table.exit, table.deck, table.label, table.message,
+                                columns_json(table.variables), columns_json(table.quantities)});
         return std::string(cbor.begin(), cbor.end());
       },
-      kLargestTable, limits);
+      kMaxTableBytes, limits);
   StudyTable out;
   try {
-    const Json json = Json::from_cbor(bytes);
+    const PlainJson json = PlainJson::from_cbor(bytes);
     json.at(0).get_to(out.run);
     json.at(1).get_to(out.exit);
     json.at(2).get_to(out.deck);
@@ -306,15 +306,15 @@ StudyTable read_h5(const fs::path& file) {
     json.at(4).get_to(out.message);
     out.variables = columns_of(json.at(5));
     out.quantities = columns_of(json.at(6));
-  } catch (const Json::exception&) {
-    no_table(file, "it is damaged");
+  } catch (const PlainJson::exception&) {
+    fail_not_a_table(file, "it is damaged");
   }
   const auto fits = [&](std::size_t length) { return length == out.rows() || length == 0; };
   bool whole = out.exit.size() == out.rows() && out.message.size() == out.rows() &&
                fits(out.deck.size()) && fits(out.label.size());
   for (const auto* group : {&out.variables, &out.quantities})
     for (const TableColumn& column : *group) whole = whole && column.values.size() == out.rows();
-  if (!whole) no_table(file, "it is damaged");
+  if (!whole) fail_not_a_table(file, "it is damaged");
   return out;
 }
 
@@ -355,13 +355,14 @@ StudyTable read_study_table(const fs::path& file) {
 
 std::string charts_of_table(const StudyTable& table) {
   Chart charts = Chart::array();
-  constexpr std::size_t kMostValues = 200;
-  const std::vector<const TableColumn*> columns = axes_of(table.variables, table.quantities);
+  constexpr std::size_t kMaxGridValues = 200;
+  const std::vector<const TableColumn*> columns =
+      parallel_chart_axes(table.variables, table.quantities);
   if (columns.size() > 1 && table.rows() > 1)
     charts.push_back(parallel_chart("parallel", columns, -1, table.run));
   for (const TableColumn& x : table.variables) {
     const std::set<double> values(x.values.begin(), x.values.end());
-    if (values.size() < 2 || values.size() > kMostValues) continue;
+    if (values.size() < 2 || values.size() > kMaxGridValues) continue;
     for (const TableColumn& y : table.quantities) {
       ChartLine line;
       bool band = false;
@@ -373,9 +374,9 @@ std::string charts_of_table(const StudyTable& table) {
           here.push_back(y.values[i]);
           line.runs.back().push_back(table.run[i]);
         }
-        const Summary summary = summarise(here, {5.0, 50.0, 95.0});
+        const Summary summary = summarize(here, {5.0, 50.0, 95.0});
         const auto value = [&](std::size_t k) {
-          return summary.count > 0 ? summary.percentiles[k].value : kNone;
+          return summary.count > 0 ? summary.percentiles[k].value : kNaN;
         };
         line.x.push_back(at);
         line.low.push_back(value(0));
@@ -446,7 +447,7 @@ std::string run_text(const fs::path& folder, long run) {
   return out;
 }
 
-fs::path run_files(const fs::path& folder, long run) {
+fs::path run_files_folder(const fs::path& folder, long run) {
   const fs::path files = folder / "files" / task_of(folder, run).key;
   std::error_code error;
   return fs::is_directory(files, error) ? files : fs::path();

@@ -22,6 +22,6 @@ namespace adore::studies {
 /// The same from the study's folder, with what it cost and the command that repeats it.
 [[nodiscard]] std::string run_text(const std::filesystem::path& folder, long run);
 /// Folder of the run's files, if the study keeps them; otherwise empty.
-[[nodiscard]] std::filesystem::path run_files(const std::filesystem::path& folder, long run);
+[[nodiscard]] std::filesystem::path run_files_folder(const std::filesystem::path& folder, long run);
 
 }  // namespace adore::studies

@@ -30,9 +30,9 @@ std::string scalar(const Json& value) {
   return value.is_string() ? quoted(value.get<std::string>()) : dump_json(value);
 }
 
-class Writer {
+class JsonStudyWriter {
  public:
-  explicit Writer(bool toml) : toml_(toml) {}
+  explicit JsonStudyWriter(bool toml) : toml_(toml) {}
 
   std::string flat(const Json& value) const {
     std::string out;
@@ -122,12 +122,14 @@ StudyText read_study_text(const std::string& text, const std::filesystem::path& 
   return out;
 }
 
-std::string toml_text(const Json& value) { return Writer(true).value(value); }
+std::string toml_text(const Json& value) { return JsonStudyWriter(true).value(value); }
 
 std::string toml_line(const std::string& key, const Json& value) {
   return toml_key(key) + " = " + toml_text(value) + "\n";
 }
 
-std::string write_study_text(const Json& json, bool toml) { return Writer(toml).file(json); }
+std::string write_study_text(const Json& json, bool toml) {
+  return JsonStudyWriter(toml).file(json);
+}
 
 }  // namespace adore::studies

@@ -235,8 +235,8 @@ class Places {
       if (text[i] == '\n') lines_.push_back(i + 1);
   }
 
-  TomlPlace of(const toml::node& node) const {
-    TomlPlace out;
+  TomlNode of(const toml::node& node) const {
+    TomlNode out;
     out.begin = byte(node.source().begin);
     out.end = byte(node.source().end);
     if (const toml::table* table = node.as_table()) {
@@ -245,7 +245,7 @@ class Places {
       out.lines = !out.simple && out.begin < text_.size() && text_[out.begin] == '[';
       out.keys_begin = std::min(text_.find('\n', out.begin), text_.size() - 1) + 1;
       for (auto&& [key, child] : *table) {
-        TomlPlace place = of(child);
+        TomlNode place = of(child);
         place.key_begin = byte(key.source().begin);
         out.value[std::string(key.str())] = place.value;
         out.keys.emplace(std::string(key.str()), std::move(place));
@@ -282,8 +282,8 @@ class Places {
 
 }  // namespace
 
-TomlPlace toml_places(const std::string& text, const std::string& name) {
-  TomlPlace root = Places(text).of(parse(text, name));
+TomlNode parse_toml_nodes(const std::string& text, const std::string& name) {
+  TomlNode root = Places(text).of(parse(text, name));
   root.lines = true;
   root.simple = false;
   root.keys_begin = 0;

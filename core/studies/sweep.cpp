@@ -76,20 +76,20 @@ std::string sweep_csv(const std::string& variable, const std::string& unit,
                                       [&](const auto& item) { return item.of.id == column; });
       out += found == row.outcome.summary.end() ? "," : fmt::format(",{}", found->value);
     }
-    out += fmt::format(",{}\n", runs::message_field(row.message()));
+    out += fmt::format(",{}\n", runs::quoted_message_field(row.message()));
   }
   return out;
 }
 
 Row run_one(const runs::RunRequest& request, std::string value, const std::stop_token& stop) {
-  return {runs::end_of_run(request, stop), std::move(value), false};
+  return {runs::run_catching_errors(request, stop), std::move(value), false};
 }
 
 /// The row of a run that an earlier, broken-off sweep completed: the same deck, options and end.
 std::optional<Row> completed(const runs::RunRequest& request, const std::string& value,
                              const std::string& digest) {
   const std::filesystem::path file = *request.out / request.below / "RUN.json";
-  const results::RunMark mark = results::read_run_mark(file);
+  const results::RunRequestStatus mark = results::read_request_status(file);
   if (mark.status != "done" || mark.request != digest) return {};
   Row row;
   row.value = value;
@@ -121,7 +121,7 @@ std::optional<Row> completed(const runs::RunRequest& request, const std::string&
 }
 
 /// One run of a continued sweep: reused, completed from its last checkpoint, or repeated.
-Row run_what_is_missing(runs::RunRequest request, const std::string& value, std::stop_token stop) {
+Row run_missing_value(runs::RunRequest request, const std::string& value, std::stop_token stop) {
   std::string digest;
   try {
     digest = runs::request_digest(request, runs::load_deck(request));
@@ -129,7 +129,8 @@ Row run_what_is_missing(runs::RunRequest request, const std::string& value, std:
     // The run reports it.
   }
   if (std::optional<Row> row = completed(request, value, digest)) return *row;
-  const results::RunMark mark = results::read_run_mark(*request.out / request.below / "RUN.json");
+  const results::RunRequestStatus mark =
+      results::read_request_status(*request.out / request.below / "RUN.json");
   if ((mark.status == "running" || mark.status == "interrupted") && mark.request == digest) {
     request.go_on = true;
     Row row = run_one(request, value, stop);
@@ -160,7 +161,7 @@ std::vector<Finding> warnings_once(const std::string& variable, const std::vecto
 }
 
 /// A table of motions without steps has loads but no motion: warn.
-std::optional<Finding> nothing_moved(const std::vector<Row>& rows) {
+std::optional<Finding> no_motion_warning(const std::vector<Row>& rows) {
   std::size_t still = 0;
   for (const Row& row : rows)
     still +=
@@ -169,11 +170,10 @@ std::optional<Finding> nothing_moved(const std::vector<Row>& rows) {
             ? 1
             : 0;
   if (still == 0) return std::nullopt;
-  Finding out =
-      make_finding("sweep.no_motion",
-                   fmt::format("{} of the sweep made no steps, so nothing moved. For them, the "
-                               "table contains only loads at rest, without means, ratios or heat",
-                               counted(still, "run")));
+  Finding out = make_finding(
+      "sweep.no_motion", fmt::format("{} of the sweep made no steps. For these runs, the table "
+                                     "contains only static loads, without means, ratios and heat",
+                                     counted(still, "run")));
   out.record = "1";
   out.variable = "maxStps";
   out.remedy = "give the number of steps, such as maxStps = 2000, or an end with --until";
@@ -184,14 +184,14 @@ std::optional<Finding> nothing_moved(const std::vector<Row>& rows) {
 
 bool is_sweep(const runs::RunRequest& request) {
   return std::any_of(request.sets.begin(), request.sets.end(),
-                     [](const auto& set) { return is_range(set.second); });
+                     [](const auto& set) { return is_sweep_range(set.second); });
 }
 
 SweepOutcome run_sweep(const runs::RunRequest& request, int threads,
                        const runs::ProgressSink& progress, std::stop_token stop) {
   std::size_t swept = request.sets.size();
   for (std::size_t i = 0; i < request.sets.size(); ++i) {
-    if (!is_range(request.sets[i].second)) continue;
+    if (!is_sweep_range(request.sets[i].second)) continue;
     if (swept != request.sets.size())
       throw InputError("a sweep varies one variable; give only one --set with a range");
     swept = i;
@@ -219,15 +219,15 @@ SweepOutcome run_sweep(const runs::RunRequest& request, int threads,
     return one;
   };
   const bool keep = !request.overwrite && !request.go_on;
-  runs::check_room({folder, {"SWEEP.csv", SweepMark::kName}, {runs::deck_path(request)}}, true);
+  runs::check_room({folder, {"SWEEP.csv", SweepManifest::kName}, {runs::deck_path(request)}}, true);
   if (keep && std::filesystem::exists(out.table)) throw runs::ResultsExist(folder, {"SWEEP.csv"});
   for (std::size_t k = 0; keep && k < count; ++k)
     if (const auto place = folder / one_request(k).below; std::filesystem::exists(place))
       runs::check_room({place, {"PRINT.txt", "RUN.json"}, {}}, false);
 
-  SweepMark mark{runs::deck_path(request).filename().string(),
-                 variable + "=" + request.sets[swept].second, sweep_digest(request), "running"};
-  write_sweep_mark(mark, made.folder());
+  SweepManifest mark{runs::deck_path(request).filename().string(),
+                     variable + "=" + request.sets[swept].second, sweep_digest(request), "running"};
+  write_sweep_manifest(mark, made.folder());
 
   std::vector<Row> rows(count);
   std::atomic<std::size_t> next{0};
@@ -248,7 +248,7 @@ SweepOutcome run_sweep(const runs::RunRequest& request, int threads,
   };
   // The table grows with the runs, so that a sweep that is killed leaves one. A tenth of the time
   // at most goes into that.
-  const auto tell = [&] {
+  const auto report_progress = [&] {
     if (!progress) return;
     runs::Progress p;
     p.fraction = static_cast<double>(done) / static_cast<double>(count);
@@ -268,7 +268,7 @@ SweepOutcome run_sweep(const runs::RunRequest& request, int threads,
       one.go_on = false;
       try {
         const std::string value = one.sets[swept].second;
-        Row row = request.go_on ? run_what_is_missing(one, value, stop) : run_one(one, value, stop);
+        Row row = request.go_on ? run_missing_value(one, value, stop) : run_one(one, value, stop);
         const std::scoped_lock guard(mutex);
         rows[k] = std::move(row);
         ++done;
@@ -285,10 +285,10 @@ SweepOutcome run_sweep(const runs::RunRequest& request, int threads,
         return;
       }
       const std::scoped_lock guard(mutex);
-      tell();
+      report_progress();
     }
   };
-  tell();
+  report_progress();
   // Static variables of a plug-in would serve several runs at once.
   if (!request.user.empty()) threads = 1;
   const unsigned cores = threads > 0 ? static_cast<unsigned>(threads)
@@ -304,7 +304,7 @@ SweepOutcome run_sweep(const runs::RunRequest& request, int threads,
   std::erase_if(rows,
                 [](const Row& row) { return row.value.empty(); });  // not started: interrupted
   out.warnings = warnings_once(variable, rows);
-  if (auto still = nothing_moved(rows)) out.warnings.push_back(std::move(*still));
+  if (auto still = no_motion_warning(rows)) out.warnings.push_back(std::move(*still));
   constexpr int kInterrupted = 130;
   for (const Row& row : rows) {
     out.exit_code = std::max(out.exit_code, row.exit_code);
@@ -316,7 +316,7 @@ SweepOutcome run_sweep(const runs::RunRequest& request, int threads,
   const bool unwritten =
       std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.not_written; });
   mark.status = out.exit_code == kInterrupted || unwritten ? "interrupted" : "done";
-  write_sweep_mark(mark, made.folder());
+  write_sweep_manifest(mark, made.folder());
   return out;
 }
 

@@ -14,11 +14,11 @@ namespace adore::studies {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-bool is_range(const std::string& value) { return value.find(':') != std::string::npos; }
+bool is_sweep_range(const std::string& value) { return value.find(':') != std::string::npos; }
 
 std::string sweep_digest(const runs::RunRequest& request) {
   runs::RunRequest shared = request;
-  std::erase_if(shared.sets, [](const auto& set) { return is_range(set.second); });
+  std::erase_if(shared.sets, [](const auto& set) { return is_sweep_range(set.second); });
   try {
     return runs::request_digest(shared, runs::load_deck(shared));
   } catch (const InputError&) {
@@ -26,7 +26,7 @@ std::string sweep_digest(const runs::RunRequest& request) {
   }
 }
 
-void write_sweep_mark(const SweepMark& mark, const WriteFolder& folder) {
+void write_sweep_manifest(const SweepManifest& mark, const WriteFolder& folder) {
   Json json;
   json["program"] = kProgramVersion;
   json["format"] = 1;
@@ -35,12 +35,12 @@ void write_sweep_mark(const SweepMark& mark, const WriteFolder& folder) {
   json["request"] = mark.request;
   json["status"] = mark.status;
   json["failed"] = mark.failed;
-  write_file_atomically({folder, SweepMark::kName}, dump_json(json, 2) + "\n");
+  write_file_atomically({folder, SweepManifest::kName}, dump_json(json, 2) + "\n");
 }
 
-std::optional<SweepMark> read_sweep_mark(const fs::path& folder) {
-  const fs::path file = folder / SweepMark::kName;
-  if (!is_own_file(file)) return {};
+std::optional<SweepManifest> read_sweep_manifest(const fs::path& folder) {
+  const fs::path file = folder / SweepManifest::kName;
+  if (!is_written_by_adore(file)) return {};
   Json json;
   try {
     json = parse_json<Json>(read_text_file(file), file.string());
@@ -52,11 +52,11 @@ std::optional<SweepMark> read_sweep_mark(const fs::path& folder) {
     const auto found = json.find(key);
     return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
   };
-  SweepMark out{text("deck"), text("sweep"), text("request"), text("status")};
+  SweepManifest out{text("deck"), text("sweep"), text("request"), text("status")};
   if (const auto failed = json.find("failed");
       failed != json.end() && failed->is_number_integer() && *failed > 0)
     out.failed = failed->get<long>();
-  if (out.range.find('=') == std::string::npos || !is_range(out.range)) return {};
+  if (out.range.find('=') == std::string::npos || !is_sweep_range(out.range)) return {};
   return out;
 }
 

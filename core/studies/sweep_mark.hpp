@@ -10,7 +10,7 @@
 /// SWEEP.json: identifies the sweep of a folder, so that it can be continued later.
 namespace adore::studies {
 
-struct SweepMark {
+struct SweepManifest {
   std::string deck;     ///< file name without folders
   std::string range;    ///< as --set takes it: "appLoadZ=500:1500:5"
   std::string request;  ///< sweep_digest()
@@ -25,11 +25,11 @@ struct SweepMark {
 [[nodiscard]] std::string sweep_digest(const runs::RunRequest& request);
 
 /// Replaces the file atomically. @throws WriteError
-void write_sweep_mark(const SweepMark& mark, const WriteFolder& folder);
+void write_sweep_manifest(const SweepManifest& mark, const WriteFolder& folder);
 /// Nothing where there is none of this program, or a damaged one.
-[[nodiscard]] std::optional<SweepMark> read_sweep_mark(const std::filesystem::path& folder);
+[[nodiscard]] std::optional<SweepManifest> read_sweep_manifest(const std::filesystem::path& folder);
 
 /// Does a value of --set stand for a range, first:last:count?
-[[nodiscard]] bool is_range(const std::string& value);
+[[nodiscard]] bool is_sweep_range(const std::string& value);
 
 }  // namespace adore::studies

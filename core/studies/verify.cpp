@@ -58,15 +58,15 @@ runs::RunRequest repeated(const runs::RunRequest& request, const runs::Prepared&
 
 std::vector<std::pair<std::string, std::string>> doubled_resolution(
     const runs::Prepared& prepared) {
-  constexpr int kMostMajor = 100, kMostMinor = 64, kMostSlices = 999;  // of the run options
+  constexpr int kMaxMajor = 100, kMaxMinor = 64, kMaxSlices = 999;  // of the run options
   if (prepared.rollers) {
     if (prepared.options.rollers.contact == statics::RollerContact::Point) return {};
     return {{"rollerSlices",
-             std::to_string(std::min(2 * prepared.options.rollers.slices, kMostSlices))}};
+             std::to_string(std::min(2 * prepared.options.rollers.slices, kMaxSlices))}};
   }
   const scene::SystemOptions& system = prepared.options.system;
-  return {{"ellipseMajor", std::to_string(std::min(2 * system.ellipse_major, kMostMajor))},
-          {"ellipseMinor", std::to_string(std::min(2 * system.ellipse_minor, kMostMinor))}};
+  return {{"ellipseMajor", std::to_string(std::min(2 * system.ellipse_major, kMaxMajor))},
+          {"ellipseMinor", std::to_string(std::min(2 * system.ellipse_minor, kMaxMinor))}};
 }
 
 std::string errors_text(const results::AccuracyErrors& errors) {

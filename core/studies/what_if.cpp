@@ -17,8 +17,6 @@
 namespace adore::studies {
 namespace {
 
-constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-
 /// One way to leave something out.
 struct LeftOut {
   std::string effects, option, variable;  ///< either the option's name, or "nCseg"
@@ -81,7 +79,7 @@ WhatIfChange change_of(const results::KeyResults& run, const results::KeyResults
           relative(run, base, "run_life_hours")};
 }
 
-std::string percent(double change) {
+std::string change_percent(double change) {
   if (!std::isfinite(change)) return "-";
   return fmt::format("{:+.2g}", 100.0 * change);
 }
@@ -114,7 +112,7 @@ WhatIf what_if(const WhatIfRequest& request, const std::function<void(const What
   WhatIf out;
   out.turns = span / turn;
   const auto measured = [&](const runs::RunRequest& one) {
-    return runs::measured_run(one, kUnlimited, stop);
+    return runs::measured_run(one, kInfinity, stop);
   };
   (void)measured(run);  // finds programs and files in no cache
   const runs::MeasuredRun base = measured(run);
@@ -186,7 +184,8 @@ std::string what_if_text(const WhatIf& result) {
       "\nwhat if: runs over {} with one effect switched off at a time; {:.3g} s of processor time "
       "with all "
       "effects\nall effects: cage speed {}, largest load {}, heat {}, life {}\nChanges are in "
-      "percent of these values. Changes below those of a relative load change of 1e-6 are not "
+      "percent of these values. Changes below those of a relative load change of 1e-6 are "
+      "not "
       "significant.\nCost is the share of the processor time, with an uncertainty of {:.2g} "
       "%.\n\n  {:<32} {:>8} {:>9} {:>9} {:>9} {:>9}  without\n",
       counted(fmt::format("{:.4g}", result.turns), "revolution"), result.seconds,
@@ -196,8 +195,8 @@ std::string what_if_text(const WhatIf& result) {
   const auto line = [&](const std::string& name, const std::string& cost,
                         const WhatIfChange& change, const std::string& without) {
     out += fmt::format("  {:<32} {:>8} {:>9} {:>9} {:>9} {:>9}  {}\n", name, cost,
-                       percent(change.speed), percent(change.load), percent(change.heat),
-                       percent(change.life), without);
+                       change_percent(change.speed), change_percent(change.load),
+                       change_percent(change.heat), change_percent(change.life), without);
   };
   line("relative load change 1e-6", "", result.noise, "");
   for (const WhatIfRow& row : result.rows) {

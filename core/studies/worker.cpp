@@ -13,7 +13,6 @@
 namespace adore::studies {
 namespace {
 
-constexpr int kTryAgain = 75;  ///< EX_TEMPFAIL of sysexits.h
 constexpr int kInterrupted = 130;
 
 std::string one_line(std::string text) {
@@ -23,7 +22,7 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-int work_from_stream(const std::filesystem::path& folder, const std::stop_token& stop) {
+int run_tasks_from_stdin(const std::filesystem::path& folder, const std::stop_token& stop) {
   const auto say = [](const std::string& line) {
     return std::fputs(line.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
   };
@@ -45,8 +44,8 @@ int work_from_stream(const std::filesystem::path& folder, const std::stop_token&
   return stop.stop_requested() ? kInterrupted : 0;
 }
 
-int work_through_file(const std::filesystem::path& folder, const std::filesystem::path& tasks,
-                      long first, long count, const std::stop_token& stop) {
+int run_tasks_from_file(const std::filesystem::path& folder, const std::filesystem::path& tasks,
+                        long first, long count, const std::stop_token& stop) {
   try {
     const Job job = read_job(folder);
     InputFile lines(tasks);
@@ -62,7 +61,7 @@ int work_through_file(const std::filesystem::path& folder, const std::filesystem
     }
   } catch (const WriteError& error) {
     std::fprintf(stderr, "halt %s\n", one_line(error.what()).c_str());
-    return kTryAgain;
+    return kWriteFailedExit;
   }
   return 0;
 }

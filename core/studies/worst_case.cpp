@@ -6,8 +6,8 @@
 namespace adore::studies {
 namespace {
 
-constexpr std::size_t kMostCornered = 5;  ///< variables
-constexpr double kFinest = 0.01;          ///< of the ranges
+constexpr std::size_t kMaxCornerVariables = 5;  ///< variables
+constexpr double kMinStep = 0.01;               ///< of the ranges
 
 /// Ends of every target's range.
 void ends(const Study& study, std::vector<double>& low, std::vector<double>& high) {
@@ -20,19 +20,19 @@ void ends(const Study& study, std::vector<double>& low, std::vector<double>& hig
 
 }  // namespace
 
-std::size_t corners_and_middle(const Study& study) {
+std::size_t count_corners_and_middle(const Study& study) {
   std::vector<double> low, high;
   ends(study, low, high);
-  return 1 + (low.size() <= kMostCornered ? std::size_t{1} << low.size() : 0);
+  return 1 + (low.size() <= kMaxCornerVariables ? std::size_t{1} << low.size() : 0);
 }
 
-std::vector<Point> first_round(const Study& study) {
+std::vector<Point> first_round_points(const Study& study) {
   std::vector<Point> out = make_points(study);
   std::vector<double> low, high, at;
   ends(study, low, high);
   for (std::size_t k = 0; k < low.size(); ++k) at.push_back(0.5 * (low[k] + high[k]));
   out.push_back(point_at(study, at));
-  if (low.size() <= kMostCornered)
+  if (low.size() <= kMaxCornerVariables)
     for (std::size_t corner = 0; corner < (std::size_t{1} << low.size()); ++corner) {
       for (std::size_t k = 0; k < low.size(); ++k)
         at[k] = ((corner >> k) & 1U) != 0 ? high[k] : low[k];
@@ -49,22 +49,22 @@ std::vector<Point> WorstCaseSearch::next(const std::vector<Point>& points,
   bool better = false;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (std::isnan(values[i])) continue;
-    if (best_.empty() || (study_.seek_largest ? values[i] > value_ : values[i] < value_)) {
-      best_ = points[i].values;
+    if (best_point_.empty() || (study_.seek_largest ? values[i] > value_ : values[i] < value_)) {
+      best_point_ = points[i].values;
       value_ = values[i];
       better = true;
     }
   }
-  if (best_.empty()) return {};
+  if (best_point_.empty()) return {};
   if (!first && !better) step_ *= 0.5;
-  if (step_ < kFinest || round_ >= study_.rounds) return {};
+  if (step_ < kMinStep || round_ >= study_.rounds) return {};
   ++round_;
   std::vector<Point> out;
-  for (std::size_t k = 0; k < best_.size(); ++k)
+  for (std::size_t k = 0; k < best_point_.size(); ++k)
     for (const double side : {-1.0, 1.0}) {
-      std::vector<double> at = best_;
+      std::vector<double> at = best_point_;
       at[k] = std::clamp(at[k] + side * step_ * (high_[k] - low_[k]), low_[k], high_[k]);
-      if (at[k] != best_[k]) out.push_back(point_at(study_, at));
+      if (at[k] != best_point_[k]) out.push_back(point_at(study_, at));
     }
   return out;
 }

@@ -15,9 +15,9 @@
 /// interruption.
 namespace adore::studies {
 
-[[nodiscard]] std::vector<Point> first_round(const Study& study);
+[[nodiscard]] std::vector<Point> first_round_points(const Study& study);
 /// Points of the first round in addition to the samples.
-[[nodiscard]] std::size_t corners_and_middle(const Study& study);
+[[nodiscard]] std::size_t count_corners_and_middle(const Study& study);
 
 class WorstCaseSearch {
  public:
@@ -28,14 +28,14 @@ class WorstCaseSearch {
   [[nodiscard]] std::vector<Point> next(const std::vector<Point>& points,
                                         const std::vector<double>& values);
   /// The best point so far; empty: no run has a value.
-  [[nodiscard]] const std::vector<double>& best() const { return best_; }
+  [[nodiscard]] const std::vector<double>& best() const { return best_point_; }
   [[nodiscard]] double value() const { return value_; }
   [[nodiscard]] double step() const { return step_; }  ///< share of the ranges
   [[nodiscard]] int rounds() const { return round_; }
 
  private:
   const Study& study_;
-  std::vector<double> low_, high_, best_;
+  std::vector<double> low_, high_, best_point_;
   double value_ = 0.0, step_ = 0.25;
   int round_ = 0;
 };

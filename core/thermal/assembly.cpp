@@ -17,7 +17,7 @@ double largest_hoop_stress(const RingPart& part, double pa, double pb) {
   if (!has_wall(part)) return 0.0;
   const auto stress = [&](double r) {
     return pressure_hoop_stress(r, part.inner, part.outer, pa, pb) +
-           spin_hoop_stress(r, part.inner, part.outer, part.elastic, part.speed);
+           centrifugal_hoop_stress(r, part.inner, part.outer, part.elastic, part.speed);
   };
   const double at_bore = stress(part.inner), at_outside = stress(part.outer);
   return std::abs(at_bore) >= std::abs(at_outside) ? at_bore : at_outside;
@@ -28,7 +28,7 @@ double largest_hoop_stress(const RingPart& part, double pa, double pb) {
 double RingPart::free_displacement(double r) const {
   // A part without wall is a thin hoop on its inner radius: it spins as such and carries no
   // pressure.
-  return r * growth + spin_displacement(r, inner, std::max(inner, outer), elastic, speed);
+  return r * growth + centrifugal_displacement(r, inner, std::max(inner, outer), elastic, speed);
 }
 
 MountedRings at_rest(MountedRings rings) {
@@ -52,14 +52,15 @@ MountedState mount(const MountedRings& rings) {
   return out;
 }
 
-double MountedState::pressure_part(int race, double r) const {
+double MountedState::fit_pressure_displacement(int race, double r) const {
   const RingPart& part = race == 0 ? rings.outer : rings.inner;
   const double pa = race == 0 ? 0.0 : pressure[1], pb = race == 0 ? pressure[0] : 0.0;
   return pressure_displacement(r, part.inner, part.outer, part.elastic, pa, pb);
 }
 
 double MountedState::race_displacement(int race, double r) const {
-  return (race == 0 ? rings.outer : rings.inner).free_displacement(r) + pressure_part(race, r);
+  return (race == 0 ? rings.outer : rings.inner).free_displacement(r) +
+         fit_pressure_displacement(race, r);
 }
 
 double MountedState::race_hoop_stress(int race) const {
@@ -67,7 +68,7 @@ double MountedState::race_hoop_stress(int race) const {
                    : largest_hoop_stress(rings.inner, pressure[1], 0.0);
 }
 
-double MountedState::mate_hoop_stress(int race) const {
+double MountedState::mating_part_hoop_stress(int race) const {
   return race == 0 ? largest_hoop_stress(rings.housing, pressure[0], 0.0)
                    : largest_hoop_stress(rings.shaft, 0.0, pressure[1]);
 }
@@ -119,9 +120,10 @@ double cage_displacement(const RingPart& cage, double r, bool one_piece) {
   return one_piece ? cage.free_displacement(r) : r * cage.growth;
 }
 
-RollerOperation operating_rollers(const MountedState& state, const RollerSizes& free,
-                                  double element_growth, double outer_half_angle) {
-  RollerOperation out;
+RollerOperatingGeometry roller_operating_geometry(const MountedState& state,
+                                                  const RollerSizes& free, double element_growth,
+                                                  double outer_half_angle) {
+  RollerOperatingGeometry out;
   out.raceway_displacement = {state.race_displacement(0, state.rings.outer.inner),
                               state.race_displacement(1, state.rings.inner.outer)};
   const auto& u = out.raceway_displacement;

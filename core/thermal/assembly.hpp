@@ -50,11 +50,11 @@ struct MountedState {
   /// outside the ring (a shoulder) uses the same formulas at that r.
   [[nodiscard]] double race_displacement(int race, double r) const;
   /// The part of it that the fit pressure causes.
-  [[nodiscard]] double pressure_part(int race, double r) const;
+  [[nodiscard]] double fit_pressure_displacement(int race, double r) const;
   /// Hoop stress of largest size, with its sign, in the race, and in the housing (0) or shaft (1)
   /// around it [Pa].
   [[nodiscard]] double race_hoop_stress(int race) const;
-  [[nodiscard]] double mate_hoop_stress(int race) const;
+  [[nodiscard]] double mating_part_hoop_stress(int race) const;
 };
 
 [[nodiscard]] MountedState mount(const MountedRings& rings);
@@ -105,7 +105,7 @@ struct RollerSizes {
   double pitch_diameter = 0.0;  ///< [m]
   double clearance = 0.0;       ///< diametral [m]
 };
-struct RollerOperation {
+struct RollerOperatingGeometry {
   RollerSizes geometry;  ///< in operation
   std::array<double, 2> raceway_displacement{};
   double axial_setting_change = 0.0;  ///< tapered only, see tapered_setting_change [m]
@@ -115,8 +115,10 @@ struct RollerOperation {
 /// cones give the mean ones.
 /// @param outer_half_angle angle of the outer raceway to the axis [rad]; 0: cylindrical or
 /// spherical
-[[nodiscard]] RollerOperation operating_rollers(const MountedState& state, const RollerSizes& free,
-                                                double element_growth, double outer_half_angle);
+[[nodiscard]] RollerOperatingGeometry roller_operating_geometry(const MountedState& state,
+                                                                const RollerSizes& free,
+                                                                double element_growth,
+                                                                double outer_half_angle);
 
 /// Axial setting of a tapered bearing whose radial clearance changed by dPd [m] (diametral):
 /// -(dPd/2)/tan β_o, positive when clearance was lost. Approximate: cone and cup move along each

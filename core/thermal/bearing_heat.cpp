@@ -1,5 +1,6 @@
 #include "thermal/bearing_heat.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "bearing/material_laws.hpp"
 #include "contact/groove.hpp"
@@ -13,14 +14,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace adore::thermal {
 namespace {
 
 using bearing::Bearing;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kTried = 1e-6;  ///< change of a node that ends the iteration [K]
 constexpr int kPasses = 50;
 
@@ -222,7 +221,7 @@ std::array<double, 2> to_ambient(const Bearing& b) {
           given.conductance[1].value_or(all * kShaftShare * seat[1] / weighted)};
 }
 
-BearingNetwork::Capacities capacities(const Bearing& b) {
+BearingNetwork::HeatCapacities capacities(const Bearing& b) {
   constexpr double kSteel = 460.0;  // [J/(kg K)]
   const auto per_volume = [](const bearing::Material& m) {
     return m.density * (m.specific_heat > 0.0 ? m.specific_heat : kSteel);
@@ -232,7 +231,7 @@ BearingNetwork::Capacities capacities(const Bearing& b) {
   };
   const bearing::Envelope& e = b.envelope;
   const std::array<double, 2> raceway = raceways(b);
-  BearingNetwork::Capacities out;
+  BearingNetwork::HeatCapacities out;
   out.race = {ring(b.race_material[0], raceway[0], 0.5 * e.outer_diameter, e.race_width[0]),
               ring(b.race_material[1], 0.5 * e.bore, raceway[1], e.race_width[1])};
   out.mate = {
@@ -317,41 +316,54 @@ void list_ladder(BearingHeat& heat) {
 /// Notes on the result.
 void add_notes(BearingHeat& out, const Bearing& b, double cage_speed) {
   const bearing::ThermalInputs& in = *b.thermal;
+  const auto note = [&](const char* code, std::string text) -> Finding& {
+    out.notes.push_back(make_finding(code, std::move(text)));
+    return out.notes.back();
+  };
   if (!(b.envelope.shaft_bore > 0.0))
-    out.notes.emplace_back(
-        "the shaft is solid (shftID = 0): the thermal network uses a shaft bore of 1 % of the "
-        "bearing bore");
+    note("thermal.solid_shaft",
+         "the shaft is solid (shftID = 0): the thermal network uses a shaft bore of 1 % of the "
+         "bearing bore");
   constexpr std::array<const char*, 2> kRing{"outer", "inner"}, kMate{"housing", "shaft"};
   for (std::size_t j = 0; j < 2; ++j)
     if (out.turned_back[j] > 0.0)
-      out.notes.push_back(
-          fmt::format("ladder: with {:.4g} W through the {} race, the {} would be colder than the "
-                      "coldest given temperature. So only {:.4g} W flow through this race, and the "
-                      "remaining heat is removed by {}",
+      note(
+          "thermal.ladder",
+          fmt::format("thermalModel=ladder: a heat flow of {:.4g} W through the {} race would cool "
+                      "the {} below the lowest specified temperature. The flow through this race "
+                      "is limited to {:.4g} W. The rest is removed by {}",
                       out.flows.race[j] + out.turned_back[j], kRing[j], kMate[j], out.flows.race[j],
                       out.coolant ? "the coolant"
                       : j == 1    ? "the outer race"
-                                  : "the inner race"));
+                                  : "the inner race"))
+          .of(fmt::format("{} race", kRing[j]))
+          .measure("heat flow that is removed elsewhere", out.turned_back[j], "W", 0.0);
   if (out.clamped)
-    out.notes.emplace_back(
-        "ladder: housing or shaft would be colder than the coldest given temperature, so the "
-        "coldest given temperature is used. The heat balance is not closed; thermalModel=network "
-        "closes it");
+    note("thermal.ladder",
+         "thermalModel=ladder: housing or shaft would be colder than the lowest specified "
+         "temperature, so this temperature is used and the heat balance has an error. Use "
+         "thermalModel=network");
   const double T_mean = out.temperature.coolant_mean;
   if (out.coolant && out.coolant->outside(T_mean))
-    out.notes.push_back(fmt::format(
-        "the properties of the coolant are known from {:g} to {:g} K. The mean temperature of the "
-        "coolant is {:.4g} K, so the properties at the nearer limit are used",
-        out.coolant->T_min, out.coolant->T_max, T_mean));
+    note("thermal.coolant_range",
+         fmt::format("the properties of the coolant are known from {:g} to {:g} K. The mean "
+                     "temperature of the coolant is {:.4g} K, so the properties at the nearer "
+                     "limit are used",
+                     out.coolant->T_min, out.coolant->T_max, T_mean))
+        .measure(T_mean, out.coolant->T_max)
+        .at_least(out.coolant->T_min);
   if (out.coolant && b.cage && !in.convection_given) {
     const double reynolds = out.coolant->density * std::abs(cage_speed - b.speed[0]) *
                             b.cage->outer_diameter * b.cage->outer_diameter /
                             (2.0 * out.coolant->viscosity);
-    if (reynolds > 4e5)
-      out.notes.push_back(
-          fmt::format("convection of the cage is extrapolated: the Reynolds number is {:.3g}, but "
-                      "the correlation was measured only up to 4e5",
-                      reynolds));
+    constexpr double kMeasured = 4e5;
+    if (reynolds > kMeasured)
+      note("thermal.convection",
+           fmt::format("convection of the cage is extrapolated: the Reynolds number is {:.3g}, but "
+                       "the correlation was measured only up to {:.0e}",
+                       reynolds, kMeasured))
+          .of("cage")
+          .measure(reynolds, kMeasured);
   }
 }
 
@@ -390,7 +402,7 @@ BearingHeat solve_bearing_heat(const Bearing& b, const HeatSources& sources, dou
   out.cage_area = surfaces.cage;
   out.bulk = BulkTemperatures::in(b);
   Ladder ladder;
-  ladder.flows = share_out(sources, {});
+  ladder.flows = split_heat_sources(sources, {});
   ladder.base = static_cast<BaseNode>(in.base);
   ladder.base_temperature = in.base_temperature;
   BearingNetwork network;
@@ -483,14 +495,15 @@ BearingHeat solve_bearing_heat(const Bearing& b, const HeatSources& sources, dou
     before = now;
     if (change < kTried) break;
     // No properties exist below absolute zero: runaway() and too_cold() report it.
-    if (!runaway(out.bulk).empty() || (flows && !(T_in > 0.0 && T_mean > 0.0))) break;
+    if (!describe_thermal_runaway(out.bulk).empty() || (flows && !(T_in > 0.0 && T_mean > 0.0)))
+      break;
   }
   if (is_ladder) list_ladder(out);
   add_notes(out, b, cage_speed);
   return out;
 }
 
-std::string runaway(const BulkTemperatures& bulk) {
+std::string describe_thermal_runaway(const BulkTemperatures& bulk) {
   const auto list = bulk.list();
   for (std::size_t k = 0; k < list.size(); ++k) {
     if (!(list[k] <= kHottest))
@@ -500,7 +513,7 @@ std::string runaway(const BulkTemperatures& bulk) {
   return {};
 }
 
-std::string hot_node(const BearingHeat& heat) {
+std::string describe_overheated_node(const BearingHeat& heat) {
   const auto hottest = std::max_element(heat.nodes.begin(), heat.nodes.end(),
                                         [](const NodeTemperature& a, const NodeTemperature& b) {
                                           return a.temperature < b.temperature;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "bearing/bearing.hpp"
 #include "thermal/network.hpp"
 
@@ -88,9 +89,9 @@ struct BearingHeat {
   double stored = 0.0;                     ///< heat that stays in the parts; 0: steady [W]
   std::array<double, 2> turned_back{};     ///< by the guard of the ladder [W]
   bool clamped = false;                    ///< likewise: nodes held at the coldest temperature
-  std::vector<std::string> notes;          ///< extrapolations, whole sentences
+  std::vector<Finding> notes;              ///< thermal.ladder, thermal.coolant_range ...
 
-  [[nodiscard]] double to_coolant() const noexcept { return coolant ? flows.coolant : 0.0; }
+  [[nodiscard]] double heat_to_coolant() const noexcept { return coolant ? flows.coolant : 0.0; }
   /// Sources less what leaves and what stays in the parts [W]; rounding only.
   [[nodiscard]] double imbalance() const noexcept {
     double out = sources.total() - stored;
@@ -118,9 +119,9 @@ struct HeatStep {
                                              const HeatStep* step = nullptr);
 
 /// Parts of a temperature field that no bearing survives, in words; empty: none.
-[[nodiscard]] std::string runaway(const BulkTemperatures& bulk);
+[[nodiscard]] std::string describe_thermal_runaway(const BulkTemperatures& bulk);
 /// The hottest node above kHottest, films included, in words; empty: none.
-[[nodiscard]] std::string hot_node(const BearingHeat& heat);
+[[nodiscard]] std::string describe_overheated_node(const BearingHeat& heat);
 /// Above it a field counts as running away [choice] [K].
 inline constexpr double kHottest = 1000.0;
 

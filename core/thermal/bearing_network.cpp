@@ -29,7 +29,7 @@ struct Assembly {
 
   explicit Assembly(const BearingNetwork& n) {
     const HeatSources& q = n.sources;
-    const BearingNetwork::Capacities& C = n.capacity;
+    const BearingNetwork::HeatCapacities& C = n.capacity;
     element = net.add("rolling elements", 0.0, C.element);
     raceway = {net.add("outer raceway", 0.0, 0.5 * C.race[0]),
                net.add("inner raceway", 0.0, 0.5 * C.race[1])};
@@ -43,7 +43,7 @@ struct Assembly {
     medium = net.add(flows ? "coolant mean" : "medium in the bearing", q.churning);
     cage = n.cage ? net.add("cage", 0.0, C.cage) : element;
     ambient = net.add("ambient");
-    net.fix(ambient, n.ambient);
+    net.fix_temperature(ambient, n.ambient);
     const std::array<const NetworkRing*, 2> ring{&n.rings.outer, &n.rings.inner},
         mate{&n.rings.housing, &n.rings.shaft};
     for (std::size_t j = 0; j < 2; ++j) {
@@ -113,13 +113,13 @@ struct Assembly {
   void fix_base(const BearingNetwork& n) {
     switch (n.base) {
       case BaseNode::OuterInterface:
-        return net.fix(ring_seat[0], n.base_temperature);
+        return net.fix_temperature(ring_seat[0], n.base_temperature);
       case BaseNode::HousingOutside:
-        return net.fix(far[0], n.base_temperature);
+        return net.fix_temperature(far[0], n.base_temperature);
       case BaseNode::InnerInterface:
-        return net.fix(ring_seat[1], n.base_temperature);
+        return net.fix_temperature(ring_seat[1], n.base_temperature);
       case BaseNode::ShaftInside:
-        return net.fix(far[1], n.base_temperature);
+        return net.fix_temperature(far[1], n.base_temperature);
       case BaseNode::None:
       case BaseNode::CoolantIn:
       case BaseNode::CoolantOut:
@@ -148,8 +148,8 @@ BearingNetworkResult solve_bearing_network(const BearingNetwork& n, const Transi
     return step == nullptr ? a.net.solve() : a.net.step(before, step->duration);
   };
   const bool flows = n.capacity_flow > 0.0;
-  if (flows) a.net.fix(a.inlet, n.coolant_in);
-  if (const std::string lost = a.net.unconnected(); !lost.empty())
+  if (flows) a.net.fix_temperature(a.inlet, n.coolant_in);
+  if (const std::string lost = a.net.find_unconnected_node(); !lost.empty())
     throw InputError(fmt::format(
         "thermal network: heat of {} has no path out of the bearing. Enter a coolant (kCoolant, "
         "cFlowRate), a base temperature at housing or shaft (kBaseTemp 0, 1, 4, 5), or a "
@@ -162,7 +162,7 @@ BearingNetworkResult solve_bearing_network(const BearingNetwork& n, const Transi
     constexpr double kApart = 100.0;  // [K]
     const auto exit_with = [&](double given) {
       inlet = given;
-      a.net.fix(a.inlet, inlet);
+      a.net.fix_temperature(a.inlet, inlet);
       at = solve();
       return exit_of();
     };

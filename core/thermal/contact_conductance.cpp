@@ -1,5 +1,6 @@
 #include "thermal/contact_conductance.hpp"
 
+#include "base/constants.hpp"
 #include "contact/elliptic.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/contact_films.hpp"
@@ -8,12 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace adore::thermal {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 struct Patch {
   double across = 0.0, along = 0.0, peak_pressure = 0.0, speed = 0.0;
@@ -50,8 +48,8 @@ class Sum {
   std::optional<tribology::Lubricant> oil_;
 };
 
-double film_of(const std::optional<statics::LubricantFilms>& films, std::size_t race,
-               std::size_t element) {
+double film_contact_of(const std::optional<statics::LubricantFilms>& films, std::size_t race,
+                       std::size_t element) {
   return films ? films->race[race][element].film.central : 0.0;
 }
 
@@ -87,12 +85,14 @@ RaceConductance race_conductance(const bearing::Bearing& b,
         if (!(ball.Q[j] > 0.0)) continue;
         const double radius =
             ball.r + (j == 0 ? 0.5 : -0.5) * b.element_diameter() * std::cos(ball.alpha[j]);
-        sum.add(j, {ball.share[j] * ball.a[j], ball.b[j], ball.p_max[j],
-                    std::abs(b.speed[j] - ball.orbital_speed) * radius, film_of(films, j, i)});
+        sum.add(j,
+                {ball.share[j] * ball.a[j], ball.b[j], ball.p_max[j],
+                 std::abs(b.speed[j] - ball.orbital_speed) * radius, film_contact_of(films, j, i)});
       }
     };
     add(solution.balls[i]);
-    if (statics::has_second(solution.balls[i])) add(statics::on_other_halves(solution.balls[i]));
+    if (statics::has_second_contact(solution.balls[i]))
+      add(statics::ball_at_second_contacts(solution.balls[i]));
   }
   return sum.out;
 }
@@ -108,7 +108,7 @@ RaceConductance race_conductance(const bearing::Bearing& b,
       sum.add(j, {0.5 * contact.length, contact.half_width, contact.peak_pressure,
                   std::abs(b.speed[j] - solution.orbital_speed) *
                       b.rollers()->race_radius(static_cast<int>(j)),
-                  film_of(films, j, i)});
+                  film_contact_of(films, j, i)});
     }
   return sum.out;
 }

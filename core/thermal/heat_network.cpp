@@ -15,7 +15,9 @@ HeatNetwork::Node HeatNetwork::add(std::string name, double heat, double capacit
   return nodes_.size() - 1;
 }
 
-void HeatNetwork::fix(Node node, double temperature) { nodes_[node].given = temperature; }
+void HeatNetwork::fix_temperature(Node node, double temperature) {
+  nodes_[node].given = temperature;
+}
 
 void HeatNetwork::link(Node a, Node b, double conductance) {
   demand(a < nodes_.size() && b < nodes_.size() && a != b, "a link does not connect two nodes");
@@ -24,7 +26,7 @@ void HeatNetwork::link(Node a, Node b, double conductance) {
   if (conductance > 0.0) links_.push_back({a, b, conductance});
 }
 
-std::string HeatNetwork::unconnected() const {
+std::string HeatNetwork::find_unconnected_node() const {
   std::vector<bool> reached(nodes_.size());
   for (Node i = 0; i < nodes_.size(); ++i) reached[i] = is_boundary(i);
   for (bool grows = true; grows;) {

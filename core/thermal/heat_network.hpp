@@ -23,7 +23,7 @@ class HeatNetwork {
   /// @param heat made in the node [W]; capacity [J/K]
   Node add(std::string name, double heat = 0.0, double capacity = 0.0);
   /// Makes a node a boundary of this temperature [K].
-  void fix(Node node, double temperature);
+  void fix_temperature(Node node, double temperature);
   void add_heat(Node node, double heat) { nodes_[node].heat += heat; }
   /// @param conductance [W/K]; 0: no link
   void link(Node a, Node b, double conductance);
@@ -39,7 +39,7 @@ class HeatNetwork {
     double stored = 0.0;              ///< Σ C ΔT/Δt of the free nodes [W]
   };
   /// Name of a node that no path joins to a boundary; empty: none, the system has one solution.
-  [[nodiscard]] std::string unconnected() const;
+  [[nodiscard]] std::string find_unconnected_node() const;
   /// @pre unconnected() is empty
   [[nodiscard]] Solution solve() const;
   /// One implicit Euler step. Nodes without capacity follow at once.

@@ -15,7 +15,7 @@ double NetworkRing::resistance() const {
   return std::log(outer / inner) / (2.0 * std::numbers::pi * conductivity * width);
 }
 
-HeatFlows share_out(const HeatSources& q, const HeatSplit& split) {
+HeatFlows split_heat_sources(const HeatSources& q, const HeatSplit& split) {
   HeatFlows out;
   const double contacts = q.race[0] + q.race[1] + q.flange[0] + q.flange[1];
   out.element = split.element * contacts + (1.0 - split.cage) * q.element_cage;
@@ -102,7 +102,7 @@ LadderResult solve_guarded_ladder(Ladder ladder, double room) {
   return out;
 }
 
-NodalResult solve_network(const NodalNetwork& n) {
+NodalResult solve_nodal_network(const NodalNetwork& n) {
   HeatNetwork net;
   const auto outer = net.add("outer raceway", n.flows.race[0]),
              outer_seat = net.add("outer race at the housing"),
@@ -112,9 +112,9 @@ NodalResult solve_network(const NodalNetwork& n) {
              inner_seat = net.add("inner race at the shaft"),
              coolant = net.add("coolant", n.churning), housing = net.add("housing"),
              shaft = net.add("shaft"), inlet = net.add("coolant inlet");
-  net.fix(housing, n.housing);
-  net.fix(shaft, n.shaft);
-  net.fix(inlet, n.coolant_in);
+  net.fix_temperature(housing, n.housing);
+  net.fix_temperature(shaft, n.shaft);
+  net.fix_temperature(inlet, n.coolant_in);
   net.link(outer, outer_seat, 1.0 / n.rings.outer.resistance());
   net.link(inner, inner_seat, 1.0 / n.rings.inner.resistance());
   net.link(outer_seat, housing, 1.0 / n.rings.housing.resistance());
@@ -126,7 +126,7 @@ NodalResult solve_network(const NodalNetwork& n) {
   net.link(outer, coolant, n.race_film[0]);
   net.link(inner, coolant, n.race_film[1]);
   net.link(coolant, inlet, 2.0 * n.capacity_flow);
-  if (const std::string lost = net.unconnected(); !lost.empty())
+  if (const std::string lost = net.find_unconnected_node(); !lost.empty())
     throw SolverError(
         fmt::format("thermal network: no link removes heat from {}. Enter a film or contact "
                     "conductance above 0.",
@@ -146,7 +146,7 @@ NodalResult solve_network(const NodalNetwork& n) {
   t.inner_raceway = T[inner];
   t.inner_interface = t.shaft_seat = T[inner_seat];
   t.shaft = n.shaft;
-  out.to_coolant = at.taken[inlet];
+  out.heat_to_coolant = at.taken[inlet];
   out.to_housing = at.taken[housing];
   out.to_shaft = at.taken[shaft];
   return out;

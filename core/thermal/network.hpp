@@ -45,7 +45,7 @@ struct HeatFlows {
   double element = 0.0, cage = 0.0, coolant = 0.0;  ///< Hb, Hc, into the coolant [W]
   std::array<double, 2> race{};                     ///< Ho, Hi
 };
-[[nodiscard]] HeatFlows share_out(const HeatSources& sources, const HeatSplit& split);
+[[nodiscard]] HeatFlows split_heat_sources(const HeatSources& sources, const HeatSplit& split);
 
 /// Which temperature is given (kBaseTemp).
 enum class BaseNode : signed char {
@@ -132,11 +132,11 @@ struct BearingNetwork {
   bool cage = false;
   /// Heat capacities [J/K], for steps in time: each race, housing and shaft in halves at both of
   /// their surfaces.
-  struct Capacities {
+  struct HeatCapacities {
     std::array<double, 2> race{}, mate{};
     double element = 0.0, cage = 0.0;
   };
-  Capacities capacity;
+  HeatCapacities capacity;
 };
 /// A step in time of a network with heat capacities.
 struct TransientStep {
@@ -180,9 +180,9 @@ struct NodalNetwork {
 };
 struct NodalResult {
   NetworkTemperatures temperature;
-  double to_coolant = 0.0, to_housing = 0.0, to_shaft = 0.0;  ///< [W]
+  double heat_to_coolant = 0.0, to_housing = 0.0, to_shaft = 0.0;  ///< [W]
 };
 /// @throws SolverError when a node is not connected
-[[nodiscard]] NodalResult solve_network(const NodalNetwork& network);
+[[nodiscard]] NodalResult solve_nodal_network(const NodalNetwork& network);
 
 }  // namespace adore::thermal

@@ -80,10 +80,10 @@ OperatingFits ring_report(const Bearing& b, const MountedState& state,
                   mounted.pressure[k],
                   state.pressure[k],
                   state.race_hoop_stress(j),
-                  state.mate_hoop_stress(j),
+                  state.mating_part_hoop_stress(j),
                   elastic_limit(b.race_material[k]),
                   elastic_limit(*mate_material[k])};
-    out.raceway[k] = growth_at(*races[k], r, state.pressure_part(j, r));
+    out.raceway[k] = growth_at(*races[k], r, state.fit_pressure_displacement(j, r));
     out.race_at_fit[k] = growth_at(*races[k], at_fit);
     out.mate_at_fit[k] = growth_at(*mates[k], at_fit);
   }
@@ -112,9 +112,9 @@ void add_ball_states(OperatingFits& out, const Bearing& b, const contact::Groove
   if (shim[0] > 0.0 || shim[1] > 0.0) {
     const std::array<double, 2> offset{r0 - 0.5 * D, r1 - 0.5 * D};
     const double grown_radius = 0.5 * (D + out.element_growth);
-    out.free.end_play = contact::split_end_play(offset, shim, out.free.contact_angle);
-    out.mounted.end_play = contact::split_end_play(offset, shim, out.mounted.contact_angle);
-    out.operating.end_play = contact::split_end_play(
+    out.free.end_play = contact::split_race_end_play(offset, shim, out.free.contact_angle);
+    out.mounted.end_play = contact::split_race_end_play(offset, shim, out.mounted.contact_angle);
+    out.operating.end_play = contact::split_race_end_play(
         {r0 * (1.0 + g_outer) - grown_radius, r1 * (1.0 + g_inner) - grown_radius},
         {shim[0] * (1.0 + g_outer), shim[1] * (1.0 + g_inner)}, out.operating.contact_angle);
   }
@@ -156,27 +156,40 @@ void move_play(const std::string& name, int race, double cage_diameter, double& 
                const MountedState& state, const RingPart& ring, OperatingFits& report) {
   const double cage_radius = 0.5 * cage_diameter;
   const double race_radius = cage_radius + (race == 0 ? 0.5 : -0.5) * play;
-  bearing::CagePlay entry{name, play, play};
+  bearing::CageClearance entry{name, play, play};
   const double u_race = state.race_displacement(race, race_radius);
   const double u_cage = cage_displacement(ring, cage_radius, true);
   if (u_race != 0.0 || u_cage != 0.0)
     entry.operating = land_clearance(race, race_radius, u_race, cage_radius, u_cage);
   if (entry.free >= 0.0 && entry.operating < 0.0)
     report.warnings.push_back(
-        fmt::format("the cage loses its clearance: the clearance of {} is {:.4g} m cold and {:.4g} "
-                    "m in operation",
-                    name, entry.free, entry.operating));
+        make_finding("fit.cage_clearance",
+                     fmt::format("the cage loses its clearance: the clearance of {} is {:.4g} m "
+                                 "cold and {:.4g} m in operation",
+                                 name, entry.free, entry.operating))
+            .of("cage")
+            .measure(entry.operating)
+            .at_least(0.0));
   play = entry.operating;
   report.plays.push_back(entry);
 }
 
+void warn_of_pocket(OperatingFits& report, double clearance, std::string text) {
+  report.warnings.push_back(make_finding("fit.pocket_clearance", std::move(text))
+                                .of("cage")
+                                .measure(clearance)
+                                .at_least(0.0));
+}
+
 void move_pocket(const std::string& name, double& clearance, double diameter, double g_cage,
                  double g_ball, OperatingFits& report) {
-  bearing::CagePlay entry{name, clearance, pocket_clearance(clearance, diameter, g_cage, g_ball)};
+  bearing::CageClearance entry{name, clearance,
+                               pocket_clearance(clearance, diameter, g_cage, g_ball)};
   if (entry.free >= 0.0 && entry.operating < 0.0)
-    report.warnings.push_back(fmt::format(
-        "the cage clamps its rolling elements: {} is {:.4g} m cold and {:.4g} m in operation", name,
-        entry.free, entry.operating));
+    warn_of_pocket(report, entry.operating,
+                   fmt::format("the cage clamps its rolling elements: {} is {:.4g} m cold and "
+                               "{:.4g} m in operation",
+                               name, entry.free, entry.operating));
   clearance = entry.operating;
   report.plays.push_back(entry);
 }
@@ -206,9 +219,10 @@ void report_tightest_pocket(const bearing::Cage& cage, std::size_t which, double
   if (tightest == own.end()) return;
   double clearance = nominal + tightest->clearance[which];
   if (nominal >= 0.0 && clearance < 0.0)
-    report.warnings.push_back(fmt::format(
-        "pocket {} of the cage clamps its rolling element: pocket clearance {} is {:.4g} m",
-        tightest - own.begin() + 1, which == 0 ? "I" : "II", clearance));
+    warn_of_pocket(report, clearance,
+                   fmt::format("pocket {} of the cage clamps its rolling element: pocket clearance "
+                               "{} is {:.4g} m",
+                               tightest - own.begin() + 1, which == 0 ? "I" : "II", clearance));
   move_pocket(fmt::format("pocket clearance {}, {} {}", which == 0 ? "I" : "II",
                           own.size() > 1 ? "least: no." : "pocket", tightest - own.begin() + 1),
               clearance, diameter, g_cage, g_ball, report);
@@ -267,29 +281,36 @@ void move_cage(bearing::Cage& cage, const Bearing& free, const MountedState& sta
 }
 
 void warn(OperatingFits& report, const Bearing& free) {
-  const auto say = [&](std::string text) { report.warnings.push_back(std::move(text)); };
+  const auto say = [&](const char* code, const std::string& body, std::string text) -> Finding& {
+    report.warnings.push_back(make_finding(code, std::move(text)));
+    return report.warnings.back().of(body);
+  };
   // The clearance of cones is the axial setting, which the bearing's position on the shaft
   // determines.
   if (!report.axial_setting && report.operating.clearance < 0.0 && report.free.clearance >= 0.0)
-    say(
+    say("fit.clearance", "",
         fmt::format("the clearance turns negative: {:.4g} m unmounted, {:.4g} m mounted, {:.4g} m "
                     "in operation. Fits and growth preload the bearing radially",
-                    report.free.clearance, report.mounted.clearance, report.operating.clearance));
+                    report.free.clearance, report.mounted.clearance, report.operating.clearance))
+        .measure(report.operating.clearance)
+        .at_least(0.0);
   for (std::size_t j = 0; j < 2; ++j) {
     const bearing::FitState& fit = report.fit[j];
     const bool wall = j == 0 ? free.envelope.housing_diameter > free.envelope.outer_diameter
                              : free.envelope.shaft_bore < free.envelope.bore;
     if (wall && fit.allowance > 0.0 && fit.interference <= 0.0)
-      say(
+      say("fit.loose", fmt::format("{} race", kRaceName[j]),
           fmt::format("the {} race comes loose from the {}: the interference is {:.4g} m when "
                       "mounted, but in operation there is a clearance of {:.4g} m",
-                      kRaceName[j], kMateName[j], fit.allowance, -fit.interference));
+                      kRaceName[j], kMateName[j], fit.allowance, -fit.interference))
+          .measure(-fit.interference, 0.0);
     const auto check = [&](const char* what, double stress, double limit) {
       if (limit > 0.0 && std::abs(stress) > limit)
-        say(
+        say("fit.hoop_stress", what,
             fmt::format("the hoop stress of the {} is {:.4g} Pa, above its elastic limit of {:.4g} "
                         "Pa: the elastic fit calculation is not valid",
-                        what, stress, limit));
+                        what, stress, limit))
+            .measure(stress, limit);
     };
     check(j == 0 ? "outer race" : "inner race", fit.race_hoop, fit.race_limit);
     check(kMateName[j], fit.mate_hoop, fit.mate_limit);
@@ -336,13 +357,13 @@ Bearing operating_roller_bearing_of(const Bearing& free) {
   }
   if (report.changed) {
     const RollerSizes& sizes = operating.rollers.geometry;
-    bearing::RollerBench bench{rollers.diameter,
-                               rollers.length,
-                               rollers.crown_radius,
-                               rollers.pitch_diameter,
-                               rollers.clearance,
-                               rollers.groove_factor,
-                               {}};
+    bearing::UnmountedRollerGeometry bench{rollers.diameter,
+                                           rollers.length,
+                                           rollers.crown_radius,
+                                           rollers.pitch_diameter,
+                                           rollers.clearance,
+                                           rollers.groove_factor,
+                                           {}};
     const std::array<double, 2> strain{operating.state.rings.outer.growth,
                                        operating.state.rings.inner.growth};
     for (std::size_t j = 0; j < 2; ++j) {
@@ -440,7 +461,7 @@ OperatingRollers operating_roller_bearing(const Bearing& free, const RollerSizes
   out.state = mount(mounted_rings(free, raceway_radius));
   const MountedState mounted = mount(at_rest(out.state.rings));
   const double growth = growth_of(free, free.element_material, free.element_temperature);
-  out.rollers = operating_rollers(out.state, rollers, growth, outer_half_angle);
+  out.rollers = roller_operating_geometry(out.state, rollers, growth, outer_half_angle);
   out.report = ring_report(free, out.state, mounted);
   OperatingFits& report = out.report;
   report.element_growth = out.rollers.geometry.diameter - rollers.diameter;

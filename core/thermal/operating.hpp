@@ -15,10 +15,11 @@ namespace adore::thermal {
 [[nodiscard]] MountedRings mounted_rings(const bearing::Bearing& bearing,
                                          const std::array<double, 2>& raceway_radius);
 
-/// Bearing in operation. Of rollers: sizes, pitch diameter and clearance as operating_rollers
-/// (assembly.hpp), with cage, inertia and material laws as below. Of balls: fits, temperatures and
-/// centrifugal growth change ball diameter, grooves, pitch diameter, clearance, free contact angle,
-/// shoulders, cage, guide lands and pockets (theory: ring.hpp, assembly.hpp).
+/// Bearing in operation. Of rollers: sizes, pitch diameter and clearance as
+/// roller_operating_geometry (assembly.hpp), with cage, inertia and material laws as below. Of
+/// balls: fits, temperatures and centrifugal growth change ball diameter, grooves, pitch diameter,
+/// clearance, free contact angle, shoulders, cage, guide lands and pockets (theory: ring.hpp,
+/// assembly.hpp).
 ///   D' = D (1 + g_b);  groove radius f_j D (1 + g_j);  Pd' = Pd + 2 (u_o - u_i) - 2 (D' - D);
 ///   A' = groove radii - D';  cos α' = 1 - Pd'/(2A'), α' = 0 for Pd' <= 0, which stays as preload;
 ///   circles of curvature centers move with the raceways: R_o' = R_o + u_o - f_o D g_o, R_i' = R_i
@@ -35,8 +36,8 @@ namespace adore::thermal {
 
 /// Change of a roller bearing by fits, temperatures and speeds.
 struct OperatingRollers {
-  RollerOperation rollers;  ///< roller sizes, pitch diameter, clearance, axial setting
-  MountedState state;       ///< displacement of the races at any radius (lands, flanges)
+  RollerOperatingGeometry rollers;  ///< roller sizes, pitch diameter, clearance, axial setting
+  MountedState state;               ///< displacement of the races at any radius (lands, flanges)
   bearing::OperatingFits
       report;  ///< for Bearing::operating; contact angle, end play and loci stay 0
 };

@@ -17,21 +17,21 @@ double pressure_hoop_stress(double r, double a, double b, double pa, double pb) 
   return (pa * a2 - pb * b2 + (pa - pb) * a2 * b2 / (r * r)) / (b2 - a2);
 }
 
-double spin_displacement(double r, double a, double b, const Elastic& m, double w) {
+double centrifugal_displacement(double r, double a, double b, const Elastic& m, double w) {
   const double a2 = a * a, b2 = b * b;
   const double hole = a > 0.0 ? (1.0 + m.nu) / (1.0 - m.nu) * a2 * b2 / (r * r) : 0.0;
   return m.rho * w * w * r * (3.0 + m.nu) * (1.0 - m.nu) / (8.0 * m.E) *
          (a2 + b2 - (1.0 + m.nu) / (3.0 + m.nu) * r * r + hole);
 }
 
-double spin_hoop_stress(double r, double a, double b, const Elastic& m, double w) {
+double centrifugal_hoop_stress(double r, double a, double b, const Elastic& m, double w) {
   const double a2 = a * a, b2 = b * b;
   const double hole = a > 0.0 ? a2 * b2 / (r * r) : 0.0;
   return (3.0 + m.nu) / 8.0 * m.rho * w * w *
          (a2 + b2 + hole - (1.0 + 3.0 * m.nu) / (3.0 + m.nu) * r * r);
 }
 
-double spin_radial_stress(double r, double a, double b, const Elastic& m, double w) {
+double centrifugal_radial_stress(double r, double a, double b, const Elastic& m, double w) {
   const double a2 = a * a, b2 = b * b;
   const double hole = a > 0.0 ? a2 * b2 / (r * r) : 0.0;
   return (3.0 + m.nu) / 8.0 * m.rho * w * w * (a2 + b2 - hole - r * r);

@@ -25,11 +25,14 @@ struct Elastic {
 
 /// Radial displacement at r of a ring a..b turning at w [rad/s] (either sign):
 ///   u = ρ w² r (3+ν)(1-ν)/(8E) [a² + b² - (1+ν)/(3+ν) r² + (1+ν)/(1-ν) a² b²/r²];  solid: a = 0.
-[[nodiscard]] double spin_displacement(double r, double a, double b, const Elastic& m, double w);
+[[nodiscard]] double centrifugal_displacement(double r, double a, double b, const Elastic& m,
+                                              double w);
 /// σ_t = (3+ν)/8 ρ w² [a² + b² + a² b²/r² - (1+3ν)/(3+ν) r²]
-[[nodiscard]] double spin_hoop_stress(double r, double a, double b, const Elastic& m, double w);
+[[nodiscard]] double centrifugal_hoop_stress(double r, double a, double b, const Elastic& m,
+                                             double w);
 /// σ_r = (3+ν)/8 ρ w² [a² + b² - a² b²/r² - r²]; largest at r = √(ab)
-[[nodiscard]] double spin_radial_stress(double r, double a, double b, const Elastic& m, double w);
+[[nodiscard]] double centrifugal_radial_stress(double r, double a, double b, const Elastic& m,
+                                               double w);
 
 /// Pressure between an inner part a..c and an outer part c..b with diametral interference I [m]
 /// [Pa]:

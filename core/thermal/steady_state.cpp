@@ -21,7 +21,7 @@ using bearing::Bearing;
 using Field = std::array<double, 7>;
 
 constexpr double kTolerance = 0.01;  ///< [K]
-constexpr int kPasses = 300;
+constexpr int kSteadyPasses = 300;
 
 double largest(const Field& field) {
   double out = 0.0;
@@ -78,7 +78,7 @@ constexpr const char* kRemedy =
 OperatingState operating_state(const Bearing& as_built, const BulkTemperatures& bulk,
                                const statics::RollerOptions& rollers) {
   OperatingState out;
-  out.bearing = bearing_at(as_built, bulk, as_built.thermal->geometry_every > 0);
+  out.bearing = bearing_at_temperatures(as_built, bulk, as_built.thermal->geometry_every > 0);
   if (out.bearing.rollers()) {
     const auto solution = statics::solve_roller_statics(out.bearing, rollers);
     out.orbit = solution.orbital_speed;
@@ -87,16 +87,17 @@ OperatingState operating_state(const Bearing& as_built, const BulkTemperatures& 
     if (std::string note = solution.friction.note(); !note.empty())
       out.fallbacks.push_back(std::move(note));
   } else {
-    statics::StaticsOptions balls;
+    statics::BallStaticsOptions balls;
     balls.frame = rollers.frame;
     balls.friction_balance = rollers.ball_balance;
     auto solution = statics::solve_ball_statics(out.bearing, balls);
-    const statics::FrictionBalance balance = statics::balance_balls(out.bearing, balls, solution);
+    const statics::FrictionBalance balance =
+        statics::solve_ball_friction_balance(out.bearing, balls, solution);
     for (const statics::StaticBall& ball : solution.balls)
       out.orbit += ball.orbital_speed / static_cast<double>(solution.balls.size());
     out.contact = race_conductance(out.bearing, solution);
     out.friction = statics::friction_estimate(out.bearing, solution, balance);
-    out.fallbacks = balance.notes();
+    out.fallbacks = sentences_of(balance.findings());
   }
   return out;
 }
@@ -111,7 +112,8 @@ HeatSources heat_sources(const statics::FrictionEstimate& friction) {
   return out;
 }
 
-Bearing bearing_at(const Bearing& as_built, const BulkTemperatures& bulk, bool geometry_follows) {
+Bearing bearing_at_temperatures(const Bearing& as_built, const BulkTemperatures& bulk,
+                                bool geometry_follows) {
   if (geometry_follows) {
     Bearing warm = as_built;
     bulk.set(warm);
@@ -150,9 +152,9 @@ SteadyState solve_steady_state(const Bearing& as_built, const statics::RollerOpt
     out.passes = pass;
     out.change = largest(r);
     if (out.change < kTolerance) {
-      if (const std::string cold = too_cold(now.heat); !cold.empty())
+      if (const std::string cold = describe_too_cold_nodes(now.heat); !cold.empty())
         give_up(cold, pass, last, out.gain);
-      if (const std::string hot = hot_node(now.heat); !hot.empty())
+      if (const std::string hot = describe_overheated_node(now.heat); !hot.empty())
         give_up(hot, pass, last, out.gain);
       out.heat = std::move(now.heat);
       out.friction = std::move(now.friction);
@@ -162,12 +164,12 @@ SteadyState solve_steady_state(const Bearing& as_built, const statics::RollerOpt
       return out;
     }
     if (!std::isfinite(out.change)) give_up("temperatures are not finite", pass, last, out.gain);
-    if (pass == kPasses)
+    if (pass == kSteadyPasses)
       give_up(fmt::format("temperatures still change by {:.3g} K", out.change), pass, last,
               out.gain);
     at = BulkTemperatures::of(relaxation.step(at.list(), now.heat.bulk.list()));
     if (pass > 1) out.gain = relaxation.gain;
-    if (const std::string hot = runaway(at); !hot.empty())
+    if (const std::string hot = describe_thermal_runaway(at); !hot.empty())
       give_up(fmt::format("temperatures run away ({})", hot), pass, last, out.gain);
   }
 }

@@ -54,7 +54,8 @@ struct OperatingState {
 
 /// The bearing at work with its parts at `bulk`; with fixed geometry that of `as_built`'s own
 /// temperatures, for oil and medium at `bulk`.
-[[nodiscard]] bearing::Bearing bearing_at(const bearing::Bearing& as_built,
-                                          const BulkTemperatures& bulk, bool geometry_follows);
+[[nodiscard]] bearing::Bearing bearing_at_temperatures(const bearing::Bearing& as_built,
+                                                       const BulkTemperatures& bulk,
+                                                       bool geometry_follows);
 
 }  // namespace adore::thermal

@@ -28,21 +28,22 @@ std::optional<double> gain(const std::vector<double>& changes) {
 
 }  // namespace
 
-std::optional<HeatWindow::Closed> HeatWindow::add(double time, double step, double power) {
+std::optional<HeatWindow::ClosedWindow> HeatWindow::add(double time, double step, double power) {
   energy_ += power * step;
-  open_ += step;
+  window_time_ += step;
   constexpr double kRounding = 1e-9;
-  if (!(open_ >= average_time_ * (1.0 - kRounding))) return std::nullopt;
+  if (!(window_time_ >= average_time_ * (1.0 - kRounding))) return std::nullopt;
   ++steps_;
-  const Closed out{steps_, time, energy_ / open_,
-                   every_ > 0 && steps_ % every_ == 0 && time >= skip_time_};
-  energy_ = open_ = 0.0;
+  const ClosedWindow out{
+      steps_, time, energy_ / window_time_,
+      geometry_interval_ > 0 && steps_ % geometry_interval_ == 0 && time >= skip_time_};
+  energy_ = window_time_ = 0.0;
   return out;
 }
 
-StepSequence judge_sequence(const std::vector<std::vector<double>>& temperatures,
-                            const StepRules& rules) {
-  StepSequence out;
+ThermalStepAssessment assess_thermal_steps(const std::vector<std::vector<double>>& temperatures,
+                                           const ThermalStepCriteria& rules) {
+  ThermalStepAssessment out;
   out.reason = "end";
   std::vector<double> changes;
   int calm = 0, growing = 0;

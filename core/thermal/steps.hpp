@@ -13,35 +13,35 @@ class HeatWindow {
  public:
   /// @param geometry_every kGeoMod: geometry follows every so many thermal steps; 0: never
   HeatWindow(double average_time, double skip_time, int geometry_every)
-      : average_time_(average_time), skip_time_(skip_time), every_(geometry_every) {}
+      : average_time_(average_time), skip_time_(skip_time), geometry_interval_(geometry_every) {}
 
-  struct Closed {
+  struct ClosedWindow {
     int step = 0;
     double time = 0.0;          ///< of its end [s]
     double average_heat = 0.0;  ///< [W]
     bool geometry_update = false;
   };
   /// One integration step that ends at `time`, with the mean heat `power` over it.
-  [[nodiscard]] std::optional<Closed> add(double time, double step, double power);
+  [[nodiscard]] std::optional<ClosedWindow> add(double time, double step, double power);
 
  private:
   double average_time_, skip_time_;
-  int every_;
-  double energy_ = 0.0, open_ = 0.0;
+  int geometry_interval_;
+  double energy_ = 0.0, window_time_ = 0.0;
   int steps_ = 0;
 };
 
 /// After each thermal step, in this order [choice]: a node above the limit: divergent; largest
 /// change below the tolerance for so many steps in a row: stable; change growing, and not below the
 /// tolerance, for so many steps in a row: divergent; else undecided.
-struct StepRules {
+struct ThermalStepCriteria {
   double tolerance = 0.5;  ///< [K]
   int converged = 3, divergent = 4;
   std::optional<double> limit;  ///< [K]
 };
 enum class StepVerdict : unsigned char { Undecided, Stable, Divergent };
 
-struct StepSequence {
+struct ThermalStepAssessment {
   StepVerdict verdict = StepVerdict::Undecided;
   int step = 0;        ///< of the decision, or the last one
   std::string reason;  ///< "converged", "growth", "limit", "end"
@@ -51,7 +51,7 @@ struct StepSequence {
   std::optional<double> first_node_limit;
 };
 /// @param temperatures [step][node], from the start on; all steps of one length
-[[nodiscard]] StepSequence judge_sequence(const std::vector<std::vector<double>>& temperatures,
-                                          const StepRules& rules);
+[[nodiscard]] ThermalStepAssessment assess_thermal_steps(
+    const std::vector<std::vector<double>>& temperatures, const ThermalStepCriteria& rules);
 
 }  // namespace adore::thermal

@@ -24,11 +24,13 @@ double largest_difference(const BulkTemperatures& a, const BulkTemperatures& b, 
 
 }  // namespace
 
-TimeLine solve_time_line(const bearing::Bearing& as_built, const statics::RollerOptions& rollers,
-                         const std::function<void()>& each_step, double largest_change) {
+ThermalTransient solve_thermal_transient(const bearing::Bearing& as_built,
+                                         const statics::RollerOptions& rollers,
+                                         const std::function<void()>& each_step,
+                                         double largest_change) {
   demand(as_built.thermal.has_value(),
          "a thermal time line was requested for a deck without thermal analysis");
-  TimeLine out;
+  ThermalTransient out;
   HeatStep step;
   step.duration = 1.0;
   double time = 0.0, stored = 0.0;
@@ -67,16 +69,16 @@ TimeLine solve_time_line(const bearing::Bearing& as_built, const statics::Roller
     for (;; step.duration *= 0.5) {
       next = solve_bearing_heat(at.bearing, heat, at.orbit, at.contact, &step);
       const double change = largest_difference(next.bulk, bulk, false);
-      constexpr double kShortest = 1e-3;  // [s]
-      if (change <= largest_change || step.duration < kShortest) break;
+      constexpr double kMinStep = 1e-3;  // [s]
+      if (change <= largest_change || step.duration < kMinStep) break;
     }
     time += step.duration;
     if (largest_difference(next.bulk, bulk, false) < 0.5 * largest_change) step.duration *= 1.5;
     bulk = next.bulk;
     stored = next.stored;
     step.before = std::move(next.state);
-    std::string hot = runaway(bulk);
-    if (hot.empty()) hot = hot_node(next);
+    std::string hot = describe_thermal_runaway(bulk);
+    if (hot.empty()) hot = describe_overheated_node(next);
     if (!hot.empty()) {
       out.end = fmt::format("temperatures run away after {:.4g} s ({})", time, hot);
       return out;

@@ -14,15 +14,15 @@
 /// of it: first order in it (test).
 namespace adore::thermal {
 
-struct TimeLinePoint {
+struct ThermalTransientPoint {
   double time = 0.0;                ///< [s]
   double heat = 0.0, stored = 0.0;  ///< made; of it what warms the parts [W]
   BulkTemperatures bulk;
   double clearance = 0.0;  ///< diametral, in operation [m]
 };
 
-struct TimeLine {
-  std::vector<TimeLinePoint> points;
+struct ThermalTransient {
+  std::vector<ThermalTransientPoint> points;
   bool settled = false;  ///< otherwise `end` has the reason of its end
   std::string end;       ///< lost equilibrium or runaway, in words; empty: settled
   /// Steps without a friction equilibrium, with the first reason; empty: none.
@@ -33,9 +33,9 @@ inline constexpr double kLargestChange = 2.0;  ///< of a part in a step [K] [cho
 
 /// Until all parts are within 0.1 K of the steady state of the present heat, the bearing has no
 /// equilibrium any more (seizure), temperatures run away, or `kMostPoints` are reached.
-[[nodiscard]] TimeLine solve_time_line(const bearing::Bearing& as_built,
-                                       const statics::RollerOptions& rollers = {},
-                                       const std::function<void()>& each_step = {},
-                                       double largest_change = kLargestChange);
+[[nodiscard]] ThermalTransient solve_thermal_transient(const bearing::Bearing& as_built,
+                                                       const statics::RollerOptions& rollers = {},
+                                                       const std::function<void()>& each_step = {},
+                                                       double largest_change = kLargestChange);
 
 }  // namespace adore::thermal

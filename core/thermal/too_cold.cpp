@@ -6,7 +6,7 @@
 
 namespace adore::thermal {
 
-std::string too_cold(const BearingHeat& heat) {
+std::string describe_too_cold_nodes(const BearingHeat& heat) {
   const NetworkTemperatures& T = heat.temperature;
   const auto told = [](const char* node, double at) {
     return fmt::format("{} would be at {:.4g} K, which is not above absolute zero", node, at);

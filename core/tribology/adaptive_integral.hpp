@@ -19,13 +19,13 @@ class AdaptiveIntegral {
 
   /// @param scale size of each component, in units of which `tolerance` is meant.
   AdaptiveIntegral(const Values& scale, double tolerance, int budget)
-      : scale_(scale), tolerance_(tolerance), budget_(budget) {}
+      : scale_(scale), tolerance_(tolerance), max_panels_(budget) {}
 
   template <class F>
-  [[nodiscard]] Values piece(const F& f, double lo, double hi) {
+  [[nodiscard]] Values integrate_piece(const F& f, double lo, double hi) {
     Values sum{};
     if (!(hi > lo)) return sum;
-    left_ = budget_;
+    panels_left_ = max_panels_;
     const double length = hi - lo;
     const auto clustered = [&](double w) {
       Values value = f(lo + length * w * w * (3.0 - 2.0 * w));
@@ -75,7 +75,7 @@ class AdaptiveIntegral {
       add(f(centre - half * kNode[j]), kKronrod[j], gauss);
       add(f(centre + half * kNode[j]), kKronrod[j], gauss);
     }
-    --left_;
+    --panels_left_;
     bool good = true;
     for (std::size_t i = 0; i < N; ++i) {
       // The Kronrod value is far better than the Gauss value that it is compared with.
@@ -83,7 +83,7 @@ class AdaptiveIntegral {
       const double error = std::pow(200.0 * half * std::abs(difference[i]) / scale_[i], 1.5);
       good = good && !(error > tolerance_);
     }
-    if (good || left_ <= 0 || half < 1e-10) {
+    if (good || panels_left_ <= 0 || half < 1e-10) {
       for (std::size_t i = 0; i < N; ++i) sum[i] += half * kronrod[i];
       return;
     }
@@ -93,8 +93,8 @@ class AdaptiveIntegral {
 
   Values scale_;
   double tolerance_;
-  int budget_;  ///< panels per piece
-  int left_ = 0;
+  int max_panels_;  ///< panels per piece
+  int panels_left_ = 0;
 };
 
 }  // namespace adore::tribology

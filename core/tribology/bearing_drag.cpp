@@ -90,8 +90,8 @@ BearingDrag::BearingDrag(const Bearing& bearing)
 }
 
 void BearingDrag::add_cage(const bearing::Cage& cage, const Bearing& bearing) {
-  exposed_ = 1.0 - hidden(cage, bearing);
-  faces_ = {0.5 * cage.outer_diameter, 0.5 * cage.inner_diameter};
+  exposed_area_fraction_ = 1.0 - hidden(cage, bearing);
+  cage_face_radii_ = {0.5 * cage.outer_diameter, 0.5 * cage.inner_diameter};
   const bool films = bearing.cage_films && bearing.cage_films->lands;
   for (const int race : {0, 1}) {
     const auto guide = race == 0 ? GuideLand::Guide::Outer : GuideLand::Guide::Inner;
@@ -112,14 +112,16 @@ void BearingDrag::add_cage(const bearing::Cage& cage, const Bearing& bearing) {
   }
 }
 
-double BearingDrag::element_force(double V) const noexcept {
+double BearingDrag::element_force_per_speed(double V) const noexcept {
   constexpr double kRest = 1e-9;  // [m/s]: creeping flow, where F/V is constant
   const double v = std::max(V, kRest);
   const double R = 0.5 * diameter_;
   const double force =
       length_ > 0.0
-          ? exposed_ * cylinder_drag(medium_.medium, v, diameter_, length_).force
-          : sphere_drag(medium_.medium, v, diameter_, exposed_ * std::numbers::pi * R * R).force;
+          ? exposed_area_fraction_ * cylinder_drag(medium_.medium, v, diameter_, length_).force
+          : sphere_drag(medium_.medium, v, diameter_,
+                        exposed_area_fraction_ * std::numbers::pi * R * R)
+                .force;
   return force / v;
 }
 
@@ -133,17 +135,19 @@ double BearingDrag::element_spin(double omega) const noexcept {
          });
 }
 
-double BearingDrag::surface_moment(const CageSurface& surface, double omega) const noexcept {
+double BearingDrag::surface_moment_per_speed(const CageSurface& surface,
+                                             double omega) const noexcept {
   return over_speed(omega, [&](double w) {
     return annulus_drag(medium_.medium, w, surface.radius, surface.gap, surface.length);
   });
 }
 
-double BearingDrag::face_moment(double omega) const noexcept {
-  return std::max(
-      0.0,
-      over_speed(omega, [&](double w) { return disc_drag(medium_.medium, w, faces_[0]); }) -
-          over_speed(omega, [&](double w) { return disc_drag(medium_.medium, w, faces_[1]); }));
+double BearingDrag::face_moment_per_speed(double omega) const noexcept {
+  return std::max(0.0, over_speed(omega, [&](double w) {
+                         return disc_drag(medium_.medium, w, cage_face_radii_[0]);
+                       }) - over_speed(omega, [&](double w) {
+                         return disc_drag(medium_.medium, w, cage_face_radii_[1]);
+                       }));
 }
 
 DragPower drag_power(const BearingDrag& drag, const Bearing& bearing, double orbit, double spin,
@@ -151,15 +155,15 @@ DragPower drag_power(const BearingDrag& drag, const Bearing& bearing, double orb
   DragPower out;
   const double at = bearing.speed[0];
   const double V = std::abs(orbit - at) * 0.5 * bearing.pitch_diameter(), w = std::abs(spin);
-  out.elements =
-      bearing.element_count() * (drag.element_force(V) * V * V + drag.element_spin(w) * w * w);
+  out.elements = bearing.element_count() *
+                 (drag.element_force_per_speed(V) * V * V + drag.element_spin(w) * w * w);
   if (!bearing.cage) return out;
   for (const CageSurface& surface : drag.surfaces()) {
     const double relative = std::abs(cage - bearing.speed[static_cast<std::size_t>(surface.race)]);
-    out.cage += drag.surface_moment(surface, relative) * relative * relative;
+    out.cage += drag.surface_moment_per_speed(surface, relative) * relative * relative;
   }
   const double relative = std::abs(cage - at);
-  out.cage += drag.face_moment(relative) * relative * relative;
+  out.cage += drag.face_moment_per_speed(relative) * relative * relative;
   return out;
 }
 

@@ -27,7 +27,7 @@ struct ChurningMedium {
   std::string name, provenance;
   double temperature = 0.0;         ///< [K]
   double T_min = 0.0, T_max = 0.0;  ///< of its correlations; 0: no limits known
-  [[nodiscard]] bool clamped() const noexcept {
+  [[nodiscard]] bool is_temperature_clamped() const noexcept {
     return T_max > 0.0 && (temperature < T_min || temperature > T_max);
   }
 };
@@ -46,29 +46,33 @@ class BearingDrag {
   explicit BearingDrag(const bearing::Bearing& bearing);
 
   /// Force against the velocity, over its size V [N s/m].
-  [[nodiscard]] double element_force(double V) const noexcept;
+  [[nodiscard]] double element_force_per_speed(double V) const noexcept;
   /// Moment against the spin about the element's axis (balls: any), over its size [N m s].
   [[nodiscard]] double element_spin(double omega) const noexcept;
   /// Of one surface against the turn of the cage relative to its race, over its size [N m s].
-  [[nodiscard]] double surface_moment(const CageSurface& surface, double omega) const noexcept;
+  [[nodiscard]] double surface_moment_per_speed(const CageSurface& surface,
+                                                double omega) const noexcept;
   /// Of both side faces, relative to the medium.
-  [[nodiscard]] double face_moment(double omega) const noexcept;
+  [[nodiscard]] double face_moment_per_speed(double omega) const noexcept;
 
   [[nodiscard]] const std::vector<CageSurface>& surfaces() const noexcept { return surfaces_; }
   [[nodiscard]] const ChurningMedium& medium() const noexcept { return medium_; }
   /// Mean radius of the side faces of the cage [m].
-  [[nodiscard]] double face_radius() const noexcept { return 0.5 * (faces_[0] + faces_[1]); }
+  [[nodiscard]] double mean_face_radius() const noexcept {
+    return 0.5 * (cage_face_radii_[0] + cage_face_radii_[1]);
+  }
   /// Part of an element's projected area that the cage does not hide.
-  [[nodiscard]] double exposed() const noexcept { return exposed_; }
+  [[nodiscard]] double exposed_area_fraction() const noexcept { return exposed_area_fraction_; }
 
  private:
   void add_cage(const bearing::Cage& cage, const bearing::Bearing& bearing);
 
   ChurningMedium medium_;
   double diameter_ = 0.0, length_ = 0.0;  ///< length 0: balls
-  double exposed_ = 1.0;
+  double exposed_area_fraction_ = 1.0;
   std::vector<CageSurface> surfaces_;
-  std::array<double, 2> faces_{};  ///< outer and inner radius of the cage's sides; 0: no cage
+  std::array<double, 2>
+      cage_face_radii_{};  ///< outer and inner radius of the cage's sides; 0: no cage
 };
 
 /// Power that the medium takes at steady speeds [W].

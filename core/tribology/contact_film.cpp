@@ -9,11 +9,12 @@
 namespace adore::tribology {
 namespace {
 
-FilmThickness isothermal(const FilmInlet& inlet, const FilmContact& c) {
+FilmThickness isothermal(const FilmInlet& inlet, const LubricatedContact& c) {
   if (c.line) return line_film(inlet, c.radius, c.load);
   if (c.k >= 1.0) return point_film(inlet, c.radius, c.load, c.k);
   // Ry/Rx of k = 1.03 (Ry/Rx)^0.64.
-  return any_point_film(inlet, c.radius, c.radius * std::pow(c.k / 1.03, 1.0 / 0.64), c.load);
+  return chittenden_point_film(inlet, c.radius, c.radius * std::pow(c.k / 1.03, 1.0 / 0.64),
+                               c.load);
 }
 
 }  // namespace
@@ -23,7 +24,7 @@ InletOil inlet_oil(const Lubricant& lubricant, double temperature, double menisc
           lubricant.base_beta(temperature), lubricant.conductivity.at(temperature), meniscus};
 }
 
-ContactFilm contact_film(const InletOil& oil, const FilmContact& contact) {
+ContactFilm contact_film(const InletOil& oil, const LubricatedContact& contact) {
   ContactFilm out;
   const double speed = std::abs(contact.speed);
   if (!(contact.load > 0.0) || !(speed > 0.0)) return out;

@@ -19,7 +19,7 @@ struct InletOil {
 };
 [[nodiscard]] InletOil inlet_oil(const Lubricant& lubricant, double temperature, double meniscus);
 
-struct FilmContact {
+struct LubricatedContact {
   bool line = false;
   double load = 0.0;           ///< [N]; line: per length [N/m]
   double radius = 0.0;         ///< of both bodies along rolling [m]
@@ -39,6 +39,6 @@ struct ContactFilm {
 };
 
 /// No film without load or without rolling.
-[[nodiscard]] ContactFilm contact_film(const InletOil& oil, const FilmContact& contact);
+[[nodiscard]] ContactFilm contact_film(const InletOil& oil, const LubricatedContact& contact);
 
 }  // namespace adore::tribology

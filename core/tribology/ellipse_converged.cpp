@@ -178,7 +178,7 @@ struct Sizes {
 /// contact's.
 template <class Law>
 double pressure_at(double strip_peak, double of_strip) {
-  return is_of_strip<Law>() ? strip_peak : strip_peak * of_strip;
+  return is_strip_law<Law>() ? strip_peak : strip_peak * of_strip;
 }
 
 template <class Law, class Here>
@@ -211,8 +211,8 @@ EllipseTraction integrate(const Law& of_contacts, const EllipseGeometry& geometr
   result.max_slip = largest_slip(kinematics);
   const double p0 = 1.5 * geometry.Q / (std::numbers::pi * geometry.a * geometry.b);
   const auto law = of_contacts.at(
-      ContactPoint<double>{geometry.Q, p0, geometry.a, geometry.b, motion.entrainment,
-                           middle_slip(geometry, motion), motion.curvature});
+      ContactConditions<double>{geometry.Q, p0, geometry.a, geometry.b, motion.entrainment,
+                                middle_slip(geometry, motion), motion.curvature});
   const Sizes sizes = typical_sizes<Law>(law, kinematics, p0);
   if (!(sizes.slip > 0.0)) return result;  // κ(0) means no force at exactly zero slip
   // A law of zero traction still needs the load-slip integral.
@@ -239,8 +239,8 @@ EllipseTraction integrate(const Law& of_contacts, const EllipseGeometry& geometr
     };
     std::array<double, 5> sum{};
     for (int i = 0; i + 1 < count; ++i) {
-      const auto part = inner.piece(integrand, breaks[static_cast<std::size_t>(i)],
-                                    breaks[static_cast<std::size_t>(i) + 1]);
+      const auto part = inner.integrate_piece(integrand, breaks[static_cast<std::size_t>(i)],
+                                              breaks[static_cast<std::size_t>(i) + 1]);
       for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += part[k];
     }
     return sum;
@@ -266,7 +266,7 @@ EllipseTraction integrate(const Law& of_contacts, const EllipseGeometry& geometr
   const std::vector<double> breaks = outer_breaks(kinematics, kink);
   std::array<double, 7> total{};
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-    const auto part = outer.piece(integrand, breaks[i], breaks[i + 1]);
+    const auto part = outer.integrate_piece(integrand, breaks[i], breaks[i + 1]);
     for (std::size_t k = 0; k < total.size(); ++k) total[k] += geometry.Q * part[k];
   }
   result.F_c = total[0], result.F_t = total[1];
@@ -282,7 +282,8 @@ EllipseTraction ellipse_traction_converged(const TractionLaw& law, const Ellipse
   return law.visit([&](const auto& own) { return integrate(own, geometry, motion); });
 }
 
-EllipseTraction ellipse_traction_converged(const PressureLaw& law, const EllipseGeometry& geometry,
+EllipseTraction ellipse_traction_converged(const TractionFunction& law,
+                                           const EllipseGeometry& geometry,
                                            const EllipseKinematics& motion) {
   return integrate(law, geometry, motion);
 }

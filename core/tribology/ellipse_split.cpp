@@ -212,12 +212,12 @@ EllipseTraction ellipse_traction_split(const TractionLaw& law, const EllipseGeom
          "the number of points per piece of the split ellipse rule is not 4 to 40");
   if (!(geometry.Q > 0.0) || !(geometry.a > 0.0)) return {};
   const double peak = 1.5 * geometry.Q / (std::numbers::pi * geometry.a * geometry.b);
-  const ContactPoint<double> contact{geometry.Q,         peak,
-                                     geometry.a,         geometry.b,
-                                     motion.entrainment, middle_slip(geometry, motion),
-                                     motion.curvature};
+  const ContactConditions<double> contact{geometry.Q,         peak,
+                                          geometry.a,         geometry.b,
+                                          motion.entrainment, middle_slip(geometry, motion),
+                                          motion.curvature};
   return law.visit([&](const auto& own) {
-    constexpr bool kStrip = is_of_strip<std::decay_t<decltype(own)>>();
+    constexpr bool kStrip = is_strip_law<std::decay_t<decltype(own)>>();
     return Integral(own.at(contact), kStrip, own.kink(), peak, geometry, motion, points).run();
   });
 }

@@ -44,22 +44,23 @@ struct EllipseSurface {
 };
 
 /// Position of the arc or plane by a surface convention (tribology::ContactSurface).
-enum class SurfacePlace : unsigned char {
+enum class SurfacePosition : unsigned char {
   ThroughEdge,   ///< through the ends of the major axis on the undeformed ball
   HalfApproach,  ///< half the approach below the undeformed ball at the center
   Undeformed     ///< touching the undeformed ball at the center
 };
 template <class T, class S>
-[[gnu::always_inline]] inline EllipseSurface<T, S> ellipse_surface(SurfacePlace place, const S& rho,
+[[gnu::always_inline]] inline EllipseSurface<T, S> ellipse_surface(SurfacePosition place,
+                                                                   const S& rho,
                                                                    const S& ball_radius, const T& a,
                                                                    const T& approach) {
   using M = ScalarMath<T>;
   T offset = ball_radius;
-  if (place == SurfacePlace::ThroughEdge) {
+  if (place == SurfacePosition::ThroughEdge) {
     offset = M::root(ball_radius * ball_radius - a * a);
     if (EllipseSurface<T, S>::is_curved(rho)) offset -= M::root(rho * rho - a * a);
   } else {
-    if (place == SurfacePlace::HalfApproach) offset -= 0.5 * approach;
+    if (place == SurfacePosition::HalfApproach) offset -= 0.5 * approach;
     offset -= rho;
   }
   return {offset, rho};
@@ -86,76 +87,77 @@ struct EllipseContact {
 };
 
 template <class T>
-struct EllipseSums {
+struct EllipseResultants {
   T F_c{}, F_t{}, M_c{}, M_t{}, M_n{}, heat{}, load_slip{};
 };
 
 template <class T, class Law, class S = double>
-class EllipseSum {
+class EllipseQuadrature {
  public:
   /// @param floor ε² of the rounded slip; slip_scale of the law, for the pieces of a split rule
-  [[gnu::always_inline]] EllipseSum(const EllipseNodes& nodes, const EllipseContact<T, S>& contact,
-                                    const Law& law, double floor, double slip_scale)
+  [[gnu::always_inline]] EllipseQuadrature(const EllipseNodes& nodes,
+                                           const EllipseContact<T, S>& contact, const Law& law,
+                                           double floor, double slip_scale)
       : nodes_(nodes),
         e_(contact),
-        peak_pressure_(Law::kOfPressure ? peak_pressure(contact) : T(0.0)),
-        law_{law.at(ContactPoint<T>{contact.load, peak_pressure(contact), contact.a, contact.b,
-                                    contact.motion.entrainment, middle_slip(contact),
-                                    contact.motion.curvature}),
+        peak_pressure_(Law::kDependsOnPressure ? peak_pressure(contact) : T(0.0)),
+        law_{law.at(ContactConditions<T>{contact.load, peak_pressure(contact), contact.a, contact.b,
+                                         contact.motion.entrainment, middle_slip(contact),
+                                         contact.motion.curvature}),
              floor},
         slip_scale_(slip_scale) {}
 
-  [[gnu::always_inline]] EllipseSums<T> run() {
-    if constexpr (takes_several() && is_of_strip<Law>()) {
+  [[gnu::always_inline]] EllipseResultants<T> run() {
+    if constexpr (can_evaluate_several() && is_strip_law<Law>()) {
       if (nodes_.minor == 2) {
-        RowsOfFour waiting;
-        for_rows([&](const T& xi, const T& chord, const T& half_width, const T& load)
-                     __attribute__((always_inline)) {
-                       waiting.row[waiting.count] = row(xi, half_width, load);
-                       waiting.chord[waiting.count] = chord;
-                       if (++waiting.count == 2) add_strips(waiting);
-                     });
+        FourPointRows waiting;
+        for_each_row([&](const T& xi, const T& chord, const T& half_width, const T& load)
+                         __attribute__((always_inline)) {
+                           waiting.row[waiting.count] = row(xi, half_width, load);
+                           waiting.chord[waiting.count] = chord;
+                           if (++waiting.count == 2) add_strips(waiting);
+                         });
         if (waiting.count > 0) add_strips(waiting);
         return sum_;
       }
-    } else if constexpr (takes_several()) {
+    } else if constexpr (can_evaluate_several()) {
       if (nodes_.minor == 4) {
-        RowsOfFour waiting;
-        for_rows([&](const T& xi, const T& chord, const T& half_width, const T& load)
-                     __attribute__((always_inline)) {
-                       waiting.row[waiting.count] = row(xi, half_width, load);
-                       waiting.chord[waiting.count] = chord;
-                       if (++waiting.count == 2) add_fours(waiting);
-                     });
-        if (waiting.count > 0) add_fours(waiting);
+        FourPointRows waiting;
+        for_each_row([&](const T& xi, const T& chord, const T& half_width, const T& load)
+                         __attribute__((always_inline)) {
+                           waiting.row[waiting.count] = row(xi, half_width, load);
+                           waiting.chord[waiting.count] = chord;
+                           if (++waiting.count == 2) add_four_point_rows(waiting);
+                         });
+        if (waiting.count > 0) add_four_point_rows(waiting);
         return sum_;
       }
       if (nodes_.minor % 2 == 0) {
         Pairs waiting;
-        for_rows([&](const T& xi, const T& chord, const T& half_width, const T& load)
-                     __attribute__((always_inline)) {
-                       const Row r = row(xi, half_width, load);
-                       for (int j = 0; 2 * j < nodes_.minor; ++j) {
-                         waiting.pair[waiting.count++] = {r, pressure(chord, j), j};
-                         if (waiting.count == kPairs) add_pairs(waiting);
-                       }
-                     });
-        if (waiting.count > 0) add_pairs(waiting);
+        for_each_row([&](const T& xi, const T& chord, const T& half_width, const T& load)
+                         __attribute__((always_inline)) {
+                           const Row r = row(xi, half_width, load);
+                           for (int j = 0; 2 * j < nodes_.minor; ++j) {
+                             waiting.pair[waiting.count++] = {r, pressure(chord, j), j};
+                             if (waiting.count == kPairs) add_point_pairs(waiting);
+                           }
+                         });
+        if (waiting.count > 0) add_point_pairs(waiting);
         return sum_;
       }
     }
-    for_rows([this](const T& xi, const T& chord, const T& half_width, const T& load)
-                 __attribute__((always_inline)) { add_row(xi, chord, half_width, load); });
+    for_each_row([this](const T& xi, const T& chord, const T& half_width, const T& load)
+                     __attribute__((always_inline)) { add_row(xi, chord, half_width, load); });
     return sum_;
   }
 
   /// visit(ξ, chord, half width, load of the row) in the order in which rows are summed.
   template <class Visit>
-  [[gnu::always_inline]] void for_rows(const Visit& visit) const {
+  [[gnu::always_inline]] void for_each_row(const Visit& visit) const {
     if (nodes_.split) {
-      split_rule(visit);
+      visit_split_rows(visit);
     } else {
-      product_rule(visit);
+      visit_product_rows(visit);
     }
   }
 
@@ -181,7 +183,7 @@ class EllipseSum {
             u_t * u_t + law_.floor};
   }
   /// u_c at point j of a row.
-  [[gnu::always_inline]] T cross_slip(const Row& r, int j) const {
+  [[gnu::always_inline]] T transverse_slip(const Row& r, int j) const {
     return r.mean - r.swing * nodes_.v[j];
   }
   /// Pressure at point j of a row of that chord; of laws of pressure only.
@@ -203,12 +205,12 @@ class EllipseSum {
     sum_.load_slip += r.load * speed;
   }
   /// κ/s at the two points of a row, sum and difference (second less first), and Σ s.
-  struct RowOfTwo {
+  struct TwoPointRow {
     T sum, difference, slips;
   };
   /// Adds a row of a rule with two minor nodes ±v of half the weight each: with q = swing v,
   /// u_c = mean ∓ q, F_c = ½ load (mean sum - q difference).
-  [[gnu::always_inline]] void add_row_of_two(const Row& r, const RowOfTwo& at) {
+  [[gnu::always_inline]] void add_two_point_row(const Row& r, const TwoPointRow& at) {
     const T q = r.swing * nodes_.v[1], half = 0.5 * r.load;
     const T f_t = half * (at.sum * r.u_t);
     const T f_c = half * (r.mean * at.sum - q * at.difference);
@@ -221,10 +223,10 @@ class EllipseSum {
     sum_.heat += r.u_t * f_t + r.mean * f_c - q * f_cv;
     sum_.load_slip += half * at.slips;
   }
-  [[nodiscard]] const EllipseSums<T>& sums() const { return sum_; }
+  [[nodiscard]] const EllipseResultants<T>& sums() const { return sum_; }
 
   /// u_t at ξ.
-  [[gnu::always_inline]] T rolling_slip(const T& xi) const {
+  [[gnu::always_inline]] T longitudinal_slip(const T& xi) const {
     return e_.motion.u_t + e_.motion.W_n * xi - e_.motion.W_c * e_.surface.height(xi);
   }
   /// Slip at the ends of the pieces over W_n b, unless the rule sets it. Films bend over a wider
@@ -257,15 +259,15 @@ class EllipseSum {
   }
 
   /// κ is a function of the slip only, and no other result of the law is needed.
-  static constexpr bool of_slip_alone() {
-    if constexpr (requires { Law::kOfSlipAlone; })
-      return Law::kOfSlipAlone;
+  static constexpr bool depends_only_on_slip() {
+    if constexpr (requires { Law::kDependsOnlyOnSlip; })
+      return Law::kDependsOnlyOnSlip;
     else
       return false;
   }
 
   template <class Visit>
-  [[gnu::always_inline]] void product_rule(const Visit& visit) const {
+  [[gnu::always_inline]] void visit_product_rows(const Visit& visit) const {
     for (int i = 0; i < nodes_.major; ++i) {
       visit(nodes_.s[i] * e_.a, T(nodes_.chord[i]), nodes_.chord[i] * e_.b,
             nodes_.weight_s[i] * e_.load);
@@ -273,7 +275,7 @@ class EllipseSum {
   }
 
   template <class Visit>
-  [[gnu::always_inline]] void split_rule(const Visit& visit) const {
+  [[gnu::always_inline]] void visit_split_rows(const Visit& visit) const {
     using M = ScalarMath<T>;
     const EllipseBreaks<T> at = breaks();
     const T ends[kEllipsePieces + 1] = {T(-1.0), at.s1, at.s2, at.s3, at.s4, T(1.0)};
@@ -295,46 +297,46 @@ class EllipseSum {
   [[gnu::always_inline]] void add_row(const T& xi, const T& chord, const T& half_width,
                                       const T& load) {
     const Row r = row(xi, half_width, load);
-    if constexpr (of_slip_alone()) {
+    if constexpr (depends_only_on_slip()) {
       if (nodes_.minor == 2) {
-        add_row_of_two(r, row_of_two(r));
+        add_two_point_row(r, two_point_row(r));
         return;
       }
     }
     T g0 = 0.0, g1 = 0.0, g2 = 0.0, speed = 0.0;
     const auto along_row = [&](const auto& law) {
       for (int j = 0; j < nodes_.minor; ++j) {
-        const T u_c = cross_slip(r, j);
+        const T u_c = transverse_slip(r, j);
         const T square = u_c * u_c + r.fixed;
         T p = 0.0, slip;
-        if constexpr (Law::kOfPressure) p = pressure(chord, j);
-        const T g = law.of_rounded(square, p, slip);
+        if constexpr (Law::kDependsOnPressure) p = pressure(chord, j);
+        const T g = law.coefficient_over_slip(square, p, slip);
         g0 += g * nodes_.weight_v[j];
         g1 += g * nodes_.weight_v1[j];
         g2 += g * nodes_.weight_v2[j];
         speed += slip * nodes_.weight_v[j];
       }
     };
-    if constexpr (is_of_strip<Law>()) {
+    if constexpr (is_strip_law<Law>()) {
       const auto strip = law_.law.strip(peak_pressure_ * chord);
-      along_row(RoundedLaw<decltype(strip)>{strip, law_.floor});
+      along_row(RegularizedLaw<decltype(strip)>{strip, law_.floor});
     } else {
       along_row(law_);
     }
     add_moments(r, g0, g1, g2, speed);
   }
 
-  [[gnu::always_inline]] RowOfTwo row_of_two(const Row& r) const {
-    const T behind = cross_slip(r, 0), ahead = cross_slip(r, 1);
+  [[gnu::always_inline]] TwoPointRow two_point_row(const Row& r) const {
+    const T behind = transverse_slip(r, 0), ahead = transverse_slip(r, 1);
     T slip_behind, slip_ahead;
-    const T g_behind = law_.of_rounded(behind * behind + r.fixed, T(0.0), slip_behind);
-    const T g_ahead = law_.of_rounded(ahead * ahead + r.fixed, T(0.0), slip_ahead);
+    const T g_behind = law_.coefficient_over_slip(behind * behind + r.fixed, T(0.0), slip_behind);
+    const T g_ahead = law_.coefficient_over_slip(ahead * ahead + r.fixed, T(0.0), slip_ahead);
     return {g_ahead + g_behind, g_ahead - g_behind, slip_ahead + slip_behind};
   }
 
-  using Here = decltype(std::declval<const Law&>().at(std::declval<const ContactPoint<T>&>()));
+  using Here = decltype(std::declval<const Law&>().at(std::declval<const ContactConditions<T>&>()));
   /// Does the law take several points at once?
-  static constexpr bool takes_several() {
+  static constexpr bool can_evaluate_several() {
     return requires(const Here& here, T* at) {
       here.template several<2 * kPairs, kPairs>(at, at, at);
     };
@@ -342,12 +344,12 @@ class EllipseSum {
 
   /// Two rows of four points, which is what runs have: points 0 and 3, 1 and 2 of a row have one
   /// pressure.
-  struct RowsOfFour {
+  struct FourPointRows {
     Row row[2];
     T chord[2];
     int count = 0;
   };
-  [[gnu::noinline]] void add_fours(RowsOfFour& rows) {
+  [[gnu::noinline]] void add_four_point_rows(FourPointRows& rows) {
     if (rows.count == 1) {
       rows.row[1] = rows.row[0];
       rows.chord[1] = rows.chord[0];
@@ -357,8 +359,8 @@ class EllipseSum {
 #pragma GCC unroll 8
     for (int i = 0; i < 8; ++i) {
       const int j = kNodes[i / 2], r = i % 2;
-      const T u_c = cross_slip(rows.row[r], j);
-      slip[i] = ScalarMath<T>::root_and_inverse(u_c * u_c + rows.row[r].fixed, inverse[i]);
+      const T u_c = transverse_slip(rows.row[r], j);
+      slip[i] = ScalarMath<T>::sqrt_and_inverse(u_c * u_c + rows.row[r].fixed, inverse[i]);
       if (i < 4) p[i] = pressure(rows.chord[r], j);
     }
     law_.law.template several<8, 4>(slip, p, kappa);
@@ -379,7 +381,7 @@ class EllipseSum {
   }
 
   /// Two strips of two points, which is what runs have of laws of strips.
-  [[gnu::noinline]] void add_strips(RowsOfFour& rows) {
+  [[gnu::noinline]] void add_strips(FourPointRows& rows) {
     if (rows.count == 1) {
       rows.row[1] = rows.row[0];
       rows.chord[1] = rows.chord[0];
@@ -389,8 +391,8 @@ class EllipseSum {
 #pragma GCC unroll 4
     for (int i = 0; i < 4; ++i) {
       const Row& r = rows.row[i % 2];
-      const T u_c = cross_slip(r, i / 2);
-      slip[i] = ScalarMath<T>::root_and_inverse(u_c * u_c + r.fixed, inverse[i]);
+      const T u_c = transverse_slip(r, i / 2);
+      slip[i] = ScalarMath<T>::sqrt_and_inverse(u_c * u_c + r.fixed, inverse[i]);
     }
     law_.law.template several<4, 2>(slip, peak, kappa);
     for (int r = 0; r < rows.count; ++r) {
@@ -416,16 +418,16 @@ class EllipseSum {
     Pair pair[kPairs];
     int count = 0;
   };
-  [[gnu::noinline]] void add_pairs(Pairs& pairs) {
+  [[gnu::noinline]] void add_point_pairs(Pairs& pairs) {
     for (int k = pairs.count; k < kPairs; ++k) pairs.pair[k] = pairs.pair[0];
     T slip[2 * kPairs], inverse[2 * kPairs], kappa[2 * kPairs], p[kPairs];
     for (int k = 0; k < kPairs; ++k) {
       const Pair& at = pairs.pair[k];
       p[k] = at.pressure;
       for (int side = 0; side < 2; ++side) {
-        const T u_c = cross_slip(at.row, side == 0 ? at.j : nodes_.minor - 1 - at.j);
+        const T u_c = transverse_slip(at.row, side == 0 ? at.j : nodes_.minor - 1 - at.j);
         const int i = k + side * kPairs;
-        slip[i] = ScalarMath<T>::root_and_inverse(u_c * u_c + at.row.fixed, inverse[i]);
+        slip[i] = ScalarMath<T>::sqrt_and_inverse(u_c * u_c + at.row.fixed, inverse[i]);
       }
     }
     law_.law.template several<2 * kPairs, kPairs>(slip, p, kappa);
@@ -445,9 +447,9 @@ class EllipseSum {
   const EllipseNodes& nodes_;
   const EllipseContact<T, S>& e_;
   T peak_pressure_;
-  RoundedLaw<Here> law_;
+  RegularizedLaw<Here> law_;
   double slip_scale_;
-  EllipseSums<T> sum_;
+  EllipseResultants<T> sum_;
 };
 
 }  // namespace adore::tribology

@@ -172,7 +172,7 @@ EllipseRule make_strip_rule() {
   return rule;
 }
 
-EllipseRule make_run_rule(EllipseSize size) {
+EllipseRule make_run_rule(EllipseNodeCounts size) {
   if (size == kFilmNodes) return make_film_rule();
   if (size == kStripNodes) return make_strip_rule();
   return make_split_ellipse_rule(size.major, size.minor);
@@ -219,8 +219,8 @@ EllipseTraction ellipse_traction(const TractionLaw& law, const EllipseGeometry& 
   const EllipseContact<double> contact = contact_of(geometry, motion);
   const EllipseNodes nodes = rule.nodes();
   return law.visit([&](const auto& own) {
-    EllipseSum sum(nodes, contact, own, law.slip_floor(), law.slip_scale());
-    const EllipseSums<double> s = sum.run();
+    EllipseQuadrature sum(nodes, contact, own, law.regularization_slip_squared(), law.slip_scale());
+    const EllipseResultants<double> s = sum.run();
     return EllipseTraction{s.F_c, s.F_t,  s.M_c,       s.M_t,
                            s.M_n, s.heat, s.load_slip, largest_slip(geometry, motion)};
   });

@@ -62,19 +62,19 @@ struct EllipseGeometry {
   return surface == ContactSurface::CurvedEdge || surface == ContactSurface::CurvedHalf ||
          surface == ContactSurface::CurvedUndeformed;
 }
-[[nodiscard]] constexpr SurfacePlace place_of(ContactSurface surface) noexcept {
+[[nodiscard]] constexpr SurfacePosition place_of(ContactSurface surface) noexcept {
   switch (surface) {
     case ContactSurface::CurvedEdge:
     case ContactSurface::FlatEdge:
-      return SurfacePlace::ThroughEdge;
+      return SurfacePosition::ThroughEdge;
     case ContactSurface::CurvedHalf:
     case ContactSurface::FlatHalf:
-      return SurfacePlace::HalfApproach;
+      return SurfacePosition::HalfApproach;
     case ContactSurface::CurvedUndeformed:
     case ContactSurface::FlatUndeformed:
       break;
   }
-  return SurfacePlace::Undeformed;
+  return SurfacePosition::Undeformed;
 }
 
 /// Sets ρ = 2 r_b R/(r_b + R) (or 0) and h(0) of a surface convention. Needs a < r_b < R.
@@ -135,12 +135,12 @@ struct EllipseRule {
 
 /// Nodes along and across of these two, and the rule that a run means by its numbers: one of them,
 /// or the split rule.
-struct EllipseSize {
+struct EllipseNodeCounts {
   int major = 0, minor = 0;
-  friend bool operator==(const EllipseSize&, const EllipseSize&) = default;
+  friend bool operator==(const EllipseNodeCounts&, const EllipseNodeCounts&) = default;
 };
-inline constexpr EllipseSize kFilmNodes{12, 4}, kStripNodes{16, 2};
-[[nodiscard]] EllipseRule make_run_rule(EllipseSize size);
+inline constexpr EllipseNodeCounts kFilmNodes{12, 4}, kStripNodes{16, 2};
+[[nodiscard]] EllipseRule make_run_rule(EllipseNodeCounts size);
 
 /// The fixed rule of a run, as its kernels have it (ellipse_sum.hpp). max_slip is largest_slip.
 [[nodiscard]] EllipseTraction ellipse_traction(const TractionLaw& law,
@@ -159,18 +159,18 @@ inline constexpr EllipseSize kFilmNodes{12, 4}, kStripNodes{16, 2};
                                                          const EllipseKinematics& motion);
 
 /// A law given as a function, for comparisons with models outside of the list.
-struct PressureLaw {
+struct TractionFunction {
   std::function<double(double slip, double pressure)> coefficient;  ///< κ, smooth except at `bend`
   double bend = 0.0;  ///< slip where κ bends [m/s]; 0 = none
 
-  static constexpr bool kOfPressure = true;
+  static constexpr bool kDependsOnPressure = true;
   template <class T>
-  [[nodiscard]] const std::function<double(double, double)>& at(const ContactPoint<T>&) const {
+  [[nodiscard]] const std::function<double(double, double)>& at(const ContactConditions<T>&) const {
     return coefficient;
   }
   [[nodiscard]] double kink() const { return bend; }
 };
-[[nodiscard]] EllipseTraction ellipse_traction_converged(const PressureLaw& law,
+[[nodiscard]] EllipseTraction ellipse_traction_converged(const TractionFunction& law,
                                                          const EllipseGeometry& geometry,
                                                          const EllipseKinematics& motion);
 

@@ -37,14 +37,14 @@ double single_until(const HeatedFilm& film) {
 
 /// Fits that both films with measured viscosity take.
 struct MeasuredFits {
-  PressureFit log_viscosity, log_heating;
+  PressurePolynomial log_viscosity, log_heating;
 };
 MeasuredFits measured_fits(const Lubricant& oil, double T) {
-  const auto log_viscosity = [&](double p) { return std::log(oil.pressed_viscosity(p, T)); };
+  const auto log_viscosity = [&](double p) { return std::log(oil.viscosity_under_pressure(p, T)); };
   const double K = oil.conductivity.at(T);
   const auto log_heating = [&](double p) {
-    return 0.5 *
-           (std::log(std::max(oil.pressed_beta(p, T), kLeastBeta) / (8.0 * K)) + log_viscosity(p));
+    return 0.5 * (std::log(std::max(oil.beta_under_pressure(p, T), kLeastBeta) / (8.0 * K)) +
+                  log_viscosity(p));
   };
   // Equilibria make a law for each place of each contact, at few temperatures: the last fits.
   using Key = std::array<double, 5>;
@@ -60,7 +60,7 @@ MeasuredFits measured_fits(const Lubricant& oil, double T) {
   for (const Last& one : last)
     if (one.key == key) return one.fits;
   const double end =
-      pressure_of_viscosity(log_viscosity, kLogGlassViscosity - 0.6, kLargestPressure);
+      pressure_at_viscosity(log_viscosity, kLogGlassViscosity - 0.6, kLargestPressure);
   Last& now = last[next++ % last.size()];
   now = {key,
          {fit_over_pressure(log_viscosity, end, kFitError).fit,
@@ -70,10 +70,10 @@ MeasuredFits measured_fits(const Lubricant& oil, double T) {
 
 }  // namespace
 
-FilmOfContact film_of_contact(const Lubricant& oil, const bearing::Lubrication& lubrication,
-                              const FilmSurface& s) {
+ContactFilmModel contact_film_model(const Lubricant& oil, const bearing::Lubrication& lubrication,
+                                    const RaceFilmInputs& s) {
   const double T = s.wall_temperature, mu = oil.base_viscosity(T), alpha = oil.base_alpha(T);
-  FilmOfContact out;
+  ContactFilmModel out;
   out.line = s.line;
   out.log_central = log_constant(s.line ? kLineCentral : kPointCentral, mu, alpha, s.modulus);
   out.log_minimum = log_constant(s.line ? kLineMinimum : kPointMinimum, mu, alpha, s.modulus);
@@ -90,9 +90,9 @@ FilmOfContact film_of_contact(const Lubricant& oil, const bearing::Lubrication& 
 }
 
 RollingResistance rolling_resistance(const Lubricant& oil, const bearing::Lubrication& lubrication,
-                                     const FilmSurface& s) {
+                                     const RaceFilmInputs& s) {
   RollingResistance out;
-  out.film = film_of_contact(oil, lubrication, s);
+  out.film = contact_film_model(oil, lubrication, s);
   out.log_speed = std::log(oil.base_viscosity(s.wall_temperature) / s.modulus);
   out.log_material = std::log(std::max(oil.base_alpha(s.wall_temperature) * s.modulus, 1e-30));
   out.modulus = s.modulus;
@@ -102,33 +102,33 @@ RollingResistance rolling_resistance(const Lubricant& oil, const bearing::Lubric
 
 HeatedFilm heated_film(const Lubricant& oil, double T) {
   HeatedFilm out;
-  out.viscosity = oil.pressed_viscosity(0.0, T);
+  out.viscosity = oil.viscosity_under_pressure(0.0, T);
   out.half_alpha = 0.5 * oil.traction_alpha;
-  out.heating = std::sqrt(std::max(oil.pressed_beta(0.0, T), kLeastBeta) * out.viscosity /
+  out.heating = std::sqrt(std::max(oil.beta_under_pressure(0.0, T), kLeastBeta) * out.viscosity /
                           (8.0 * oil.conductivity.at(T)));
-  out.limit = LimitedTraction::at(oil.limiting_ratio(T));
+  out.limit = TractionLimiter::at(oil.limiting_ratio(T));
   return out;
 }
 
-MeasuredFilm measured_film(const Lubricant& oil, double T) {
+MeasuredViscosityFilm measured_viscosity_film(const Lubricant& oil, double T) {
   const MeasuredFits fits = measured_fits(oil, T);
-  MeasuredFilm out;
+  MeasuredViscosityFilm out;
   out.log_viscosity = fits.log_viscosity;
   out.log_heating = fits.log_heating;
-  out.limit = LimitedTraction::at(oil.limiting_ratio(T));
+  out.limit = TractionLimiter::at(oil.limiting_ratio(T));
   return out;
 }
 
-ThinningFilm thinning_film(const Lubricant& oil, double T) {
+ShearThinningFriction shear_thinning_friction(const Lubricant& oil, double T) {
   demand(oil.carreau_a == 2.0, "the shear-thinning law has an exponent a other than 2");
   const MeasuredFits fits = measured_fits(oil, T);
   return {fits.log_viscosity, fits.log_heating, oil.carreau_G * T / oil.carreau_TR,
-          0.5 * (oil.carreau_n - 1.0), LimitedTraction::at(oil.limiting_ratio(T))};
+          0.5 * (oil.carreau_n - 1.0), TractionLimiter::at(oil.limiting_ratio(T))};
 }
 
 TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& oil,
-                     const bearing::Lubrication& lubrication, const FilmSurface& s) {
-  const FilmOfContact film = film_of_contact(oil, lubrication, s);
+                     const bearing::Lubrication& lubrication, const RaceFilmInputs& s) {
+  const ContactFilmModel film = contact_film_model(oil, lubrication, s);
   switch (oil.model) {
     case LubricantModel::NewtonianThermal: {
       HeatedFilm fluid = heated_film(oil, s.wall_temperature);
@@ -136,15 +136,15 @@ TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& oil,
       return {metal, film, fluid};
     }
     case LubricantModel::NewtonianGeneral: {
-      MeasuredFilm fluid = measured_film(oil, s.wall_temperature);
+      MeasuredViscosityFilm fluid = measured_viscosity_film(oil, s.wall_temperature);
       if (s.single) fluid.single_until = kAnyPressure;
       return {metal, film, fluid};
     }
     case LubricantModel::ShearThinning: {
-      ThinningFilm fluid = thinning_film(oil, s.wall_temperature);
+      ShearThinningFriction fluid = shear_thinning_friction(oil, s.wall_temperature);
       if (lubrication.direct_strips) return {metal, film, fluid};
       const ThinningSurface surface =
-          thinning_surface(fluid.half_power, thinning_error_of(lubrication.tolerance));
+          thinning_surface(fluid.half_power, target_thinning_error(lubrication.tolerance));
       surface.give(fluid);
       if (s.single) fluid.single_until = kAnyPressure;
       return {metal, film, fluid, surface.table};
@@ -156,26 +156,26 @@ TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& oil,
   const double T = s.wall_temperature, speed = std::max(s.race_speed, kLeastRaceSpeed);
   ViscoElasticSurface surface;
   if (lubrication.direct_strips) {
-    surface.film = visco_elastic_direct(oil, T);
+    surface.film = direct_visco_elastic_film(oil, T);
   } else {
     surface = visco_elastic_surface(oil, T, s.width_over_pressure, speed,
-                                    surface_error_of(lubrication.tolerance));
+                                    target_surface_error(lubrication.tolerance));
   }
   if (s.single && !lubrication.direct_strips && !lubrication.hot_walls)
     surface.film.single_until = kSurfacePressure[1];
-  if (lubrication.hot_walls) heat_film(surface.film, oil, T, s.walls);
+  if (lubrication.hot_walls) set_wall_heating(surface.film, oil, T, s.walls);
   return {metal, film, surface.film, surface.table};
 }
 
-std::string strips_of(const Lubricant& oil, const bearing::Lubrication& lubrication,
-                      const FilmSurface& s) {
+std::string describe_film_evaluation(const Lubricant& oil, const bearing::Lubrication& lubrication,
+                                     const RaceFilmInputs& s) {
   const std::string floats = s.single ? "film evaluated in single precision, relative error of "
                                         "traction 3e-5 (run option filmPrecision)"
                                       : "";
   if (oil.model == LubricantModel::ShearThinning) {
     if (lubrication.direct_strips) return "shear stress computed at each integration point";
     const ThinningSurface at =
-        thinning_surface(0.5 * (oil.carreau_n - 1.0), thinning_error_of(lubrication.tolerance));
+        thinning_surface(0.5 * (oil.carreau_n - 1.0), target_thinning_error(lubrication.tolerance));
     return floats + (floats.empty() ? "" : "; ") +
            fmt::format(
                "shear stress interpolated in a table of {} x {} values (shear rate and heating): "
@@ -189,7 +189,7 @@ std::string strips_of(const Lubricant& oil, const bearing::Lubrication& lubricat
   constexpr double kLeastRaceSpeed = 0.1;
   const ViscoElasticSurface at = visco_elastic_surface(
       oil, s.wall_temperature, s.width_over_pressure, std::max(s.race_speed, kLeastRaceSpeed),
-      surface_error_of(lubrication.tolerance));
+      target_surface_error(lubrication.tolerance));
   return (floats.empty() || lubrication.hot_walls ? std::string() : floats + "; ") +
          fmt::format(
              "shear stress along each strip interpolated in a table of {} x {} x {} values "

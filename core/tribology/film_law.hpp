@@ -13,7 +13,7 @@
 namespace adore::tribology {
 
 /// Contacts with one race, as far as its film reads them.
-struct FilmSurface {
+struct RaceFilmInputs {
   bool line = false;              ///< slices of rollers
   double radius = 0.0;            ///< of both bodies along rolling, where a contact says none [m]
   double modulus = 0.0;           ///< E' [Pa]
@@ -31,28 +31,30 @@ struct FilmSurface {
 /// Critical films of motion are not taken thinner.
 inline constexpr double kThinnestFilm = 1e-9;
 
-[[nodiscard]] FilmOfContact film_of_contact(const Lubricant& lubricant,
-                                            const bearing::Lubrication& lubrication,
-                                            const FilmSurface& surface);
+[[nodiscard]] ContactFilmModel contact_film_model(const Lubricant& lubricant,
+                                                  const bearing::Lubrication& lubrication,
+                                                  const RaceFilmInputs& surface);
 
 /// Of the oil in the inlets of contacts with one race.
 [[nodiscard]] RollingResistance rolling_resistance(const Lubricant& lubricant,
                                                    const bearing::Lubrication& lubrication,
-                                                   const FilmSurface& surface);
+                                                   const RaceFilmInputs& surface);
 
 // The films of the four models at the walls' temperature.
 [[nodiscard]] HeatedFilm heated_film(const Lubricant& lubricant, double temperature);
-[[nodiscard]] MeasuredFilm measured_film(const Lubricant& lubricant, double temperature);
-[[nodiscard]] ThinningFilm thinning_film(const Lubricant& lubricant, double temperature);
+[[nodiscard]] MeasuredViscosityFilm measured_viscosity_film(const Lubricant& lubricant,
+                                                            double temperature);
+[[nodiscard]] ShearThinningFriction shear_thinning_friction(const Lubricant& lubricant,
+                                                            double temperature);
 
 /// @param metal where the film breaks down
 [[nodiscard]] TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& lubricant,
                                    const bearing::Lubrication& lubrication,
-                                   const FilmSurface& surface);
+                                   const RaceFilmInputs& surface);
 /// How a film has its stress: a visco-elastic or shear-thinning one with the error of its surface,
 /// any one that is evaluated by floats; else empty.
-[[nodiscard]] std::string strips_of(const Lubricant& lubricant,
-                                    const bearing::Lubrication& lubrication,
-                                    const FilmSurface& surface);
+[[nodiscard]] std::string describe_film_evaluation(const Lubricant& lubricant,
+                                                   const bearing::Lubrication& lubrication,
+                                                   const RaceFilmInputs& surface);
 
 }  // namespace adore::tribology

@@ -27,7 +27,8 @@ FilmThickness point_film(const FilmInlet& inlet, double radius, double load, dou
   return {thickness(kPointCentral, g, radius, k), thickness(kPointMinimum, g, radius, k)};
 }
 
-FilmThickness any_point_film(const FilmInlet& inlet, double along, double across, double load) {
+FilmThickness chittenden_point_film(const FilmInlet& inlet, double along, double across,
+                                    double load) {
   const auto [U, G, W] = groups(inlet, along, load / (inlet.modulus * along * along));
   const double shape = std::pow(across / along, 2.0 / 3.0);
   const double common = along * std::pow(U, 0.68) * std::pow(G, 0.49) * std::pow(W, -0.073);
@@ -39,12 +40,12 @@ FilmThickness line_film(const FilmInlet& inlet, double radius, double load) {
   return {thickness(kLineCentral, g, radius, 0.0), thickness(kLineMinimum, g, radius, 0.0)};
 }
 
-double line_film_1966(const FilmInlet& inlet, double radius, double load) {
+double dowson_higginson_line_film(const FilmInlet& inlet, double radius, double load) {
   const auto [U, G, W] = groups(inlet, radius, load / (inlet.modulus * radius));
   return 1.6 * radius * std::pow(G, 0.6) * std::pow(U, 0.7) * std::pow(W, -0.13);
 }
 
-FilmThickness line_film_1989(const FilmInlet& inlet, double radius, double load) {
+FilmThickness pan_hamrock_line_film(const FilmInlet& inlet, double radius, double load) {
   const auto [U, G, W] = groups(inlet, radius, load / (inlet.modulus * radius));
   return {2.922 * radius * std::pow(W, -0.166) * std::pow(U, 0.692) * std::pow(G, 0.470),
           1.714 * radius * std::pow(W, -0.128) * std::pow(U, 0.694) * std::pow(G, 0.568)};

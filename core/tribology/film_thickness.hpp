@@ -41,18 +41,19 @@ struct FilmInlet {
 /// Point contact, any direction of entrainment; Chittenden, Dowson, Dunn & Taylor 1985, radii along
 /// and across it:
 ///   h_c = 4.31 Re U^0.68 G^0.49 W^-0.073 {1 - exp[-1.23 (Rs/Re)^(2/3)]}, h_m: 3.68 and 0.67
-[[nodiscard]] FilmThickness any_point_film(const FilmInlet& inlet, double along, double across,
-                                           double load);
+[[nodiscard]] FilmThickness chittenden_point_film(const FilmInlet& inlet, double along,
+                                                  double across, double load);
 
 /// Line contact; central after Dowson & Toyoda 1979, 3.06 R G^0.56 U^0.69 W^-0.10, minimum after
 /// Dowson 1968, 2.65 R G^0.54 U^0.7 W^-0.13. @param load per length [N/m]
 [[nodiscard]] FilmThickness line_film(const FilmInlet& inlet, double radius, double load);
 
 /// Line contact, minimum: Dowson & Higginson 1966, 1.6 R G^0.6 U^0.7 W^-0.13.
-[[nodiscard]] double line_film_1966(const FilmInlet& inlet, double radius, double load);
+[[nodiscard]] double dowson_higginson_line_film(const FilmInlet& inlet, double radius, double load);
 
 /// Line contact: Pan & Hamrock 1989, 2.922 R W^-0.166 U^0.692 G^0.470 and 1.714 R W^-0.128 U^0.694
 /// G^0.568.
-[[nodiscard]] FilmThickness line_film_1989(const FilmInlet& inlet, double radius, double load);
+[[nodiscard]] FilmThickness pan_hamrock_line_film(const FilmInlet& inlet, double radius,
+                                                  double load);
 
 }  // namespace adore::tribology

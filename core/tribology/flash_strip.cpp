@@ -32,9 +32,9 @@ FlashResult flash_strip(const FlashStrip& s, int cells) {
       const auto viscosity = [&](double T) {
         return s.viscosity * std::exp(s.alpha * p + s.beta * (s.reference - T));
       };
-      film = film_between_walls(viscosity(s.temperature_a + rise_a),
-                                viscosity(s.temperature_b + rise_b), s.beta, s.conductivity,
-                                s.thickness, slip);
+      film = film_shear_between_walls(viscosity(s.temperature_a + rise_a),
+                                      viscosity(s.temperature_b + rise_b), s.beta, s.conductivity,
+                                      s.thickness, slip);
       const double change_a = share_a * (before_a + own * film.heat_a) - rise_a,
                    change_b = share_b * (before_b + own * film.heat_b) - rise_b;
       rise_a += 0.5 * change_a;

@@ -8,17 +8,17 @@
 
 namespace adore::tribology {
 
-std::vector<SpreadRow> law_spread(int code, const SpreadContact& contact,
-                                  const std::vector<double>& slips) {
+std::vector<LawSpreadRow> law_spread(int code, const LawSpreadContact& contact,
+                                     const std::vector<double>& slips) {
   const Oil oil = oil_of(code);
-  std::vector<SpreadRow> out;
+  std::vector<LawSpreadRow> out;
   for (const int one : oil.codes) {
     bearing::Lubrication lubrication;
     lubrication.code = one;
     lubrication.meniscus = contact.meniscus;
     lubrication.stress_limit = contact.stress_limit;
     lubrication.direct_strips = true;  // few points: no surface is worth its time
-    FilmSurface surface;
+    RaceFilmInputs surface;
     surface.line = contact.line;
     surface.radius = 1.0 / contact.point.curvature;
     surface.modulus = contact.modulus;
@@ -27,9 +27,9 @@ std::vector<SpreadRow> law_spread(int code, const SpreadContact& contact,
     surface.width_over_pressure = contact.point.half_minor / contact.point.peak_pressure;
     const Lubricant of = lubricant_of(lubrication);
     const TractionLaw law = film_law({}, of, lubrication, surface);
-    SpreadRow row{one, of.name, one == oil.recommended, {}};
+    LawSpreadRow row{one, of.name, one == oil.recommended, {}};
     for (const double slip : slips) {
-      ContactPoint<double> at = contact.point;
+      ContactConditions<double> at = contact.point;
       at.slip = slip;
       row.kappa.push_back(law.visit([&](const auto& film) {
         if constexpr (kHasFilm<std::decay_t<decltype(film)>>)

@@ -9,8 +9,8 @@
 /// described by kTrac 4, 10, 11 and 12, and their laws differ several times at small slip.
 namespace adore::tribology {
 
-struct SpreadContact {
-  ContactPoint<double> point;  ///< slip is not read; of a line per length
+struct LawSpreadContact {
+  ContactConditions<double> point;  ///< slip is not read; of a line per length
   bool line = false;
   double modulus = 0.0;      ///< E' [Pa]
   double temperature = 0.0;  ///< of oil and walls [K]
@@ -18,7 +18,7 @@ struct SpreadContact {
   bool stress_limit = true;  ///< films have their limiting shear stress
 };
 
-struct SpreadRow {
+struct LawSpreadRow {
   int code = 0;
   std::string name;
   bool recommended = false;
@@ -28,7 +28,7 @@ struct SpreadRow {
 
 /// One row for each code of the oil of `code`. The film never breaks down here (no metal contact).
 /// @param slips [m/s], > 0
-[[nodiscard]] std::vector<SpreadRow> law_spread(int code, const SpreadContact& contact,
-                                                const std::vector<double>& slips);
+[[nodiscard]] std::vector<LawSpreadRow> law_spread(int code, const LawSpreadContact& contact,
+                                                   const std::vector<double>& slips);
 
 }  // namespace adore::tribology

@@ -176,7 +176,7 @@ double LubricantProperty::at(double temperature) const {
   return value[i - 1] + (value[i] - value[i - 1]) * (temperature - T[i - 1]) / (T[i] - T[i - 1]);
 }
 
-double Lubricant::pressed_viscosity(double pressure, double T) const {
+double Lubricant::viscosity_under_pressure(double pressure, double T) const {
   if (model == LubricantModel::NewtonianThermal)
     return std::exp(liquid(std::log(traction_viscosity) +
                            traction_decay * (traction_reference - T) + traction_alpha * pressure));
@@ -185,7 +185,7 @@ double Lubricant::pressed_viscosity(double pressure, double T) const {
   return pressed.at(pressure, T);
 }
 
-double Lubricant::pressed_beta(double pressure, double T) const {
+double Lubricant::beta_under_pressure(double pressure, double T) const {
   if (model == LubricantModel::NewtonianThermal)
     return film_beta * std::pow(T / kBetaReference, film_beta_exponent);
   return pressed.temperature_coefficient(pressure, T);

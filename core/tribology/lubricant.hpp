@@ -72,9 +72,9 @@ struct Lubricant {
   [[nodiscard]] double base_alpha(double T) const { return base.pressure_coefficient(T); }
   [[nodiscard]] double base_beta(double T) const { return base.temperature_coefficient(0.0, T); }
   /// μ1(p, T) of the traction model [Pa s], at most that of the glass.
-  [[nodiscard]] double pressed_viscosity(double pressure, double T) const;
+  [[nodiscard]] double viscosity_under_pressure(double pressure, double T) const;
   /// β of the film's own heating, -∂ln μ/∂T [1/K].
-  [[nodiscard]] double pressed_beta(double pressure, double T) const;
+  [[nodiscard]] double beta_under_pressure(double pressure, double T) const;
   /// Limiting shear stress over pressure at high pressure, Λ(T); 0: no limit.
   [[nodiscard]] double limiting_ratio(double T) const;
 };

@@ -41,7 +41,7 @@ const PressureRange& pressure_range(int code) {
   return found->second;
 }
 
-std::string beyond_range(const PressureRange& range, double pressure) {
+std::string extrapolation_note(const PressureRange& range, double pressure) {
   if (!range.measured_to) return "measured up to an unknown pressure";
   if (pressure <= *range.measured_to) return {};
   return fmt::format("extrapolated beyond {:g} GPa, the highest measured pressure{}",

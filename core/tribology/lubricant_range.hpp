@@ -20,6 +20,6 @@ struct PressureRange {
 
 /// Note on traction and viscosity at a pressure [Pa]: "extrapolated beyond 1 GPa, the
 /// highest measured pressure", or that this is unknown; empty within the range.
-[[nodiscard]] std::string beyond_range(const PressureRange& range, double pressure);
+[[nodiscard]] std::string extrapolation_note(const PressureRange& range, double pressure);
 
 }  // namespace adore::tribology

@@ -18,8 +18,8 @@ double half_logarithm(double cu, double middle, double wall) {
 
 }  // namespace
 
-FilmShear film_between_walls(double viscosity_a, double viscosity_b, double beta,
-                             double conductivity, double thickness, double slip) {
+FilmShear film_shear_between_walls(double viscosity_a, double viscosity_b, double beta,
+                                   double conductivity, double thickness, double slip) {
   FilmShear out;
   const double thicker = std::max(viscosity_a, viscosity_b);
   const double difference = 1.0 / viscosity_b - 1.0 / viscosity_a;
@@ -46,9 +46,9 @@ FilmShear film_between_walls(double viscosity_a, double viscosity_b, double beta
   return out;
 }
 
-FilmShear film_of_any_viscosity(const std::function<double(double T)>& viscosity,
-                                double wall_temperature, double conductivity, double thickness,
-                                double slip) {
+FilmShear film_shear_any_viscosity(const std::function<double(double T)>& viscosity,
+                                   double wall_temperature, double conductivity, double thickness,
+                                   double slip) {
   const auto fluidity = [&](double from, double to) {
     double sum = 0.0;
     for (const GaussPoint& point : kGauss20)

@@ -24,7 +24,8 @@ void to_powers(const std::vector<double>& chebyshev, double* power) {
   }
 }
 
-double error_of(const PressureFit& fit, const std::function<double(double)>& value, double end) {
+double error_of(const PressurePolynomial& fit, const std::function<double(double)>& value,
+                double end) {
   constexpr int kGrid = 211;  // different from all points of the fits
   double largest = 0.0;
   for (int i = 0; i <= kGrid; ++i) {
@@ -36,15 +37,15 @@ double error_of(const PressureFit& fit, const std::function<double(double)>& val
 
 }  // namespace
 
-MeasuredFit fit_over_pressure(const std::function<double(double)>& value, double end,
-                              double wanted) {
-  MeasuredFit out;
+PolynomialWithError fit_over_pressure(const std::function<double(double)>& value, double end,
+                                      double wanted) {
+  PolynomialWithError out;
   if (!(end > 0.0)) {
     out.fit.c[0] = value(0.0);
     out.fit.single[0] = static_cast<float>(out.fit.c[0]);
     return out;
   }
-  for (int terms = 4; terms <= PressureFit::kMost; terms += 4) {
+  for (int terms = 4; terms <= PressurePolynomial::kMost; terms += 4) {
     std::vector<double> values;
     for (const double x : chebyshev_points(static_cast<std::size_t>(terms)))
       values.push_back(value(0.5 * end * (1.0 + x)));
@@ -53,7 +54,7 @@ MeasuredFit fit_over_pressure(const std::function<double(double)>& value, double
     out.fit.terms = static_cast<int>(c.size());
     out.fit.scale = 2.0 / end;
     to_powers(c, out.fit.c);
-    for (int k = 0; k < PressureFit::kMost; ++k)
+    for (int k = 0; k < PressurePolynomial::kMost; ++k)
       out.fit.single[k] = static_cast<float>(out.fit.c[k]);
     out.error = error_of(out.fit, value, end);
     if (out.error <= wanted) break;
@@ -61,7 +62,7 @@ MeasuredFit fit_over_pressure(const std::function<double(double)>& value, double
   return out;
 }
 
-double pressure_of_viscosity(const std::function<double(double)>& log_viscosity, double limit,
+double pressure_at_viscosity(const std::function<double(double)>& log_viscosity, double limit,
                              double largest) {
   if (log_viscosity(largest) < limit) return largest;
   double low = 0.0, high = largest;

@@ -5,11 +5,12 @@ namespace adore::tribology {
 SplineAxis spline_axis(double from, double to, std::size_t values) {
   return {static_cast<int>(values) + 2, from, static_cast<double>(values - 1) / (to - from)};
 }
-double spline_place(const SplineAxis& axis, std::size_t k, double beyond) {
+double spline_abscissa(const SplineAxis& axis, std::size_t k, double beyond) {
   return axis.from + (static_cast<double>(k) + beyond) / axis.inverse_step;
 }
 
-void to_spline(std::vector<double>& v, std::size_t first, std::size_t stride, std::size_t n) {
+void values_to_spline_coefficients(std::vector<double>& v, std::size_t first, std::size_t stride,
+                                   std::size_t n) {
   // (c[k-1] + 4 c[k] + c[k+1])/6 = v[k]. With such ends the equations of the first and last value
   // become v[0] = (6 c1 - 2 ... )/6; the ends are found from their neighbors instead: unknown
   // second differences d[k] = c[k-1] - 2 c[k] + c[k+1], c[k] = v[k] - d[k]/6, d[0] = 2 d[1] - d[2].
@@ -36,7 +37,7 @@ void to_spline(std::vector<double>& v, std::size_t first, std::size_t stride, st
   for (std::size_t k = 0; k < n + 2; ++k) v[first + k * stride] = c[k];
 }
 
-Tiles tiles_of(const double* table, std::size_t lines, std::size_t line, std::size_t sheets) {
+Tiles make_tiles(const double* table, std::size_t lines, std::size_t line, std::size_t sheets) {
   // Coefficients of the powers of f in the four weights of spline_axis.hpp.
   constexpr double kPower[4][4] = {{1.0 / 6.0, -0.5, 0.5, -1.0 / 6.0},
                                    {2.0 / 3.0, 0.0, -1.0, 0.5},

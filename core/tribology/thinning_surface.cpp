@@ -38,23 +38,23 @@ ThinningSurface make(double half_power, const Sizes& n) {
   auto table = std::make_shared<std::vector<double>>((n.rates + 2) * line);
   for (std::size_t i = 0; i < n.rates; ++i) {
     for (std::size_t j = 0; j < n.heats; ++j)
-      (*table)[(i + 1) * line + j + 1] =
-          log_thinning(half_power, spline_place(out.log_rate, i), spline_place(out.log_heat, j));
-    to_spline(*table, (i + 1) * line, 1, n.heats);
+      (*table)[(i + 1) * line + j + 1] = log_stress_ratio(
+          half_power, spline_abscissa(out.log_rate, i), spline_abscissa(out.log_heat, j));
+    values_to_spline_coefficients(*table, (i + 1) * line, 1, n.heats);
   }
-  for (std::size_t j = 0; j < line; ++j) to_spline(*table, j, line, n.rates);
-  out.tiles = std::make_shared<const Tiles>(tiles_of(table->data(), n.rates + 2, line));
+  for (std::size_t j = 0; j < line; ++j) values_to_spline_coefficients(*table, j, line, n.rates);
+  out.tiles = std::make_shared<const Tiles>(make_tiles(table->data(), n.rates + 2, line));
   out.table = std::move(table);
   return out;
 }
 
 /// Errors on two places in each cell, those of Weyl's sequence.
 void measure(ThinningSurface& surface, double half_power) {
-  ThinningFilm film;
+  ShearThinningFriction film;
   film.modulus = 1.0;
   film.half_power = half_power;
   surface.give(film);
-  const auto here = film.at(ContactPoint<double>{}, 1.0);
+  const auto here = film.at(ContactConditions<double>{}, 1.0);
   double squares = 0.0;
   const auto weyl = [&](double irrational) {
     const double x = irrational * (surface.held_out + 1);
@@ -63,9 +63,9 @@ void measure(ThinningSurface& surface, double half_power) {
   for (std::size_t i = 0; i + 1 < surface.size[0]; ++i)
     for (std::size_t j = 0; j + 1 < surface.size[1]; ++j)
       for (int k = 0; k < 2; ++k) {
-        const double rate = spline_place(surface.log_rate, i, weyl(0.7548776662466927)),
-                     heat = spline_place(surface.log_heat, j, weyl(0.5698402909980532));
-        const double miss = here.read(rate, heat) - log_thinning(half_power, rate, heat);
+        const double rate = spline_abscissa(surface.log_rate, i, weyl(0.7548776662466927)),
+                     heat = spline_abscissa(surface.log_heat, j, weyl(0.5698402909980532));
+        const double miss = here.read(rate, heat) - log_stress_ratio(half_power, rate, heat);
         surface.error[0] = std::max(surface.error[0], std::abs(miss));
         squares += miss * miss;
         ++surface.held_out;
@@ -75,7 +75,7 @@ void measure(ThinningSurface& surface, double half_power) {
 
 }  // namespace
 
-double log_thinning(double half_power, double rate, double heat) noexcept {
+double log_stress_ratio(double half_power, double rate, double heat) noexcept {
   // x = ln r: x - rate - ln f(heat + half/2 softplus(2x)) rises with a slope between 1 - (1-n)/2
   // and 1.
   double x = rate;
@@ -90,7 +90,7 @@ double log_thinning(double half_power, double rate, double heat) noexcept {
   return x - rate + half_power * softplus(2.0 * x);
 }
 
-void ThinningSurface::give(ThinningFilm& film) const {
+void ThinningSurface::give(ShearThinningFriction& film) const {
   film.surface = table->data();
   film.tiles = tiles->data()->power;
   film.log_rate = log_rate;
@@ -99,7 +99,7 @@ void ThinningSurface::give(ThinningFilm& film) const {
   film.most_heat = kMostHeat;
 }
 
-double thinning_error_of(double tolerance) {
+double target_thinning_error(double tolerance) {
   return std::clamp(0.6 * std::sqrt(tolerance), 5e-5, 7e-4);
 }
 

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "tribology/laws/thinning_film.hpp"
+#include "tribology/laws/shear_thinning_law.hpp"
 #include "tribology/spline_axes.hpp"
 
 #include <array>
 #include <memory>
 #include <vector>
 
-/// The surface of laws/thinning_film.hpp, made at set-up from its equation solved to the end:
+/// The surface of laws/shear_thinning_law.hpp, made at set-up from its equation solved to the end:
 /// ln(τ/(G r0)) over ln r0 and ½ ln D0, from where neither thinning nor heating is felt (3e-4 of
 /// the modulus, S = 3e-4: 1e-7 of the stress) to e^40 and e^16, beyond what glass does. One for
 /// each n; refined in three sizes until the largest of its errors on a hold-out grid is below what
@@ -25,15 +25,15 @@ struct ThinningSurface {
   std::array<std::size_t, 2> size{};  ///< values over ln r0 and ½ ln D0
   int held_out = 0;
   /// Makes the film read it, which then needs the table.
-  void give(ThinningFilm& film) const;
+  void give(ShearThinningFriction& film) const;
 };
 
 /// Wanted largest relative error of a stress: 0.6 √tolerance, at least 5e-5 and at most the 7e-4
 /// that solving a point may err by [choice].
-[[nodiscard]] double thinning_error_of(double tolerance);
+[[nodiscard]] double target_thinning_error(double tolerance);
 [[nodiscard]] ThinningSurface thinning_surface(double half_power, double wanted);
 
 /// ln(τ/(G r0)) of the equation. @param rate, heat ln r0 and ½ ln D0
-[[nodiscard]] double log_thinning(double half_power, double rate, double heat) noexcept;
+[[nodiscard]] double log_stress_ratio(double half_power, double rate, double heat) noexcept;
 
 }  // namespace adore::tribology

@@ -182,7 +182,7 @@ double traction_slope(const TractionCurve& curve, double slip) noexcept {
   return (curve.B - curve.C * (curve.A + curve.B * slip)) * std::exp(-curve.C * slip);
 }
 
-double largest_traction(const TractionCurve& curve) noexcept {
+double max_traction_coefficient(const TractionCurve& curve) noexcept {
   double largest =
       std::max(traction_coefficient(curve, 0.0), traction_coefficient(curve, kLargestSlip));
   double turn = curve.u0;

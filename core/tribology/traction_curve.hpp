@@ -40,6 +40,6 @@ namespace adore::tribology {
 inline constexpr double kLargestSlip = 100.0;
 
 /// Largest κ over 0 <= u <= kLargestSlip: the most that friction can carry, over the load.
-[[nodiscard]] double largest_traction(const bearing::TractionCurve& curve) noexcept;
+[[nodiscard]] double max_traction_coefficient(const bearing::TractionCurve& curve) noexcept;
 
 }  // namespace adore::tribology

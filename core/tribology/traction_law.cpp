@@ -12,28 +12,30 @@ constexpr double kZeroCoefficient = 1e-12;
 
 }  // namespace
 
-MetalLaw TractionLaw::metal_of(const bearing::TractionCurve& c) noexcept {
+MetalLaw TractionLaw::make_metal_law(const bearing::TractionCurve& c) noexcept {
   if (c.form == bearing::TractionCurve::Form::TwoSlope) return TwoSlopeLaw{c.A, c.B, c.C, c.u0};
   return ExponentialLaw{c.A, c.B, c.C, c.D};
 }
 
 TractionLaw::TractionLaw(const bearing::TractionCurve& c) noexcept {
-  const MetalLaw law = metal_of(c);
+  const MetalLaw law = make_metal_law(c);
   if (law.slopes)
     law_ = law.two_slope;
   else
     law_ = law.exponential;
   if (std::abs(law.at_rest()) > kZeroCoefficient)
-    floor_ = kRegularisationSlip * kRegularisationSlip;
+    regularization_slip_squared_ = kRegularizationSlip * kRegularizationSlip;
 }
 
-TractionLaw::TractionLaw(const UserTraction& routine, TractionKind kind, int race) noexcept
-    : law_(UserLaw{&routine, static_cast<int>(kind), race}) {
+TractionLaw::TractionLaw(const UserTractionRoutine& routine, TractionKind kind, int race) noexcept
+    : law_(UserTractionLaw{&routine, static_cast<int>(kind), race}) {
   if (std::abs(routine.at_rest) > kZeroCoefficient)
-    floor_ = kRegularisationSlip * kRegularisationSlip;
+    regularization_slip_squared_ = kRegularizationSlip * kRegularizationSlip;
 }
 
-bool TractionLaw::is_of_user() const noexcept { return std::holds_alternative<UserLaw>(law_); }
+bool TractionLaw::is_user_law() const noexcept {
+  return std::holds_alternative<UserTractionLaw>(law_);
+}
 
 bool TractionLaw::has_film() const noexcept {
   return visit([](const auto& law) { return kHasFilm<std::decay_t<decltype(law)>>; });
@@ -48,8 +50,8 @@ double TractionLaw::critical_film() const noexcept {
   });
 }
 
-FilmHere<double> TractionLaw::film(const ContactPoint<double>& contact) const {
-  return visit([&](const auto& law) -> FilmHere<double> {
+LocalFilm<double> TractionLaw::film(const ContactConditions<double>& contact) const {
+  return visit([&](const auto& law) -> LocalFilm<double> {
     if constexpr (kHasFilm<std::decay_t<decltype(law)>>)
       if (law.film.meniscus > kDryMeniscus) return law.film.at(contact);
     return {0.0, 0.0, 0.0, 1.0};
@@ -62,7 +64,7 @@ const void* TractionLaw::address() const noexcept {
 
 double TractionLaw::coefficient(double slip, double pressure) const {
   return visit([&](const auto& law) {
-    ContactPoint<double> contact;
+    ContactConditions<double> contact;
     contact.peak_pressure = pressure;
     return law.at(contact)(slip, pressure);
   });

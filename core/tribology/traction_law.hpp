@@ -18,14 +18,14 @@ class TractionLaw {
   TractionLaw() = default;                                    ///< frictionless
   TractionLaw(const bearing::TractionCurve& curve) noexcept;  // NOLINT: a curve is a law
   /// A routine of the user, which outlives the law. @param race of contacts of one race, else -1
-  TractionLaw(const UserTraction& routine, TractionKind kind, int race = -1) noexcept;
+  TractionLaw(const UserTractionRoutine& routine, TractionKind kind, int race = -1) noexcept;
   /// A lubricant's film, with the curve where it breaks down.
   /// @param table numbers that the film points at, kept as long as the law
   template <class Film>
-  TractionLaw(const bearing::TractionCurve& metal, const FilmOfContact& film, const Film& fluid,
+  TractionLaw(const bearing::TractionCurve& metal, const ContactFilmModel& film, const Film& fluid,
               std::shared_ptr<const std::vector<double>> table = nullptr)
-      : law_(FilmLawOf<Film>{metal_of(metal), film, fluid}),
-        floor_(kRegularisationSlip * kRegularisationSlip),
+      : law_(FilmTractionLaw<Film>{make_metal_law(metal), film, fluid}),
+        regularization_slip_squared_(kRegularizationSlip * kRegularizationSlip),
         table_(std::move(table)) {}
 
   /// f(law) with the law's own type: once per block of contacts, not per contact.
@@ -33,13 +33,14 @@ class TractionLaw {
   decltype(auto) visit(F&& f) const {
     return std::visit(std::forward<F>(f), law_);
   }
-  /// f(RoundedLaw) of contacts without a film, for which the law needs only
+  /// f(RegularizedLaw) of contacts without a film, for which the law needs only
   /// `contact`; T double, or a vector: one contact a lane. A law with a film gives that of its
   /// metal contact.
   template <class T = double, class F>
-  decltype(auto) visit_rounded(F&& f, const ContactPoint<T>& contact = {}) const {
+  decltype(auto) visit_regularized(F&& f, const ContactConditions<T>& contact = {}) const {
     const auto with = [&](const auto& dry) {
-      return std::forward<F>(f)(RoundedLaw<decltype(dry.at(contact))>{dry.at(contact), floor_});
+      return std::forward<F>(f)(
+          RegularizedLaw<decltype(dry.at(contact))>{dry.at(contact), regularization_slip_squared_});
     };
     return std::visit(
         [&](const auto& law) {
@@ -56,27 +57,31 @@ class TractionLaw {
 
   /// κ(u), u >= 0, not rounded, for reports. @param pressure [Pa], read by laws that depend on it
   [[nodiscard]] double coefficient(double slip, double pressure = 0.0) const;
-  /// Addend of u² before the root [m²/s²]: ε², ε = kRegularisationSlip, when κ(0) ≠ 0 or
+  /// Addend of u² before the root [m²/s²]: ε², ε = kRegularizationSlip, when κ(0) ≠ 0 or
   /// there is a film; otherwise (1e-12 m/s)², so that κ(s)/s is finite at rest.
-  [[nodiscard]] double slip_floor() const noexcept { return floor_; }
+  [[nodiscard]] double regularization_slip_squared() const noexcept {
+    return regularization_slip_squared_;
+  }
   /// Is slip rounded?
-  [[nodiscard]] bool rounded() const noexcept { return floor_ > kNoRounding; }
+  [[nodiscard]] bool rounded() const noexcept {
+    return regularization_slip_squared_ > kNoRegularization;
+  }
   /// Slip over which the law starts [m/s]: u0 of two slopes, 1/C of the exponential; 0 when κ(0) ≠
   /// 0 or C = 0, and with a film.
   [[nodiscard]] double slip_scale() const noexcept;
   [[nodiscard]] double kink() const noexcept;
   [[nodiscard]] bool has_film() const noexcept;
-  [[nodiscard]] bool is_of_user() const noexcept;
+  [[nodiscard]] bool is_user_law() const noexcept;
   /// Thickness below which the contact is metallic [m]; 0 without a film.
   [[nodiscard]] double critical_film() const noexcept;
   /// The film of a contact; 0 without.
-  [[nodiscard]] FilmHere<double> film(const ContactPoint<double>& contact) const;
+  [[nodiscard]] LocalFilm<double> film(const ContactConditions<double>& contact) const;
 
  private:
-  static MetalLaw metal_of(const bearing::TractionCurve& curve) noexcept;
+  static MetalLaw make_metal_law(const bearing::TractionCurve& curve) noexcept;
 
   TractionLawsIn<std::variant> law_;
-  double floor_ = kNoRounding;
+  double regularization_slip_squared_ = kNoRegularization;
   std::shared_ptr<const std::vector<double>> table_;
 };
 

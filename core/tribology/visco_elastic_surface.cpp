@@ -100,32 +100,33 @@ class Builder {
     v.resize(saturation + (n.corner_transits + 2) * corners);
     for (std::size_t i = 0; i < n.corner_transits; ++i)
       for (std::size_t j = 0; j < n.corner_pressures; ++j)
-        v[saturation + (i + 1) * corners + j + 1] = std::log(corner_of(
-            at(spline_place(f.corner_log_transit, i), spline_place(f.corner_root_pressure, j))));
+        v[saturation + (i + 1) * corners + j + 1] = std::log(corner_of(at(
+            spline_abscissa(f.corner_log_transit, i), spline_abscissa(f.corner_root_pressure, j))));
     for (std::size_t i = 0; i < n.corner_transits; ++i)
-      to_spline(v, saturation + (i + 1) * corners, 1, n.corner_pressures);
+      values_to_spline_coefficients(v, saturation + (i + 1) * corners, 1, n.corner_pressures);
     for (std::size_t j = 0; j < corners; ++j)
-      to_spline(v, saturation + j, corners, n.corner_transits);
+      values_to_spline_coefficients(v, saturation + j, corners, n.corner_transits);
     for (std::size_t i = 0; i < n.transits; ++i)
       for (std::size_t j = 0; j < n.pressures; ++j) {
         const ViscoElasticStrip s =
-            at(spline_place(f.log_transit, i), spline_place(f.root_pressure, j));
+            at(spline_abscissa(f.log_transit, i), spline_abscissa(f.root_pressure, j));
         const double corner = corner_of(s);
         for (std::size_t k = 0; k < n.slips; ++k)
           v[(i + 1) * sheet + (j + 1) * slips + k + 1] =
-              log_kappa(s, std::exp(spline_place(f.log_rate, k)) * corner) -
+              log_kappa(s, std::exp(spline_abscissa(f.log_rate, k)) * corner) -
               std::log(ceiling_of(s));
       }
     for (std::size_t i = 0; i < n.transits; ++i)
       for (std::size_t j = 0; j < n.pressures; ++j)
-        to_spline(v, (i + 1) * sheet + (j + 1) * slips, 1, n.slips);
+        values_to_spline_coefficients(v, (i + 1) * sheet + (j + 1) * slips, 1, n.slips);
     for (std::size_t i = 0; i < n.transits; ++i)
-      for (std::size_t k = 0; k < slips; ++k) to_spline(v, (i + 1) * sheet + k, slips, n.pressures);
-    for (std::size_t k = 0; k < sheet; ++k) to_spline(v, k, sheet, n.transits);
+      for (std::size_t k = 0; k < slips; ++k)
+        values_to_spline_coefficients(v, (i + 1) * sheet + k, slips, n.pressures);
+    for (std::size_t k = 0; k < sheet; ++k) values_to_spline_coefficients(v, k, sheet, n.transits);
     f.saturation = v.data();
     f.corner = v.data() + saturation;
-    tables->tiles = tiles_of(v.data(), n.pressures + 2, slips, n.transits + 2);
-    tables->corner_tiles = tiles_of(f.corner, n.corner_transits + 2, corners);
+    tables->tiles = make_tiles(v.data(), n.pressures + 2, slips, n.transits + 2);
+    tables->corner_tiles = make_tiles(f.corner, n.corner_transits + 2, corners);
     f.tiles = tables->tiles.data()->power;
     f.corner_tiles = tables->corner_tiles.data()->power;
     out.table = std::shared_ptr<const std::vector<double>>(tables, &tables->numbers);
@@ -146,17 +147,17 @@ class Builder {
       for (std::size_t j = 0; j + 1 < n.pressures; ++j)
         for (std::size_t k = 0; k + 1 < n.slips; ++k) {
           const ViscoElasticStrip s =
-              at(spline_place(film.log_transit, i, weyl(0.8191725133961645)),
-                 spline_place(film.root_pressure, j, weyl(0.6710436067037893)));
+              at(spline_abscissa(film.log_transit, i, weyl(0.8191725133961645)),
+                 spline_abscissa(film.root_pressure, j, weyl(0.6710436067037893)));
           // A contact with that transit over its pressure, film 1 m, so that slip is γ.
-          ContactPoint<double> contact;
+          ContactConditions<double> contact;
           contact.peak_pressure = s.peak_pressure;
           contact.half_minor = 1.0;
           contact.entrainment = s.speed;
           const auto here = film.at(contact, 1.0);
           const auto row = here.row(s.peak_pressure);
-          const double rate =
-              std::exp(spline_place(film.log_rate, k, weyl(0.5497004779019703)) + row.log_corner);
+          const double rate = std::exp(spline_abscissa(film.log_rate, k, weyl(0.5497004779019703)) +
+                                       row.log_corner);
           const double miss = std::log(row(rate)) - log_kappa(s, rate);
           largest = std::max(largest, std::abs(miss));
           squares += miss * miss;
@@ -236,11 +237,11 @@ void fit_fall(const F& fall, double* c) {
 
 }  // namespace
 
-double surface_error_of(double tolerance) {
+double target_surface_error(double tolerance) {
   return std::clamp(5.0 * std::sqrt(tolerance), 1e-3, 1e-2);
 }
 
-ViscoElasticFilm visco_elastic_direct(const Lubricant& oil, double temperature) {
+ViscoElasticFilm direct_visco_elastic_film(const Lubricant& oil, double temperature) {
   demand(oil.model == LubricantModel::ViscoElastic,
          "a visco-elastic film was requested for another type of lubricant");
   ViscoElasticFilm out;
@@ -257,7 +258,7 @@ ViscoElasticSurface visco_elastic_surface(const Lubricant& oil, double temperatu
   demand(oil.model == LubricantModel::ViscoElastic,
          "a visco-elastic film was requested for another type of lubricant");
   demand(width_over_pressure > 0.0 && race_speed > 0.0,
-         "the contact of a visco-elastic film does not roll");
+         "a visco-elastic film needs a rolling contact");
   const double from = std::log(width_over_pressure / (kLargestSpeed * race_speed)),
                to = std::log(width_over_pressure / (kLeastSpeed * race_speed));
   ViscoElasticSurface out = *surface_of(liquid_of(oil, temperature), kBin * std::floor(from / kBin),
@@ -268,13 +269,13 @@ ViscoElasticSurface visco_elastic_surface(const Lubricant& oil, double temperatu
   return out;
 }
 
-void heat_film(ViscoElasticFilm& film, const Lubricant& oil, double temperature,
-               const std::array<FilmWall, 2>& walls) {
+void set_wall_heating(ViscoElasticFilm& film, const Lubricant& oil, double temperature,
+                      const std::array<FilmWall, 2>& walls) {
   if (!(walls[0].conductivity > 0.0) && !(walls[1].conductivity > 0.0))
     throw InputError(
         "iTherm = 1 (flash temperature of the surfaces) needs a thermal conductivity, but neither "
         "races nor elements have a value. Choose materials of the table, or set iTherm = 0");
-  ViscoElasticFilm::Heating& heat = film.heating;
+  ViscoElasticFilm::WallHeating& heat = film.heating;
   heat.on = true;
   for (std::size_t i = 0; i < 2; ++i) {
     heat.conductivity[i] = walls[i].conductivity;
@@ -293,8 +294,8 @@ void heat_film(ViscoElasticFilm& film, const Lubricant& oil, double temperature,
            heat.alpha);
 }
 
-double visco_elastic_strip(const Lubricant& oil, double temperature, double peak, double shear_rate,
-                           double transit) {
+double visco_elastic_strip_coefficient(const Lubricant& oil, double temperature, double peak,
+                                       double shear_rate, double transit) {
   return integral(liquid_of(oil, temperature), peak, shear_rate, transit);
 }
 

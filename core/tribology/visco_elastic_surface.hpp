@@ -37,7 +37,7 @@ inline constexpr double kSurfaceError = 5e-3;
 /// Largest error that is wanted, over the wanted root of the mean square [choice].
 inline constexpr double kLargestOverMean = 10.0;
 /// 5 √tolerance, at least 1e-3 (what the integral itself is known to) and at most 1e-2 [choice].
-[[nodiscard]] double surface_error_of(double tolerance);
+[[nodiscard]] double target_surface_error(double tolerance);
 
 /// @param width_over_pressure b/p0 of the contacts [m/Pa]
 /// @param race_speed scale of the rolling speeds [m/s]
@@ -48,7 +48,8 @@ inline constexpr double kLargestOverMean = 10.0;
                                                         double wanted = kSurfaceError);
 
 /// The film without a surface: every strip is integrated.
-[[nodiscard]] ViscoElasticFilm visco_elastic_direct(const Lubricant& lubricant, double temperature);
+[[nodiscard]] ViscoElasticFilm direct_visco_elastic_film(const Lubricant& lubricant,
+                                                         double temperature);
 
 /// A body under the film.
 struct FilmWall {
@@ -56,11 +57,12 @@ struct FilmWall {
   double heat_capacity = 0.0;  ///< ρc [J/(m³ K)]
 };
 /// Makes walls hotter than their bodies (iTherm).
-void heat_film(ViscoElasticFilm& film, const Lubricant& lubricant, double temperature,
-               const std::array<FilmWall, 2>& walls);
+void set_wall_heating(ViscoElasticFilm& film, const Lubricant& lubricant, double temperature,
+                      const std::array<FilmWall, 2>& walls);
 
 /// κ of a strip without a surface: peak pressure, γ = slip/h [1/s] and b/u [s].
-[[nodiscard]] double visco_elastic_strip(const Lubricant& lubricant, double temperature,
-                                         double peak, double shear_rate, double transit);
+[[nodiscard]] double visco_elastic_strip_coefficient(const Lubricant& lubricant, double temperature,
+                                                     double peak, double shear_rate,
+                                                     double transit);
 
 }  // namespace adore::tribology

@@ -18,7 +18,8 @@ double Viscosity::at(double pressure, double temperature) const {
 }
 
 double Viscosity::pressure_coefficient(double temperature) const {
-  return std::visit([&](const auto& law) { return law.pressure_slope(temperature); }, law_);
+  return std::visit(
+      [&](const auto& law) { return law.pressure_viscosity_coefficient(temperature); }, law_);
 }
 
 double Viscosity::temperature_coefficient(double pressure, double temperature) const {

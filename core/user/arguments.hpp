@@ -13,7 +13,7 @@ namespace adore::user {
 /// first, count) and visit.flags(first, count) for numbers of the structure itself that are
 /// written.
 template <class Visit>
-void walk_arguments(adore_call& call, Visit&& visit) {
+void visit_arguments(adore_call& call, Visit&& visit) {
   const auto plain = [&visit](auto*& pointer, std::int64_t count) {
     visit.out(pointer, static_cast<std::size_t>(count), 0, 0);
   };

@@ -42,8 +42,8 @@ HeatSources::Geometry HeatSources::geometry_of(const bearing::Bearing& bearing) 
 }
 
 HeatSources::HeatSources(const scene::Snapshot& snapshot, const Geometry& geometry)
-    : step_size_(snapshot.step_size), total_(snapshot.energy.heat_rate()) {
-  std::array<Placed, 3> of_races{{{"heat"}, {"rolling_heat"}, {"contact_damping"}}};
+    : step_size_(snapshot.step_size), total_heat_(snapshot.energy.heat_rate()) {
+  std::array<TermHeatSum, 3> of_races{{{"heat"}, {"rolling_heat"}, {"contact_damping"}}};
   for (std::size_t j = 0; j < 2; ++j)
     for (const scene::ElementSnapshot& one : snapshot.elements) {
       load_.push_back(one.race[j].load);
@@ -101,9 +101,9 @@ HeatSources::HeatSources(const scene::Snapshot& snapshot, const Geometry& geomet
     if (item.term->kind != scene::LedgerKind::Heat) continue;
     double rest = item.rate;
     const auto j = static_cast<std::size_t>(item.race);
-    for (const Placed& one : of_races)
+    for (const TermHeatSum& one : of_races)
       if (item.term->id == one.id) rest -= one.sum[j];
-    for (const Placed& one : of_flanges_)
+    for (const TermHeatSum& one : flange_heat_sums_)
       if (item.term->id == one.id)
         rest -= item.term->per_race() ? one.sum[j] : one.sum[0] + one.sum[1];
     for (Shared& one : shared)
@@ -152,8 +152,8 @@ void HeatSources::add_flanges(const scene::Snapshot& snapshot, std::size_t i,
       add(ADORE_ROLLER_FLANGE, static_cast<int>(i), static_cast<int>(j),
           flange.heat + flange.damping_heat, {at[0], at[1], at[2], 0.0, 0.0},
           j == 0 ? "outer race flange" : "inner race flange");
-      of_flanges_[0].sum[j] += flange.heat;
-      of_flanges_[1].sum[j] += flange.damping_heat;
+      flange_heat_sums_[0].sum[j] += flange.heat;
+      flange_heat_sums_[1].sum[j] += flange.damping_heat;
     }
 }
 
@@ -207,7 +207,7 @@ void HeatSources::add_land(const scene::CageSnapshot& cage, std::size_t k,
 adore_adrx9 HeatSources::arguments() const {
   adore_adrx9 out{};
   out.step_size = step_size_;
-  out.total_heat = total_;
+  out.total_heat = total_heat_;
   out.n = static_cast<std::int64_t>(x_.size());
   out.x = x_.data();
   out.r = r_.data();

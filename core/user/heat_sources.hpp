@@ -47,7 +47,7 @@ class HeatSources {
     double x = 0.0, y = 0.0, z = 0.0, across = 0.0, along = 0.0;
   };
   /// Heat of one ledger term that has a place, by race [W].
-  struct Placed {
+  struct TermHeatSum {
     std::string_view id;
     std::array<double, 2> sum{};
   };
@@ -56,8 +56,8 @@ class HeatSources {
   void add_land(const scene::CageSnapshot& cage, std::size_t k, const Geometry& geometry);
   void add(int kind, int element, int race, double heat, const Place& place, const char* name);
 
-  double step_size_, total_;
-  std::array<Placed, 2> of_flanges_{{{"flange_heat"}, {"flange_damping"}}};
+  double step_size_, total_heat_;
+  std::array<TermHeatSum, 2> flange_heat_sums_{{{"flange_heat"}, {"flange_damping"}}};
   std::vector<double> x_, r_, theta_, load_, angle_, heat_, place_, size_;
   std::vector<std::int32_t> kind_, element_, race_;
   std::vector<const char*> name_;

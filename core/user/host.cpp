@@ -11,7 +11,7 @@
 namespace adore::user {
 
 template <std::size_t Room>
-void TextRoom<Room>::add(const char* more) noexcept {
+void BoundedText<Room>::add(const char* more) noexcept {
   if (more == nullptr) return;
   const std::size_t length = ::strnlen(more, Room);
   const std::size_t taken = std::min(length, Room - size);
@@ -21,7 +21,7 @@ void TextRoom<Room>::add(const char* more) noexcept {
 }
 
 template <std::size_t Room>
-std::string TextRoom<Room>::take() {
+std::string BoundedText<Room>::take() {
   const std::size_t used = std::min(size, Room);  // a routine may have written here
   std::string out(text.data(), used);
   size = 0;
@@ -29,9 +29,9 @@ std::string TextRoom<Room>::take() {
   return out;
 }
 
-template struct TextRoom<std::size_t{1} << 16>;
-template struct TextRoom<std::size_t{1} << 20>;
-template struct TextRoom<512>;
+template struct BoundedText<std::size_t{1} << 16>;
+template struct BoundedText<std::size_t{1} << 20>;
+template struct BoundedText<512>;
 
 namespace {
 
@@ -39,7 +39,7 @@ Host& host_of(void* host) { return *static_cast<Host*>(host); }
 
 std::int32_t read_line(void* host, char* text, std::int32_t size) {
   Host& h = host_of(host);
-  HostBlock& b = h.block();
+  HostSharedMemory& b = h.block();
   if (b.mode != ADORE_READ || b.line >= h.lines().size() || text == nullptr || size < 1) return 0;
   const std::string& line = h.lines()[b.line++];
   const std::size_t taken = std::min(line.size(), static_cast<std::size_t>(size) - 1);
@@ -50,10 +50,10 @@ std::int32_t read_line(void* host, char* text, std::int32_t size) {
 
 std::int32_t read_numbers(void* host, double* values, std::int32_t count) {
   Host& h = host_of(host);
-  HostBlock& b = h.block();
+  HostSharedMemory& b = h.block();
   std::int32_t found = 0;
   while (b.mode == ADORE_READ && found < count && b.line < h.lines().size()) {
-    const std::vector<double> line = list_directed(h.lines()[b.line]);
+    const std::vector<double> line = parse_list_directed(h.lines()[b.line]);
     if (line.empty()) break;  // a text: of another routine
     ++b.line;
     for (const double value : line)
@@ -63,17 +63,17 @@ std::int32_t read_numbers(void* host, double* values, std::int32_t count) {
 }
 
 void print(void* host, const char* text) {
-  HostBlock& b = host_of(host).block();
+  HostSharedMemory& b = host_of(host).block();
   if (b.mode != ADORE_START && b.mode != ADORE_PRINT) return;
   b.print.add(text);
   b.print.add("\n");
 }
 void write(void* host, const char* text) {
-  HostBlock& b = host_of(host).block();
+  HostSharedMemory& b = host_of(host).block();
   if (b.mode == ADORE_START || b.mode == ADORE_STEP) b.write.add(text);
 }
 void fail(void* host, const char* text) {
-  HostBlock& b = host_of(host).block();
+  HostSharedMemory& b = host_of(host).block();
   b.fail.size = 0;
   b.fail.add(text);
 }
@@ -85,15 +85,15 @@ constexpr adore_services kServices{read_numbers, read_line, print, write, fail};
 const adore_services* Host::services() noexcept { return &kServices; }
 
 Host::Host(std::vector<std::string> lines) : lines_(std::move(lines)) {
-  void* memory =
-      mmap(nullptr, sizeof(HostBlock), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  void* memory = mmap(nullptr, sizeof(HostSharedMemory), PROT_READ | PROT_WRITE,
+                      MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED)
     throw SolverError("there is not enough memory for the output of user routines");
-  block_ = new (memory) HostBlock;
+  block_ = new (memory) HostSharedMemory;
 }
-Host::~Host() { munmap(block_, sizeof(HostBlock)); }
+Host::~Host() { munmap(block_, sizeof(HostSharedMemory)); }
 
-std::vector<double> list_directed(const std::string& line) {
+std::vector<double> parse_list_directed(const std::string& line) {
   std::vector<double> out;
   const char* at = line.data();
   const char* const end = at + line.size();

@@ -13,7 +13,7 @@ namespace adore::user {
 
 /// Texts are cut at their room; `lost` says so.
 template <std::size_t Room>
-struct TextRoom {
+struct BoundedText {
   std::size_t size = 0;
   bool lost = false;
   std::array<char, Room> text{};
@@ -21,12 +21,12 @@ struct TextRoom {
   [[nodiscard]] std::string take();
 };
 
-struct HostBlock {
+struct HostSharedMemory {
   std::size_t line = 0;  ///< the next of the lines
   int mode = 0;
-  TextRoom<std::size_t{1} << 16> print;
-  TextRoom<std::size_t{1} << 20> write;
-  TextRoom<512> fail;
+  BoundedText<std::size_t{1} << 16> print;
+  BoundedText<std::size_t{1} << 20> write;
+  BoundedText<512> fail;
 };
 
 /// Lives as long as the calls. Its address is call.host.
@@ -37,17 +37,17 @@ class Host {
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  HostBlock& block() noexcept { return *block_; }
+  HostSharedMemory& block() noexcept { return *block_; }
   [[nodiscard]] const std::vector<std::string>& lines() const noexcept { return lines_; }
   [[nodiscard]] static const adore_services* services() noexcept;
 
  private:
   std::vector<std::string> lines_;
-  HostBlock* block_;  ///< shared memory
+  HostSharedMemory* block_;  ///< shared memory
 };
 
 /// Numbers of a line as a list-directed read takes them: separated by blanks or commas, repeat
 /// counts 3*0.5, d exponents; ends at a slash or at what is no number.
-[[nodiscard]] std::vector<double> list_directed(const std::string& line);
+[[nodiscard]] std::vector<double> parse_list_directed(const std::string& line);
 
 }  // namespace adore::user

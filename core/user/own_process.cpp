@@ -61,12 +61,12 @@ class Parcel {
       *bearing = *call.bearing;
       there_->bearing = bearing;
     }
-    walk_arguments(*there_, Lay{*this});
+    visit_arguments(*there_, Lay{*this});
     return *there_;
   }
   void unpack(adore_call& call) {
     next_ = 0;
-    walk_arguments(call, Bring{*this, reinterpret_cast<char*>(&call)});
+    visit_arguments(call, Bring{*this, reinterpret_cast<char*>(&call)});
     call.active = there_->active;
     call.user = there_->user;
   }

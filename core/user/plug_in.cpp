@@ -20,7 +20,7 @@ PlugIn load_plug_in(const fs::path& file) {
         fmt::format("there is no plug-in {}; `adore user new adrx7 --lang c` writes an example",
                     file.string()));
   if (file.extension() == ".json") return load_formulas(file);
-  refuse_pipe(file);  // dlopen() would wait for its other end
+  reject_special_file(file);  // dlopen() would wait for its other end
   const std::string path = fs::absolute(file).string();
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
@@ -43,7 +43,7 @@ PlugIn load_plug_in(const fs::path& file) {
   if (const std::int32_t version = abi(); version != ADORE_USER_ABI)
     throw InputError(
         fmt::format("the plug-in {} was built for version {} of adore_user.h, and this program has "
-                    "version {}; build it again with this program's header",
+                    "version {}; build it again with the header of this program",
                     out.source, version, ADORE_USER_ABI));
   if (const auto text = reinterpret_cast<const char* (*)()>(dlsym(library, "adore_user_version")))
     if (const char* version = text(); version != nullptr) out.version = version;

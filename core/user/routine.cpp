@@ -87,14 +87,14 @@ struct AskedNumbers {
 }  // namespace
 
 /// What a call was given, or what it answered: bytes, one array after the other.
-struct Routine::Copies {
+struct UserRoutine::Copies {
   std::vector<char> self;
   std::vector<std::vector<char>> read, written;
 
   explicit Copies(adore_call& call) {
     const char* begin = reinterpret_cast<const char*>(&call);
     self.assign(begin, begin + call.size);
-    walk_arguments(call, *this);
+    visit_arguments(call, *this);
   }
   template <class T>
   void in(T*& first, std::size_t count) {
@@ -133,7 +133,7 @@ struct Restore {
 
 }  // namespace
 
-Routine::Routine(int hook, const PlugIn& plug_in, Host& host, long sample)
+UserRoutine::UserRoutine(int hook, const PlugIn& plug_in, Host& host, long sample)
     : hook_(hook),
       name_(hook_name(hook)),
       plug_in_(plug_in),
@@ -141,7 +141,7 @@ Routine::Routine(int hook, const PlugIn& plug_in, Host& host, long sample)
       host_(host),
       sample_(plug_in.pure ? 0 : sample) {}
 
-std::string Routine::where(const adore_call& call) const {
+std::string UserRoutine::where(const adore_call& call) const {
   std::string out = fmt::format("user routine {} of {}, call {}, {}", name_, plug_in_.source,
                                 calls_, mode_words(call.mode));
   if (call.mode > ADORE_START && hook_ != 0 && hook_ != 8)
@@ -156,29 +156,29 @@ std::string Routine::where(const adore_call& call) const {
   return out;
 }
 
-Answer Routine::fail(const adore_call& call, const std::string& what) {
+Answer UserRoutine::fail(const adore_call& call, const std::string& what) {
   broken_ = true;
   reason_ = fmt::format("{}: {}", where(call), what);
   return Answer::Failed;
 }
 
-std::int32_t Routine::run(adore_call& call) {
+std::int32_t UserRoutine::run(adore_call& call) {
   if (!plug_in_.foreign) return call_(call);
   const CallMark mark{name_.c_str(), plug_in_.source.c_str(), calls_, call.time};
-  struct Marked {
-    explicit Marked(const CallMark& mark) { CrashGuard::enter(mark); }
-    ~Marked() { CrashGuard::leave(); }
+  struct CallMarkScope {
+    explicit CallMarkScope(const CallMark& mark) { CrashGuard::enter(mark); }
+    ~CallMarkScope() { CrashGuard::leave(); }
   } marked(mark);
   return call_(call);
 }
 
-std::string Routine::ask_again(adore_call& call, const Copies& before) {
+std::string UserRoutine::check_repeatability(adore_call& call, const Copies& before) {
   const Copies first(call);
   for (std::size_t k = 0; k < before.read.size(); ++k)
     if (before.read[k] != first.read[k])
       return "it changed its input arrays, which belong to the solver; treat them as read-only";
   std::memcpy(&call, before.self.data(), before.self.size());
-  walk_arguments(call, Restore{before.written});
+  visit_arguments(call, Restore{before.written});
   if (run(call) != 0)
     return "it was called twice with the same arguments and failed the second time; keep no values "
            "between calls";
@@ -190,7 +190,7 @@ std::string Routine::ask_again(adore_call& call, const Copies& before) {
   return {};
 }
 
-Answer Routine::ask(adore_call& call, std::int32_t size) {
+Answer UserRoutine::ask(adore_call& call, std::int32_t size) {
   if (broken_) return Answer::Failed;
   ++calls_;
   call.abi = ADORE_USER_ABI;
@@ -218,7 +218,7 @@ Answer Routine::ask(adore_call& call, std::int32_t size) {
       const std::string why = host_.block().fail.take();
       return fail(call, fmt::format("it returned {}{}", result, why.empty() ? "" : ": " + why));
     }
-    if (twice) trouble = ask_again(call, *before);
+    if (twice) trouble = check_repeatability(call, *before);
   } catch (const std::exception& error) {
     return fail(call, fmt::format("it failed: {}", error.what()));
   } catch (...) {
@@ -226,10 +226,10 @@ Answer Routine::ask(adore_call& call, std::int32_t size) {
   }
   if (!trouble.empty()) return fail(call, trouble);
   NonFinite answer;
-  walk_arguments(call, answer);
+  visit_arguments(call, answer);
   if (!answer.found.empty()) {
     AskedNumbers asked;
-    walk_arguments(call, asked);
+    visit_arguments(call, asked);
     if (asked.finite) return fail(call, answer.found);
     reason_ =
         fmt::format("{}: the state of the solver contains a value that is not finite", where(call));

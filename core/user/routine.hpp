@@ -15,9 +15,9 @@ enum class Answer : unsigned char {
   Failed    ///< for good
 };
 
-class Routine {
+class UserRoutine {
  public:
-  Routine(int hook, const PlugIn& plug_in, Host& host, long sample);
+  UserRoutine(int hook, const PlugIn& plug_in, Host& host, long sample);
 
   /// Sets the first member but for time and step, and asks. The reason of what is not good stands
   /// in reason().
@@ -35,7 +35,7 @@ class Routine {
   Answer fail(const adore_call& call, const std::string& what);
   [[nodiscard]] std::string where(const adore_call& call) const;
   /// A copy of it is asked the same; what differs, empty: nothing.
-  std::string ask_again(adore_call& call, const Copies& before);
+  std::string check_repeatability(adore_call& call, const Copies& before);
 
   int hook_;
   std::string name_;

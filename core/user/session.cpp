@@ -40,10 +40,10 @@ struct Session::Impl {
   PlugIn plug_in;
   Host host;
   std::optional<CrashGuard> guard;
-  std::array<std::optional<Routine>, kHooks> routines;
+  std::array<std::optional<UserRoutine>, kHooks> routines;
   adore_bearing bearing{};
   HeatSources::Geometry geometry;
-  std::vector<std::shared_ptr<const bearing::GivenRace>> out_of_round;  ///< ADRX5, by roller
+  std::vector<std::shared_ptr<const bearing::SurfaceSeries>> out_of_round;  ///< ADRX5, by roller
   std::vector<std::string> documentation;
   std::string written, failure, refusal;
   std::array<bool, 2> surface_started{};  ///< ADRX5, ADRX6
@@ -54,14 +54,14 @@ struct Session::Impl {
   struct Traction {
     Impl* of = nullptr;
     adore_adrx7 args{};
-    tribology::UserTraction shown;
+    tribology::UserTractionRoutine shown;
   };
   std::array<Traction, 5> traction;
   std::array<bool, 5> has_traction{};
 
   // ADRX1.
   adore_adrx1 motion{};
-  scene::UserMotion::Promise promise;
+  scene::UserMotion::MotionDeclaration motion_declaration;
   scene::SuppressedMotions suppressed;
   std::array<bool, 3> balanced{};  ///< directions in which the load places the inner race
 
@@ -70,7 +70,9 @@ struct Session::Impl {
     explicit Laws(std::shared_ptr<Session> session) : session_(std::move(session)) {}
     [[nodiscard]] bool failed() const noexcept override { return !impl().failure.empty(); }
     bool refused() noexcept override { return std::exchange(impl().refused, false); }
-    [[nodiscard]] const Promise& promise() const noexcept override { return impl().promise; }
+    [[nodiscard]] const MotionDeclaration& motion_declaration() const noexcept override {
+      return impl().motion_declaration;
+    }
     bool evaluate(double t, const std::array<Race, 2>& races, Actions& out) noexcept override {
       return impl().evaluate_motion(t, races, out);
     }
@@ -79,7 +81,7 @@ struct Session::Impl {
    private:
     std::shared_ptr<Session> session_;
   };
-  struct Force final : scene::UserForce {
+  struct Force final : scene::UserContactForce {
     Impl* of = nullptr;
     int hook = 0;
     bool forces(double t, const Contacts& c) noexcept override {
@@ -106,7 +108,7 @@ struct Session::Impl {
   Answer ask(int hook, Arguments& a, int mode) {
     a.call.mode = mode;
     a.call.step = static_cast<std::int64_t>(step);
-    Routine& routine = *routines[static_cast<std::size_t>(hook)];
+    UserRoutine& routine = *routines[static_cast<std::size_t>(hook)];
     const Answer answer = routine.ask(a.call, static_cast<std::int32_t>(sizeof(Arguments)));
     if (answer == Answer::Failed && failure.empty()) failure = routine.reason();
     if (answer == Answer::Refused) {
@@ -164,7 +166,7 @@ struct Session::Impl {
   void describe(const bearing::Bearing& from);
   bool evaluate_motion(double t, const std::array<scene::UserMotion::Race, 2>& races,
                        scene::UserMotion::Actions& out) noexcept;
-  static void ask_traction(void* self, const tribology::TractionPoints& in);
+  static void ask_traction(void* self, const tribology::UserTractionInput& in);
   void start_traction(std::size_t kind);
   void start_motion();
 };
@@ -209,10 +211,11 @@ bool Session::Impl::evaluate_motion(double t, const std::array<scene::UserMotion
                             std::move(text));
     return false;
   };
-  if (good && !promise.moves_frame && !(out.frame.isZero(0.0) && turn.isZero(0.0)))
+  if (good && !motion_declaration.moves_frame && !(out.frame.isZero(0.0) && turn.isZero(0.0)))
     return wrong(
         "it moves the base frame, but moves_frame is 0; set moves_frame = 1 in mode ADORE_START");
-  if (!good || !promise.drives[1] || !(balanced[0] || balanced[1] || balanced[2])) return good;
+  if (!good || !motion_declaration.drives[1] || !(balanced[0] || balanced[1] || balanced[2]))
+    return good;
   for (int k = 0; k < 3; ++k)
     if (balanced[static_cast<std::size_t>(k)] && out.acceleration[1][k] != 0.0)
       return wrong(
@@ -225,7 +228,7 @@ bool Session::Impl::evaluate_motion(double t, const std::array<scene::UserMotion
   return good;
 }
 
-void Session::Impl::ask_traction(void* self, const tribology::TractionPoints& in) {
+void Session::Impl::ask_traction(void* self, const tribology::UserTractionInput& in) {
   auto& traction = *static_cast<Traction*>(self);
   adore_adrx7 a = traction.args;
   a.call.time = traction.of->laws != nullptr ? traction.of->laws->time : 0.0;
@@ -278,19 +281,19 @@ void Session::Impl::start_motion() {
   document(1);
   const adore_adrx1& a = motion;
   for (std::size_t j = 0; j < 2; ++j) {
-    promise.drives[j] = a.drives[j] != 0;
-    promise.start_velocity[j] = get(a.start_velocity + 3 * j);
-    promise.start_spin[j] = a.start_spin[j];
-    if (!promise.drives[j] &&
-        (!promise.start_velocity[j].isZero(0.0) || promise.start_spin[j] != 0.0))
+    motion_declaration.drives[j] = a.drives[j] != 0;
+    motion_declaration.start_velocity[j] = get(a.start_velocity + 3 * j);
+    motion_declaration.start_spin[j] = a.start_spin[j];
+    if (!motion_declaration.drives[j] && (!motion_declaration.start_velocity[j].isZero(0.0) ||
+                                          motion_declaration.start_spin[j] != 0.0))
       throw InputError(
           fmt::format("user routine ADRX1 of {} gives the {} race a start velocity or spin, but "
                       "does not drive this race; set drives[{}] = 1",
                       plug_in.source, j == 0 ? "outer" : "inner", j));
   }
-  promise.moves_frame = a.moves_frame != 0;
-  promise.longest_step = std::max(a.longest_step, 0.0);
-  promise.kinks.assign(a.kinks, a.kinks + std::clamp(a.kink_count, 0, 8));
+  motion_declaration.moves_frame = a.moves_frame != 0;
+  motion_declaration.longest_step = std::max(a.longest_step, 0.0);
+  motion_declaration.kinks.assign(a.kinks, a.kinks + std::clamp(a.kink_count, 0, 8));
   suppressed = {a.suppress_element_axial != 0, a.suppress_element_tilt != 0,
                 a.suppress_element_all != 0, a.suppress_cage_axial != 0, a.suppress_cage_tilt != 0};
   std::fill_n(motion.force, 6, 0.0);
@@ -301,7 +304,8 @@ void Session::Impl::start_motion() {
        {motion.frame_acceleration, motion.frame_omega, motion.frame_angular_acceleration})
     std::fill_n(three, 3, 0.0);
   for (std::size_t k = 0; k < 3; ++k)
-    if (balanced[k] && promise.drives[1] && promise.start_velocity[1][static_cast<int>(k)] != 0.0)
+    if (balanced[k] && motion_declaration.drives[1] &&
+        motion_declaration.start_velocity[1][static_cast<int>(k)] != 0.0)
       throw InputError(
           fmt::format("user routine ADRX1 of {} gives the inner race a start velocity along {}, "
                       "but mode = 2 computes the position of the race in this direction from the "
@@ -436,7 +440,8 @@ void Session::surface(const bearing::Bearing& bearing, bearing::UserSurface& pla
   s.ask_or_refuse(hook, a, ADORE_COMPUTE);
 }
 
-void Session::keep_out_of_round(std::size_t k, std::shared_ptr<const bearing::GivenRace> form) {
+void Session::add_out_of_round_element(std::size_t k,
+                                       std::shared_ptr<const bearing::SurfaceSeries> form) {
   auto& all = impl_->out_of_round;
   if (all.empty())
     document(5,
@@ -446,9 +451,10 @@ void Session::keep_out_of_round(std::size_t k, std::shared_ptr<const bearing::Gi
   all[k] = std::move(form);
 }
 
-bool Session::has_out_of_round() const noexcept { return !impl_->out_of_round.empty(); }
+bool Session::has_out_of_round_elements() const noexcept { return !impl_->out_of_round.empty(); }
 
-std::span<const std::shared_ptr<const bearing::GivenRace>> Session::out_of_round() const noexcept {
+std::span<const std::shared_ptr<const bearing::SurfaceSeries>> Session::out_of_round()
+    const noexcept {
   return impl_->out_of_round;
 }
 
@@ -500,9 +506,11 @@ void Session::start(const bearing::Bearing& bearing, const std::array<bool, 5>& 
 
 const scene::SuppressedMotions& Session::suppressed() const noexcept { return impl_->suppressed; }
 
-const std::array<bool, 2>& Session::drives() const noexcept { return impl_->promise.drives; }
+const std::array<bool, 2>& Session::drives() const noexcept {
+  return impl_->motion_declaration.drives;
+}
 
-bool Session::moves_frame() const noexcept { return impl_->promise.moves_frame; }
+bool Session::moves_frame() const noexcept { return impl_->motion_declaration.moves_frame; }
 
 std::shared_ptr<scene::UserLaws> Session::laws(std::shared_ptr<Session> self) {
   Impl& s = *impl_;
@@ -514,7 +522,7 @@ std::shared_ptr<scene::UserLaws> Session::laws(std::shared_ptr<Session> self) {
   out->out_of_round = s.out_of_round;
   if (!out->out_of_round.empty())
     out->out_of_round.resize(static_cast<std::size_t>(s.bearing.elements));
-  scene::UserForce** const places[] = {&out->flange, &out->pocket, &out->land};
+  scene::UserContactForce** const places[] = {&out->flange, &out->pocket, &out->land};
   for (int k = 0; k < 3; ++k) {
     if (!s.active(2 + k)) continue;
     Impl::Force& force = s.force[static_cast<std::size_t>(k)];
@@ -585,7 +593,7 @@ std::string Session::step(const scene::Snapshot& snapshot, const Channels& chann
   return s.host.block().write.take();
 }
 
-std::string Session::take_written() { return std::exchange(impl_->written, {}); }
+std::string Session::take_sol9_text() { return std::exchange(impl_->written, {}); }
 
 const std::string& Session::failure() const noexcept { return impl_->failure; }
 const std::string& Session::refusal() const noexcept { return impl_->refusal; }

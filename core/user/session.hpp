@@ -53,9 +53,9 @@ class Session {
   /// @throws InputError
   void surface(const bearing::Bearing& bearing, bearing::UserSurface& places);
   /// ADRX5: roller k is out of round; the laws show it to the solver.
-  void keep_out_of_round(std::size_t k, std::shared_ptr<const bearing::GivenRace> form);
-  [[nodiscard]] bool has_out_of_round() const noexcept;
-  [[nodiscard]] std::span<const std::shared_ptr<const bearing::GivenRace>> out_of_round()
+  void add_out_of_round_element(std::size_t k, std::shared_ptr<const bearing::SurfaceSeries> form);
+  [[nodiscard]] bool has_out_of_round_elements() const noexcept;
+  [[nodiscard]] std::span<const std::shared_ptr<const bearing::SurfaceSeries>> out_of_round()
       const noexcept;
   /// A line behind those of the routine's own documentation.
   void document(int hook, const std::string& line);
@@ -95,7 +95,7 @@ class Session {
   /// Mode ADORE_STEP of routines that need no snapshot. @throws SolverError
   void step(long step, double time);
   /// Text for SOL9 of the documentation call.
-  [[nodiscard]] std::string take_written();
+  [[nodiscard]] std::string take_sol9_text();
 
   /// Why a routine failed for good: one sentence; empty: none has.
   [[nodiscard]] const std::string& failure() const noexcept;

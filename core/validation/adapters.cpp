@@ -11,7 +11,7 @@ struct Entry {
   std::string_view family, functions;
 };
 
-/// Motions state theirs with the result (Motion::add_evidence).
+/// Motions state theirs with the result (Motion::add_evaluation_record).
 constexpr Entry kEntries[] = {
     {"A_hertz_point", "contact::hertz_constants, contact::subsurface_stress"},
     {"B_line_contact", "contact::line_pressure, contact::line_subsurface_stress"},
@@ -20,19 +20,19 @@ constexpr Entry kEntries[] = {
     {"E_kinematics", "statics::epicyclic_speeds"},
     {"P_published", "statics::solve_ball_statics, statics::epicyclic_speeds"},
     {"cage_inertia", "contact::cage_solid_inertia"},
-    {"cage_lands", "contact::land_load, contact::least_land_gap"},
+    {"cage_lands", "contact::land_load, contact::min_land_gap"},
     {"cage_pockets", "contact::nearest_walls, contact::ball_pocket_law"},
     {"dynamics_contact_traction", "tribology::ellipse_traction_converged"},
     {"life_accumulation", "life::damage_rate, life::equivalent_load"},
     {"life_factors", "life::film_factor, life::stle_factor"},
-    {"life_identities", "life::original_life, life::race_life"},
+    {"life_identities", "life::lundberg_palmgren_life, life::race_life"},
     {"life_iso16281", "life::iso_reference_life_ball, life::iso_reference_life_roller"},
     {"life_iso281", "life::iso_dynamic_rating, life::iso_life_factor"},
     {"life_lp_capacity", "life::point_capacity, life::line_capacity"},
     {"life_race_bearing", "life::race_life, life::combined_life"},
-    {"life_stress_models", "life::original_life, contact::hertz_constants"},
+    {"life_stress_models", "life::lundberg_palmgren_life, contact::hertz_constants"},
     {"motion_constraints", "dynamics::ConstrainedBall, dynamics::solve_mode2"},
-    {"motion_excitations", "dynamics::vibration, dynamics::varying_turn"},
+    {"motion_excitations", "dynamics::vibration, dynamics::varying_rotation"},
     {"motion_frames", "dynamics::race_accelerations, dynamics::euler_rate"},
     {"rating_bearing_fit", "bearing::interference, bearing::size_limits, thermal::mount"},
     {"rating_minimum_load", "life::minimum_load_of_balls, life::minimum_load_of_rollers"},
@@ -45,11 +45,11 @@ constexpr Entry kEntries[] = {
     {"rollers_slices", "contact::line_resultant, contact::slice_load"},
     {"rollers_tapered", "contact::rolling_speeds"},
     {"thermal_clearance", "thermal::operating_clearance"},
-    {"thermal_growth", "thermal::spin_displacement"},
+    {"thermal_growth", "thermal::centrifugal_displacement"},
     {"thermal_lame", "thermal::fit_pressure, thermal::pressure_displacement"},
-    {"thermal_network", "thermal::solve_network, thermal::solve_ladder"},
+    {"thermal_network", "thermal::solve_nodal_network, thermal::solve_ladder"},
     {"thermal_props", "tribology::fluid_properties, bearing::material_sheet"},
-    {"thermal_steps", "thermal::judge_sequence"},
+    {"thermal_steps", "thermal::assess_thermal_steps"},
     {"thermal_units", "deck::unit::kLength"},
     {"tribology_churning", "tribology::sphere_drag, tribology::cylinder_drag"},
     {"tribology_film", "tribology::line_film"},
@@ -57,8 +57,8 @@ constexpr Entry kEntries[] = {
     {"tribology_hertzTraction", "tribology::film_shear_stress"},
     {"tribology_hypotheticalTraction", "tribology::traction_curve"},
     {"tribology_journalBearing", "tribology::journal_force"},
-    {"tribology_newtonFilm", "tribology::film_between_walls"},
-    {"tribology_pocketFilm", "tribology::pocket_wedge, tribology::sphere_squeeze"},
+    {"tribology_newtonFilm", "tribology::film_shear_between_walls"},
+    {"tribology_pocketFilm", "tribology::point_wedge_force, tribology::sphere_squeeze_force"},
     {"tribology_shearThinningFilm", "tribology::shear_thinning_stress"},
     {"tribology_starvation", "tribology::starvation_factor"},
     {"tribology_thermalFactor", "tribology::thermal_reduction_raw"},
@@ -75,7 +75,7 @@ std::vector<Adapter> all_adapters() {
   return all;
 }
 
-std::string_view library_entry(std::string_view family) {
+std::string_view evaluated_library_functions(std::string_view family) {
   for (const Entry& entry : kEntries)
     if (entry.family == family) return entry.functions;
   return {};

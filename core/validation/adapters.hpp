@@ -12,6 +12,6 @@ namespace adore::validation {
 
 /// The function, or the functions, of the library that cases of a family without motion evaluate;
 /// empty: unknown family.
-[[nodiscard]] std::string_view library_entry(std::string_view family);
+[[nodiscard]] std::string_view evaluated_library_functions(std::string_view family);
 
 }  // namespace adore::validation

@@ -82,9 +82,9 @@ void set_grooves(SmallScene& scene, double diameter, const std::array<double, 2>
   scene.hertz_angle.fill(std::acos(std::min(cosine, 1.0)));
 }
 
-std::shared_ptr<TractionRule> converge_traction(SmallScene& scene, TractionRule wanted) {
+std::shared_ptr<TractionRule> install_converged_traction(SmallScene& scene, TractionRule wanted) {
   auto rule = std::make_shared<TractionRule>(std::move(wanted));
-  dynamics::GivenAction correction;
+  dynamics::CustomSceneAction correction;
   correction.act = [rule](Evaluation& e, const dynamics::RaceModels& races) {
     for (std::size_t j = 0; j < 2; ++j) {
       const dynamics::RaceContactModel& model = races[j];
@@ -113,14 +113,15 @@ std::shared_ptr<TractionRule> converge_traction(SmallScene& scene, TractionRule 
   return rule;
 }
 
-void book_heat(SmallScene& scene, int balls) {
+void add_heat_integrals(SmallScene& scene, int balls) {
   const auto n = static_cast<std::size_t>(balls);
   auto heat = std::make_shared<std::array<std::vector<double>, 2>>();
   heat->fill(std::vector<double>(n));
-  dynamics::GivenAction books;
+  dynamics::CustomSceneAction books;
   books.account = [heat](Evaluation& e, const dynamics::RaceModels&) { *heat = e.heat; };
   for (std::size_t j = 0; j < 2; ++j)
-    for (std::size_t i = 0; i < n; ++i) books.books.push_back({heat_name(j, i), &(*heat)[j][i]});
+    for (std::size_t i = 0; i < n; ++i)
+      books.books.push_back({heat_integral_name(j, i), &(*heat)[j][i]});
   add(scene, std::move(books));
 }
 
@@ -154,7 +155,7 @@ SmallScene ball_scene(const Json& in, const Vec3& inner_centre, bool traction, i
   return scene;
 }
 
-void scale_balls(Motion& motion) {
+void set_ball_error_scales(Motion& motion) {
   const double length = 1e-5, time = 1e-5;  // of contact deformation and of contact vibration
   const auto first = [&](const char* group) {
     return std::max(std::abs(motion.start_of(group)), 1.0);

@@ -27,7 +27,7 @@ void set_grooves(SmallScene& scene, double diameter, const std::array<double, 2>
 [[nodiscard]] SmallScene ball_scene(const Json& inputs, const Vec3& inner_centre, bool traction,
                                     int count);
 /// Error scales of contact vibration and of the speeds of the start.
-void scale_balls(Motion& motion);
+void set_ball_error_scales(Motion& motion);
 [[nodiscard]] BallLoad ball_load(const Motion& motion, const dynamics::Evaluation& e,
                                  std::size_t race, std::size_t ball = 0);
 
@@ -51,17 +51,18 @@ using TractionRule = std::function<SurfaceTraction(const tribology::TractionLaw&
 [[nodiscard]] TractionRule split_rule(int points);
 /// Slip and arms at the middle of every strip across the ellipse: the variation along the minor
 /// axis is ignored. A rule of one case alone.
-[[nodiscard]] TractionRule minor_axis_ignored();
+[[nodiscard]] TractionRule minor_axis_ignored_rule();
 /// Slip and traction in the local tangent plane of the curved surface. A rule of one case alone.
-[[nodiscard]] TractionRule tangent_plane();
+[[nodiscard]] TractionRule tangent_plane_rule();
 
 /// The traction of the cases is converged to 1e-7, the fixed quadrature rule of a run to 1e-3: to
 /// what the run's traction does, this adds the difference of `rule` and that fixed rule. The rule
 /// may be replaced later.
-[[nodiscard]] std::shared_ptr<TractionRule> converge_traction(SmallScene& scene, TractionRule rule);
+[[nodiscard]] std::shared_ptr<TractionRule> install_converged_traction(SmallScene& scene,
+                                                                       TractionRule rule);
 /// Integrals "heat j i" of the contact of race j and ball i [J].
-void book_heat(SmallScene& scene, int balls);
-[[nodiscard]] inline std::string heat_name(std::size_t race, std::size_t ball) {
+void add_heat_integrals(SmallScene& scene, int balls);
+[[nodiscard]] inline std::string heat_integral_name(std::size_t race, std::size_t ball) {
   return fmt::format("heat {} {}", race, ball);
 }
 

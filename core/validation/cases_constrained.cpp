@@ -161,10 +161,10 @@ RollerOfCase roller_of(const Json& in) {
 }
 
 /// As a held roller finds its place in a run; that keeps m r² θ̇, here θ̇ is given.
-Json roller_case(const Json& in) {
+Json constrained_roller_case(const Json& in) {
   const auto [model, masses] = roller_of(in);
   const double theta = get(in, "theta"), speed = get(in, "theta_rate");
-  dynamics::HeldRollers held(model, {}, masses);
+  dynamics::QuasiStaticRollers held(model, {}, masses);
   dynamics::Evaluation e(1);
   const auto races = races_of(in);
   for (std::size_t j = 0; j < 2; ++j) e.race[j].position = races[j].centre;
@@ -189,12 +189,12 @@ Json roller_case(const Json& in) {
                 .omega_theta = &zero,
                 .theta = &theta};
   for (int k = 0; k < 20; ++k) {
-    const dynamics::HeldPlace at = held.balanced(e, 0, Vec2::Zero());
+    const dynamics::QuasiStaticPosition at = held.balanced(e, 0, Vec2::Zero());
     demand(at.solved, "no force balance of the roller was found");
     r = at.r;
   }
   const std::vector<std::size_t> list{0};
-  std::vector<dynamics::HeldSprings> springs(1);
+  std::vector<dynamics::ContactLinearization> springs(1);
   held.springs(e, list, springs);
   std::array<double, 2> Q{};
   for (std::size_t j = 0; j < 2; ++j) {
@@ -232,7 +232,7 @@ Json switch_case(const Json& in) {
   const double theta = get(in, "theta"), r = get(in, "r");
   const Orbit orbit{Orbit::Kept::Momentum, ball.mass() * r * r * get(in, "theta_rate")};
   const Vec2 place(get(in, "x"), r), rates(get(in, "x_rate"), get(in, "r_rate"));
-  const dynamics::HeldSwitch change =
+  const dynamics::QuasiStaticTransition change =
       dynamics::hold(ball, races, theta, orbit, Vec2::Zero(), place, rates);
   return {{"x", change.after.x},
           {"r", change.after.r},
@@ -248,7 +248,8 @@ Json sequence_case(const Json& in) {
   Json states = Json::array();
   for (std::size_t i = 0; i < in.at("Q_outer").size(); ++i) {
     const double outer = in.at("Q_outer").at(i), inner = in.at("Q_inner").at(i);
-    held = dynamics::held_next(held, std::max(outer, inner), threshold, get(in, "release_ratio"));
+    held = dynamics::is_quasi_static_next(held, std::max(outer, inner), threshold,
+                                          get(in, "release_ratio"));
     states.push_back(held ? 1 : 0);
   }
   return {{"held", states}};
@@ -263,13 +264,13 @@ Json kdof_case(const Json& in) {
 
 }  // namespace
 
-std::optional<Json> constraint_case(const Json& the_case) {
+std::optional<Json> evaluate_constraint_case(const Json& the_case) {
   const std::string kind = kind_of(the_case);
   const Json& in = the_case.at("inputs");
   if (kind == "mode1_ball") return ball_case(in);
   if (kind == "mode1_idle") return idle_case(in);
   if (kind == "mode1_orbit") return orbit_case(in);
-  if (kind == "mode1_roller") return roller_case(in);
+  if (kind == "mode1_roller") return constrained_roller_case(in);
   if (kind == "mode2_ball_bearing") return mode2_case(in);
   if (kind == "qfac_switch_energy") return switch_case(in);
   if (kind == "qfac_sequence") return sequence_case(in);

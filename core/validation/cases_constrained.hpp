@@ -6,6 +6,6 @@ namespace adore::validation {
 
 /// One case of the family motion_constraints: a ball, a roller or a ball bearing with eliminated
 /// inertia.
-[[nodiscard]] std::optional<Json> constraint_case(const Json& the_case);
+[[nodiscard]] std::optional<Json> evaluate_constraint_case(const Json& the_case);
 
 }  // namespace adore::validation

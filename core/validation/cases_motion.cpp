@@ -75,10 +75,10 @@ Json trajectory_case(const Json& in) {
               {},
               {}});
   Motion motion(std::move(scene));
-  start_cage(motion, vec3(in.at("initial_geometric_centre")) - R0 * body.to_geometric_centre,
-             vec3(in.at("initial_geometric_centre_velocity")) -
-                 R0 * omega0.cross(body.to_geometric_centre),
-             q0, omega0);
+  set_cage_start(motion, vec3(in.at("initial_geometric_centre")) - R0 * body.to_geometric_centre,
+                 vec3(in.at("initial_geometric_centre_velocity")) -
+                     R0 * omega0.cross(body.to_geometric_centre),
+                 q0, omega0);
   constexpr double kSize = 1e-3;
   motion.scale("cage.position", kSize);
   motion.scale("cage.velocity", kSize * omega0.norm());
@@ -92,7 +92,7 @@ Json trajectory_case(const Json& in) {
     out["omega_geometric"].push_back(json(at.omega_body));
     out["geometric_centre"].push_back(json(at.position));
   }
-  motion.add_evidence(out);
+  motion.add_evaluation_record(out);
   return out;
 }
 
@@ -155,7 +155,7 @@ Json free_particle_case(const Json& in) {
   for (std::size_t i = 0; i < times.size(); ++i)
     out["position"].push_back(
         json(ball.evaluate(times[i], solution.samples[i].data()).element_centre(0)));
-  ball.add_evidence(out);
+  ball.add_evaluation_record(out);
   return out;
 }
 
@@ -192,7 +192,7 @@ Json motion_json(const dynamics::PrescribedMotion& m) {
           {"acceleration", json(m.acceleration)}};
 }
 
-Json turn_json(const dynamics::PrescribedTurn& t) {
+Json turn_json(const dynamics::PrescribedRotation& t) {
   return {{"angle", t.angle}, {"speed", t.speed}, {"acceleration", t.acceleration}};
 }
 
@@ -209,7 +209,7 @@ Json rotating_load_case(const Json& in) {
   return race_histories(in, [&](int race, double t) { return motion_json(load.at(race, t)); });
 }
 
-Json vibration_case(const Json& in) {
+Json motion_vibration_case(const Json& in) {
   return race_histories(in, [&](int race, double t) {
     return motion_json(dynamics::vibration(
         vec3(in.at(race == 0 ? "static_outer_centre" : "static_inner_centre")),
@@ -220,7 +220,7 @@ Json vibration_case(const Json& in) {
 Json speed_ramp_case(const Json& in) {
   return race_histories(in, [&](int race, double t) {
     const auto value = [&](const char* name) { return of_race(in, name, race).get<double>(); };
-    return turn_json(dynamics::ramped_turn(
+    return turn_json(dynamics::ramped_rotation(
         value("rpm") * kRpm, {value("raceAngAcc") * kRpm, value("startTime"), value("endTime")},
         t));
   });
@@ -229,8 +229,8 @@ Json speed_ramp_case(const Json& in) {
 Json speed_sine_case(const Json& in) {
   return race_histories(in, [&](int race, double t) {
     const auto value = [&](const char* name) { return of_race(in, name, race).get<double>(); };
-    return turn_json(dynamics::varying_turn(value("rpm") * kRpm, value("raceSpeedAmp") * kRpm,
-                                            value("raceSpeedFreq"), t));
+    return turn_json(dynamics::varying_rotation(value("rpm") * kRpm, value("raceSpeedAmp") * kRpm,
+                                                value("raceSpeedFreq"), t));
   });
 }
 
@@ -264,7 +264,7 @@ std::optional<Json> excitation_case(const Json& the_case) {
   const std::string kind = kind_of(the_case);
   const Json& in = the_case.at("inputs");
   if (kind == "rotating_load") return rotating_load_case(in);
-  if (kind == "race_vibration") return vibration_case(in);
+  if (kind == "race_vibration") return motion_vibration_case(in);
   if (kind == "speed_ramp") return speed_ramp_case(in);
   if (kind == "speed_sine") return speed_sine_case(in);
   if (kind == "cage_start") return cage_start_case(in);
@@ -276,7 +276,7 @@ std::optional<Json> excitation_case(const Json& the_case) {
 std::vector<Adapter> motion_adapters() {
   return {{"motion_frames", frame_case},
           {"motion_excitations", excitation_case},
-          {"motion_constraints", constraint_case}};
+          {"motion_constraints", evaluate_constraint_case}};
 }
 
 }  // namespace adore::validation

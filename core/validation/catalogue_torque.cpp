@@ -313,7 +313,7 @@ TorqueTable table_of(const Tables& tables, const CatalogueBearing& b, const Oil&
 
 }  // namespace
 
-std::vector<TorqueTable> catalogue_torques(std::string_view data) {
+std::vector<TorqueTable> compute_torque_tables(std::string_view data) {
   const Tables tables = read_tables(data);
   std::vector<TorqueTable> out;
   for (const CatalogueBearing& b : tables.bearings)

@@ -58,7 +58,7 @@ struct TorqueTable {
 /// @param data of resources/experiments/skf-torque.json; empty: the embedded file
 /// @throws InputError naming bearing and member of a schema error; InputError, SolverError of a
 /// deck
-[[nodiscard]] std::vector<TorqueTable> catalogue_torques(std::string_view data = {});
+[[nodiscard]] std::vector<TorqueTable> compute_torque_tables(std::string_view data = {});
 
 [[nodiscard]] std::string torque_text(const std::vector<TorqueTable>& tables);
 /// The tables of resources/docs/friction-torque.md.

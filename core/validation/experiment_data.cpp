@@ -60,7 +60,7 @@ void read_theirs(JsonMembers& in, RowData& row) {
   } else if (theirs->is_array()) {
     const std::vector<double> range = in.numbers("theirs");
     if (range.size() != 2 || !(range[0] <= range[1]))
-      in.reject("theirs must be a number or [least, most]");
+      in.reject("member \"theirs\" must be a number or [least, most]");
     row.theirs = range[0];
     row.theirs_to = range[1];
   } else {
@@ -88,8 +88,7 @@ RowData read_row(JsonMembers& in, const std::string& kind, const std::string& ce
   const bool aside = out.certainty.starts_with("kept aside");
   if (aside && given)
     in.reject(
-        "the measured value of this row is kept aside (withheld). Remove "
-        "\"theirs\"");
+        "a row of certainty \"kept aside\" must not contain the measured value. Remove \"theirs\"");
   if (!aside && !given && out.kind != "part")
     in.reject(
         "member \"theirs\" is missing. Give it, or set kind to \"part\" or certainty to "
@@ -101,8 +100,8 @@ RowData read_row(JsonMembers& in, const std::string& kind, const std::string& ce
   return out;
 }
 
-OverData read_over(JsonMembers& in) {
-  OverData out{in.text("variable"), in.numbers("values")};
+VariableSweepData read_over(JsonMembers& in) {
+  VariableSweepData out{in.text("variable"), in.numbers("values")};
   if (out.values.size() < 2) in.reject("member \"values\" needs two or more numbers");
   return out;
 }
@@ -112,7 +111,7 @@ MotionData read_motion(JsonMembers& in) {
 RunDownData read_run_down(JsonMembers& in) {
   return {in.text("deck"), in.number("inertia"), read_sets(in, "set")};
 }
-DiscsData read_discs(JsonMembers& in) {
+TwinDiscData read_discs(JsonMembers& in) {
   return {in.integer("kTrac"), in.number("T"), in.number("radius"), in.number("speed"),
           in.numbers("pressure")};
 }
@@ -120,9 +119,9 @@ FilmData read_film(JsonMembers& in) {
   return {in.number("radius"), in.number("k"),         in.number("load"),
           in.number("speed"),  in.number("viscosity"), in.number("alpha")};
 }
-OilShareData read_oil_share(JsonMembers& in) { return {in.number("c"), in.number("p")}; }
-RingData read_ring(JsonMembers& in) {
-  RingData out{in.number("temperature"), in.text("certainty")};
+OilFractionData read_oil_share(JsonMembers& in) { return {in.number("c"), in.number("p")}; }
+HottestRingData read_ring(JsonMembers& in) {
+  HottestRingData out{in.number("temperature"), in.text("certainty")};
   check_certainty(out.certainty, in.where());
   return out;
 }

@@ -42,7 +42,7 @@ struct RowData {
 
 using DeckSets = std::vector<std::pair<std::string, std::string>>;
 
-struct OverData {
+struct VariableSweepData {
   std::string variable;        ///< of the deck
   std::vector<double> values;  ///< in the deck's units
 };
@@ -56,7 +56,7 @@ struct RunDownData {
   double inertia = 0.0;  ///< [kg m²]
   DeckSets set;
 };
-struct DiscsData {
+struct TwinDiscData {
   int law = 0;                                          ///< kTrac
   double temperature = 0.0, radius = 0.0, speed = 0.0;  ///< [K, m, m/s]
   std::vector<double> pressure;                         ///< [Pa]
@@ -69,11 +69,11 @@ struct FilmData {
 /// Share of oil in the cavity, x = c W^0.37 dm^-0.7 (n dm)^-p (1.3e6)^(p-1) with the flow W
 /// [cm³/min], n [rpm], dm [mm]; p = 1: the literature's W^0.37/(n dm^1.7) (Parker 1984, recalled
 /// high). It is the density of the medium over that of the oil.
-struct OilShareData {
+struct OilFractionData {
   double c = 0.0, p = 1.0;
 };
 /// The hottest ring that the source measured.
-struct RingData {
+struct HottestRingData {
   double temperature = 0.0;  ///< [K]
   std::string certainty;
 };
@@ -83,13 +83,13 @@ struct RunData {
   DeckSets set;
   DeckSets options;  ///< run options of the static solution
   std::vector<RowData> rows;
-  std::optional<OverData> over;
+  std::optional<VariableSweepData> over;
   std::optional<MotionData> motion;
   std::optional<RunDownData> run_down;
-  std::optional<DiscsData> discs;
+  std::optional<TwinDiscData> discs;
   std::optional<FilmData> film;
-  std::optional<OilShareData> oil_share;
-  std::optional<RingData> hottest_ring;
+  std::optional<OilFractionData> oil_share;
+  std::optional<HottestRingData> hottest_ring;
   DeckSets subtract;  ///< the same quantity with these values too is subtracted
 };
 

@@ -228,7 +228,7 @@ const RunDownQuantity* run_down_quantity(std::string_view name) {
 
 struct MotionQuantity {
   std::string_view name, label;
-  double (*of)(const MotionFigures&, const runs::Prepared& equilibrium);  ///< SI
+  double (*of)(const MotionRunResults&, const runs::Prepared& equilibrium);  ///< SI
 };
 /// Over that of elements that roll without slip at a contact angle of 0, less 1.
 double excess(double cage_ratio, const runs::Prepared& p) {
@@ -238,37 +238,37 @@ double excess(double cage_ratio, const runs::Prepared& p) {
 
 constexpr MotionQuantity kMotion[] = {
     {"motion_torque", "friction torque in motion",
-     [](const MotionFigures& f, const runs::Prepared&) { return f.friction.total(); }},
+     [](const MotionRunResults& f, const runs::Prepared&) { return f.friction.total(); }},
     {"motion_rolling", "motion torque: rolling",
-     [](const MotionFigures& f, const runs::Prepared&) { return f.friction.rolling; }},
+     [](const MotionRunResults& f, const runs::Prepared&) { return f.friction.rolling; }},
     {"motion_races", "motion torque: sliding at races",
-     [](const MotionFigures& f, const runs::Prepared&) { return f.friction.races; }},
+     [](const MotionRunResults& f, const runs::Prepared&) { return f.friction.races; }},
     {"motion_rib", "motion torque: rib",
-     [](const MotionFigures& f, const runs::Prepared&) { return f.friction.ribs; }},
+     [](const MotionRunResults& f, const runs::Prepared&) { return f.friction.ribs; }},
     {"motion_cage", "motion torque: cage",
-     [](const MotionFigures& f, const runs::Prepared&) { return f.friction.cage; }},
+     [](const MotionRunResults& f, const runs::Prepared&) { return f.friction.cage; }},
     {"motion_residual", "energy residual",
-     [](const MotionFigures& f, const runs::Prepared&) { return f.friction.energy_residual; }},
+     [](const MotionRunResults& f, const runs::Prepared&) { return f.friction.energy_residual; }},
     {"motion_cage_excess", "cage speed / epicyclic speed - 1",
-     [](const MotionFigures& f, const runs::Prepared& p) { return excess(f.cage_ratio, p); }},
+     [](const MotionRunResults& f, const runs::Prepared& p) { return excess(f.cage_ratio, p); }},
     {"motion_outer_pass", "BPFO / shaft",
-     [](const MotionFigures& f, const runs::Prepared& p) {
+     [](const MotionRunResults& f, const runs::Prepared& p) {
        return static_cast<double>(p.bearing.element_count()) * f.cage_ratio;
      }},
     {"motion_inner_pass", "BPFI / shaft",
-     [](const MotionFigures& f, const runs::Prepared& p) {
+     [](const MotionRunResults& f, const runs::Prepared& p) {
        return static_cast<double>(p.bearing.element_count()) * (1.0 - f.cage_ratio);
      }},
     {"motion_cage_slip", "cage slip from the equilibrium",
-     [](const MotionFigures& f, const runs::Prepared& p) {
+     [](const MotionRunResults& f, const runs::Prepared& p) {
        return 1.0 - f.cage_ratio / orbit_ratio(p);
      }},
     {"motion_axial_line", "axial force at Z f_cage",
-     [](const MotionFigures& f, const runs::Prepared&) { return f.axial_line; }},
+     [](const MotionRunResults& f, const runs::Prepared&) { return f.axial_line; }},
     {"motion_radial_line", "radial force at Z f_cage",
-     [](const MotionFigures& f, const runs::Prepared&) { return f.radial_line; }},
+     [](const MotionRunResults& f, const runs::Prepared&) { return f.radial_line; }},
     {"motion_line_contrast", "lg(axial / radial force at Z f_cage)",
-     [](const MotionFigures& f, const runs::Prepared&) {
+     [](const MotionRunResults& f, const runs::Prepared&) {
        return std::log10(f.axial_line / f.radial_line);
      }},
 };
@@ -339,14 +339,14 @@ DeckSets with(DeckSets sets, const DeckSets& more) {
 
 /// Largest friction coefficient between two cylindrical discs over pressure and slip, by the law of
 /// one kTrac. SI: b = 4 R p0/E', load per length π b p0/2.
-double largest_coefficient(const DiscsData& discs) {
+double largest_coefficient(const TwinDiscData& discs) {
   const double E = 2.26e11;
   constexpr std::array kSlipRatio{0.003, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3};
   std::vector<double> slips;
   for (const double ratio : kSlipRatio) slips.push_back(ratio * discs.speed);
   double out = 0.0;
   for (const double pressure : discs.pressure) {
-    tribology::SpreadContact contact;
+    tribology::LawSpreadContact contact;
     contact.line = true;
     contact.modulus = E;
     contact.temperature = discs.temperature;
@@ -356,7 +356,7 @@ double largest_coefficient(const DiscsData& discs) {
     contact.point.load = 0.5 * std::numbers::pi * contact.point.half_minor * pressure;
     contact.point.entrainment = discs.speed;
     contact.point.curvature = 1.0 / discs.radius;
-    for (const tribology::SpreadRow& row : tribology::law_spread(discs.law, contact, slips))
+    for (const tribology::LawSpreadRow& row : tribology::law_spread(discs.law, contact, slips))
       if (row.code == discs.law)
         out = std::max(out, *std::max_element(row.kappa.begin(), row.kappa.end()));
   }
@@ -373,7 +373,7 @@ double film_over_hamrock(const FilmData& data) {
   oil.beta = 0.03;
   oil.conductivity = 0.14;
   oil.meniscus = 1000.0;
-  tribology::FilmContact contact;
+  tribology::LubricatedContact contact;
   contact.load = data.load;
   contact.radius = data.radius;
   contact.k = data.k;
@@ -412,7 +412,7 @@ class RunFigures {
       return assembly::duplex_pair(prepared(), thrust()).offset -
              assembly::duplex_pair(prepared(), demand_part(row.from, "from")).offset;
     if (name == "unloading_force")
-      return demand_part(assembly::duplex_unloading(prepared(), thrust()), "unloading force");
+      return demand_part(assembly::duplex_unloading_force(prepared(), thrust()), "unloading force");
     if (name == kLife) return reference_life(prepared(), row.rating);
     return value(name, prepared());
   }
@@ -471,7 +471,7 @@ class RunFigures {
       const double base = over(row.quantity, {*row.reference}).front();
       for (double& one : y) one -= base;
     }
-    return power_of(x, y);
+    return fit_power_exponent(x, y);
   }
   double spread(const RowData& row) {
     const std::vector<double> y = over(row.quantity, demand_part(run_.over, "over").values);
@@ -498,13 +498,13 @@ class RunFigures {
     return *down_;
   }
 
-  const MotionFigures& motion() {
+  const MotionRunResults& motion() {
     if (motion_) return *motion_;
     const MotionData& data = demand_part(run_.motion, "motion");
     const runs::DeckRequest moving =
         request_of(data.deck.empty() ? run_.deck : data.deck, with(sets_, data.set));
     equilibrium_of_motion_ = runs::prepare(moving);
-    motion_ = motion_figures(moving, data.until);
+    motion_ = evaluate_motion_run(moving, data.until);
     return *motion_;
   }
 
@@ -512,7 +512,7 @@ class RunFigures {
   DeckSets sets_;
   std::optional<runs::Prepared> prepared_, equilibrium_of_motion_;
   std::optional<RunDown> down_;
-  std::optional<MotionFigures> motion_;
+  std::optional<MotionRunResults> motion_;
 };
 
 std::string label_of(const RowData& row) {
@@ -564,9 +564,9 @@ void check_energy(const RunData& run, const RunFigures& figures, Experiment& out
                          run.hottest_ring->certainty, verdict.empty() ? "" : ": ", verdict)
            : "derived; not judged: no ring temperature in the source";
   if (!verdict.empty())
-    out.inputs.push_back(
-        fmt::format("{}: {}: the oil would leave at {:.4g} C, but the hottest ring has {:.4g} C",
-                    run.condition, verdict, outlet - 273.15, *ring - 273.15));
+    out.inputs.push_back(fmt::format(
+        "{}: {}: the oil outlet temperature would be {:.4g} C, but the hottest ring has {:.4g} C",
+        run.condition, verdict, outlet - 273.15, *ring - 273.15));
   out.rows.push_back(std::move(line));
 }
 
@@ -610,7 +610,7 @@ void add_run(const RunData& run, Experiment& out) {
 void add_catalogue(const std::string& file, Experiment& out) {
   const std::string name = "experiments/" + file;
   int speed = 0, load = 0;
-  for (const TorqueTable& table : catalogue_torques(resources::get(name))) {
+  for (const TorqueTable& table : compute_torque_tables(resources::get(name))) {
     speed += table.above_speed;
     load += table.below_load;
     for (const TorqueLine& one : table.lines) {

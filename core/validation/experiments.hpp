@@ -86,7 +86,7 @@ struct ExperimentSummary {
   int kept_aside = 0, not_computed = 0, failed = 0, parts = 0;
   std::vector<std::string> remarks;  ///< parameters at a bound, doubtful inputs
 };
-[[nodiscard]] ExperimentSummary summarise(const std::vector<Experiment>& experiments);
+[[nodiscard]] ExperimentSummary summarize(const std::vector<Experiment>& experiments);
 
 [[nodiscard]] std::string experiments_text(const std::vector<Experiment>& experiments);
 /// The page resources/docs/experiments.md.

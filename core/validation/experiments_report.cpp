@@ -85,7 +85,7 @@ std::vector<std::string> summary_lines(const ExperimentSummary& s) {
 
 }  // namespace
 
-ExperimentSummary summarise(const std::vector<Experiment>& experiments) {
+ExperimentSummary summarize(const std::vector<Experiment>& experiments) {
   ExperimentSummary out;
   out.groups = {
       group_of(experiments, "calibration",
@@ -109,7 +109,7 @@ ExperimentSummary summarise(const std::vector<Experiment>& experiments) {
 }
 
 std::string experiments_text(const std::vector<Experiment>& experiments) {
-  const ExperimentSummary summary = summarise(experiments);
+  const ExperimentSummary summary = summarize(experiments);
   std::string out =
       fmt::format("{:<36} {:>6} {:>9} {:>9}\n", "rows with a deviation", "rows", "median", "90 %");
   for (const ExperimentGroup& one : summary.groups)
@@ -145,7 +145,7 @@ std::string experiments_markdown(const std::vector<Experiment>& experiments) {
       "to fit the parameters named with it, a *prediction* row was not. Values of the sources are "
       "second-hand\nwhere their certainty says so. All deviations are printed as computed.\n\n| "
       "rows with a deviation | rows | median | 90th percentile |\n|---|---|---|---|\n";
-  const ExperimentSummary summary = summarise(experiments);
+  const ExperimentSummary summary = summarize(experiments);
   for (const ExperimentGroup& one : summary.groups)
     out += fmt::format("| {} | {} | {:.1f} % | {:.1f} % |\n", one.name, one.rows,
                        100.0 * one.median, 100.0 * one.ninth);

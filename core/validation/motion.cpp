@@ -37,8 +37,8 @@ void SmallScene::have(std::initializer_list<scene::Effect> effects) {
   for (const scene::Effect effect : effects) plan.effects.push_back({effect, "", true, ""});
 }
 
-void add(SmallScene& scene, dynamics::GivenAction action) {
-  scene.laws.push_back(dynamics::effect_of(std::move(action)));
+void add(SmallScene& scene, dynamics::CustomSceneAction action) {
+  scene.laws.push_back(dynamics::make_action_effect(std::move(action)));
 }
 
 dynamics::WallContact press(Evaluation& e, std::size_t element, const dynamics::BodyState& body,
@@ -63,8 +63,8 @@ void add_cage(SmallScene& scene, double mass, const Vec3& moments) {
   scene.have({scene::Effect::CageMotion});
 }
 
-void start_cage(Motion& motion, const Vec3& position, const Vec3& velocity, const Quat& attitude,
-                const Vec3& omega) {
+void set_cage_start(Motion& motion, const Vec3& position, const Vec3& velocity,
+                    const Quat& attitude, const Vec3& omega) {
   for (int k = 0; k < 3; ++k) {
     const auto n = static_cast<std::size_t>(k);
     motion.start_of("cage.position", n) = position[k];
@@ -88,7 +88,7 @@ void set_hertz_constant(SmallScene& scene, std::size_t race, double K) {
 
 Motion::Motion(SmallScene scene)
     : system_([&] {
-        scene.laws.push_back(dynamics::viewed_by(view_));
+        scene.laws.push_back(dynamics::make_view_effect(view_));
         return dynamics::System(scene.bearing, scene.plan, scene.start, scene.hertz_angle,
                                 scene.options, scene.laws);
       }()) {
@@ -146,22 +146,22 @@ integrators::EvalStatus Motion::rhs(double t, const double* y, double* dydt) noe
 
 Solution Motion::solve(const Problem& problem, std::span<const double> times) {
   Solution solution = validation::solve(problem, times);
-  stepper_ = problem.stepper;
-  work_.add(solution.work);
+  stepper_name_ = problem.stepper;
+  stepper_work_.add(solution.work);
   return solution;
 }
 
-void Motion::add_evidence(Json& result) const {
+void Motion::add_evaluation_record(Json& result) const {
   Json& evidence = result["evaluation"];
   evidence["entry"] = "adore::dynamics::System::rhs";
-  if (!stepper_.empty()) evidence["stepper"] = stepper_;
+  if (!stepper_name_.empty()) evidence["stepper"] = stepper_name_;
   const auto count = [&](const char* key, long value) {
     evidence[key] = evidence.value(key, 0L) + value;
   };
   count("system_evaluations", evaluations_);
-  count("start_evaluations", work_.start_evaluations);
-  count("steps", work_.steps);
-  count("repeated_steps", work_.repeated_steps);
+  count("start_evaluations", stepper_work_.start_evaluations);
+  count("steps", stepper_work_.steps);
+  count("repeated_steps", stepper_work_.repeated_steps);
 }
 
 }  // namespace adore::validation

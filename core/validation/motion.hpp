@@ -31,7 +31,7 @@ struct SmallScene {
   void have(std::initializer_list<scene::Effect> effects);
 };
 
-void add(SmallScene& scene, dynamics::GivenAction action);
+void add(SmallScene& scene, dynamics::CustomSceneAction action);
 
 /// A plane or cylinder of a body, pressed on an element along m (base axes) with overlap; friction
 /// by `law`. Adds the shipped contact of ball and wall (dynamics/effects/pockets.hpp) to what acts
@@ -48,8 +48,8 @@ dynamics::WallContact press(dynamics::Evaluation& e, std::size_t element,
 /// A cage that moves freely, far from element and races.
 void add_cage(SmallScene& scene, double mass, const Vec3& moments);
 /// @param omega on its own axes
-void start_cage(Motion& motion, const Vec3& position, const Vec3& velocity, const Quat& attitude,
-                const Vec3& omega);
+void set_cage_start(Motion& motion, const Vec3& position, const Vec3& velocity,
+                    const Quat& attitude, const Vec3& omega);
 
 /// Poisson's ratio 0 and the modulus for which the Hertz constant of race j is K [N m^-1.5]; the
 /// element is rigid.
@@ -85,7 +85,7 @@ class Motion final : public integrators::OdeSystem {
   [[nodiscard]] Solution solve(const Problem& problem, std::span<const double> times);
   /// "evaluation" of the results: what was integrated, by which method, and its work.
   /// Adds to what is there.
-  void add_evidence(Json& result) const;
+  void add_evaluation_record(Json& result) const;
 
   [[nodiscard]] int size() const noexcept override { return system_.layout().size(); }
   [[nodiscard]] int controlled_size() const noexcept override {
@@ -101,8 +101,8 @@ class Motion final : public integrators::OdeSystem {
   std::vector<double> scales_;
   State rates_;
   long evaluations_ = 0;  ///< by steppers
-  StepperWork work_;
-  std::string stepper_;
+  StepperWork stepper_work_;
+  std::string stepper_name_;
 };
 
 }  // namespace adore::validation

@@ -2,8 +2,8 @@
 
 #include "base/errors.hpp"
 #include "results/h5_reader.hpp"
-#include "runs/passing_folder.hpp"
 #include "runs/run.hpp"
+#include "runs/temporary_folder.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -50,7 +50,7 @@ double line_amplitude(const std::vector<double>& force, const std::vector<double
                       const std::vector<double>& time) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   const double periods = std::floor((phase.back() - phase.front()) / kTurn);
-  if (periods < 1.0) throw InputError("the run is shorter than one period of this frequency");
+  if (periods < 1.0) throw InputError("the run is shorter than one period of the spectral line");
   double sine = 0.0, cosine = 0.0, mean = 0.0, span = 0.0;
   std::size_t end = 1;
   while (end + 1 < phase.size() && phase[end] - phase.front() < kTurn * periods) ++end;
@@ -83,7 +83,7 @@ std::vector<double> column(const results::H5Reader& file, std::string_view id, s
 }
 
 void add_motion(const results::H5Reader& file, std::size_t first, double turned,
-                MotionFigures& out) {
+                MotionRunResults& out) {
   std::vector<double> phase = column(file, "cage.rotation", 0, first);
   if (phase.empty()) return;
   out.cage_ratio = std::abs(phase.back() - phase.front()) / turned;
@@ -100,8 +100,8 @@ void add_motion(const results::H5Reader& file, std::size_t first, double turned,
 
 }  // namespace
 
-MotionFigures motion_figures(const runs::DeckRequest& moving, const std::string& until) {
-  const runs::PassingFolder folder;
+MotionRunResults evaluate_motion_run(const runs::DeckRequest& moving, const std::string& until) {
+  const runs::TemporaryFolder folder;
   runs::RunRequest request;
   static_cast<runs::DeckRequest&>(request) = moving;
   request.out = folder.path() / "run";
@@ -114,7 +114,7 @@ MotionFigures motion_figures(const runs::DeckRequest& moving, const std::string&
   const std::vector<double> rotation = file.read("shaft_rotation");
   const double turned = std::abs(rotation[last] - rotation[first]);  // races against each other
   if (!(turned > 0.0)) throw InputError("the races do not rotate relative to each other");
-  MotionFigures out;
+  MotionRunResults out;
   for (const Item& item : kItems)
     if (const auto* channel = file.find(item.channel))
       out.friction.*item.part +=

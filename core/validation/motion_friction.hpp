@@ -25,7 +25,7 @@ struct MotionFriction {
   }
 };
 
-struct MotionFigures {
+struct MotionRunResults {
   MotionFriction friction;
   double cage_ratio = 0.0;  ///< angle of the cage over that of the shaft; 0: no cage
   /// Amplitudes of the force on the inner race along x, and across it (root of the sum of squares
@@ -35,7 +35,7 @@ struct MotionFigures {
 
 /// @param moving a deck of motion that stores several steps @param until as `adore run --until`
 /// @throws InputError, SolverError when the run does not come to its end
-[[nodiscard]] MotionFigures motion_figures(const runs::DeckRequest& moving,
-                                           const std::string& until);
+[[nodiscard]] MotionRunResults evaluate_motion_run(const runs::DeckRequest& moving,
+                                                   const std::string& until);
 
 }  // namespace adore::validation

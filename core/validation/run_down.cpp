@@ -2,8 +2,8 @@
 
 #include "base/errors.hpp"
 #include "results/h5_reader.hpp"
-#include "runs/passing_folder.hpp"
 #include "runs/run.hpp"
+#include "runs/temporary_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -54,12 +54,12 @@ double exponent_of(const std::vector<double>& time, const std::vector<double>& s
     }
   if (at.size() < 3)
     throw SolverError("the speed of the disc does not decrease enough to compute the exponent");
-  return power_of(at, rate);
+  return fit_power_exponent(at, rate);
 }
 
 }  // namespace
 
-double power_of(const std::vector<double>& x, const std::vector<double>& y) {
+double fit_power_exponent(const std::vector<double>& x, const std::vector<double>& y) {
   const auto n = static_cast<double>(x.size());
   double u = 0.0, v = 0.0, uu = 0.0, uv = 0.0;
   for (std::size_t k = 0; k < x.size(); ++k) {
@@ -74,7 +74,7 @@ double power_of(const std::vector<double>& x, const std::vector<double>& y) {
 
 RunDown run_down(const runs::DeckRequest& moving, const std::vector<TorqueAtSpeed>& at,
                  double inertia) {
-  const runs::PassingFolder folder;
+  const runs::TemporaryFolder folder;
   const std::filesystem::path routine = folder.path() / "rolling.json";
   runs::RunRequest request;
   static_cast<runs::DeckRequest&>(request) = moving;

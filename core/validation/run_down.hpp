@@ -35,6 +35,6 @@ struct RunDown {
                                const std::vector<TorqueAtSpeed>& at, double inertia);
 
 /// n of y ~ xⁿ by least squares in logarithms.
-[[nodiscard]] double power_of(const std::vector<double>& x, const std::vector<double>& y);
+[[nodiscard]] double fit_power_exponent(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace adore::validation

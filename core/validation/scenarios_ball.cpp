@@ -103,14 +103,14 @@ Json thrust_run(const Json& the_case) {
   const Json& in = the_case.at("inputs");
   SmallScene scene =
       ball_scene(in, Vec3(get(in.at("static"), "inner_groove_centre_x"), 0, 0), true, 1);
-  const auto rule = converge_traction(scene, split_rule(rule_points(in)));
-  book_heat(scene, 1);
+  const auto rule = install_converged_traction(scene, split_rule(rule_points(in)));
+  add_heat_integrals(scene, 1);
   Motion ball(std::move(scene));
   for (const char* key :
        {"x", "r", "theta", "x_dot", "r_dot", "theta_dot", "omega_x", "omega_r", "omega_theta"})
     ball.start_of("element." + std::string(key)) = get(in.at("initial_state"), key);
   check_start(ball, "initial_state", get(in.at("bearing"), "D"));
-  scale_balls(ball);
+  set_ball_error_scales(ball);
   Problem problem = ball.problem();
   problem.tolerance = 1e-10;
   problem.stepper = "pece8";  // two evaluations of the contact ellipses per step
@@ -119,8 +119,8 @@ Json thrust_run(const Json& the_case) {
   const Solution solution = ball.solve(problem, times);
   Json result = {{"t", times},
                  {"theta", solution.channel(ball.at("element.theta"))},
-                 {"heat_energy_total_o", solution.channel(ball.at(heat_name(0, 0)))},
-                 {"heat_energy_total_i", solution.channel(ball.at(heat_name(1, 0)))},
+                 {"heat_energy_total_o", solution.channel(ball.at(heat_integral_name(0, 0)))},
+                 {"heat_energy_total_i", solution.channel(ball.at(heat_integral_name(1, 0)))},
                  {"work_by_inner_race", solution.channel(ball.at("inner race.work"))}};
   for (const State& y : solution.samples) {
     const Json now = ball_channels(ball, y);
@@ -132,7 +132,7 @@ Json thrust_run(const Json& the_case) {
   const Json* expected = the_case.contains("expected") ? &the_case["expected"] : nullptr;
   if (expected && expected->contains("steady_state"))
     add_eigenvalues(eigenvalues(ball, steady), (*expected)["steady_state"], result["steady_state"]);
-  ball.add_evidence(result);
+  ball.add_evaluation_record(result);
   return result;
 }
 
@@ -149,20 +149,21 @@ Json convention_table(const Json& the_case) {
   for (const char* surface : {"flat_undeformed", "curved_edge", "flat_half", "curved_half",
                               "curved_undeformed", "flat_edge"})
     conventions.push_back({surface, surface, split_rule(16)});
-  conventions.push_back({"curved_edge_tilted", "curved_edge", tangent_plane()});
+  conventions.push_back({"curved_edge_tilted", "curved_edge", tangent_plane_rule()});
   conventions.push_back(
-      {"flat_undeformed_minor_axis_ignored", "flat_undeformed", minor_axis_ignored()});
-  conventions.push_back({"curved_edge_minor_axis_ignored", "curved_edge", minor_axis_ignored()});
+      {"flat_undeformed_minor_axis_ignored", "flat_undeformed", minor_axis_ignored_rule()});
+  conventions.push_back(
+      {"curved_edge_minor_axis_ignored", "curved_edge", minor_axis_ignored_rule()});
   Json result;
   for (const Convention& convention : conventions) {
     SmallScene scene =
         ball_scene(base, Vec3(get(base.at("static"), "inner_groove_centre_x"), 0, 0), true, 1);
     scene.options.surface = contact_surface(convention.surface);
-    (void)converge_traction(scene, convention.rule);
+    (void)install_converged_traction(scene, convention.rule);
     Motion ball(std::move(scene));
     ball.start =
         rolling_start(ball, get(base.at("initial_state"), "x"), get(base.at("initial_state"), "r"));
-    scale_balls(ball);
+    set_ball_error_scales(ball);
     const auto started = [&](const char* group) {
       return ball.start[static_cast<std::size_t>(ball.at(group))];
     };
@@ -177,7 +178,7 @@ Json convention_table(const Json& the_case) {
         {"initial_omega_r", started("element.omega_r")},
         {"at_1ms", ball_channels(ball, solution.samples.back())},
         {"steady", ball_channels(ball, steady_state(ball, solution.samples.back()))}};
-    ball.add_evidence(result);
+    ball.add_evaluation_record(result);
   }
   return result;
 }
@@ -253,14 +254,14 @@ Json vibration(const Json& the_case) {
   std::vector<double> times;
   for (std::size_t n = 0; static_cast<double>(n) * dt < 1 / bin; ++n)
     times.push_back(static_cast<double>(n) * dt);
-  scale_balls(ball);
+  set_ball_error_scales(ball);
   for (const char* group : {"element.x", "element.r"}) ball.scale(group, 1e-9);
   for (const char* group : {"element.x_dot", "element.r_dot"}) ball.scale(group, 1e-4);
   Problem problem = ball.problem();
   problem.tolerance = 1e-9;
   problem.longest_step = 2e-5;
   const Solution solution = ball.solve(problem, times);
-  ball.add_evidence(result);
+  ball.add_evaluation_record(result);
   Json peaks = Json::array(), fitted = Json::array();
   for (int k = 0; k < 2; ++k) {
     // Modal coordinate of mode k: a nearly pure sine, its frequency from the zero crossings.
@@ -301,13 +302,13 @@ Json radial_run(const Json& the_case) {
   // This family asks for 1e-5: the run's rule with more nodes has it.
   scene.options.ellipse_major = 200;
   scene.options.ellipse_minor = 64;
-  book_heat(scene, static_cast<int>(n));
+  add_heat_integrals(scene, static_cast<int>(n));
   Motion balls(std::move(scene));
   for (std::size_t i = 0; i < n; ++i)
     balls.place(i, vec3(initial[i].at("position")), vec3(initial[i].at("velocity")),
                 vec3(initial[i].at("omega")));
   check_start(balls, "initial_states", get(in.at("bearing"), "D"));
-  scale_balls(balls);
+  set_ball_error_scales(balls);
   Problem problem = balls.problem();
   problem.tolerance = 3e-10;
   problem.stepper = "pece8";
@@ -333,28 +334,28 @@ Json radial_run(const Json& the_case) {
       for (const char* key : {"x", "r", "theta", "omega_x", "omega_r", "omega_theta"})
         keep(key, i, component("element." + std::string(key), i));
       keep("orbital_speed", i, component("element.theta_dot", i));
-      keep("heat_energy_outer", i, component(heat_name(0, i)));
-      keep("heat_energy_inner", i, component(heat_name(1, i)));
+      keep("heat_energy_outer", i, component(heat_integral_name(0, i)));
+      keep("heat_energy_inner", i, component(heat_integral_name(1, i)));
     }
   }
-  balls.add_evidence(result);
+  balls.add_evaluation_record(result);
   return result;
 }
 
 }  // namespace
 
-std::optional<Json> vibration_case(const Json& the_case) {
+std::optional<Json> evaluate_vibration_case(const Json& the_case) {
   if (!the_case.at("inputs").contains("initial_offset")) return std::nullopt;
   return vibration(the_case);
 }
 
-std::optional<Json> thrust_case(const Json& the_case) {
+std::optional<Json> evaluate_thrust_case(const Json& the_case) {
   if (the_case.contains("base_case")) return convention_table(the_case);
   if (!the_case.at("inputs").contains("initial_state")) return std::nullopt;
   return thrust_run(the_case);
 }
 
-std::optional<Json> radial_case(const Json& the_case) {
+std::optional<Json> evaluate_radial_case(const Json& the_case) {
   if (!the_case.at("inputs").contains("initial_states")) return std::nullopt;
   return radial_run(the_case);
 }

@@ -15,7 +15,7 @@ namespace {
 using dynamics::Evaluation;
 
 /// F = k δ.
-class LinearWalls final : public scene::UserLaws, public scene::UserForce {
+class LinearWalls final : public scene::UserLaws, public scene::UserContactForce {
  public:
   explicit LinearWalls(double stiffness) : stiffness_(stiffness) { pocket = land = this; }
   bool forces(double, const Contacts& contacts) noexcept override {
@@ -116,7 +116,7 @@ Json rectilinear(const Json& the_case, double clearance, const Vec3& at_x_s, con
     result["s_dot"].push_back(-velocity[1]);
     result["angular_momentum_per_mass"] = place[1] * velocity[0] - place[0] * velocity[1];
   }
-  ball.add_evidence(result);
+  ball.add_evaluation_record(result);
   return result;
 }
 
@@ -141,8 +141,8 @@ Json rotating_pocket(const Json& the_case) {
     scene.bearing.race_traction = traction_law(in.at("race_law"));
     scene.options.surface = contact_surface(race.at("contact_surface").get<std::string>());
     scene.have({scene::Effect::RaceContact, scene::Effect::RaceTraction});
-    (void)converge_traction(scene, split_rule(16));
-    book_heat(scene, 1);
+    (void)install_converged_traction(scene, split_rule(16));
+    add_heat_integrals(scene, 1);
   }
   scene.have({scene::Effect::PocketTraction});
   const bearing::TractionCurve curve = traction_law(in.at("pocket_law"));
@@ -165,9 +165,9 @@ Json rotating_pocket(const Json& the_case) {
   Motion ball(std::move(scene));
   motion = &ball;
   ball.place(0, vec3(start.at("position")), velocity, omega);
-  start_cage(ball, get(in, "pocket_axial_position") * Vec3::UnitX(), Vec3::Zero(),
-             quaternion_about(Vec3::UnitX(), get(in, "pocket_azimuth_at_t0")),
-             speed * Vec3::UnitX());
+  set_cage_start(ball, get(in, "pocket_axial_position") * Vec3::UnitX(), Vec3::Zero(),
+                 quaternion_about(Vec3::UnitX(), get(in, "pocket_azimuth_at_t0")),
+                 speed * Vec3::UnitX());
   scale_pocket(ball, clearance, velocity.norm());
   for (const char* group : {"element.omega_x", "element.omega_r", "element.omega_theta"})
     ball.scale(group, std::max(omega.norm(), 2.0 * velocity.norm() / D));
@@ -192,7 +192,7 @@ Json rotating_pocket(const Json& the_case) {
                  {"peak_pocket_force_on_fine_grid", peak},
                  {"work_by_moving_surfaces", solution.channel(ball.at("work"))},
                  {"heat_pocket", solution.channel(ball.at("heat pocket"))},
-                 {"heat_race", on_race ? solution.channel(ball.at(heat_name(0, 0)))
+                 {"heat_race", on_race ? solution.channel(ball.at(heat_integral_name(0, 0)))
                                        : Json(std::vector<double>(times.size(), 0.0))}};
   for (std::size_t i = 0; i < times.size(); ++i) {
     const Evaluation& e = ball.evaluate(times[i], solution.samples[i].data());
@@ -202,7 +202,7 @@ Json rotating_pocket(const Json& the_case) {
     result["pocket_penetration"].push_back(std::max(penetration(ball), 0.0));
     if (on_race) result["Q_outer"].push_back(e.load[0][0]);
   }
-  ball.add_evidence(result);
+  ball.add_evaluation_record(result);
   return result;
 }
 
@@ -222,7 +222,7 @@ Json rotation(const Json& the_case) {
               {},
               {}});
   Motion cage(std::move(scene));
-  start_cage(cage, Vec3::Zero(), Vec3::Zero(), q0, w0);
+  set_cage_start(cage, Vec3::Zero(), Vec3::Zero(), q0, w0);
   Problem problem = cage.problem();
   problem.longest_step = 0.5 / w0.norm();
   const auto times = sample_times(the_case);
@@ -253,7 +253,7 @@ Json rotation(const Json& the_case) {
     result["nutation_angle"] = std::atan2(x.cross(axis).norm(), x.dot(axis));
     result["precession_axis"] = json(axis);
   }
-  cage.add_evidence(result);
+  cage.add_evaluation_record(result);
   return result;
 }
 
@@ -305,9 +305,9 @@ class Whirl {
                 {{"whirl", &whirl_}, {"work", &work_}, {"heat", &heat_}}});
     motion_ = std::make_unique<Motion>(std::move(scene));
     const Json& start = in.at("initial_state");
-    start_cage(*motion_, Vec3(0.0, get(start, "y"), get(start, "z")),
-               Vec3(0.0, get(start, "vy"), get(start, "vz")), {1, 0, 0, 0},
-               get(start, "omega") / kEnlarged * Vec3::UnitX());
+    set_cage_start(*motion_, Vec3(0.0, get(start, "y"), get(start, "z")),
+                   Vec3(0.0, get(start, "vy"), get(start, "vz")), {1, 0, 0, 0},
+                   get(start, "omega") / kEnlarged * Vec3::UnitX());
     const double v = std::max(std::hypot(get(start, "vy"), get(start, "vz")), 1e-2);
     motion_->scale("cage.position", clearance_);
     motion_->scale("cage.velocity", v);
@@ -356,7 +356,7 @@ class Whirl {
     result["closed_form"] = {{"eccentricity", last},
                              {"guide_force", result["guide_force"].back()},
                              {"whirl_speed", turned / span}};
-    motion_->add_evidence(result);
+    motion_->add_evaluation_record(result);
     return result;
   }
 
@@ -381,7 +381,7 @@ class Whirl {
 
 }  // namespace
 
-std::optional<Json> pocket_motion_case(const Json& the_case) {
+std::optional<Json> evaluate_pocket_motion_case(const Json& the_case) {
   const Json& in = the_case.at("inputs");
   if (in.contains("pocket_half_clearance"))
     return rectilinear(
@@ -398,7 +398,7 @@ std::optional<Json> pocket_motion_case(const Json& the_case) {
   return std::nullopt;
 }
 
-std::optional<Json> rigid_whirl_case(const Json& the_case) {
+std::optional<Json> evaluate_rigid_whirl_case(const Json& the_case) {
   const Json& in = the_case.at("inputs");
   if (in.contains("inertia_principal_xyz")) return rotation(the_case);
   if (in.contains("radial_guide_clearance")) return Whirl(in).run(the_case);

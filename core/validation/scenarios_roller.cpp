@@ -183,7 +183,7 @@ Json planar_case(const Json& the_case) {
       out["slip_" + kRace[j]].push_back(roller.walls->line[j].slip[2]);
     }
   }
-  motion.add_evidence(out);
+  motion.add_evaluation_record(out);
   return out;
 }
 
@@ -227,7 +227,7 @@ Json skew_table(const Json& the_case) {
     rows.push_back(row);
   }
   Json out = {{"rows", rows}};
-  motion.add_evidence(out);
+  motion.add_evaluation_record(out);
   return out;
 }
 
@@ -267,13 +267,13 @@ Json held_case(const Json& the_case) {
     }
     out["holding_moment_theta"].push_back(holding);
   }
-  motion.add_evidence(out);
+  motion.add_evaluation_record(out);
   return out;
 }
 
 }  // namespace
 
-std::optional<Json> roller_case(const Json& the_case) {
+std::optional<Json> evaluate_roller_case(const Json& the_case) {
   const std::string kind = kind_of(the_case);
   if (kind == "preloaded_concentric_races_roller") return planar_case(the_case);
   if (kind == "instantaneous_traction_skewed_cylindrical") return skew_table(the_case);

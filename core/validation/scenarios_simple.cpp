@@ -88,7 +88,7 @@ Impact impact(SmallScene scene, double K, double touch, double speed, std::vecto
       result.rebound = event.y[r_dot];
     }
   }
-  ball.add_evidence(evidence);
+  ball.add_evaluation_record(evidence);
   return result;
 }
 
@@ -145,7 +145,7 @@ Json between_races(const Json& in) {
     else
       result["period"] = event.t;
   }
-  ball.add_evidence(result);
+  ball.add_evaluation_record(result);
   return result;
 }
 
@@ -174,7 +174,7 @@ Json free_rotation(const Json& the_case) {
   SmallScene scene;
   add_cage(scene, 1.0, I);
   Motion body(std::move(scene));
-  start_cage(body, Vec3::Zero(), Vec3::Zero(), {1, 0, 0, 0}, w0);
+  set_cage_start(body, Vec3::Zero(), Vec3::Zero(), {1, 0, 0, 0}, w0);
   const int q = body.at("cage.quaternion"), w = body.at("cage.omega");
   Problem problem = body.problem();
   problem.longest_step = 0.5 / w0.norm();
@@ -183,16 +183,17 @@ Json free_rotation(const Json& the_case) {
   Json states = Json::array();
   for (std::size_t i = 0; i < times.size(); ++i) {
     const double* y = solution.samples[i].data();
-    states.push_back({{"t", times[i]},
-                      {"omega_body", json(dynamics::vector_at(y, {w, 3}))},
-                      {"quaternion_wxyz",
-                       json(with_positive_w(normalise(dynamics::quaternion_at(y, {q, 4}))))}});
+    states.push_back(
+        {{"t", times[i]},
+         {"omega_body", json(dynamics::vector_at(y, {w, 3}))},
+         {"quaternion_wxyz",
+          json(with_positive_w(normalize_quaternion(dynamics::quaternion_at(y, {q, 4}))))}});
   }
   const Vec3 L = I.cwiseProduct(w0);
   Json result = {{"states", states},
                  {"kinetic_energy", 0.5 * w0.dot(L)},
                  {"angular_momentum_magnitude", L.norm()}};
-  body.add_evidence(result);
+  body.add_evaluation_record(result);
   if (symmetric) {
     (void)body.evaluate(0.0, body.start.data());
     result["body_precession_rate"] = body.rates()[static_cast<std::size_t>(w) + 2] / w0[1];
@@ -294,7 +295,7 @@ Json slide_to_rolling(const Json& in) {
                  {"rolling_speed", end.y[body.v]},
                  {"rolling_spin", end.y[body.omega]},
                  {"friction_work", end.y[static_cast<std::size_t>(body.motion.at("heat top"))]}};
-  body.motion.add_evidence(result);
+  body.motion.add_evaluation_record(result);
   return result;
 }
 
@@ -340,7 +341,7 @@ Json rolling_pendulum(const Json& in) {
     else if (!result.contains("max_orbital_rate"))
       result["max_orbital_rate"] = std::abs(event.y[static_cast<std::size_t>(rate)]);
   }
-  pendulum.add_evidence(result);
+  pendulum.add_evaluation_record(result);
   return result;
 }
 
@@ -377,7 +378,7 @@ Json lubricated_plates(const Json& the_case) {
                  {"heat_bottom", channel("heat bottom")},
                  {"work_by_plates", channel("work")},
                  {"closed_form_slip_top", top}};
-  body.motion.add_evidence(result);
+  body.motion.add_evaluation_record(result);
   return result;
 }
 
@@ -385,7 +386,7 @@ Json lubricated_plates(const Json& the_case) {
 // solver's friction laws have only as limits. FO01, FO03, dyn2_coulomb_roller_symmetric and
 // dyn2_coulomb_ball_bottom_fixed.
 
-void add_evidence(Json& result, const Problem& problem) {
+void add_evaluation_record(Json& result, const Problem& problem) {
   result["evaluation"] = {{"entry", "adore::integrators::Stepper::step"},
                           {"stepper", problem.stepper}};
 }
@@ -414,7 +415,7 @@ Json orbit_spin_up(const Json& in) {
                  {"final_spin_speed_absolute", end.y[0] * r_m / R},
                  {"time_to_rolling", end.t},
                  {"slip_work", end.y[1]}};
-  add_evidence(result, problem);
+  add_evaluation_record(result, problem);
   return result;
 }
 
@@ -470,13 +471,13 @@ Json coulomb_plates(const Json& the_case) {
   for (const State& y : solution.samples)
     for (const std::size_t k : {0UL, 1UL})
       result[k == 0 ? "slip_top" : "slip_bottom"].push_back(slip(k, y.data()));
-  add_evidence(result, problem);
+  add_evaluation_record(result, problem);
   return result;
 }
 
 }  // namespace
 
-std::optional<Json> closed_form_case(const Json& the_case) {
+std::optional<Json> evaluate_closed_form_case(const Json& the_case) {
   const Json& in = the_case.at("inputs");
   if (in.contains("preload")) return between_races(in);
   if (in.contains("K") && in.contains("speed")) return mass_impact(in);
@@ -487,7 +488,7 @@ std::optional<Json> closed_form_case(const Json& the_case) {
   return std::nullopt;
 }
 
-std::optional<Json> impact_case(const Json& the_case) {
+std::optional<Json> evaluate_impact_case(const Json& the_case) {
   const Json& in = the_case.at("inputs");
   const double mass = get(in, "mass"), K = get(in, "K"), speed = get(in, "impact_velocity");
   const std::vector<double> times = sample_times(the_case);
@@ -525,7 +526,7 @@ std::optional<Json> impact_case(const Json& the_case) {
   return result;
 }
 
-std::optional<Json> plates_case(const Json& the_case) {
+std::optional<Json> evaluate_plates_case(const Json& the_case) {
   const Json& in = the_case.at("inputs");
   if (in.contains("mu")) return coulomb_plates(the_case);
   if (in.contains("law")) return lubricated_plates(the_case);

@@ -99,7 +99,7 @@ TractionRule split_rule(int points) {
   };
 }
 
-TractionRule minor_axis_ignored() { return strip_traction; }
-TractionRule tangent_plane() { return tilted_traction; }
+TractionRule minor_axis_ignored_rule() { return strip_traction; }
+TractionRule tangent_plane_rule() { return tilted_traction; }
 
 }  // namespace adore::validation

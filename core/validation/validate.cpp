@@ -1,5 +1,6 @@
 #include "validation/validate.hpp"
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "base/input_file.hpp"
 #include "base/json_text.hpp"
@@ -10,15 +11,12 @@
 
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <set>
 
 namespace adore::validation {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 const std::vector<Adapter>& adapters() {
   static const std::vector<Adapter> all = all_adapters();
@@ -185,9 +183,10 @@ CaseResult run_case(const std::string& family, const Json& the_case) {
       if (const std::optional<Json> answer = adapter.run(the_case)) {
         CaseResult compared = compare_case(family, the_case, *answer);
         const auto of_motion = answer->find("evaluation");
-        compared.evaluation = of_motion != answer->end()
-                                  ? *of_motion
-                                  : Json{{"entry", std::string(library_entry(family))}};
+        compared.evaluation =
+            of_motion != answer->end()
+                ? *of_motion
+                : Json{{"entry", std::string(evaluated_library_functions(family))}};
         return compared;
       }
       result.message = "the inputs fit no kind of calculation of this family";
@@ -306,8 +305,8 @@ CaseResult compare_case(const std::string& family, const Json& the_case, const J
   if (out.status == "fail" && the_case.value("provenance", "") == "recalled") {
     out.status = "not_covered";
     out.message = fmt::format(
-        "the expected value is quoted from memory, so a deviation does not count as a failure: {} "
-        "deviates by {:.3g}",
+        "{} deviates by {:.3g}. Not counted as a failure, because the expected value was not "
+        "checked against its source",
         out.worst_key, out.error);
   }
   return out;
@@ -374,7 +373,7 @@ std::string case_text(const CaseResult& result, bool all) {
 
 }  // namespace
 
-std::string file_text(const FileResult& file, bool verbose) {
+std::string file_result_text(const FileResult& file, bool verbose) {
   const auto count = [&](std::string_view status) {
     return std::count_if(file.cases.begin(), file.cases.end(),
                          [&](const CaseResult& one) { return one.status == status; });

@@ -67,7 +67,7 @@ struct ValidateReport {
 
 /// One line per file and one per failed case, with error/tolerance of the quantities that fail;
 /// `verbose`: one line per case, with all its quantities.
-[[nodiscard]] std::string file_text(const FileResult& file, bool verbose);
+[[nodiscard]] std::string file_result_text(const FileResult& file, bool verbose);
 [[nodiscard]] std::string totals_text(const ValidateReport& report);
 
 }  // namespace adore::validation

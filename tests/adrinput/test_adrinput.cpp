@@ -182,7 +182,7 @@ TEST_CASE("adrinput: dropped web link → not opened as a deck", "[gui][adrinput
   CHECK(window.windowTitle() == title);
 }
 
-TEST_CASE("opening: dropped and recent decks, folders, files that are none", "[gui][adrinput]") {
+TEST_CASE("opening: dropped and recent decks, folders, other files", "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
   const fs::path path = folder.filePath("DATA.txt").toStdString();
@@ -233,7 +233,8 @@ TEST_CASE("opening: dropped and recent decks, folders, files that are none", "[g
   CHECK(window.document().deck() == deck::new_deck("tapered"));
 }
 
-TEST_CASE("searching jumps to the field; help tells about the record", "[gui][adrinput]") {
+TEST_CASE("search: result selected → its field has the focus and help shows its record",
+          "[gui][adrinput]") {
   test::use_qt();
   DeckWindow window;
   window.show();
@@ -264,7 +265,7 @@ TEST_CASE("searching jumps to the field; help tells about the record", "[gui][ad
   CHECK(windows == 4);
 }
 
-TEST_CASE("the keyboard is enough: undo in a field, pages, records, tables, lines",
+TEST_CASE("keyboard: undo in a field, pages, records, tables and lines work without a mouse",
           "[gui][adrinput]") {
   test::use_qt();
   DeckWindow window;

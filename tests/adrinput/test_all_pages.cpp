@@ -42,18 +42,18 @@ QString other_value(const Document& document, const Cell& at) {
   if (const auto* old = std::get_if<double>(value_at(document.deck(), at));
       old != nullptr && *old != 0.0) {
     const QString more = QString::number(*old * 1.001, 'g', 6);
-    if (deck::in_range(deck::range_in_deck_units(document.deck(), variable), more.toDouble()))
-      return parse_typed(variable, QString(more).replace('.', ',').toStdString()).problem
+    if (deck::is_in_range(deck::range_in_deck_units(document.deck(), variable), more.toDouble()))
+      return parse_typed_text(variable, QString(more).replace('.', ',').toStdString()).problem
                  ? more  // "1,001" is asked back
                  : QString(more).replace('.', ',');
   }
   for (const char* text :
        {"0,75", "12,5", "1", "2", "3", "-0,25", "60", "0,4", "0,3", "0,05", "0"}) {
-    const Typed typed = parse_typed(variable, text);
+    const TypedValue typed = parse_typed_text(variable, text);
     if (typed.problem || shown_text(typed.value) == document.text(at)) continue;
     const auto* real = std::get_if<double>(&typed.value);
     if (real != nullptr &&
-        !deck::in_range(deck::range_in_deck_units(document.deck(), variable), *real))
+        !deck::is_in_range(deck::range_in_deck_units(document.deck(), variable), *real))
       continue;
     return text;
   }
@@ -93,7 +93,7 @@ bool type_into(DeckWindow& window, const Cell& at) {
     QCoreApplication::processEvents();  // the table takes the value over in a later event
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   }
-  const Typed expected = parse_typed(*variable_of(at), text.toStdString());
+  const TypedValue expected = parse_typed_text(*variable_of(at), text.toStdString());
   const deck::Value* value = value_at(document.deck(), at);
   return value != nullptr && *value == expected.value;
 }
@@ -101,11 +101,11 @@ bool type_into(DeckWindow& window, const Cell& at) {
 /// Sets options until the deck asks for a record: tries codes of the variables in its condition.
 bool make_record_apply(Document& document, const deck::RecordSpec& record) {
   std::vector<std::string> names;
-  for (const std::string_view name : deck::names_in(record.condition))
+  for (const std::string_view name : deck::variable_names_in(record.condition))
     if (variable_of(cell(std::string(name)))->length == "1") names.emplace_back(name);
   const std::vector<long long> codes = {0, 1, 2, 3, 4, 5, 9, -1};
   std::vector<std::size_t> choice(names.size(), 0);
-  deck::ConditionScope scope = deck::scope_of(document.deck());
+  deck::ConditionScope scope = deck::condition_scope(document.deck());
   scope.array = [](std::string_view) { return std::vector<long long>{1}; };
   for (;;) {
     scope.integer = [&](std::string_view name) {
@@ -155,7 +155,7 @@ void mend(Document& document, std::string_view record) {
       if (!document.has_errors()) document.check_model();
       if (errors() < before) break;
     }
-    document.end_step();
+    document.end_undo_step();
     if (errors() < before) continue;
     document.edit(at, old);
     hopeless.insert(at);
@@ -247,7 +247,7 @@ TEST_CASE("every record of the schema: its page is built, edited by typing, and 
   CHECK(deck::read_deck(path).deck.user_lines == std::vector<std::string>{"12.1, 0.5 'x'"});
 }
 
-TEST_CASE("no text is cut off at the sizes people have", "[gui][adrinput][slow][sizes]") {
+TEST_CASE("window sizes: common screens → no text is cut off", "[gui][adrinput][slow][sizes]") {
   test::use_qt();
   for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
     DeckWindow window;

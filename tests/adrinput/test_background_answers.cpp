@@ -32,8 +32,7 @@
 using namespace adore;
 using namespace adore::adrinput;
 
-TEST_CASE("another deck has nothing of what was computed for the one before",
-          "[gui][adrinput][daily]") {
+TEST_CASE("new deck: results of the previous deck are removed", "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
   window.show();
@@ -113,7 +112,7 @@ TEST_CASE("accuracy panel: running study → revolutions of the round are displa
   CHECK(QTest::qWaitFor([&] { return !panel.busy(); }, 10000));
 }
 
-TEST_CASE("accuracy page: shows what the last run and the last study of model errors have stored",
+TEST_CASE("accuracy page: stored accuracy of the last run and model errors are shown",
           "[gui][adrinput][daily]") {
   test::use_qt();
   const QTemporaryDir temporary;
@@ -152,7 +151,7 @@ TEST_CASE("accuracy page: shows what the last run and the last study of model er
   CHECK_THAT(stored_accuracy(file, loaded.deck, {}), !Catch::Contains("contactDamping = 2x"));
 }
 
-TEST_CASE("titles of axes beside the form are whole, however low the window is",
+TEST_CASE("charts next to the form: low window → axis titles are complete",
           "[gui][adrinput][daily]") {
   test::use_qt();
   for (const char* deck : {"ball", "cylindrical", "tapered", "spherical", "spherical-tapered"}) {
@@ -194,7 +193,7 @@ TEST_CASE("adrinput: plan → cost of each effect is listed", "[gui][adrinput][d
   CHECK(text.contains("kTracType"));  // why an effect is on
 }
 
-TEST_CASE("an accuracy study shows its rows, and its advice goes into the deck",
+TEST_CASE("accuracy study: rows shown, recommended settings applied to the deck",
           "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
@@ -279,7 +278,7 @@ TEST_CASE(
   window.newDeck("cylindrical");
   REQUIRE(says("Ready to run"));
   window.document().edit(cell("intMet"), "33");
-  window.document().end_step();
+  window.document().end_undo_step();
   window.checkNow();
   REQUIRE(says("Run refused"));
   const auto* problems = window.findChild<QListWidget*>("problems");
@@ -316,7 +315,7 @@ TEST_CASE("adrinput: deck restored during the check of another one → its own r
           "[gui][adrinput][daily]") {
   test::use_qt();
   Document document;
-  document.edit(cell("kStif"), "1000");  // a table that can be given up at each of its speeds
+  document.edit(cell("kStif"), "300");  // a table that can be given up at each of its speeds
   for (const auto& [name, rpm] : {std::pair{"pctDisp", "1"}, std::pair{"rpmRange12", "1000"},
                                   std::pair{"rpmRange22", "9000"}})
     document.edit(cell(name), rpm);
@@ -326,7 +325,7 @@ TEST_CASE("adrinput: deck restored during the check of another one → its own r
   const Document::Candidate second = document.candidate();
   StartCheck check;
   std::vector<Document::Candidate> answers;
-  check.found = [&](const Document::Candidate& of, const runs::Rehearsal&) {
+  check.found = [&](const Document::Candidate& of, const runs::DryRunResult&) {
     answers.push_back(of);
   };
   check.ask(first);
@@ -344,20 +343,20 @@ TEST_CASE("adrinput: files changed by a finished run → check is repeated, old 
   const Document::Candidate asked = document.candidate();
   StartCheck check;
   int answers = 0;
-  check.found = [&](const Document::Candidate&, const runs::Rehearsal&) { ++answers; };
+  check.found = [&](const Document::Candidate&, const runs::DryRunResult&) { ++answers; };
   const auto wait = [&] { REQUIRE(QTest::qWaitFor([&] { return !check.busy(); }, 60000)); };
   check.ask(asked);
-  check.forget();
+  check.invalidateResult();
   wait();
   CHECK(answers == 0);
   check.ask(asked);
-  check.forget();
+  check.invalidateResult();
   check.ask(asked);  // the same deck with other files in its folder
   wait();
   CHECK(answers == 1);
 }
 
-TEST_CASE("an answer in the background does not keep an edit from being checked",
+TEST_CASE("background check: edit during a check → the new deck is checked",
           "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
@@ -370,12 +369,12 @@ TEST_CASE("an answer in the background does not keep an edit from being checked"
     return QTest::qWaitFor([&] { return state->text() == text; }, 60000);
   };
   window.document().edit(cell("kDOF"), "6");  // needs a routine of the user
-  window.document().end_step();
+  window.document().end_undo_step();
   window.checkNow();
   REQUIRE(says("Run refused"));
   const Document::Candidate refused = window.document().candidate();
   window.document().edit(cell("kDOF"), "1");
-  window.document().end_step();
+  window.document().end_undo_step();
   check->found(refused, {});
   CHECK(says("Ready to run"));
 }

@@ -41,7 +41,7 @@ TEST_CASE("calculator dialog: example of each kind → the results of calculate(
   const auto& all = calculators::calculator_list();
   int described = 0, computed = 0;
   for (const calculators::CalculatorInfo& info : all) {
-    if (calculators::schema_of(info.family) == nullptr) continue;
+    if (calculators::family_schema(info.family) == nullptr) continue;
     ++described;
     names->setCurrentText(QString::fromStdString(info.name));
     const auto calculations = calculators::describe_calculator(info).at("calculations");

@@ -72,9 +72,10 @@ struct Front {
   }
   bool settled() {
     return QTest::qWaitFor(
-        [&] { return !window.design().computing() && window.design().card().summary(); }, 60000);
+        [&] { return !window.design().computing() && window.design().resultsPanel().summary(); },
+        60000);
   }
-  QString shown(const char* id) { return window.design().card().textOf(id); }
+  QString shown(const char* id) { return window.design().resultsPanel().textOf(id); }
   QLineEdit* field(const char* variable) {
     QLineEdit* line = window.design().form().fieldOf(variable);
     REQUIRE(line != nullptr);
@@ -99,7 +100,7 @@ TEST_CASE("design page: opened → life, safety and torque without an action",
           "[gui][adrinput][design]") {
   const QtInUse qt;
   Front front;
-  CHECK(front.window.designShown());
+  CHECK(front.window.isDesignShown());
   REQUIRE(front.settled());
   for (const char* id : {"life_iso281", "static_safety", "torque_total", "contact_angle_inner"}) {
     INFO(id);
@@ -190,7 +191,7 @@ TEST_CASE("design page: window of 1280x800 → results and at least 10 inputs ar
     for (const QLineEdit* one : form.findChildren<QLineEdit*>()) inputs += is_seen(*one) ? 1 : 0;
     for (const QComboBox* one : form.findChildren<QComboBox*>()) inputs += is_seen(*one) ? 1 : 0;
     CHECK(inputs >= 10);
-    for (const design::DesignValue& one : front.window.design().card().summary()->values) {
+    for (const design::DesignValue& one : front.window.design().resultsPanel().summary()->values) {
       const auto* label =
           front.window.findChild<QLabel*>(QString::fromStdString("design-" + one.id));
       REQUIRE(label != nullptr);
@@ -220,12 +221,12 @@ TEST_CASE("design page and records: one deck, both in step, undo across",
   CHECK(front.document().text(cell("appLoadX")) == "1500.0");
   CHECK(front.field("appLoadX")->text() == "1500");
   CHECK(line_of(front.window, "appLoadX")->text() == "1500.0");  // leaves the page
-  CHECK_FALSE(front.window.designShown());
+  CHECK_FALSE(front.window.isDesignShown());
   replace_text(line_of(front.window, "rpm2"), "4321");
   front.window.showDesign();
   CHECK(front.field("rpm2")->text() == "4321");
   front.window.undo();
-  CHECK(front.window.designShown());
+  CHECK(front.window.isDesignShown());
   CHECK(front.field("rpm2")->text() != "4321");
   front.window.undo();
   CHECK(front.field("appLoadX")->text() != "1500");
@@ -274,7 +275,8 @@ TEST_CASE("design page: oil by grade → saved with the deck, and replaced by an
   Document again;
   again.open(file);
   CHECK(again.deck().integer("oilGrade") == 68);
-  CHECK(design::design_oil_of(again.deck()) == design::design_oil_of(front.document().deck()));
+  CHECK(design::design_oil_index(again.deck()) ==
+        design::design_oil_index(front.document().deck()));
   QTest::keyClick(&oil, Qt::Key_Home);
   CHECK(front.document().deck().integer("kTrac") == 0);
   CHECK_FALSE(front.document().deck().has("oilGrade"));
@@ -434,10 +436,10 @@ TEST_CASE("design page left → records, panels and docks as before", "[gui][adr
   auto* list = front.window.findChild<QWidget*>("panels");
   CHECK_FALSE(list->isVisible());
   QTest::mouseClick(front.window.findChild<QPushButton*>("design-records"), Qt::LeftButton);
-  CHECK_FALSE(front.window.designShown());
+  CHECK_FALSE(front.window.isDesignShown());
   CHECK(list->isVisible());
   CHECK(front.window.findChild<QWidget*>("drawing-dock")->isVisible());
   CHECK(front.window.pageArea().isVisible());
   QTest::keyClick(&front.window, Qt::Key_B, Qt::ControlModifier);
-  CHECK(front.window.designShown());
+  CHECK(front.window.isDesignShown());
 }

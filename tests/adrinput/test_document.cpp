@@ -2,8 +2,8 @@
 #include "adrinput/driver.hpp"
 #include "adrinput/search.hpp"
 #include "adrinput/typed.hpp"
+#include "deck/deck_text_with_comments.hpp"
 #include "deck/element_names.hpp"
-#include "deck/keep_text.hpp"
 #include "deck/lookup.hpp"
 #include "deck/templates.hpp"
 
@@ -17,13 +17,13 @@ using namespace adore;
 using namespace adore::adrinput;
 namespace fs = std::filesystem;
 
-TEST_CASE("typed numbers: comma, minus sign and blanks are understood, nonsense is explained",
+TEST_CASE("typed numbers: comma, minus sign and blanks accepted, other text rejected with a reason",
           "[unit][adrinput]") {
   const deck::VariableSpec& real = *variable_of(cell("pitchDia"));
   const deck::VariableSpec& whole = *variable_of(cell("nRe"));
   const deck::VariableSpec& code = *variable_of(cell("kBrg"));
   const auto number = [&](std::string_view text) {
-    const Typed typed = parse_typed(real, text);
+    const TypedValue typed = parse_typed_text(real, text);
     INFO(text);
     REQUIRE_FALSE(typed.problem);
     return std::get<double>(typed.value);
@@ -36,7 +36,7 @@ TEST_CASE("typed numbers: comma, minus sign and blanks are understood, nonsense 
   CHECK(number("7") == 7.0);
   for (const char* wrong : {"", "abc", "1.234,5", "1,2,3", "nan", "1e999", "0x10"}) {
     INFO(wrong);
-    const Typed typed = parse_typed(real, wrong);
+    const TypedValue typed = parse_typed_text(real, wrong);
     CHECK(typed.problem);
     CHECK_FALSE(typed.problem.remedy.empty());
   }
@@ -44,27 +44,28 @@ TEST_CASE("typed numbers: comma, minus sign and blanks are understood, nonsense 
   const deck::Deck deck = deck::new_deck("ball");
   for (const char* either : {"10,000", "1,500", " -12,700", "12,700 mm", "2*1,250"}) {
     INFO(either);
-    for (const Typed& typed : {parse_typed(real, either), parse_typed(deck, real, either)}) {
+    for (const TypedValue& typed :
+         {parse_typed_text(real, either), parse_typed_text(deck, real, either)}) {
       CHECK(typed.problem.message ==
             "is ambiguous: the comma could be a decimal comma or a thousands separator");
       CHECK(typed.problem.remedy.find(" or ") != std::string::npos);
     }
   }
-  CHECK(parse_typed(real, "10,000").problem.remedy == "write 10000 or 10.000");
+  CHECK(parse_typed_text(real, "10,000").problem.remedy == "write 10000 or 10.000");
   CHECK(number("0,125") == 0.125);
   CHECK(number("1234,567") == 1234.567);
   CHECK(number("1,5000") == 1.5);
   CHECK(number("1,500e3") == 1500.0);
   CHECK(number("12,12") == 12.12);
-  CHECK(std::get<long long>(parse_typed(whole, "12").value) == 12);
-  CHECK(parse_typed(whole, "12.0").problem);
-  CHECK(parse_typed(whole, "-3").problem);
-  CHECK(parse_typed(whole, "20000").problem);
-  CHECK(parse_typed(code, "9").problem);
-  CHECK_FALSE(parse_typed(code, "2").problem);
+  CHECK(std::get<long long>(parse_typed_text(whole, "12").value) == 12);
+  CHECK(parse_typed_text(whole, "12.0").problem);
+  CHECK(parse_typed_text(whole, "-3").problem);
+  CHECK(parse_typed_text(whole, "20000").problem);
+  CHECK(parse_typed_text(code, "9").problem);
+  CHECK_FALSE(parse_typed_text(code, "2").problem);
 }
 
-TEST_CASE("three times a number in a vector of three is asked back: decks mean three values by it",
+TEST_CASE("typed numbers: three times a number in a vector of three values → rejected as ambiguous",
           "[unit][adrinput]") {
   Document document;
   const auto problem_of = [&](const char* name, std::size_t element, const char* typed) {
@@ -91,8 +92,7 @@ TEST_CASE("three times a number in a vector of three is asked back: decks mean t
   CHECK_FALSE(document.errors().empty());  // nothing is taken before it is clear
 }
 
-TEST_CASE("records come and go with the options, and what was typed comes back",
-          "[unit][adrinput]") {
+TEST_CASE("options: record hidden and shown again → its values are kept", "[unit][adrinput]") {
   Document document;
   const auto has = [&](const std::string& id) { return document.instances(id) > 0; };
   REQUIRE(has("7.1"));
@@ -116,7 +116,7 @@ TEST_CASE("records come and go with the options, and what was typed comes back",
   CHECK_FALSE(document.has_errors());
 }
 
-TEST_CASE("a count typed digit by digit loses nothing and a wild one makes no records",
+TEST_CASE("counts: typed digit by digit → no values lost; huge count → no records added",
           "[unit][adrinput]") {
   Document document;
   const std::string before = deck::write_deck(document.deck());
@@ -130,14 +130,13 @@ TEST_CASE("a count typed digit by digit loses nothing and a wild one makes no re
   CHECK(document.has_errors());
 }
 
-TEST_CASE("undo and redo go through every step; typing in one field is one step",
-          "[unit][adrinput]") {
+TEST_CASE("undo and redo: every step; typing in one field is one step", "[unit][adrinput]") {
   Document document;
   const deck::Deck first = document.deck();
   CHECK_FALSE(document.can_undo());
   for (const char* text : {"0.06", "0.061", "0.0612"}) document.edit(cell("pitchDia"), text);
   const deck::Deck second = document.deck();
-  document.end_step();
+  document.end_undo_step();
   document.edit(cell("kBrg"), "2");
   const deck::Deck third = document.deck();
   CHECK(document.undo() == "3.2");
@@ -152,7 +151,7 @@ TEST_CASE("undo and redo go through every step; typing in one field is one step"
   CHECK_FALSE(document.can_redo());
 }
 
-TEST_CASE("problems name the value that is wrong, also what only the model shows",
+TEST_CASE("problems: wrong value named, also if only the model check finds it",
           "[unit][adrinput]") {
   Document document;
   document.check_model();
@@ -174,7 +173,7 @@ TEST_CASE("problems name the value that is wrong, also what only the model shows
   CHECK(at(cell("pitchDia")));
 }
 
-TEST_CASE("a record that a run refuses gets no green tick back through an error elsewhere",
+TEST_CASE("start check: error in another record → a rejected record stays marked",
           "[unit][adrinput]") {
   Document document;
   document.edit(cell("kDOF"), "6");  // needs a routine of the user
@@ -195,22 +194,22 @@ TEST_CASE("a record that a run refuses gets no green tick back through an error 
   CHECK(document.state_of(record) == RecordState::Complete);
 }
 
-TEST_CASE("a refusal that names no record marks the deck, and one that does its record too",
+TEST_CASE("start check: rejection without a record marks the deck, with a record also the record",
           "[unit][adrinput]") {
   Document document;
   document.check_model();
-  REQUIRE(document.wants_rehearsal());
+  REQUIRE(document.needs_start_check());
   CHECK(document.deck_state() == DeckState::Unchecked);
-  document.set_rehearsal(document.candidate(), {});
+  document.set_start_check_result(document.candidate(), {});
   CHECK(document.deck_state() == DeckState::Ready);
-  CHECK_FALSE(document.wants_rehearsal());
+  CHECK_FALSE(document.needs_start_check());
   document.edit(cell("appLoadX"), "1501");
   CHECK(document.deck_state() == DeckState::Unchecked);
   Issue nowhere, start;
   nowhere.message = "the equilibrium is not found";
   start.message = "moves the cage away from its elements";
   start.record = "9.6";
-  document.set_rehearsal(document.candidate(), {nowhere, start});
+  document.set_start_check_result(document.candidate(), {nowhere, start});
   CHECK(document.deck_state() == DeckState::Refused);
   CHECK(document.state_of("9.6") == RecordState::Doubtful);
   REQUIRE(document.problems().size() >= 2);
@@ -222,20 +221,20 @@ TEST_CASE("a refusal that names no record marks the deck, and one that does its 
   document.edit(cell("appLoadX"), "1502");
   CHECK(document.deck_state() == DeckState::Unchecked);
   CHECK(document.state_of("9.6") == RecordState::Doubtful);  // until somebody knows better
-  document.set_rehearsal(document.candidate(), {});
+  document.set_start_check_result(document.candidate(), {});
   CHECK(document.state_of("9.6") == RecordState::Complete);
   Document other;
   other.edit(cell("appLoadX"), "1503");
-  document.set_rehearsal(other.candidate(), {nowhere, start});  // of another deck
+  document.set_start_check_result(other.candidate(), {nowhere, start});  // of another deck
   CHECK(document.state_of("9.6") == RecordState::Complete);
   CHECK(document.deck_state() == DeckState::Ready);
   document.edit(cell("pitchDia"), "0.001");
   document.check_model();
   CHECK(document.deck_state() == DeckState::Wrong);
-  CHECK_FALSE(document.wants_rehearsal());
+  CHECK_FALSE(document.needs_start_check());
 }
 
-TEST_CASE("new records ask to be filled in until somebody has looked at them", "[unit][adrinput]") {
+TEST_CASE("new records: marked until they are opened", "[unit][adrinput]") {
   Document document;
   document.edit(cell("kChrn"), "1");
   REQUIRE(document.instances("10.7B") == 1);
@@ -244,10 +243,10 @@ TEST_CASE("new records ask to be filled in until somebody has looked at them", "
   CHECK(document.state_of("10.7B") == RecordState::Complete);
 }
 
-TEST_CASE("search finds variables as people ask for them", "[unit][adrinput]") {
+TEST_CASE("search: everyday words find variables", "[unit][adrinput]") {
   const auto names = [](std::string_view query) {
     std::vector<std::string> out;
-    for (const Found& found : search_variables(query))
+    for (const VariableMatch& found : search_variables(query))
       out.emplace_back(variable_of(found.cell)->name);
     return out;
   };
@@ -266,7 +265,8 @@ TEST_CASE("search finds variables as people ask for them", "[unit][adrinput]") {
   CHECK(names("zebra").empty());
 }
 
-TEST_CASE("monitored bodies stay the same bodies when their count changes", "[unit][adrinput]") {
+TEST_CASE("monitored bodies: number of elements changed → same bodies monitored",
+          "[unit][adrinput]") {
   const auto monitored = [](const Document& document) {
     std::vector<std::string> names;
     const deck::Deck& deck = document.deck();
@@ -292,12 +292,12 @@ TEST_CASE("monitored bodies stay the same bodies when their count changes", "[un
         document.edit(cell("kNumPltElem"), std::to_string(bodies.size()));
         for (std::size_t k = 0; k < bodies.size(); ++k)
           document.edit(cell("kPltElemInd", 1, k), std::to_string(bodies[k]));
-        document.end_step();
+        document.end_undo_step();
         const deck::Deck before = deck;
         const std::vector<std::string> was = monitored(document);
         REQUIRE(was.size() == bodies.size());
         document.edit(cell(variable), std::to_string(now));
-        document.end_step();
+        document.end_undo_step();
         INFO(type << ": " << variable << " = " << now);
         REQUIRE(deck.integer(variable) == now);
         ++changes;
@@ -322,7 +322,7 @@ TEST_CASE("monitored bodies stay the same bodies when their count changes", "[un
         CHECK(monitored(document) == is);
         document.edit(cell(variable), variable == std::string("nRe") ? std::to_string(elements)
                                                                      : std::to_string(segments));
-        document.end_step();
+        document.end_undo_step();
         CHECK(deck == before);  // the count comes back, and with it the bodies
         (void)document.undo();
         // The same as one change of several values.
@@ -333,51 +333,51 @@ TEST_CASE("monitored bodies stay the same bodies when their count changes", "[un
   CHECK(changes > 30);
 }
 
-TEST_CASE("numbers given after kUnit was changed are left out when the others are converted",
+TEST_CASE("unit change: numbers entered after kUnit was changed are not converted",
           "[unit][adrinput]") {
   Document document;
   document.start_new("ball");
   const double bore = document.deck().real("brgBore"), load = document.deck().real("appLoadZ");
   document.edit(cell("kUnit"), "2");
-  document.end_step();
+  document.end_undo_step();
   document.edit(cell("nCseg"), "0");
-  document.end_step();
+  document.end_undo_step();
   document.type(cell("pitchDia"), "2.5");
-  CHECK(document.numbers_in() == deck::UnitSystem::SI);
-  document.end_step();
+  CHECK(document.previous_units() == deck::UnitSystem::SI);
+  document.end_undo_step();
   document.change({{"appLoadX", "12.5"}, {"tol", "1e-6"}});
-  CHECK(document.numbers_in() == deck::UnitSystem::SI);
+  CHECK(document.previous_units() == deck::UnitSystem::SI);
   (void)document.undo();
-  CHECK(document.numbers_in() == deck::UnitSystem::SI);
+  CHECK(document.previous_units() == deck::UnitSystem::SI);
   (void)document.redo();
   document.convert_values();
-  CHECK_FALSE(document.numbers_in());
+  CHECK_FALSE(document.previous_units());
   CHECK(document.deck().real("pitchDia") == 2.5);
   CHECK(document.deck().real("appLoadX") == 12.5);
   CHECK(document.deck().real("brgBore") == Approx(bore / 0.0254));
   CHECK(document.deck().real("appLoadZ") == Approx(load / 4.4482216152605));
   // Back to where it was asked, to where it was changed, and before.
   (void)document.undo();
-  CHECK(document.numbers_in() == deck::UnitSystem::SI);
+  CHECK(document.previous_units() == deck::UnitSystem::SI);
   while (document.can_undo()) (void)document.undo();
-  CHECK_FALSE(document.numbers_in());
+  CHECK_FALSE(document.previous_units());
   CHECK(document.deck().real("brgBore") == bore);
 }
 
-TEST_CASE("numbers given in other units go back with them, also from a draft of the deck",
+TEST_CASE("unit change: undone → numbers return to their units, also in a draft",
           "[unit][adrinput]") {
   Document document;
   document.start_new("ball");
   const double bore = document.deck().real("brgBore");
   document.edit(cell("kUnit"), "2");
   document.type(cell("pitchDia"), "2.5");
-  document.end_step();
+  document.end_undo_step();
   Document parked;
   (void)parked.restore(document.snapshot("1"));
-  CHECK(parked.numbers_in() == deck::UnitSystem::SI);
+  CHECK(parked.previous_units() == deck::UnitSystem::SI);
   for (Document* one : {&document, &parked}) {
     one->edit(cell("kUnit"), "1");
-    CHECK_FALSE(one->numbers_in());
+    CHECK_FALSE(one->previous_units());
     CHECK(one->deck().real("pitchDia") == Approx(2.5 * 0.0254));
     CHECK(one->deck().real("brgBore") == bore);
   }

@@ -64,13 +64,13 @@ void check_labels(const DrawingView& view) {
 
 }  // namespace
 
-TEST_CASE("the drawing follows the field in focus", "[gui][adrinput][drawing]") {
+TEST_CASE("drawing: highlights the dimension of the field in focus", "[gui][adrinput][drawing]") {
   test::use_qt();
   DeckWindow window;
   window.resize(1280, 800);
   window.show();
   DrawingPanel& panel = window.drawingPanel();
-  DrawingView& view = panel.picture();
+  DrawingView& view = panel.drawingView();
   panel.drawNow();
   const auto focus = [&](const char* name) {
     const Cell at = cell(name);
@@ -80,7 +80,7 @@ TEST_CASE("the drawing follows the field in focus", "[gui][adrinput][drawing]") 
   };
   focus("pitchDia");
   CHECK(panel.view() == drawing::View::CrossSection);
-  CHECK(view.focusOn().variable == "pitchDia");
+  CHECK(view.currentFocus().variable == "pitchDia");
   CHECK(strong_label(view) == "pitchDia = 0.06 m");
   const QImage pitch = picture_of(view);
   focus("shoulderDia1");
@@ -103,7 +103,7 @@ TEST_CASE("the drawing follows the field in focus", "[gui][adrinput][drawing]") 
   REQUIRE(window.page()->focusCell({"7.2.i", 2, cell("cageGsPos").variable, 0}));
   picture_of(view);
   CHECK(panel.view() == drawing::View::Lands);
-  CHECK(view.focusOn().instance == 2);
+  CHECK(view.currentFocus().instance == 2);
   CHECK(strong_label(view) == "cageGsPos[2] = 0.0085 m");
 
   // A field without a measure lights the body that it speaks of.
@@ -113,14 +113,14 @@ TEST_CASE("the drawing follows the field in focus", "[gui][adrinput][drawing]") 
   CHECK(pixels_like(outer, desktop::current_theme().accent) > 300);
 
   // A view chosen by hand stays for fields that belong to the same view.
-  panel.chooseView(drawing::View::SideView);
+  panel.chooseView(drawing::View::AdditionalView);
   focus("raceTemp2");
-  CHECK(panel.view() == drawing::View::SideView);
+  CHECK(panel.view() == drawing::View::AdditionalView);
   focus("appLoadZ");
   CHECK(panel.view() == drawing::View::Loads);
 }
 
-TEST_CASE("typing changes the drawing, and a wrong value keeps the last one with the reason",
+TEST_CASE("drawing: follows typing; wrong value → last drawing is kept with the reason",
           "[gui][adrinput][drawing]") {
   test::use_qt();
   DeckWindow window;
@@ -131,29 +131,30 @@ TEST_CASE("typing changes the drawing, and a wrong value keeps the last one with
   auto* field = qobject_cast<QLineEdit*>(window.page()->fieldOf(cell("bReDia").variable));
   REQUIRE(field != nullptr);
   panel.drawNow();
-  const QImage before = picture_of(panel.picture());
+  const QImage before = picture_of(panel.drawingView());
   replace_text(field, "0.0115");
   const auto radius = [&] {
-    for (const drawing::Shape& shape : panel.picture().drawing().panes.at(0).shapes)
+    for (const drawing::Shape& shape : panel.drawingView().drawing().panes.at(0).shapes)
       if (shape.name == "ball") return shape.circles.at(0).radius;
     return 0.0;
   };
   CHECK(radius() == 0.5 * 0.0127);  // not at every key, but after a short pause
   CHECK(QTest::qWaitFor([&] { return radius() == 0.5 * 0.0115; }));
-  const QImage after = picture_of(panel.picture());
+  const QImage after = picture_of(panel.drawingView());
   CHECK(differing(before, after) > 1000);
   replace_text(field, "-1");
   panel.drawNow();
-  const QImage stale = picture_of(panel.picture());
+  const QImage stale = picture_of(panel.drawingView());
   CHECK(radius() == 0.5 * 0.0115);
   CHECK(differing(after, stale) > 1000);
   replace_text(field, "0.0115");
   panel.drawNow();
-  CHECK(differing(after, picture_of(panel.picture())) == 0);
+  CHECK(differing(after, picture_of(panel.drawingView())) == 0);
 }
 
-TEST_CASE("every field of every example deck: labels stay in the picture and apart",
-          "[gui][adrinput][drawing][slow]") {
+TEST_CASE(
+    "drawing: labels of all fields of the example decks are inside the picture and do not overlap",
+    "[gui][adrinput][drawing][slow]") {
   test::use_qt();
   DrawingPanel panel;
   panel.resize(380, 740);
@@ -165,9 +166,9 @@ TEST_CASE("every field of every example deck: labels stay in the picture and apa
     for (const deck::RecordData& record : deck.records)
       for (const deck::VariableSpec& variable : deck::find_record(record.id)->variables) {
         panel.setFocusOn({record.id, std::string(variable.name), record.instance, 1});
-        const QImage image = picture_of(panel.picture());
+        const QImage image = picture_of(panel.drawingView());
         INFO(info.name << ", record " << record.id << ", " << variable.name);
-        check_labels(panel.picture());
+        check_labels(panel.drawingView());
         // Something is drawn: the ground is not all there is.
         const int ground = pixels_like(image, desktop::current_theme().surface);
         CHECK(ground < image.width() * image.height() * 98 / 100);
@@ -182,10 +183,10 @@ TEST_CASE("the drawing in dark and light, hidden and shown", "[gui][adrinput][dr
   window.show();
   DrawingPanel& panel = window.drawingPanel();
   panel.drawNow();
-  const QImage light = picture_of(panel.picture());
+  const QImage light = picture_of(panel.drawingView());
   CHECK(light.pixelColor(4, 40).lightness() > 200);
   window.switchTheme();
-  const QImage dark = picture_of(panel.picture());
+  const QImage dark = picture_of(panel.drawingView());
   CHECK(dark.pixelColor(4, 40).lightness() < 80);
   // Search results keep their contrast, too.
   auto* query = window.findChild<QLineEdit*>("search");
@@ -251,13 +252,13 @@ TEST_CASE("adrinput: shortcut of a covered dock → raised first, then hidden",
   CHECK(in_front(docks[0]));
 }
 
-TEST_CASE("a click on a measure leads to its field", "[gui][adrinput][drawing]") {
+TEST_CASE("drawing: click on a dimension → focus in its field", "[gui][adrinput][drawing]") {
   test::use_qt();
   DeckWindow window;
   window.resize(1280, 800);
   window.show();
   DrawingPanel& panel = window.drawingPanel();
-  DrawingView& view = panel.picture();
+  DrawingView& view = panel.drawingView();
   window.showRecord("4");
   panel.drawNow();
   picture_of(view);
@@ -272,7 +273,7 @@ TEST_CASE("a click on a measure leads to its field", "[gui][adrinput][drawing]")
     }
   REQUIRE(place.x() >= 0);
   QTest::mouseClick(&view, Qt::LeftButton, {}, place);
-  CHECK(view.focusOn().variable == "brgOD");
+  CHECK(view.currentFocus().variable == "brgOD");
   picture_of(view);
   CHECK(strong_label(view).startsWith("brgOD"));
 }
@@ -292,7 +293,7 @@ TEST_CASE("the drawing does not slow down typing or turning pages", "[gui][adrin
       for (int i = 0; i < 10; ++i) {
         const std::clock_t start = std::clock();
         panel.chooseView(view);
-        picture_of(panel.picture());
+        picture_of(panel.drawingView());
         best = std::min(best, 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
       }
       INFO(name << ", " << drawing::title_of(view));

@@ -25,7 +25,7 @@ TEST_CASE("adrinput: unit system switched a hundred times → values unchanged",
     for (int round = 0; round < 100; ++round)
       for (const char* unit : {"2", "1"}) {
         document.edit(cell("kUnit"), unit);
-        document.end_step();
+        document.end_undo_step();
         document.convert_values();
       }
     CHECK(document.deck() == before);
@@ -44,7 +44,7 @@ TEST_CASE("adrinput: full disk → error message, old deck and typed values kept
   const std::string old = bytes_of(path);
   REQUIRE(window.openFile(path));
   window.document().edit(cell("brgBore"), "0.041");
-  window.document().end_step();
+  window.document().end_undo_step();
   {
     const test::FullDisk full(200);
     window.save();
@@ -66,7 +66,7 @@ TEST_CASE("adrinput: full disk → error message, old deck and typed values kept
   CHECK(left <= 2);  // the deck, and what is kept for the case of a crash
 }
 
-TEST_CASE("names as long as the system takes them are saved and opened", "[gui][adrinput][daily]") {
+TEST_CASE("file names: longest possible names are saved and opened", "[gui][adrinput][daily]") {
   test::use_qt();
   const QTemporaryDir folder;
   fs::path path = folder.path().toStdString();

@@ -20,7 +20,7 @@
 using namespace adore;
 using namespace adore::adrinput;
 
-TEST_CASE("a half-typed quantity is never a value; the whole one is, in the deck's unit",
+TEST_CASE("quantities: incomplete → no value; complete → converted to the unit of the deck",
           "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
@@ -48,7 +48,7 @@ TEST_CASE("a half-typed quantity is never a value; the whole one is, in the deck
   CHECK(window.page()->findChild<QLabel*>("problem-bReDia")->text().contains("5e-3 or 5 - 3"));
 }
 
-TEST_CASE("values are shown in a unit of choice, and the deck keeps its own",
+TEST_CASE("display units: unit selected → display changes, deck does not",
           "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
@@ -188,10 +188,11 @@ TEST_CASE(
       CHECK(turns(window) == 0.0);
       window.showRecord(cell(error.name).record);
       window.document().edit(cell(error.name), error.right);
-      window.document().end_step();
+      window.document().end_undo_step();
     }
     REQUIRE(QTest::qWaitFor([&] { return window.document().scales().has_value(); }, 60000));
-    REQUIRE(QTest::qWaitFor([&] { return !window.document().is_draft(cell("fTime")); }, 10000));
+    REQUIRE(QTest::qWaitFor([&] { return !window.document().has_unparsed_text(cell("fTime")); },
+                            10000));
     CHECK(turns(window) == Approx(3.0).epsilon(1e-12));
     window.showRecord("2.1");
     CHECK(beside(window, "fTime").contains("= 3 revolutions"));
@@ -237,7 +238,7 @@ TEST_CASE("adrinput: header of a deck → result of a run is announced", "[gui][
   const auto says = [&](const char* name, const char* value, const QString& text,
                         const QString& reason) {
     window.document().edit(cell(name), value);
-    window.document().end_step();
+    window.document().end_undo_step();
     window.checkNow();
     INFO(name << " = " << value);
     CHECK(QTest::qWaitFor([&] { return state->text() == text; }, 60000));
@@ -253,7 +254,8 @@ TEST_CASE("adrinput: header of a deck → result of a run is announced", "[gui][
   says("mode", "-1", "Ready: quasi-static", "mode is -1");
 }
 
-TEST_CASE("a number that has an incomplete exponent is told as that", "[gui][adrinput][daily]") {
+TEST_CASE("typed numbers: incomplete exponent → rejected with this reason",
+          "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
   window.show();
@@ -268,8 +270,7 @@ TEST_CASE("a number that has an incomplete exponent is told as that", "[gui][adr
     }
 }
 
-TEST_CASE("names in the drawing and the menu of a field go by the units of view",
-          "[gui][adrinput][daily]") {
+TEST_CASE("display units: drawing and field menu use the selected unit", "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
   window.show();

@@ -172,7 +172,7 @@ TEST_CASE("changing kUnit offers to convert the numbers, as one step", "[gui][ad
     REQUIRE(bar != nullptr);
     // A record that does not apply now is converted too, for the day when it comes back.
     document.edit(cell("nCseg"), "0");
-    document.end_step();
+    document.end_undo_step();
     const deck::Deck before = document.deck();
     const auto switch_units = [&] {
       window.showRecord("3.2");
@@ -196,7 +196,7 @@ TEST_CASE("changing kUnit offers to convert the numbers, as one step", "[gui][ad
     CHECK(document.deck() == deck::in_units(before, deck::UnitSystem::English));
     CHECK(document.deck().si("brgBore") == Approx(before.si("brgBore")).epsilon(1e-11));
     document.edit(cell("nCseg"), "1");
-    document.end_step();
+    document.end_undo_step();
     CHECK(document.deck() == deck::in_units(deck::new_deck(type), deck::UnitSystem::English));
     window.undo();
     window.undo();
@@ -307,8 +307,7 @@ TEST_CASE("run options: page, ADORE.json in the deck folder, unknown names kept"
   }
 }
 
-TEST_CASE("run options that take words are chosen, times have units, effects have names",
-          "[gui][adrinput]") {
+TEST_CASE("run options: choices, times with units and effect names", "[gui][adrinput]") {
   test::use_qt();
   for (const runs::RunOptionInfo& info : runs::run_options()) {
     INFO(info.name);
@@ -377,8 +376,7 @@ TEST_CASE("run options that take words are chosen, times have units, effects hav
   CHECK(names().size() == 2);  // effects that are already off can be switched on again
 }
 
-TEST_CASE("lines of user routines are edited as they are and written unchanged",
-          "[gui][adrinput]") {
+TEST_CASE("lines for user routines: edited and saved without changes", "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
   const fs::path path = folder.filePath("DATA.txt").toStdString();
@@ -401,7 +399,7 @@ TEST_CASE("lines of user routines are edited as they are and written unchanged",
   CHECK(deck::read_deck(path).deck == window.document().deck());
 }
 
-TEST_CASE("a decimal comma is understood everywhere and reaches no file", "[gui][adrinput]") {
+TEST_CASE("decimal comma: accepted in all fields, never written to a file", "[gui][adrinput]") {
   test::use_qt();
   const QLocale old = QLocale();
   QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
@@ -466,8 +464,7 @@ TEST_CASE("a decimal comma is understood everywhere and reaches no file", "[gui]
   CHECK(text.find("0,5") == std::string::npos);
 }
 
-TEST_CASE("a broken deck of 5 MB opens, shows its problems and can be typed in",
-          "[gui][adrinput]") {
+TEST_CASE("damaged deck of 5 MB: opens, lists problems, can be edited", "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
   const fs::path path = folder.filePath("DATA.txt").toStdString();

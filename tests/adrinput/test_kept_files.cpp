@@ -18,8 +18,7 @@ using namespace adore;
 using namespace adore::adrinput;
 namespace fs = std::filesystem;
 
-TEST_CASE("a deck with an error is parked as a draft and comes back as it was",
-          "[gui][adrinput][daily]") {
+TEST_CASE("drafts: deck with an error saved and reopened → unchanged", "[gui][adrinput][daily]") {
   test::use_qt();
   const QTemporaryDir folder;
   const QString draft = folder.filePath("half.draft");
@@ -63,7 +62,7 @@ TEST_CASE("a deck with an error is parked as a draft and comes back as it was",
   CHECK_FALSE(window.statusBar()->currentMessage().contains("draft"));
 }
 
-TEST_CASE("a deck's remarks survive a save that changes options", "[gui][adrinput][daily]") {
+TEST_CASE("comments: kept when a save changes options", "[gui][adrinput][daily]") {
   test::use_qt();
   const QTemporaryDir folder;
   const fs::path path = folder.filePath("DATA.txt").toStdString();
@@ -81,7 +80,7 @@ TEST_CASE("a deck's remarks survive a save that changes options", "[gui][adrinpu
   CHECK(deck::read_deck(path).deck == window.document().deck());
 }
 
-TEST_CASE("after a change of units the remarks name the new ones, or a note says whose do not",
+TEST_CASE("comments: unit change → comments name the new units, or a note lists those that do not",
           "[gui][adrinput][daily]") {
   test::use_qt();
   const QTemporaryDir folder;
@@ -164,7 +163,7 @@ TEST_CASE("a deck that was opened by a relative name is proposed where it is, al
     REQUIRE(save != nullptr);
     CHECK(save->selectedFiles() == QStringList{folder.filePath("deck/DATA.txt")});
     save->close();
-    window.parkDraft();
+    window.saveDraft();
     auto* park = window.findChild<QFileDialog*>("save-draft");
     REQUIRE(park != nullptr);
     CHECK(park->selectedFiles() == QStringList{folder.filePath("deck/DATA.draft")});

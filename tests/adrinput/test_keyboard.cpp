@@ -140,7 +140,7 @@ TEST_CASE("Tab behind a count goes into the table that the count makes", "[gui][
   window.activateWindow();
   REQUIRE(QTest::qWaitForWindowActive(&window));
   window.document().edit(cell("kNumPltElem"), "0");
-  window.document().end_step();
+  window.document().end_undo_step();
   window.showRecord("3.4");
   auto* count = qobject_cast<QLineEdit*>(window.page()->fieldOf(cell("kNumPltElem").variable));
   REQUIRE(count != nullptr);
@@ -152,8 +152,7 @@ TEST_CASE("Tab behind a count goes into the table that the count makes", "[gui][
   CHECK(window.document().deck().integer("kNumPltElem") == 2);
 }
 
-TEST_CASE("a letter with Alt that nothing answers to now is not typed into a field",
-          "[gui][adrinput][letters]") {
+TEST_CASE("Alt+letter without an action: not typed into a field", "[gui][adrinput][letters]") {
   test::use_qt();
   DeckWindow window;
   window.show();
@@ -171,7 +170,7 @@ TEST_CASE("a letter with Alt that nothing answers to now is not typed into a fie
                       QString(QChar(letter)));
       QApplication::sendEvent(field, &press);
     }
-    window.document().end_step();
+    window.document().end_undo_step();
     INFO(name);
     CHECK(window.document().text(cell(name)) == before);
     CHECK_FALSE(window.document().modified());

@@ -46,8 +46,7 @@ TEST_CASE("adrinput: a letter with Alt chooses one menu, button or field on ever
   CHECK(dialogs >= 3);
 }
 
-TEST_CASE("adrinput: the questions above the form claim no letter that is taken",
-          "[gui][adrinput]") {
+TEST_CASE("adrinput: notices above the form use free access keys only", "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
   const std::filesystem::path path = folder.filePath("DATA.txt").toStdString();
@@ -80,8 +79,7 @@ TEST_CASE("adrinput: the questions above the form claim no letter that is taken"
   window.document().keep_numbers();
 }
 
-TEST_CASE("adrinput: a letter with Alt chooses one thing in the window of studies",
-          "[gui][adrinput][studies]") {
+TEST_CASE("study window: access keys are unique", "[gui][adrinput][studies]") {
   test::use_qt();
   const QTemporaryDir folder;
   std::ofstream(folder.filePath("DATA.txt").toStdString()) << deck::template_text("ball");
@@ -101,7 +99,7 @@ TEST_CASE("adrinput: a letter with Alt chooses one thing in the window of studie
   CHECK(one(test::clashing_letters(window)) == "");
 }
 
-TEST_CASE("adrinput: a letter with Alt that chooses nothing now is not typed", "[gui][adrinput]") {
+TEST_CASE("adrinput: Alt+letter without an action is not typed into a field", "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
   std::ofstream(folder.filePath("DATA.txt").toStdString()) << deck::template_text("ball");

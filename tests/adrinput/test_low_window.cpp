@@ -31,7 +31,7 @@ void solve(DeckWindow& window) {
 
 }  // namespace
 
-TEST_CASE("adrinput: no dock, solution, panel or search makes a low window grow",
+TEST_CASE("adrinput: docks, solution, panels and search do not enlarge a low window",
           "[gui][adrinput]") {
   test::use_qt();
   // List, form and dock side by side need 700 pixels, except on narrower screens.

@@ -62,7 +62,7 @@ TEST_CASE("lubricant panel: dock closed at first → draws the selected chart wh
           "[gui][film]") {
   test::use_qt();
   QMainWindow window;
-  adrinput::LubricantPanel* panel = adrinput::LubricantPanel::inDockOf(&window);
+  adrinput::LubricantPanel* panel = adrinput::LubricantPanel::createInDock(&window);
   auto* dock = window.findChild<QDockWidget*>("lubricant-dock");
   REQUIRE(dock != nullptr);
   window.resize(900, 600);
@@ -161,8 +161,7 @@ TEST_CASE(
   CHECK_THAT(panel.chart().chartScene().page().note, Catch::Contains("refTracVis"));
 }
 
-TEST_CASE("adrinput: a window of 1000 pixels holds the lubricant's dock and the drawing's",
-          "[gui][film]") {
+TEST_CASE("adrinput: lubricant and drawing docks fit into a window of 1000 pixels", "[gui][film]") {
   test::use_qt();
   adrinput::DeckWindow window;
   window.resize(1000, 690);

@@ -67,7 +67,7 @@ TEST_CASE("adrinput: file that is not a deck → rejected with a message, previo
   DeckWindow window;
   window.show();
   window.document().edit(cell("appLoadX"), "1234");
-  window.document().end_step();
+  window.document().end_undo_step();
   const deck::Deck before = window.document().deck();
   const auto refused = [&](const fs::path& file, const QString& why) {
     CHECK_FALSE(window.openFile(file));
@@ -107,7 +107,7 @@ TEST_CASE("adrinput: empty file → reported; saving to it is rejected with reas
   }
 }
 
-TEST_CASE("ends of lines, a byte-order mark, tabs and foreign letters survive a save",
+TEST_CASE("saving: line ends, byte-order mark, tabs and non-ASCII letters are kept",
           "[gui][adrinput][odd]") {
   test::use_qt();
   const QTemporaryDir folder;
@@ -137,7 +137,7 @@ TEST_CASE("ends of lines, a byte-order mark, tabs and foreign letters survive a 
     CHECK_FALSE(window.document().has_errors());
     const std::string old = window.document().text(cell("appLoadX"));
     window.document().edit(cell("appLoadX"), "1234.5");
-    window.document().end_step();
+    window.document().end_undo_step();
     window.save();
     CHECK(take_message(window) == "");
     const std::string saved = bytes_of(path);

@@ -84,11 +84,11 @@ TEST_CASE("adrinput: invalid value → unused values stay pale", "[gui][adrinput
   window.document().edit(cell("kReGeoImp"), "2");
   window.checkNow();
   const Cell absent = cell("reDiaVar40");
-  REQUIRE_FALSE(window.document().unused_because(absent).empty());
+  REQUIRE_FALSE(window.document().unused_reason(absent).empty());
   window.document().edit(cell("reDiaVar3"), "abc");
   window.checkNow();
   CHECK(window.document().has_errors());
-  CHECK_FALSE(window.document().unused_because(absent).empty());
+  CHECK_FALSE(window.document().unused_reason(absent).empty());
 }
 
 TEST_CASE("bodies and vectors have names", "[gui][adrinput][daily]") {
@@ -115,7 +115,7 @@ TEST_CASE("adrinput: values unused by the options → displayed as unused, with 
   window.document().edit(cell("mode"), "-1");
   window.checkNow();
   const Cell steps = cell("maxStps");
-  CHECK_FALSE(window.document().unused_because(steps).empty());
+  CHECK_FALSE(window.document().unused_reason(steps).empty());
   window.showRecord("1");
   auto* said = window.page()->findChild<QLabel*>("unused-maxStps");
   REQUIRE(said != nullptr);
@@ -123,7 +123,7 @@ TEST_CASE("adrinput: values unused by the options → displayed as unused, with 
   CHECK(said->isVisibleTo(window.page()));
   window.document().edit(cell("mode"), "0");
   window.checkNow();
-  CHECK(window.document().unused_because(steps).empty());
+  CHECK(window.document().unused_reason(steps).empty());
   CHECK_FALSE(said->isVisibleTo(window.page()));
 }
 
@@ -138,7 +138,7 @@ TEST_CASE("adrinput: diameter deviations of missing elements → pale, with both
   for (const bool others : {false, true}) {
     INFO("other units: " << others);
     window.showRecord("5G.1D.2");
-    window.page()->setOtherUnits(others);
+    window.page()->setOtherUnitsShown(others);
     auto* table = window.page()->findChild<CellTable*>();
     REQUIRE(table != nullptr);
     table->setCurrentCell(0, 0);

@@ -90,8 +90,7 @@ TEST_CASE("Run saves the deck, shows progress, and opens plots and animation of 
   CHECK(note(window).startsWith("Results of another deck"));
 }
 
-TEST_CASE("viewers get whole names of files, wherever the deck was opened from",
-          "[gui][adrinput]") {
+TEST_CASE("viewers: started with absolute file names", "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
   const test::Elsewhere elsewhere(folder.path().toStdString());
@@ -203,7 +202,7 @@ TEST_CASE("run panel: continue a complete run → reported as complete", "[gui][
   CHECK(note(window).startsWith("Done: 5 steps"));
 }
 
-TEST_CASE("results that the window did not compute are replaced after a question only",
+TEST_CASE("run panel: results of another program are replaced only after a question",
           "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
@@ -280,8 +279,7 @@ TEST_CASE("results that the window did not compute are replaced after a question
   CHECK(fs::last_write_time(report) != before);
 }
 
-TEST_CASE("the buttons of results follow what is on the disk, whoever put it there or took it away",
-          "[gui][adrinput]") {
+TEST_CASE("run panel: result buttons follow the files on the disk", "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
   const fs::path deck_file = folder.filePath("DATA.txt").toStdString();

@@ -25,10 +25,10 @@ TEST_CASE("run panel: error of a run → message in terms of the window", "[gui]
   runs::LoadedDeck input;
   input.path = folder.filePath("DATA.txt").toStdString();
   input.deck = deck::new_deck("ball");
-  const std::vector<Issue> refused = runs::refusals_of_run(input);
+  const std::vector<Issue> refused = runs::dry_run_errors(input);
   REQUIRE_FALSE(refused.empty());
   CHECK(refused.front().text().find("--out") != std::string::npos);
-  const std::string ours = in_window_words(refused.front().text());
+  const std::string ours = replace_cli_terms(refused.front().text());
   CHECK(ours.find("--") == std::string::npos);
   CHECK(ours.find("a new folder (Shift+F7)") != std::string::npos);
   DeckWindow window;
@@ -42,7 +42,7 @@ TEST_CASE("run panel: error of a run → message in terms of the window", "[gui]
   }
 }
 
-TEST_CASE("every sentence of the program that names an option has words for the window",
+TEST_CASE("window words: every message that names a command option has a text for windows",
           "[adrinput]") {
   // Texts of the sources: literals that follow each other are one.
   const QRegularExpression texts(R"x("(?:[^"\\\n]|\\.)*"(?:\s*"(?:[^"\\\n]|\\.)*")*)x");
@@ -67,7 +67,7 @@ TEST_CASE("every sentence of the program that names an option has words for the 
       text = text.mid(1, text.size() - 2);
       if (!text.contains(option) || !text.contains(' ') || text.contains(not_ours)) continue;
       ++sentences;
-      const QString told = QString::fromStdString(in_window_words(text.toStdString()));
+      const QString told = QString::fromStdString(replace_cli_terms(text.toStdString()));
       INFO(entry.path().string() << ": " << text.toStdString() << "\n" << told.toStdString());
       CHECK_FALSE(QString(told).remove(command).contains(option));
       CHECK(told.count('`') % 2 == 0);
@@ -122,7 +122,7 @@ TEST_CASE("run panel: progress bar → limit that ends the run", "[gui][adrinput
   }
 }
 
-TEST_CASE("a question whose other answer ends or deletes something is not answered so by Enter",
+TEST_CASE("questions: Enter never selects an answer that ends or deletes something",
           "[gui][adrinput][questions]") {
   // Every box with a choice names its default: Cancel, or Save where the other way is to discard.
   const QRegularExpression choice("Destructive|Discard|::Save\\b|::Yes\\b|AcceptRole");

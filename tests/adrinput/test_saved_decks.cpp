@@ -1,6 +1,6 @@
 #include "adrinput/document.hpp"
 #include "adrinput/driver.hpp"
-#include "deck/keep_text.hpp"
+#include "deck/deck_text_with_comments.hpp"
 #include "deck/lookup.hpp"
 #include "deck/templates.hpp"
 #include "runs/check.hpp"
@@ -157,8 +157,10 @@ TEST_CASE(
   CHECK(saved < static_cast<int>(decks.size()));
 }
 
-TEST_CASE("nasty decks: cut, doubled, swapped, wild counts, foreign letters and line ends",
-          "[unit][adrinput]") {
+TEST_CASE(
+    "damaged decks: truncated, repeated and swapped lines, huge counts, non-ASCII letters, line "
+    "ends",
+    "[unit][adrinput]") {
   const QTemporaryDir folder;
   const fs::path path = folder.filePath("DATA.txt").toStdString();
   const std::string good = deck::write_deck(deck::new_deck("ball"));
@@ -309,7 +311,7 @@ TEST_CASE("adrinput: remark of a file on its deck → unchanged after saving", "
   };
   REQUIRE(told() == 1);
   document.edit(cell("brgBore"), "0.041");
-  document.end_step();
+  document.end_undo_step();
   document.save(file);
   CHECK(told() == 1);
   Document again;

@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kChild = "types into a window and waits to be killed";
+constexpr const char* kChild = "helper process: types into a window and waits to be killed";
 
 NoticeBar& notice(DeckWindow& window, const QString& name) {
   auto* bar = window.findChild<NoticeBar*>(name);
@@ -65,7 +65,7 @@ struct Started {
 
 }  // namespace
 
-TEST_CASE("types into a window and waits to be killed", "[.child]") {
+TEST_CASE("helper process: types into a window and waits to be killed", "[.child]") {
   test::use_qt();
   const QString folder = qEnvironmentVariable("ADORE_TEST_FOLDER");
   if (folder.isEmpty()) return;  // started by nobody
@@ -86,7 +86,7 @@ TEST_CASE("types into a window and waits to be killed", "[.child]") {
   }
 }
 
-TEST_CASE("a program that is killed loses nothing that was typed", "[gui][adrinput]") {
+TEST_CASE("session: program killed → typed values are restored", "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
   const fs::path path = folder.filePath("DATA.txt").toStdString();
@@ -129,7 +129,7 @@ TEST_CASE("a program that is killed loses nothing that was typed", "[gui][adrinp
     press(next.window, "later");
     CHECK_FALSE(shown(next.window, "session-notice"));
     CHECK_FALSE(next.window.document().modified());
-    emit next.window.unsavedWanted();
+    emit next.window.recoveryRequested();
     CHECK(shown(next.window, "session-notice"));
     press(next.window, "later");
   }
@@ -206,7 +206,7 @@ TEST_CASE("session: typed values → stored automatically, deleted after an orde
     press(one.window, "discard");
     CHECK_FALSE(fs::exists(file));
     CHECK_FALSE(one.window.document().modified());
-    emit one.window.unsavedWanted();
+    emit one.window.recoveryRequested();
     CHECK(take_message(one.window).contains("There are no unsaved decks"));
   }
 }
@@ -222,7 +222,7 @@ TEST_CASE("session: read-only folder → reported once, editing continues", "[gu
   CHECK(one.window.document().modified());
 }
 
-TEST_CASE("the deck, page and window of last time come back, unless the user does not want it",
+TEST_CASE("session: last deck, page and window size are restored unless switched off",
           "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
@@ -241,10 +241,10 @@ TEST_CASE("the deck, page and window of last time come back, unless the user doe
     CHECK(one.window.document().path() == path);
     CHECK(one.window.currentRecord() == "9.1.1");
     CHECK(one.window.size() == size);
-    auto* reopen = one.window.findChild<QAction*>("reopen");
-    REQUIRE(reopen != nullptr);
-    CHECK(reopen->isChecked());
-    reopen->setChecked(false);
+    auto* reopenLastDeck = one.window.findChild<QAction*>("reopen");
+    REQUIRE(reopenLastDeck != nullptr);
+    CHECK(reopenLastDeck->isChecked());
+    reopenLastDeck->setChecked(false);
     one.window.close();
   }
   {
@@ -260,7 +260,7 @@ TEST_CASE("the deck, page and window of last time come back, unless the user doe
   CHECK(take_message(one.window).isEmpty());
 }
 
-TEST_CASE("a deck that another program writes is noticed: reload, keep mine, compare",
+TEST_CASE("file watch: deck changed by another program → reload, keep or compare",
           "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;

@@ -103,7 +103,7 @@ TEST_CASE(
         area.setFrameShape(QFrame::NoFrame);
         area.resize(700, 500);
         auto* page = new RecordPage(document, record);
-        page->setOtherUnits(true);
+        page->setOtherUnitsShown(true);
         for (QWidget* widget : page->findChildren<QWidget*>()) {
           QFont font = widget->font();
           font.setPixelSize(static_cast<int>(std::lround(font.pixelSize() * factor)));

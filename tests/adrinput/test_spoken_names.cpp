@@ -31,8 +31,7 @@ void solve(DeckWindow& window) {
 
 }  // namespace
 
-TEST_CASE("adrinput: a screen reader has a name for all that can have the keyboard, on every page",
-          "[gui][adrinput]") {
+TEST_CASE("adrinput: every focusable widget has an accessible name", "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
   DeckWindow window;
@@ -57,7 +56,7 @@ TEST_CASE("adrinput: a screen reader has a name for all that can have the keyboa
   CHECK(dialogs >= 3);
 }
 
-TEST_CASE("adrinput: a screen reader has a name for all that can have the keyboard in studies",
+TEST_CASE("study window: every focusable widget has an accessible name",
           "[gui][adrinput][studies]") {
   test::use_qt();
   const QTemporaryDir folder;
@@ -74,7 +73,7 @@ TEST_CASE("adrinput: a screen reader has a name for all that can have the keyboa
   }
 }
 
-TEST_CASE("adrinput: Qt has nothing to warn of while docks and switches go off and on in any size",
+TEST_CASE("adrinput: no Qt warnings while docks and switches are toggled at any size",
           "[gui][adrinput]") {
   test::use_qt();
   const test::QtWarnings warnings;

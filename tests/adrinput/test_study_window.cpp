@@ -59,7 +59,8 @@ QLabel* state_of(StudyWindow& window) { return window.findChild<QLabel*>("study-
 
 }  // namespace
 
-TEST_CASE("every row of every example study is what its cells say", "[gui][adrinput][studies]") {
+TEST_CASE("study tables: cells of the example studies equal their rows",
+          "[gui][adrinput][studies]") {
   for (const char* kind :
        {"sweep", "tolerance", "cage-map", "sensitivity", "worst-case", "what-if"}) {
     const StudyJson json = studies::read_study_text(studies::example_study(kind), "a.json").json;
@@ -68,7 +69,7 @@ TEST_CASE("every row of every example study is what its cells say", "[gui][adrin
       if (!json.contains(key)) continue;
       for (const StudyJson& row : json[key]) {
         INFO(kind << " " << row.dump());
-        CHECK(typed_row(key, row_cells(key, row), row) == row);
+        CHECK(row_from_cells(key, row_cells(key, row), row) == row);
       }
     }
     for (const StudyField& field : study_fields()) {
@@ -118,7 +119,7 @@ TEST_CASE("study window: typed values → checked with the messages of the comma
   CHECK_THAT(state_of(window)->text().toStdString(), Contains("there is no deck"));
 }
 
-TEST_CASE("a study is planned, run, cancelled and resumed from its window, and nothing is lost",
+TEST_CASE("study window: plan, run, cancel and resume → no run is lost",
           "[gui][adrinput][studies]") {
   test::use_qt();
   const Bench bench;
@@ -277,9 +278,9 @@ TEST_CASE("results of a study go to the one window of plots that its project has
   REQUIRE(started.size() == 1);
   CHECK(started.front() == QStringList{"--project", project, results});
   QStringList shown;
-  const desktop::OneWindow plots("adrplot", project, nullptr,
-                                 [&](const QStringList& names) { shown = names; });
-  REQUIRE(plots.listens());
+  const desktop::SingleWindowServer plots("adrplot", project, nullptr,
+                                          [&](const QStringList& names) { shown = names; });
+  REQUIRE(plots.is_listening());
   window.panel().openResults();
   CHECK(QTest::qWaitFor([&] { return shown == QStringList{results}; }, 5000));
   CHECK(started.size() == 1);

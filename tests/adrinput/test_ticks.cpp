@@ -28,23 +28,24 @@ TEST_CASE("record list: deck that a run accepts → ready; records with errors a
         document.start_new("ball");
         const Cell cell{record.id, record.instance, v, 0};
         document.edit(cell, text);
-        document.end_step();
+        document.end_undo_step();
         document.check_model();
         INFO("record " << record.id << ", " << spec.variables[v].name << " = " << text);
         // A text that is not a valid value does not reach the deck.
-        const bool draft = document.is_draft(cell);
+        const bool draft = document.has_unparsed_text(cell);
         // As `adore run` reads the deck that would be saved.
         std::vector<Issue> reasons;
         try {
           runs::DeckRequest request;
           request.text = deck::write_deck(document.deck());
           request.in_memory = true;
-          reasons = runs::refusals_of_run(runs::load_deck(request));
+          reasons = runs::dry_run_errors(runs::load_deck(request));
         } catch (const InputError& error) {
           reasons = error.issues();
           if (reasons.empty()) reasons.emplace_back();
         }
-        if (document.wants_rehearsal()) document.set_rehearsal(document.candidate(), reasons);
+        if (document.needs_start_check())
+          document.set_start_check_result(document.candidate(), reasons);
         const bool runs = reasons.empty() && !draft;
         CHECK((document.deck_state() == DeckState::Ready) == runs);
         if (draft) CHECK(document.state_of(record.id) != RecordState::Complete);
@@ -69,7 +70,7 @@ TEST_CASE("adrinput: missing start state → error at the record that needs it",
     input.deck = deck::new_deck("ball");
     const std::vector<std::pair<std::string, std::string>> sets{{"kIcOpt", code}};
     input.deck.set_all(sets);
-    const std::vector<Issue> refused = runs::refusals_of_run(std::move(input));
+    const std::vector<Issue> refused = runs::dry_run_errors(std::move(input));
     REQUIRE(refused.size() == 1);
     CHECK(refused[0].variable == "kIcOpt");
     CHECK(refused[0].record == "1");
@@ -77,7 +78,7 @@ TEST_CASE("adrinput: missing start state → error at the record that needs it",
     Document document;
     document.start_new("ball");
     document.edit(cell("kIcOpt"), code);
-    document.set_rehearsal(document.candidate(), refused);
+    document.set_start_check_result(document.candidate(), refused);
     CHECK(document.state_of("1") != RecordState::Complete);
   }
 }

@@ -30,8 +30,8 @@ Cell cell(const std::string& name, int instance = 1, std::size_t element = 0) {
 
 void set(Document& document, const Cell& cell, const std::string& text) {
   document.edit(cell, text);
-  document.end_step();
-  REQUIRE_FALSE(document.is_draft(cell));
+  document.end_undo_step();
+  REQUIRE_FALSE(document.has_unparsed_text(cell));
 }
 
 /// A document of an example in one of the systems of units.
@@ -107,14 +107,14 @@ std::vector<Switch> switches() {
   return out;
 }
 
-using Given = std::vector<std::pair<Cell, double>>;
+using TypedValues = std::vector<std::pair<Cell, double>>;
 
 /// Types numbers into some cells that have come.
-Given fill(Document& document, const deck::Deck& before) {
+TypedValues fill(Document& document, const deck::Deck& before) {
   constexpr std::size_t kFilled = 3;
   std::vector<Cell> cells = new_cells(before, document.deck());
   if (cells.size() > kFilled) cells = {cells.front(), cells[cells.size() / 2], cells.back()};
-  Given out;
+  TypedValues out;
   for (const Cell& cell : cells) {
     out.emplace_back(cell, 0.125 + 0.25 * static_cast<double>(out.size()));
     set(document, cell, fmt::format("{}", out.back().second));
@@ -129,7 +129,7 @@ double real_at(const deck::Deck& deck, const Cell& cell) {
 }
 
 /// The deck with other numbers in some cells.
-deck::Deck with(deck::Deck deck, const Given& given, UnitSystem from, UnitSystem to) {
+deck::Deck with(deck::Deck deck, const TypedValues& given, UnitSystem from, UnitSystem to) {
   for (const auto& [cell, number] : given)
     record_at(deck, cell.record, cell.instance)->values[cell.variable][cell.element] =
         deck::convert_value(number, variable_of(cell)->unit, from, to);
@@ -164,7 +164,7 @@ TEST_CASE("records that come after or before a change of units have the same num
       const deck::Deck begin = reference.deck();
       set(reference, one.cell, one.after);
       const deck::Deck with_records = reference.deck();
-      const Given given = fill(reference, begin);
+      const TypedValues given = fill(reference, begin);
       REQUIRE_FALSE(given.empty());
       change_units(reference, to, true);
 
@@ -184,7 +184,7 @@ TEST_CASE("records that come after or before a change of units have the same num
       const deck::Deck before = asked.deck();
       change_units(asked, to, false);
       set(asked, one.cell, one.after);
-      const Given typed = fill(asked, begin);
+      const TypedValues typed = fill(asked, begin);
       Document parked;
       (void)parked.restore(asked.snapshot("1"));
       for (Document* document : {&asked, &parked}) {
@@ -206,7 +206,7 @@ TEST_CASE("records that come after or before a change of units have the same num
       (void)fill(back, begin);
       set(back, one.cell, one.before);
       change_units(back, from, false);
-      CHECK_FALSE(back.numbers_in());
+      CHECK_FALSE(back.previous_units());
       set(back, one.cell, one.after);
       CHECK(back.deck() == with(with_records, given, to, from));
     }
@@ -276,7 +276,7 @@ TEST_CASE("adrinput: stored values of inactive options → converted with the ot
   REQUIRE(read.deck.integer("kReGeoImp") == 0);
   REQUIRE_FALSE(read.deck.shelf.empty());
   Document document;
-  document.start_with(text);
+  document.start_from_text(text);
   change_units(document, UnitSystem::English, true);
   Document parked;
   (void)parked.restore(document.snapshot("1"));

@@ -35,7 +35,7 @@ TEST_CASE("adrinput: search for an array without elements → leads to its count
   DeckWindow window;
   window.show();
   window.document().edit(cell("kNumPltElem"), "0");
-  window.document().end_step();
+  window.document().end_undo_step();
   auto* notice = window.findChild<NoticeBar*>("search-notice");
   REQUIRE(notice != nullptr);
   window.goTo(cell("kPltElemInd"));
@@ -48,13 +48,12 @@ TEST_CASE("adrinput: search for an array without elements → leads to its count
   CHECK(focus->objectName().contains("kNumPltElem"));
   CHECK_FALSE(focus->visibleRegion().isEmpty());
   window.document().edit(cell("kNumPltElem"), "2");
-  window.document().end_step();
+  window.document().end_undo_step();
   window.goTo(cell("kPltElemInd"));
   CHECK_FALSE(notice->isVisibleTo(&window));
 }
 
-TEST_CASE("search goes to the option that would show a field, and can set it",
-          "[gui][adrinput][daily]") {
+TEST_CASE("search: hidden field → option that shows it, can be set", "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
   window.show();
@@ -92,7 +91,8 @@ TEST_CASE("search goes to the option that would show a field, and can set it",
     if (window.document().instances(spec.id) > 0 || spec.id == "12" || deck::is_extension(spec.id))
       continue;
     INFO(spec.id);
-    const std::optional<OptionWay> way = way_to(window.document().deck(), spec.id);
+    const std::optional<EnablingOption> way =
+        find_enabling_option(window.document().deck(), spec.id);
     ++(way ? ways : none);
     if (!way) continue;
     deck::Deck changed = window.document().deck();
@@ -104,7 +104,7 @@ TEST_CASE("search goes to the option that would show a field, and can set it",
   CHECK(none <= 3);
 }
 
-TEST_CASE("a designation makes a deck, with what is standard and what is estimated said",
+TEST_CASE("catalog: designation → deck with a list of standard and estimated values",
           "[gui][adrinput][daily]") {
   test::use_qt();
   const QTemporaryDir folder;
@@ -114,10 +114,10 @@ TEST_CASE("a designation makes a deck, with what is standard and what is estimat
   auto* dialog = window.findChild<CatalogueDialog*>("catalogue");
   REQUIRE(dialog != nullptr);
   auto* name = dialog->findChild<QLineEdit*>("designation");
-  auto* take = dialog->findChild<QPushButton*>("take");
-  CHECK_FALSE(take->isEnabled());
+  auto* createDeck = dialog->findChild<QPushButton*>("take");
+  CHECK_FALSE(createDeck->isEnabled());
   QTest::keyClicks(name, "62055");
-  CHECK_FALSE(take->isEnabled());
+  CHECK_FALSE(createDeck->isEnabled());
   // The list of further results closes when it is empty: it covers the description.
   const auto* list = name->completer()->popup();
   name->clear();
@@ -127,10 +127,10 @@ TEST_CASE("a designation makes a deck, with what is standard and what is estimat
   QTest::qWait(50);
   CHECK_FALSE(list->isVisible());
   name->setText("NU209");
-  CHECK(take->isEnabled());
-  CHECK(dialog->story().contains("ISO 15"));
-  CHECK(dialog->story().contains("ESTIMATE"));
-  QTest::mouseClick(take, Qt::LeftButton);
+  CHECK(createDeck->isEnabled());
+  CHECK(dialog->descriptionText().contains("ISO 15"));
+  CHECK(dialog->descriptionText().contains("ESTIMATE"));
+  QTest::mouseClick(createDeck, Qt::LeftButton);
   CHECK(window.document().deck().real("brgOD") == 0.085);
   CHECK(window.currentRecord() == "4");
   CHECK_FALSE(window.document().has_errors());
@@ -139,7 +139,7 @@ TEST_CASE("a designation makes a deck, with what is standard and what is estimat
   CHECK(bytes_of(path).find("ESTIMATE of the internal geometry") != std::string::npos);
   // The inside of another size, from bore, outside diameter and widths.
   window.document().change({{"brgBore", "0.05"}, {"brgOD", "0.09"}});
-  window.proposeInside();
+  window.estimateInternalGeometry();
   CHECK(take_message(window).contains("estimate"));
   CHECK(window.document().deck().real("pitchDia") == Approx(0.07));
   window.undo();
@@ -179,7 +179,7 @@ TEST_CASE("adrinput: run menu; both redo shortcuts; undo in an empty search acts
   CHECK(window.document().deck().real("bReDia") == 0.0128);
 }
 
-TEST_CASE("a name that several records have is found in the record of this deck first",
+TEST_CASE("search: name in several records → the record of this deck first",
           "[gui][adrinput][daily]") {
   test::use_qt();
   int elsewhere = 0;
@@ -214,11 +214,12 @@ TEST_CASE("catalog dialog: published facts → list of candidates, chosen one be
   test::use_qt();
   CatalogueDialog dialog;
   QString text;
-  QObject::connect(&dialog, &CatalogueDialog::chosen, [&](const QString& made) { text = made; });
+  QObject::connect(&dialog, &CatalogueDialog::deckCreated,
+                   [&](const QString& made) { text = made; });
   dialog.show();
   const auto field = [&](const char* name) { return dialog.findChild<QLineEdit*>(name); };
   auto* list = dialog.findChild<QListWidget*>("candidates");
-  auto* take = dialog.findChild<QPushButton*>("take");
+  auto* createDeck = dialog.findChild<QPushButton*>("take");
   field("designation")->setText("7208 B");
   CHECK_FALSE(list->isVisible());
   field("C")->setText("36.5");
@@ -226,20 +227,20 @@ TEST_CASE("catalog dialog: published facts → list of candidates, chosen one be
   REQUIRE(list->count() > 1);
   CHECK(list->isVisible());
   list->setCurrentRow(1);
-  CHECK(dialog.story().contains("candidate 2 of"));
+  CHECK(dialog.descriptionText().contains("candidate 2 of"));
   field("C0")->setText("200");
   CHECK(list->count() == 0);
-  CHECK_FALSE(take->isEnabled());
-  CHECK(dialog.story().contains("CONTRADICTION"));
+  CHECK_FALSE(createDeck->isEnabled());
+  CHECK(dialog.descriptionText().contains("CONTRADICTION"));
   field("C0")->setText("26");
   list->setCurrentRow(1);
   field("radial")->setText("x");
-  CHECK_FALSE(take->isEnabled());
+  CHECK_FALSE(createDeck->isEnabled());
   field("radial")->setText("1234");
   field("speed")->setText("4321");
   field("temperature")->setText("70");
   list->setCurrentRow(1);
-  QTest::mouseClick(take, Qt::LeftButton);
+  QTest::mouseClick(createDeck, Qt::LeftButton);
   const deck::Deck made = deck::read_deck_text(text.toStdString(), "made").deck;
   CHECK(made.real("appLoadZ") == 1234.0);
   CHECK(made.real("rpm2") == 4321.0);
@@ -253,14 +254,18 @@ TEST_CASE("catalog dialog: description of a bearing → completely visible",
   CatalogueDialog dialog;
   dialog.show();
   auto* name = dialog.findChild<QLineEdit*>("designation");
-  const auto* story = dialog.findChild<QLabel*>("story");
+  const auto* descriptionText = dialog.findChild<QLabel*>("story");
   const auto* area = dialog.findChild<QScrollArea*>();
   for (const char* typed : {"", "62", "6205", "7208 B", "NU209 C3", "30208 C3", "22210 C4 W33",
                             "deep-groove 25x52x15", "22210 K C3"}) {
     name->setText(typed);
-    INFO(typed << ": " << story->text().toStdString());
+    INFO(typed << ": " << descriptionText->text().toStdString());
     CHECK(QTest::qWaitFor(
-        [&] { return area->viewport()->height() >= story->heightForWidth(story->width()); }, 2000));
+        [&] {
+          return area->viewport()->height() >=
+                 descriptionText->heightForWidth(descriptionText->width());
+        },
+        2000));
   }
-  CHECK(dialog.story().contains("tapered bore"));
+  CHECK(dialog.descriptionText().contains("tapered bore"));
 }

@@ -42,11 +42,11 @@ struct Bench {
     return folder.filePath(name).toStdString();
   }
   [[nodiscard]] std::string status(const char* in = ".") const {
-    return results::read_run_mark(path(in) / "RUN.json").status;
+    return results::read_request_status(path(in) / "RUN.json").status;
   }
   void change(const char* name, const char* value) {
     window.document().edit(cell(name), value);
-    window.document().end_step();
+    window.document().end_undo_step();
   }
   void wait() {
     REQUIRE(QTest::qWaitFor([&] { return !window.runPanel().busy(); }, 120000));
@@ -106,7 +106,7 @@ TEST_CASE("run panel: last cancelled run → continued in its folder, named in t
     DeckWindow other;
     REQUIRE(other.openFile(bench.path("DATA.txt")));
     QAction name(nullptr);
-    other.runPanel().nameContinuation(name);
+    other.runPanel().updateContinueAction(name);
     CHECK(name.text() == "&Continue the run in run-001");
   }
 
@@ -116,7 +116,7 @@ TEST_CASE("run panel: last cancelled run → continued in its folder, named in t
     DeckWindow other;
     REQUIRE(other.openFile(bench.path("COPY.txt")));
     QAction name(nullptr);
-    other.runPanel().nameContinuation(name);
+    other.runPanel().updateContinueAction(name);
     CHECK_FALSE(name.text().contains("run-001"));
   }
 
@@ -199,11 +199,11 @@ TEST_CASE("run panel: sweep of an earlier session → missing runs computed, fin
         sweep, 1,
         [&](const runs::Progress& now) { now.step >= 2 ? void(stop.request_stop()) : void(); },
         stop.get_token());
-    auto mark = studies::read_sweep_mark(place);
+    auto mark = studies::read_sweep_manifest(place);
     REQUIRE(mark);
     CHECK(mark->status == "interrupted");
     mark->status = "running";
-    studies::write_sweep_mark(*mark, WriteFolder(place));
+    studies::write_sweep_manifest(*mark, WriteFolder(place));
   };
   {
     Document document;
@@ -214,7 +214,7 @@ TEST_CASE("run panel: sweep of an earlier session → missing runs computed, fin
   broken_off(request("7000:7600:4"), sweep);
   const auto done = [&](int number) {
     const fs::path report = sweep / ("rpm2-" + std::to_string(number)) / "RUN.json";
-    return results::read_run_mark(report).status == "done";
+    return results::read_request_status(report).status == "done";
   };
   REQUIRE((done(2) && !done(3)));
   const std::string kept = bytes_of(sweep / "rpm2-2/RUN.json");
@@ -248,10 +248,10 @@ TEST_CASE("run panel: sweep of an earlier session → missing runs computed, fin
     std::string text = bytes_of(report);
     text.replace(text.find("\"status\": \"done\""), 16, "\"status\": \"failed\"");
     std::ofstream(report) << text;
-    auto mark = *studies::read_sweep_mark(sweep);
+    auto mark = *studies::read_sweep_manifest(sweep);
     CHECK(mark.failed == 0);
     mark.failed = 1;
-    studies::write_sweep_mark(mark, WriteFolder(sweep));
+    studies::write_sweep_manifest(mark, WriteFolder(sweep));
     Bench bench("1");
     QAction& entry = opened(bench);
     CHECK(entry.text() == "&Continue the sweep in sweep-001");
@@ -274,10 +274,10 @@ TEST_CASE("run panel: sweep of an earlier session → missing runs computed, fin
   }
   {
     // Of a deck of another name in the folder.
-    auto mark = *studies::read_sweep_mark(sweep);
+    auto mark = *studies::read_sweep_manifest(sweep);
     mark.status = "interrupted";
     mark.deck = "OTHER.txt";
-    studies::write_sweep_mark(mark, WriteFolder(sweep));
+    studies::write_sweep_manifest(mark, WriteFolder(sweep));
     Bench bench("1");
     CHECK(opened(bench).text() == "&Continue the run");
     fs::remove_all(sweep);
@@ -299,8 +299,9 @@ TEST_CASE("run panel: sweep of an earlier session → missing runs computed, fin
   }
 }
 
-TEST_CASE("results of another deck are replaced after a question, which can be spared",
-          "[gui][adrinput][continue]") {
+TEST_CASE(
+    "run panel: results of another deck are replaced after a question that can be switched off",
+    "[gui][adrinput][continue]") {
   test::use_qt();
   Bench bench("20");
   DeckWindow& window = bench.window;
@@ -363,7 +364,7 @@ TEST_CASE("results of another deck are replaced after a question, which can be s
   CHECK(bench.question()->text().contains("an earlier run"));
 }
 
-TEST_CASE("a run that was cancelled is not begun anew over its results without a question",
+TEST_CASE("run panel: cancelled run restarted → question before its results are replaced",
           "[gui][adrinput][continue]") {
   test::use_qt();
   Bench bench("1000000");
@@ -378,12 +379,11 @@ TEST_CASE("a run that was cancelled is not begun anew over its results without a
   CHECK(bytes_of(bench.path("SOL1")) == kept);
 }
 
-TEST_CASE("a sweep takes units as fields do, one for a value or for both",
-          "[gui][adrinput][sweep]") {
+TEST_CASE("sweep range: units for one or both values", "[gui][adrinput][sweep]") {
   test::use_qt();
   DeckWindow window;
   Document& document = window.document();
-  const auto set = [&](const char* text) { return read_sweep(document, text).set; };
+  const auto set = [&](const char* text) { return parse_sweep_range(document, text).set; };
   const std::string newtons = "appLoadZ=500:1500:3";
   for (const char* text :
        {"appLoadZ=500:1500:3", " appLoadZ = 500 : 1500 : 3 ", "appLoadZ=0.5 kN:1.5 kN:3",
@@ -394,12 +394,12 @@ TEST_CASE("a sweep takes units as fields do, one for a value or for both",
   }
   CHECK(set("pitchDia=60 mm:61 mm:2") == "pitchDia=0.06:0.061:2");
   CHECK(set("pitchDia=60:61:2 mm") == "pitchDia=0.06:0.061:2");
-  CHECK(read_sweep(document, newtons).told == "appLoadZ from 500 N to 1500 N, 3 runs");
+  CHECK(parse_sweep_range(document, newtons).told == "appLoadZ from 500 N to 1500 N, 3 runs");
   CHECK(sweep_unit(document, "appLoadZ") == "N");
   CHECK(sweep_unit(document, "nothing") == "");
   const auto refusal = [&](const char* text) {
     try {
-      (void)read_sweep(document, text);
+      (void)parse_sweep_range(document, text);
     } catch (const InputError& error) {
       return std::string(error.what());
     }

@@ -108,7 +108,7 @@ TEST_CASE("session: deck restored after a crash → same file in any working fol
   CHECK(bytes_of(b) == other);
 }
 
-TEST_CASE("a deck that an earlier release kept under half a name comes back without one",
+TEST_CASE("session: deck stored with an incomplete name → restored without a name",
           "[gui][adrinput][recovery]") {
   test::use_qt();
   const TwoProjects projects;
@@ -135,7 +135,7 @@ TEST_CASE("a deck that an earlier release kept under half a name comes back with
   CHECK(bytes_of("DATA.txt") == other);
 }
 
-TEST_CASE("every name that is kept stays the same file when the working folder changes",
+TEST_CASE("session: working folder changed → stored names refer to the same files",
           "[gui][adrinput][recovery]") {
   test::use_qt();
   const TwoProjects projects;
@@ -205,10 +205,10 @@ TEST_CASE("every name that is kept stays the same file when the working folder c
     CHECK(entry.path().filename() == "DATA.txt");
 }
 
-TEST_CASE("a long name is cut in its middle and keeps the folders that tell decks apart",
+TEST_CASE("short names: shortened in the middle, distinguishing folders kept",
           "[adrinput][recovery]") {
-  CHECK(short_name("/home/me/DATA.txt") == "/home/me/DATA.txt");
-  const std::string said = short_name(
+  CHECK(shortened_path("/home/me/DATA.txt") == "/home/me/DATA.txt");
+  const std::string said = shortened_path(
       "/home/someone/projects/of this year/gearbox of the third stage/bearings/left/DATA.txt");
   CHECK(said.size() < 75);
   CHECK(said.find("/home/…/") == 0);

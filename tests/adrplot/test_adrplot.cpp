@@ -156,8 +156,7 @@ TEST_CASE("spectrum: two tones come out at their frequencies and relative height
   CHECK(*std::max_element(still.amplitude.begin(), still.amplitude.end()) == 0.0);
 }
 
-TEST_CASE("spectrum: where nearly all stored steps are equal a fast wave keeps its height",
-          "[unit][adrplot]") {
+TEST_CASE("spectrum: nearly equal steps → amplitude of a fast wave is correct", "[unit][adrplot]") {
   // As a run has them: shorter ones at its start, a few on the way, and the last one.
   constexpr double kStep = 1.7e-5, kFrequency = 25e3;
   std::vector<double> times{0.0, 0.36 * kStep, 1.17 * kStep}, values;
@@ -165,7 +164,7 @@ TEST_CASE("spectrum: where nearly all stored steps are equal a fast wave keeps i
     times.push_back(times.back() + (i % 400 == 399 ? 0.99 : 1.0) * kStep);
   times.push_back(times.back() + 0.5 * kStep);
   for (const double t : times) values.push_back(std::sin(2.0 * std::numbers::pi * kFrequency * t));
-  const signal::Samples samples = signal::equal_samples(times, values);
+  const signal::Samples samples = signal::equally_spaced_samples(times, values);
   CHECK(samples.resampled);
   CHECK(samples.step == Approx(kStep).epsilon(1e-4));
   const std::size_t third = samples.values.size() / 3;
@@ -177,17 +176,16 @@ TEST_CASE("spectrum: where nearly all stored steps are equal a fast wave keeps i
   }
 }
 
-TEST_CASE("spectrum: a shorter last step is left out, unequal steps are resampled and said so",
-          "[unit]") {
+TEST_CASE("spectrum: shorter last step omitted, unequal steps resampled with a note", "[unit]") {
   std::vector<double> times, values;
   for (int i = 0; i < 100; ++i) {
     times.push_back(i * 1.25e-5);
     values.push_back(3.0 * times.back());
   }
-  CHECK(signal::equal_samples(times, values).step == Approx(1.25e-5));
-  CHECK(sampling_note(signal::equal_samples(times, values), times.size()).empty());
+  CHECK(signal::equally_spaced_samples(times, values).step == Approx(1.25e-5));
+  CHECK(sampling_note(signal::equally_spaced_samples(times, values), times.size()).empty());
   times.back() -= 1e-5;  // the end of the run
-  const signal::Samples cut = signal::equal_samples(times, values);
+  const signal::Samples cut = signal::equally_spaced_samples(times, values);
   CHECK(cut.values.size() == 99);
   CHECK(cut.step == Approx(1.25e-5));
   CHECK(sampling_note(cut, times.size()).find("not included") != std::string::npos);
@@ -196,7 +194,7 @@ TEST_CASE("spectrum: a shorter last step is left out, unequal steps are resample
     times[i] = 1e-5 * static_cast<double>(i) + 3e-6 * static_cast<double>(i % 3);
     values[i] = 7.0 - 2e3 * times[i];  // straight lines read it off exactly
   }
-  const signal::Samples uneven = signal::equal_samples(times, values);
+  const signal::Samples uneven = signal::equally_spaced_samples(times, values);
   CHECK(uneven.resampled);
   CHECK(sampling_note(uneven, times.size()).find("Resampled") != std::string::npos);
   REQUIRE(uneven.values.size() == 100);
@@ -204,8 +202,8 @@ TEST_CASE("spectrum: a shorter last step is left out, unequal steps are resample
     CHECK(uneven.values[i] ==
           Approx(7.0 - 2e3 * (uneven.start + uneven.step * static_cast<double>(i))));
   times.resize(5), values.resize(5);
-  CHECK(sampling_note(signal::equal_samples(times, values), times.size()).find("at least 16") !=
-        std::string::npos);
+  CHECK(sampling_note(signal::equally_spaced_samples(times, values), times.size())
+            .find("at least 16") != std::string::npos);
 }
 
 TEST_CASE("page_builder: abscissa, units and orbit pair follow the options", "[unit]") {
@@ -295,7 +293,7 @@ TEST_CASE("page_builder: zeros of quantities that were not computed → no value
     }
 }
 
-TEST_CASE("page_builder: a flange that is not there has no gap", "[unit]") {
+TEST_CASE("page_builder: missing flange → no gap", "[unit]") {
   test::SyntheticRun run;
   run.steps = 20;
   auto roller = test::synthetic_sol(SolKind::Element, run);
@@ -457,7 +455,7 @@ TEST_CASE("render_plots: page that some files lack → drawn for the others, mis
           Catch::Contains(fmt::format("{} has {} pages", least->first, least->second)));
 }
 
-TEST_CASE("plot_document: a file too long to be held is read for a few pages at a time", "[gui]") {
+TEST_CASE("plot_document: file larger than memory → read for a few pages at a time", "[gui]") {
   // As it is; without any contact, land or motion; and open at every third step.
   const auto nothing = [](std::size_t) { return true; };
   const auto third = [](std::size_t step) { return step % 3 == 0; };

@@ -69,7 +69,7 @@ int page_named(const PlotDocument& document, const std::string& title) {
 
 }  // namespace
 
-TEST_CASE("pages of pockets, lands and heat draw the extremes between stored steps",
+TEST_CASE("pages of pockets, lands and heat: min–max bands between stored steps",
           "[unit][adrplot][step-band]") {
   for (const UnitSystem units : {UnitSystem::SI, UnitSystem::English}) {
     TemporaryFolder folder;
@@ -125,7 +125,7 @@ TEST_CASE("plot_document: page without extremes → note on missing peaks",
   CHECK_THAT(page.note, Contains("is stored: peaks between stored steps are missing."));
 }
 
-TEST_CASE("bands of a range that passes over stored steps hold those, too",
+TEST_CASE("bands: range over several stored steps → includes their extremes",
           "[unit][adrplot][step-band]") {
   TemporaryFolder folder;
   write_run(folder, UnitSystem::SI);
@@ -233,14 +233,14 @@ TEST_CASE("readout and cursors tell the extremes between the values", "[gui][ste
   view.showPage(page);
   const desktop::ChartScene& scene = view.chartScene();
   const auto told = [&](double x) {
-    return scene.readout({scene.positionOf(x), scene.plotAreas().front().center().y()});
+    return scene.readout({scene.sceneXAt(x), scene.plotAreas().front().center().y()});
   };
   CHECK_THAT(told(1.0).toStdString(), Contains("2 N (500 mN to 17.6 N)"));
   CHECK_THAT(told(0.0).toStdString(), !Contains(" to "));
-  view.setCursor(0, 1.0);
-  view.setCursor(1, 3.0);
+  view.setCursorAbscissa(0, 1.0);
+  view.setCursorAbscissa(1, 3.0);
   // What was before A counts no more.
   CHECK_THAT(view.cursorReport().toStdString(), Contains("band 250 mN to 9 N"));
-  view.setCursor(0, 0.0);
+  view.setCursorAbscissa(0, 0.0);
   CHECK_THAT(view.cursorReport().toStdString(), Contains("band 250 mN to 17.6 N"));
 }

@@ -20,7 +20,7 @@
 /// AdrPlot without a mouse.
 using namespace adore;
 using namespace adore::adrplot;
-using desktop::ChartDeed;
+using desktop::ChartAction;
 using desktop::ChartPage;
 using desktop::ChartView;
 
@@ -62,7 +62,7 @@ QString state_of(ChartView& view, const QStringList& read) {
 
 }  // namespace
 
-TEST_CASE("plot_window: keys enlarge and move a chart, and stop where the run ends", "[gui]") {
+TEST_CASE("plot_window: keys zoom and move a chart up to the end of the run", "[gui]") {
   Shown shown;
   const std::vector<double> x = shown.scene().page().x;
   const double first = x.front(), last = x.back(), all = last - first;
@@ -133,10 +133,10 @@ TEST_CASE("plot_window: keys read one stored step after the other, and set both 
     CHECK(shown.view().accessibleDescription().startsWith(head_of(page, i)));
   }
   shown.press(Qt::Key_A);
-  CHECK(shown.view().cursorAt(0) == page.x[middle + 3]);
+  CHECK(shown.view().cursorAbscissa(0) == page.x[middle + 3]);
   shown.press(Qt::Key_Right, Qt::ControlModifier | Qt::ShiftModifier, 3);
   shown.press(Qt::Key_B);
-  const double b = shown.view().cursorAt(1), part = 0.15 * (page.x.back() - page.x.front());
+  const double b = shown.view().cursorAbscissa(1), part = 0.15 * (page.x.back() - page.x.front());
   CHECK(b == Approx(page.x[middle + 3] + part).margin(0.1 * part));
   CHECK(shown.view().cursorReport().contains("B − A"));
   shown.press(Qt::Key_Z);
@@ -148,8 +148,8 @@ TEST_CASE("plot_window: keys read one stored step after the other, and set both 
   CHECK(shown.read().startsWith(head_of(page, desktop::nearest_index(page.x, b) + 1)));
   shown.press(Qt::Key_Left, Qt::ControlModifier);
   shown.press(Qt::Key_B);
-  CHECK(std::isnan(shown.view().cursorAt(1)));  // its earlier place
-  CHECK(shown.view().cursorAt(0) == page.x[middle + 3]);
+  CHECK(std::isnan(shown.view().cursorAbscissa(1)));  // its earlier place
+  CHECK(shown.view().cursorAbscissa(0) == page.x[middle + 3]);
   // Enlarged about the place that is read.
   shown.press(Qt::Key_Home);
   shown.press(Qt::Key_Plus, Qt::NoModifier, 3);
@@ -172,7 +172,7 @@ TEST_CASE("plot_window: digit keys → hide curves of the legends, as in their m
     shown.window.showPage(number);
     shown.view().setFocus();
     INFO("page " << number);
-    const auto names = shown.view().namedCurves();
+    const auto names = shown.view().legendCurves();
     auto* menu = shown.window.findChild<QMenu*>("names");
     REQUIRE(menu != nullptr);
     CHECK(menu->menuAction()->isEnabled() == !names.empty());
@@ -198,12 +198,12 @@ TEST_CASE("plot_window: digit keys → hide curves of the legends, as in their m
   CHECK(tried > 4);
 }
 
-TEST_CASE("plot_window: what the cursors tell is of the curves that are shown", "[gui]") {
+TEST_CASE("plot_window: cursor → values of the visible curves only", "[gui]") {
   Shown shown(results::SolKind::Element);
   int page = 1;
-  while (page < shown.window.pageCount() && shown.view().namedCurves().size() < 2)
+  while (page < shown.window.pageCount() && shown.view().legendCurves().size() < 2)
     shown.window.showPage(++page);
-  REQUIRE(shown.view().namedCurves().size() >= 2);
+  REQUIRE(shown.view().legendCurves().size() >= 2);
   shown.view().setFocus();
   shown.press(Qt::Key_A);
   auto* told = shown.window.findChild<QLabel*>("cursors");
@@ -215,7 +215,7 @@ TEST_CASE("plot_window: what the cursors tell is of the curves that are shown", 
   CHECK(told->text().count('\n') == lines);
 }
 
-TEST_CASE("plot_window: the keys of the chart are its own, and a frame shows when", "[gui]") {
+TEST_CASE("plot_window: chart keys act only with the focus, shown by a frame", "[gui]") {
   Shown shown;
   const auto edge = [&] {
     return shown.view().viewport()->grab().toImage().pixelColor(1, shown.view().height() / 2);
@@ -242,9 +242,9 @@ void check_actions(ChartView& view, const QList<QAction*>& actions, const QStrin
                    int& done, int& grey) {
   // Performing one changes the state for the next: what they are is tried from many states.
   for (int d = 0; d < desktop::kChartDeeds; ++d) {
-    const auto deed = static_cast<ChartDeed>(d);
+    const auto deed = static_cast<ChartAction>(d);
     INFO("deed " << d << " after " << state_of(view, read).toStdString());
-    const QString reason = view.whyNot(deed);
+    const QString reason = view.disabledReason(deed);
     if (!actions.isEmpty()) {
       CHECK(actions[d]->isEnabled() == reason.isEmpty());
       CHECK(actions[d]->toolTip() == (reason.isEmpty() ? actions[d]->text().remove('&') : reason));
@@ -260,8 +260,7 @@ void check_actions(ChartView& view, const QList<QAction*>& actions, const QStrin
 
 }  // namespace
 
-TEST_CASE("plot_window: a key of the chart does something or is gray and says why, on every page",
-          "[gui]") {
+TEST_CASE("plot_window: chart keys act or are disabled with a reason, on every page", "[gui]") {
   int done = 0, grey = 0;
   for (const auto kind : {results::SolKind::Element, results::SolKind::Cage, results::SolKind::Race,
                           results::SolKind::Power}) {
@@ -284,8 +283,9 @@ TEST_CASE("plot_window: a key of the chart does something or is gray and says wh
                      << page);
         read.clear();
         check_actions(shown.view(), actions, read, done, grey);
-        for (const ChartDeed first : {ChartDeed::ZoomIn, ChartDeed::ReadFarOn, ChartDeed::CursorB,
-                                      ChartDeed::EnlargeValues, ChartDeed::FarLeft})
+        for (const ChartAction first :
+             {ChartAction::ZoomIn, ChartAction::ReadFarOn, ChartAction::CursorB,
+              ChartAction::EnlargeValues, ChartAction::FarLeft})
           shown.view().perform(first);
         check_actions(shown.view(), actions, read, done, grey);
       }
@@ -295,7 +295,7 @@ TEST_CASE("plot_window: a key of the chart does something or is gray and says wh
   CHECK(grey > 100);
 }
 
-TEST_CASE("chart_view: keys are gray where there is nothing to look at more closely", "[gui]") {
+TEST_CASE("chart_view: nothing to zoom → keys are disabled", "[gui]") {
   test::use_qt();
   ChartView view;
   view.resize(700, 500);
@@ -310,8 +310,8 @@ TEST_CASE("chart_view: keys are gray where there is nothing to look at more clos
   for (const ChartPage& page : {study, empty, no_values}) {
     view.showPage(page);
     for (int d = 0; d < desktop::kChartDeeds; ++d) {
-      CHECK(view.whyNot(static_cast<ChartDeed>(d)) != "");
-      view.perform(static_cast<ChartDeed>(d));
+      CHECK(view.disabledReason(static_cast<ChartAction>(d)) != "");
+      view.perform(static_cast<ChartAction>(d));
     }
     CHECK_FALSE(view.chartScene().zoomed());
   }
@@ -345,38 +345,38 @@ TEST_CASE("chart_view: an orbit is enlarged, moved and read by keys, its axes st
                      scene.valueAt(0, 100.0) - scene.valueAt(0, 101.0));
   };
   const auto [wide, high] = per_pixel();
-  view.perform(ChartDeed::ZoomIn);
+  view.perform(ChartAction::ZoomIn);
   CHECK(per_pixel().first == Approx(0.5 * wide));
   CHECK(per_pixel().second == Approx(0.5 * high));
   const QRectF area = view.chartScene().plotAreas().front();
   const double bottom = view.chartScene().valueAt(0, area.bottom());
-  view.perform(ChartDeed::MoveUp);
+  view.perform(ChartAction::MoveUp);
   CHECK(view.chartScene().valueAt(0, area.bottom()) ==
         Approx(bottom + 0.1 * 0.5 * high * area.height()));
   view.zoomAll();
   // One stored place after the other, in the order of time, also where paths cross.
-  view.perform(ChartDeed::ReadOn);
+  view.perform(ChartAction::ReadOn);
   REQUIRE(read.size() == 1);
-  view.perform(ChartDeed::CursorA);
-  const std::size_t at = desktop::nearest_index(orbit.along, view.cursorAt(0));
+  view.perform(ChartAction::CursorA);
+  const std::size_t at = desktop::nearest_index(orbit.along, view.cursorAbscissa(0));
   for (std::size_t i = at + 1; i < std::min<std::size_t>(at + 80, 200); ++i) {
-    view.perform(ChartDeed::ReadOn);
+    view.perform(ChartAction::ReadOn);
     CHECK(read.join("").startsWith(
         QString::fromStdString(desktop::pretty_quantity(orbit.along[i], "s", 5))));
   }
   // Enlarged, the picture follows what is read.
-  for (int i = 0; i < 4; ++i) view.perform(ChartDeed::ZoomIn);
+  for (int i = 0; i < 4; ++i) view.perform(ChartAction::ZoomIn);
   for (int i = 0; i < 30; ++i) {
-    view.perform(ChartDeed::ReadBack);
+    view.perform(ChartAction::ReadBack);
     REQUIRE(read.size() == 1);
-    view.perform(ChartDeed::CursorB);
-    const std::size_t now = desktop::nearest_index(orbit.along, view.cursorAt(1));
-    CHECK(view.chartScene().planePlace(panel.curves[0].x[now], panel.curves[0].y[now]));
+    view.perform(ChartAction::CursorB);
+    const std::size_t now = desktop::nearest_index(orbit.along, view.cursorAbscissa(1));
+    CHECK(view.chartScene().planePosition(panel.curves[0].x[now], panel.curves[0].y[now]));
   }
-  CHECK(view.whyNot(ChartDeed::ZoomToCursors) != "");
+  CHECK(view.disabledReason(ChartAction::ZoomToCursors) != "");
   // To the closest look and no further.
-  for (int i = 0; i < 40 && view.whyNot(ChartDeed::ZoomIn).isEmpty(); ++i)
-    view.perform(ChartDeed::ZoomIn);
+  for (int i = 0; i < 40 && view.disabledReason(ChartAction::ZoomIn).isEmpty(); ++i)
+    view.perform(ChartAction::ZoomIn);
   CHECK(per_pixel().first == Approx(1e-4 * wide).epsilon(0.01));
-  CHECK(view.whyNot(ChartDeed::ZoomIn) != "");
+  CHECK(view.disabledReason(ChartAction::ZoomIn) != "");
 }

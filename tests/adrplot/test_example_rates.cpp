@@ -37,7 +37,7 @@ fs::path example(const QTemporaryDir& folder, const std::string& name, const QSt
 
 /// The notes under all pages of the run's plot files.
 std::string notes_of(const fs::path& root, int& pages) {
-  REQUIRE(context_of(results::read_sol(root / "SOL1")).fastest_frequency > 1e3);
+  REQUIRE(page_context_of(results::read_sol(root / "SOL1")).fastest_frequency > 1e3);
   std::string notes;
   for (const auto& entry : fs::directory_iterator(root)) {
     const std::string file = entry.path().filename().string();

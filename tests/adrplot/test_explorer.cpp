@@ -9,6 +9,7 @@
 #include "core/results/synthetic.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/page_export.hpp"
+#include "desktop/run_link.hpp"
 #include "results/results_h5.hpp"
 #include "support/bytes.hpp"
 #include "support/qt_app.hpp"
@@ -387,8 +388,8 @@ TEST_CASE("statistics table: values of the visible range, copied and as CSV", "[
   CHECK(lines[1].split('\t')[3].toDouble() == Approx(rows[0].values.lowest).epsilon(1e-12));
   CHECK(statistics_text(rows, ',').find("\"Contact load, outer race\"") != std::string::npos);
   // Between cursors.
-  shown.view.setCursor(0, page.x[10]);
-  shown.view.setCursor(1, page.x[20]);
+  shown.view.setCursorAbscissa(0, page.x[10]);
+  shown.view.setCursorAbscissa(1, page.x[20]);
   CHECK(table->model()->index(0, 2).data().toString() == "11");
   // A hidden curve has no row.
   shown.view.toggleCurve(0, 0);
@@ -521,4 +522,35 @@ TEST_CASE("axes: nearly constant values → base value for positions alone, on a
   }
   CHECK(positions > 5);
   CHECK(others > 20);
+}
+
+TEST_CASE("explorer: element selected in another window → its curves are shown and thick",
+          "[gui][adrplot]") {
+  test::use_qt();
+  const H5Run run;
+  Shown shown;
+  REQUIRE(shown.window.openFile(run.path()));
+  shown.window.showPage(page_titled(open_document(run.path()), "Contact load"));
+  const auto thick = [&] {
+    std::vector<std::string> out;
+    for (const desktop::ChartPanel& panel : shown.page().panels)
+      for (const desktop::ChartCurve& curve : panel.curves)
+        if (curve.heavy && !curve.hidden) out.push_back(curve.name);
+    return out;
+  };
+  CHECK(thick().empty());
+  desktop::RunLink other(nullptr);
+  other.join(QString::fromStdString(run_folder(run.path()).string()));
+  const int last = run.bearing.balls().count;
+  for (const int element : {2, last}) {
+    other.tell({{}, element});
+    const std::string name = "element " + std::to_string(element);
+    REQUIRE(QTest::qWaitFor([&] { return !thick().empty() && thick().front() == name; }, 10000));
+    for (const std::string& curve : thick()) CHECK(curve == name);
+  }
+  // Also on the next page.
+  const std::vector<std::string> before = thick();
+  shown.window.nextPage();
+  shown.window.previousPage();
+  CHECK(thick() == before);
 }

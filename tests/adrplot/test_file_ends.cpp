@@ -50,8 +50,7 @@ desktop::ChartPage first_page(const std::filesystem::path& path,
 
 }  // namespace
 
-TEST_CASE("plot_document: steps that only RESULTS.h5 holds are drawn, and said to be",
-          "[unit][adrplot][h5]") {
+TEST_CASE("plot_document: steps only in RESULTS.h5 are drawn with a note", "[unit][adrplot][h5]") {
   TemporaryFolder folder;
   const auto path = run_of(folder, 30, 50, 7);  // the last step of SOL7 is cut
   const desktop::ChartPage page = first_page(path);
@@ -68,7 +67,7 @@ TEST_CASE("plot_document: steps that only RESULTS.h5 holds are drawn, and said t
   CHECK_THAT(part.note, !Contains("only in RESULTS.h5"));
 }
 
-TEST_CASE("plot_document: all digits are claimed for the steps that have them",
+TEST_CASE("plot_document: full precision is reported only for steps that have it",
           "[unit][adrplot][h5]") {
   TemporaryFolder folder;
   const desktop::ChartPage page = first_page(run_of(folder, 50, 30));

@@ -52,8 +52,8 @@ TEST_CASE("pages: slow and fast lines side by side are drawn over a logarithmic 
   const std::vector<double> t = times(10000);
   const auto spectra = [&](double slow, double fast, SpectrumScale scale) {
     desktop::ChartPage page = page_of({tone(t, slow), tone(t, fast)});
-    to_spectra(page, t, {Window::Hann, scale});
-    first_view_of_spectra(page, scale);
+    to_spectra(page, {t, {}}, {Window::Hann, scale});
+    set_initial_spectrum_view(page, scale);
     return page;
   };
   for (const SpectrumScale scale :
@@ -61,15 +61,15 @@ TEST_CASE("pages: slow and fast lines side by side are drawn over a logarithmic 
     const desktop::ChartPage page = spectra(40.0, 8000.0, scale);
     INFO(page.note);
     CHECK(page.log_x);
-    CHECK(page.note.find("Logarithmic frequency axis: one curve has lines above 1 % of the maximum "
-                         "up to 50 Hz, another up to 8.01 kHz.") != std::string::npos);
+    CHECK(page.note.find("Logarithmic frequency axis: lines above 1 % of the maximum extend to "
+                         "50 Hz in one curve and to 8.01 kHz in another.") != std::string::npos);
     // The content of each panel has a tenth of the width at least.
     desktop::ChartScene scene;
     scene.setPageSize({700, 450});
     scene.setPage(page);
     const double width = scene.plotAreas()[0].width();
-    CHECK(scene.positionOf(50.0) - scene.plotAreas()[0].left() > 0.1 * width);
-    CHECK(scene.positionOf(8000.0) <= scene.plotAreas()[0].right());
+    CHECK(scene.sceneXAt(50.0) - scene.plotAreas()[0].left() > 0.1 * width);
+    CHECK(scene.sceneXAt(8000.0) <= scene.plotAreas()[0].right());
     CHECK(scene.viewLow() == Approx(10.0));
     // And not much beyond the last of them; in dB all of it is seen.
     if (scale == SpectrumScale::Decibel)
@@ -98,8 +98,8 @@ TEST_CASE("chart_scene: logarithmic abscissa → enough values in its low decade
   // Between two high lines the curve comes down: at 20, 40 and 60 Hz.
   const QRectF area = scene.plotAreas()[0];
   const auto is_line = [&](double frequency, double value, int beside = 1) {
-    const QPoint at(static_cast<int>(std::lround(scene.positionOf(frequency))),
-                    static_cast<int>(std::lround(scene.heightOf(0, value))));
+    const QPoint at(static_cast<int>(std::lround(scene.sceneXAt(frequency))),
+                    static_cast<int>(std::lround(scene.sceneYAt(0, value))));
     for (int dx = -beside; dx <= beside; ++dx)
       for (int dy = -2; dy <= 2; ++dy)
         if (picture.pixelColor(at + QPoint(dx, dy)).saturation() > 128) return true;
@@ -126,7 +126,7 @@ TEST_CASE("pages: short gaps of a curve are bridged for its spectrum, and said",
   };
   const auto spectrum = [&](const std::vector<double>& y) {
     desktop::ChartPage page = page_of({whole, y});
-    to_spectra(page, t, {Window::Hann, SpectrumScale::Units});
+    to_spectra(page, {t, {}}, {Window::Hann, SpectrumScale::Units});
     return page;
   };
   // Two steps: as much as half a period of what vibrates is no more than 50 steps.
@@ -177,8 +177,8 @@ TEST_CASE("spectrum pages: notes on the removed mean and on drift in the first l
   };
   const auto note = [&](std::vector<std::vector<double>> curves) {
     desktop::ChartPage page = page_of(std::move(curves));
-    to_spectra(page, t, {});
-    tell_lines(page, {page.x.front()}, {});
+    to_spectra(page, {t, {}}, {});
+    note_spectrum_lines(page, {page.x.front()}, {});
     return page.note;
   };
   const std::string told = "irst line is drift";
@@ -219,11 +219,11 @@ TEST_CASE("own charts: differences are from the curve that was ticked first, or 
   auto* how = dialog.findChild<QComboBox*>("how");
   auto* reference = dialog.findChild<QComboBox*>("reference");
   REQUIRE(reference != nullptr);
-  const auto tick = [&](int f, bool on) {
+  const auto checkCurves = [&](int f, bool on) {
     tree->topLevelItem(f)->setExpanded(true);
     tree->topLevelItem(f)->child(0)->child(0)->setCheckState(0, on ? Qt::Checked : Qt::Unchecked);
   };
-  for (const int f : {1, 0, 2}) tick(f, true);
+  for (const int f : {1, 0, 2}) checkCurves(f, true);
   CHECK_FALSE(reference->isEnabled());
   CHECK(dialog.picks().front().file == &files[0]);  // drawn together: as in the tree
   how->setCurrentIndex(1);
@@ -240,9 +240,9 @@ TEST_CASE("own charts: differences are from the curve that was ticked first, or 
   reference->setCurrentIndex(2);
   emit reference->activated(2);
   CHECK(dialog.picks().front().file == &files[2]);
-  tick(1, false);
+  checkCurves(1, false);
   CHECK(dialog.picks().front().file == &files[2]);
   CHECK(dialog.picks().size() == 2);
-  tick(2, false);
+  checkCurves(2, false);
   CHECK(dialog.picks().front().file == &files[0]);
 }

@@ -44,7 +44,7 @@ TEST_CASE("plot_document: reading is monitored, and continues after a stop", "[u
   CHECK(narrow.build(6, {}).x.size() == 3500);
 }
 
-TEST_CASE("accuracy_page: a point for each run that came to its end", "[unit][adrplot]") {
+TEST_CASE("accuracy_page: a point for each completed run", "[unit][adrplot]") {
   const testing::TemporaryFolder folder;
   const auto path = folder / "ACCURACY.json";
   testing::write_bytes(path,
@@ -105,7 +105,7 @@ TEST_CASE("accuracy_page: errors within the scatter → shaded band, significant
   testing::write_bytes(path, study(R"("irregular": {"speed": 8e-3, "heat": 1e-3},)"));
   const auto page = accuracy_pages(path).front();
   CHECK_THAT(page.note, Catch::Contains("Errors below 1.2 % (shaded) cannot be distinguished"));
-  CHECK_THAT(page.note, Catch::Contains("At 1 point in the shaded area"));  // the heat of "cheap"
+  CHECK_THAT(page.note, Catch::Contains("1 point in the shaded area"));  // the heat of "cheap"
   REQUIRE(page.marks.size() == 2);
   CHECK(page.marks[0].x == 0.1);
   CHECK(page.marks[0].label == "recommended");
@@ -118,7 +118,7 @@ TEST_CASE("accuracy_page: errors within the scatter → shaded band, significant
     const QImage image = scene.image(size);
     const QRectF area = scene.plotAreas().front();
     // Of one color from the floor down, of another one from it up, all the way across.
-    const int floor = static_cast<int>(scene.heightOf(0, 1.2));
+    const int floor = static_cast<int>(scene.sceneYAt(0, 1.2));
     const auto at = [&](double part, int y) {
       return image.pixelColor(static_cast<int>(area.left() + part * area.width()), y);
     };
@@ -127,8 +127,8 @@ TEST_CASE("accuracy_page: errors within the scatter → shaded band, significant
       CHECK(at(part, floor - 7) == image.pixelColor(1, 1));
     }
     for (const double seconds : {0.1, 0.36, 0.9}) {
-      CHECK(scene.positionOf(seconds) > area.left() + 10.0);
-      CHECK(scene.positionOf(seconds) < area.right() - 10.0);
+      CHECK(scene.sceneXAt(seconds) > area.left() + 10.0);
+      CHECK(scene.sceneXAt(seconds) < area.right() - 10.0);
     }
   }
   // Without a known scatter there is no floor.

@@ -16,7 +16,7 @@ using namespace adore;
 using namespace adore::adrplot;
 using results::SolKind;
 
-TEST_CASE("plot_window: no page, readout, cursor or note makes a low window grow",
+TEST_CASE("plot_window: pages, readout, cursors and notes do not enlarge a low window",
           "[gui][adrplot]") {
   test::use_qt();
   for (const QSize size : test::kLowWindows) {
@@ -44,8 +44,8 @@ TEST_CASE("plot_window: no page, readout, cursor or note makes a low window grow
         CHECK(test::grown(window, size).toStdString() == "");
         const auto& x = scene.page().x;
         if (x.empty()) continue;
-        window.view().setCursor(0, x.front());
-        window.view().setCursor(1, x.back());
+        window.view().setCursorAbscissa(0, x.front());
+        window.view().setCursorAbscissa(1, x.back());
         CHECK_FALSE(window.findChild<QLabel*>("cursors")->text().isEmpty());
         CHECK(test::grown(window, size).toStdString() == "");
         // The chart is as high as it can be read, and all of it is reached by scrolling.

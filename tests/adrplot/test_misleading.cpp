@@ -1,6 +1,7 @@
 #include "adrplot/known_values.hpp"
 #include "adrplot/plot_document.hpp"
 #include "adrplot/spectrum_page.hpp"
+#include "adrplot/vibration_values.hpp"
 #include "desktop/axis_scale.hpp"
 #include "desktop/chart_scene.hpp"
 #include "results/channels.hpp"
@@ -65,8 +66,7 @@ TEST_CASE("pages: rounding of spin over roll is not drawn as a signal", "[unit][
   look(false);
 }
 
-TEST_CASE("pages: a roller has a place on a wall of its pocket while it touches that wall",
-          "[unit][adrplot]") {
+TEST_CASE("pages: contact position on a pocket wall only during contact", "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Cage);
   file.header.bearing_type = 2;
   file.header.pocket_type = 0;
@@ -102,7 +102,7 @@ TEST_CASE("pages: a roller has a place on a wall of its pocket while it touches 
         std::string::npos);
 }
 
-TEST_CASE("pages: heat has no average before a thermal step has ended, and no coolant none at all",
+TEST_CASE("pages: no average heat before the end of a thermal step, none without coolant",
           "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Power);
   const auto columns = results::sol_columns(file.header);
@@ -114,7 +114,7 @@ TEST_CASE("pages: heat has no average before a thermal step has ended, and no co
       if (id.starts_with("thermal.")) value = 300.0;
       if (id.ends_with("_heat")) value = i < 3 || id == "thermal.coolant_heat" ? 0.0 : 50.0;
     }
-  const auto none = [](const desktop::ChartCurve& curve) { return !any_value(curve.y); };
+  const auto none = [](const desktop::ChartCurve& curve) { return !has_number(curve.y); };
   auto heat = page_with(file, "Average heat"), warm = page_with(file, "Bearing temperatures");
   const std::string no_coolant = "No coolant flow in this run: all heat flows through the races.";
   CHECK(heat.panels.at(1).message == no_coolant);
@@ -149,7 +149,7 @@ TEST_CASE("pages: wear without integration → no curve, cage may lack one", "[u
   set(file, "race.wear_rate", 1e-15);
   for (const desktop::ChartPanel& panel : page_with(file, "wear rates").panels) {
     CHECK(panel.message.empty());
-    for (const desktop::ChartCurve& curve : panel.curves) CHECK(any_value(curve.y));
+    for (const desktop::ChartCurve& curve : panel.curves) CHECK(has_number(curve.y));
   }
 }
 
@@ -165,7 +165,7 @@ TEST_CASE("pages: rates from a force balance → no curve; rates of a body at re
   };
   const auto message = [&](const std::string& page, std::size_t panel) {
     const desktop::ChartPanel built = page_with(file, page).panels.at(panel);
-    CHECK(built.message.empty() == any_value(built.curves.at(0).y));
+    CHECK(built.message.empty() == has_number(built.curves.at(0).y));
     return built.message;
   };
   const auto& velocity = page_with(file, "Velocity").panels;
@@ -215,7 +215,7 @@ TEST_CASE("pages: oscillating shaft → no frequency marks, note on unbounded ra
   }
 }
 
-TEST_CASE("pages: a cage in the middle has no direction", "[unit][adrplot]") {
+TEST_CASE("pages: centered cage → no whirl direction", "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Cage);
   set(file, "cage.land1_gap", 1e-4);
   set(file, "cage.land1_angle", 3.0);
@@ -326,13 +326,13 @@ TEST_CASE("pages: cage orbit → divisor given in the note", "[unit][adrplot]") 
   CHECK_THAT(position.note, Catch::Contains("its orbit is in m"));
   CHECK(position.x_title == "Y / 1 m");
   // What the run says goes before what its numbers look like.
-  using results::CageScale;
+  using results::CageLengthScale;
   const std::vector<PageSpec> pages = plot_pages(file.kind, file.header);
   PageContext context;
-  context.facts.cage_scale = {60e-6, CageScale::Of::Pockets};
+  context.facts.cage_length_scale = {60e-6, CageLengthScale::Of::Pockets};
   CHECK_THAT(build_page(file, pages, 5, {}, context).note,
              Catch::Contains("pocket clearance, 60 µm"));
-  context.facts.cage_scale = {149e-6, CageScale::Of::GuideLands};
+  context.facts.cage_length_scale = {149e-6, CageLengthScale::Of::GuideLands};
   CHECK_THAT(build_page(file, pages, 5, {}, context).note, Catch::Contains("lands, 149 µm"));
 }
 
@@ -383,8 +383,8 @@ TEST_CASE("pages: rounding errors → no spectrum for any column", "[unit][adrpl
   std::vector<double> last = text, between = text;
   last[7] = 1.4984285e-4;
   between[7] = 1.49842845e-4;
-  CHECK(only_rounding(last, "m", 0.0));
-  CHECK_FALSE(only_rounding(between, "m", 0.0));
+  CHECK(is_only_rounding(last, "m", 0.0));
+  CHECK_FALSE(is_only_rounding(between, "m", 0.0));
 }
 
 TEST_CASE("pages: message for a whole page → shown once, without axes or notes on lines",
@@ -519,7 +519,7 @@ TEST_CASE("pages: constant values → note, one dot for start and end", "[gui]")
              Catch::EndsWith("All values of this page are 0."));
 }
 
-TEST_CASE("pages: notes have capitals where sentences begin, and only there", "[unit][adrplot]") {
+TEST_CASE("pages: notes start sentences with a capital letter", "[unit][adrplot]") {
   // A letter behind a colon or within "spectra of" begins no sentence.
   const auto faults = [](const std::string& note) {
     int out = 0;
@@ -551,7 +551,7 @@ TEST_CASE("pages: notes have capitals where sentences begin, and only there", "[
   }
 }
 
-TEST_CASE("pages: what a part of the steps shows is not said of the run", "[unit][adrplot]") {
+TEST_CASE("pages: notes on a part of the steps do not refer to the whole run", "[unit][adrplot]") {
   int said = 0;  // of whole files
   for (const SolKind kind : {SolKind::Element, SolKind::Cage, SolKind::Race, SolKind::Power}) {
     results::SolFile file = test::synthetic_sol(kind);

@@ -56,12 +56,12 @@ TEST_CASE("pages: notes → never cut, for any page, content and size", "[gui][a
               page.note += " There is still more to be told of page " +
                            std::to_string(document.pages.size() + static_cast<std::size_t>(i)) +
                            ", as files of runs that were killed have it.";
-            for (const auto& [size, pointed] : {std::pair(QSizeF(700, 450), true),
-                                                {QSizeF(1280, 800), true},
-                                                {QSizeF(700, 450), false},
-                                                {QSizeF(1280, 800), false}}) {
+            for (const auto& [size, interactive] : {std::pair(QSizeF(700, 450), true),
+                                                    {QSizeF(1280, 800), true},
+                                                    {QSizeF(700, 450), false},
+                                                    {QSizeF(1280, 800), false}}) {
               desktop::ChartScene scene;
-              scene.setPointed(pointed);
+              scene.setInteractive(interactive);
               scene.setPageSize(size);
               scene.setPage(page);
               QString tip;
@@ -72,9 +72,9 @@ TEST_CASE("pages: notes → never cut, for any page, content and size", "[gui][a
               if (shown == whole) continue;
               ++counted;
               // A picture has no tooltips, so it shows all notes.
-              CHECK(shown.contains("move the pointer here") == pointed);
-              if (!pointed) CHECK(more > 0);
-              if (!pointed) CHECK(shown.endsWith("not shown.)"));
+              CHECK(shown.contains("move the pointer here") == interactive);
+              if (!interactive) CHECK(more > 0);
+              if (!interactive) CHECK(shown.endsWith("not shown.)"));
               CHECK(tip.contains(whole.right(20).toHtmlEscaped()));
               const QString told = shown.left(shown.lastIndexOf('(')).trimmed();
               CHECK(whole.startsWith(told));

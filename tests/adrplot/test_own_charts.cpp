@@ -253,7 +253,7 @@ TEST_CASE("spectrogram: a speed is written without a power of ten", "[unit]") {
 
 TEST_CASE("own charts: values between stored ones → linear interpolation, none outside", "[unit]") {
   const std::vector<double> y =
-      read_off({1.0, 2.0, 4.0}, {10.0, 20.0, 0.0}, {0.5, 1.0, 1.25, 2.0, 3.0, 4.0, 4.1});
+      interpolated_values({1.0, 2.0, 4.0}, {10.0, 20.0, 0.0}, {0.5, 1.0, 1.25, 2.0, 3.0, 4.0, 4.1});
   CHECK(std::isnan(y[0]));
   CHECK(y[1] == 10.0);
   CHECK(y[2] == Approx(12.5));
@@ -271,12 +271,12 @@ TEST_CASE("own charts: values below the pointer and between cursors say of what 
   // Names of curves: owner of the values, without the common part.
   const auto told = [](const std::vector<CurvePick>& picks, Combine how, const char* domain) {
     PageOptions options;
-    set_domain(options, domain, "");
+    parse_domain_options(options, domain, "");
     desktop::ChartView view;
     view.resize(700, 450);
     view.showPage(combine_curves(picks, how, options));
     const desktop::ChartScene& scene = view.chartScene();
-    view.setCursor(0, scene.page().x.front());
+    view.setCursorAbscissa(0, scene.page().x.front());
     return std::pair{scene.readout(scene.plotAreas().at(0).center()).toStdString(),
                      view.cursorReport().toStdString()};
   };
@@ -476,14 +476,14 @@ TEST_CASE("plot_window: any history has a spectrum and a spectrogram", "[gui]") 
   INFO(told.toStdString());
   const std::size_t at =
       desktop::nearest_index(scene.page().x, scene.abscissaAt(area.left() + 0.5 * area.width()));
-  const std::size_t middle = scene.rowAt({area.center().x(), area.center().y()}).value();
+  const std::size_t middle = scene.mapRowAt({area.center().x(), area.center().y()}).value();
   CHECK(told.endsWith(QString::fromStdString(
       desktop::pretty_quantity(lines.curves.at(middle).y.at(at), lines.unit, 5))));
   // The cursor readout has the largest value of the map; the window stays on the screen.
   window.resize(1264, 770);
   window.show();
-  window.view().setCursor(0, 100.0);
-  window.view().setCursor(1, 500.0);
+  window.view().setCursorAbscissa(0, 100.0);
+  window.view().setCursorAbscissa(1, 500.0);
   QCoreApplication::processEvents();
   auto* cursors = window.findChild<QLabel*>("cursors");
   CHECK(cursors->text().contains("A maximum"));

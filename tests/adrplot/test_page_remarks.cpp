@@ -57,7 +57,7 @@ int texts_with(const desktop::ChartPage& page, const QString& part) {
 
 }  // namespace
 
-TEST_CASE("pages: a life that was predicted once is one value, twice two, not a history",
+TEST_CASE("pages: life computed once or twice → one or two values, not a curve",
           "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Power);
   set(file, "power.life", 20503.0);
@@ -89,7 +89,8 @@ TEST_CASE("pages: a life that was predicted once is one value, twice two, not a 
   CHECK_THAT(twice.note, Contains("only at the first and last step"));
 }
 
-TEST_CASE("pages: temperatures that nothing computes are called given", "[unit][adrplot]") {
+TEST_CASE("pages: temperatures without thermal analysis → marked as input values",
+          "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Power);
   file.header.value_count = 17;  // without a thermal network
   int bulk = 0;
@@ -107,7 +108,7 @@ TEST_CASE("pages: temperatures that nothing computes are called given", "[unit][
   CHECK_THAT(page(file, bulk, facts).note, !Contains("input values"));
 }
 
-TEST_CASE("pages: forces on a race say in which directions they hold it", "[unit][adrplot]") {
+TEST_CASE("pages: reaction forces on a race name the constrained directions", "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Race);
   for (const char* id : {"race.x", "race.y", "race.z"}) set(file, id, 2.6e-6);
   for (const char* id : {"race.theta", "race.phi", "race.angular_velocity"}) set(file, id, 0.0);
@@ -126,15 +127,15 @@ TEST_CASE("pages: forces on a race say in which directions they hold it", "[unit
 
 TEST_CASE("pages: a flange that the race does not have is not hedged", "[unit][adrplot]") {
   RunFacts facts;
-  CHECK(flange_reason(".inner.2", facts, false) ==
-        "The inner race has no flange at +x, or the roller end never came near it.");
-  CHECK_FALSE(no_flange("flange.gap.inner.2", facts));
+  CHECK(missing_flange_reason(".inner.2", facts, false) ==
+        "The inner race has no flange at +x, or the roller end was never close to it.");
+  CHECK_FALSE(has_no_flange("flange.gap.inner.2", facts));
   facts.flanges = {"inner.1"};
-  CHECK(flange_reason(".inner.2", facts, false) == "The inner race has no flange at +x.");
-  CHECK(flange_reason(".inner.1", facts, false) ==
-        "The roller end never came near the flange at −x of the inner race.");
-  CHECK(no_flange("flange.gap.inner.2", facts));
-  CHECK_FALSE(no_flange("flange.gap.inner.1", facts));
+  CHECK(missing_flange_reason(".inner.2", facts, false) == "The inner race has no flange at +x.");
+  CHECK(missing_flange_reason(".inner.1", facts, false) ==
+        "The roller end was never close to the flange at −x of the inner race.");
+  CHECK(has_no_flange("flange.gap.inner.2", facts));
+  CHECK_FALSE(has_no_flange("flange.gap.inner.1", facts));
 }
 
 TEST_CASE("pages: missing flange → extremes of the other flanges unchanged",

@@ -12,11 +12,14 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QLabel>
 #include <QMimeData>
 #include <QPointer>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -82,7 +85,7 @@ TEST_CASE("plot_window: pages turn to both ends with a message there", "[gui]") 
     CHECK(test::take_message(window).isEmpty());
     CHECK_FALSE(window.view().chartScene().plotAreas().empty());
     for (std::size_t i = 0; i < window.view().chartScene().plotAreas().size(); ++i)
-      CHECK(window.view().chartScene().linesOf(i) > 0);
+      CHECK(window.view().chartScene().lineCount(i) > 0);
   }
   press(window, "Next Plot");
   CHECK(window.statusBar()->currentMessage() == "This is the last plot.");
@@ -207,7 +210,7 @@ TEST_CASE("a file is opened by the question of its steps, however long the windo
   test::write_text(path, test::sol_text(test::synthetic_sol(SolKind::Element, run)));
   PlotWindow window;
   window.show();
-  window.openSeveral({folder.filePath("SOL1")});
+  window.openFiles({folder.filePath("SOL1")});
   const QPointer<RangeDialog> dialog = window.findChild<RangeDialog*>();
   REQUIRE(dialog);
   bool there = false;
@@ -272,6 +275,72 @@ TEST_CASE("plot_window: Save JPG writes the page and proposes the next number", 
   }
   emit dialog->fileSelected(folder.filePath("wave.bmp"));
   CHECK(test::take_message(window).contains(".svg or .pdf"));
+}
+
+TEST_CASE("plot_window: dark theme → pictures in files and in the clipboard are light",
+          "[gui][adrplot]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  PlotWindow window;
+  window.show();
+  window.addFile(test::synthetic_sol(SolKind::Element));
+  window.switchTheme();
+  REQUIRE(desktop::current_theme().kind == desktop::ThemeKind::Dark);
+  const auto is_light = [](const QImage& image) {
+    return !image.isNull() && qGray(image.pixel(2, 2)) > 200 &&
+           qGray(image.pixel(image.width() - 3, image.height() - 3)) > 200;
+  };
+  CHECK_FALSE(is_light(window.view().chartScene().image({600, 400})));
+  CHECK(window.exportTo(folder.filePath("page.png"), false));
+  CHECK(is_light(QImage(folder.filePath("page.png"))));
+  CHECK(window.exportTo(folder.filePath("all.png"), true));
+  CHECK(is_light(QImage(folder.filePath("all-02.png"))));
+  press(window, "Save JPG");
+  auto* dialog = window.findChild<QFileDialog*>("save");
+  REQUIRE(dialog);
+  emit dialog->fileSelected(folder.filePath("saved.png"));
+  dialog->close();
+  CHECK(is_light(QImage(folder.filePath("saved.png"))));
+  window.copyPicture();
+  CHECK(is_light(QGuiApplication::clipboard()->image()));
+  window.switchTheme();
+}
+
+TEST_CASE("plot_window: figure for print → dialog with preview, then a file of that size",
+          "[gui][adrplot]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  PlotWindow window;
+  window.show();
+  window.addFile(test::synthetic_sol(SolKind::Element));
+  window.exportFigure();
+  auto* dialog = window.findChild<QDialog*>("figure");
+  REQUIRE(dialog);
+  auto* width = dialog->findChild<QDoubleSpinBox*>("width");
+  auto* letters = dialog->findChild<QDoubleSpinBox*>("letters");
+  auto* preview = dialog->findChild<QLabel*>("preview");
+  auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+  REQUIRE((width && letters && preview && ok));
+  letters->setValue(8.0);
+  dialog->findChild<QPushButton*>("two-columns")->click();
+  CHECK(width->value() == 170.0);
+  dialog->findChild<QPushButton*>("one-column")->click();
+  CHECK(width->value() == 85.0);
+  CHECK_FALSE(preview->pixmap(Qt::ReturnByValue).isNull());
+  letters->setValue(24.0);  // axes and legend do not fit
+  CHECK_FALSE(ok->isEnabled());
+  CHECK(preview->text().contains("give at most"));
+  letters->setValue(8.0);
+  REQUIRE(ok->isEnabled());
+  ok->click();
+  auto* files = window.findChild<QFileDialog*>("export");
+  REQUIRE(files);
+  emit files->fileSelected(folder.filePath("figure.svg"));
+  QFile svg(folder.filePath("figure.svg"));
+  REQUIRE(svg.open(QIODevice::ReadOnly));
+  CHECK(svg.readAll().contains("width=\"85mm\""));
+  emit files->fileSelected(folder.filePath("no/such/figure.svg"));
+  CHECK_FALSE(test::take_message(window).isEmpty());
 }
 
 TEST_CASE("plot_window: the values of all panels under the mouse are read whole, at any size",
@@ -486,13 +555,13 @@ TEST_CASE("plot_window: marked statistics are copied as text, and all of them by
   window.addFile(test::synthetic_sol(SolKind::Element));
   QClipboard* const clipboard = QApplication::clipboard();
   clipboard->setText("nothing yet");
-  window.copyStatistics();  // without cursors there are none
+  window.copyCursorReport();  // without cursors there are none
   CHECK(clipboard->text() == "nothing yet");
   desktop::ChartView& view = window.view();
   const std::vector<double>& x = view.chartScene().page().x;
-  view.setCursor(0, x[x.size() / 4]);
-  view.setCursor(1, x[x.size() / 2]);
-  window.copyStatistics();
+  view.setCursorAbscissa(0, x[x.size() / 4]);
+  view.setCursorAbscissa(1, x[x.size() / 2]);
+  window.copyCursorReport();
   QString report = view.cursorReport();
   REQUIRE(report.contains(QChar(0x2212)));  // "B − A"
   CHECK(clipboard->text() == report.replace(QChar(0x2212), '-'));

@@ -22,7 +22,7 @@ namespace {
 /// Two runs, and one that is missing.
 struct Folder {
   Folder() {
-    Project project = Project::of_folder(path);
+    Project project = Project::open_or_create(path);
     for (const char* run : {"gone", "first", "second"}) {
       project.add_run(path / run);
       if (std::string(run) == "gone") continue;
@@ -56,7 +56,7 @@ TEST_CASE("plot_window: project → its runs listed, missing ones named, the fir
   window.show();
   QTreeWidget* runs = runs_of(window);
   CHECK_FALSE(runs->isVisible());
-  window.openSeveral({QString::fromStdString((by_folder ? folder.path : folder.file).string())});
+  window.openFiles({QString::fromStdString((by_folder ? folder.path : folder.file).string())});
   CHECK(runs->isVisible());
   REQUIRE(runs->topLevelItemCount() == 3);
   CHECK(runs->topLevelItem(0)->text(0) == "gone (missing)");
@@ -131,7 +131,7 @@ TEST_CASE("plot_window: folder of a run that is a project, too → the run", "[g
 TEST_CASE("plot_window: project without runs → a message", "[gui][project]") {
   test::use_qt();
   const QTemporaryDir base;
-  const Project project = Project::of_folder(base.path().toStdString());
+  const Project project = Project::open_or_create(base.path().toStdString());
   project.save();
   adrplot::PlotWindow window;
   window.show();

@@ -29,7 +29,7 @@ TEST_CASE(
   CHECK(test::unreadable_help(window).join("; ").toStdString() == "");
 }
 
-TEST_CASE("plot_window: a letter with Alt chooses one thing, in its dialogs, too", "[gui]") {
+TEST_CASE("plot_window: access keys are unique, also in dialogs", "[gui]") {
   test::use_qt();
   PlotWindow window;
   window.addFile(test::synthetic_sol(results::SolKind::Cage));
@@ -41,7 +41,7 @@ TEST_CASE("plot_window: a letter with Alt chooses one thing, in its dialogs, too
   CHECK(test::unspoken_in_dialogs(window, dialogs).join("; ").toStdString() == "");
 }
 
-TEST_CASE("plot_window: a letter with Alt that chooses nothing now is not typed", "[gui]") {
+TEST_CASE("plot_window: Alt+letter without an action is not typed into a field", "[gui]") {
   test::use_qt();
   PlotWindow window;
   window.addFile(test::synthetic_sol(results::SolKind::Cage));
@@ -58,8 +58,7 @@ TEST_CASE("plot_window: every key does what the menus promise, wherever the focu
   CHECK(test::keys_without_effect(window).join("; ").toStdString() == "");
 }
 
-TEST_CASE("plot_window: Qt has nothing to warn of while switches go off and on in every size",
-          "[gui]") {
+TEST_CASE("plot_window: no Qt warnings while switches are toggled at any size", "[gui]") {
   test::use_qt();
   const test::QtWarnings warnings;
   PlotWindow window;

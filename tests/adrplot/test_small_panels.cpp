@@ -85,8 +85,8 @@ TEST_CASE("plot_window: panels, numbers and titles are read at any size, pointed
         emit window.view().readoutChanged({});
         const auto& x = scene.page().x;
         if (x.empty()) continue;
-        window.view().setCursor(0, x.front());
-        window.view().setCursor(1, x.back());
+        window.view().setCursorAbscissa(0, x.front());
+        window.view().setCursorAbscissa(1, x.back());
         check(window, size, State::Cursors);
         window.view().clearCursors();
         ++seen;

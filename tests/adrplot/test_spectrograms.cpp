@@ -53,7 +53,7 @@ RunMotion motion_of_run(const RunUp& run, std::size_t steps, const std::vector<d
     out.turns.push_back(run.turns(out.times.back()));
   }
   for (const double order : orders) {
-    MarkTurns mark{std::to_string(order), {}, {}};
+    MarkEventCounts mark{std::to_string(order), {}, {}};
     for (std::size_t i = 0; i < steps; i += 40) {
       mark.time.push_back(out.times[i]);
       mark.turns.push_back(run.turns(out.times[i], order));
@@ -193,7 +193,7 @@ TEST_CASE("spectrogram: pixels → color of the value that the readout gives", "
   scene.setPage(page);
   const QImage picture = scene.image(size);
   const desktop::ChartPanel& panel = scene.page().panels[0];
-  const desktop::ChartRows& rows = *panel.rows;
+  const desktop::ChartMapRows& rows = *panel.rows;
   const QRectF area = scene.plotAreas()[0];
   CHECK(area.height() > 500.0);
   int compared = 0;
@@ -203,8 +203,8 @@ TEST_CASE("spectrogram: pixels → color of the value that the readout gives", "
   for (const std::size_t row : {std::size_t{3}, rows.at.size() / 2, rows.at.size() - 4})
     for (std::size_t k = 0; k < page.x.size(); ++k) {
       if (page.x[k] < 220.0 || page.x[k] > 680.0) continue;
-      const QPoint at(static_cast<int>(std::lround(scene.positionOf(page.x[k]))),
-                      static_cast<int>(std::lround(scene.heightOf(0, rows.at[row]))));
+      const QPoint at(static_cast<int>(std::lround(scene.sceneXAt(page.x[k]))),
+                      static_cast<int>(std::lround(scene.sceneYAt(0, rows.at[row]))));
       const double share = (panel.curves[row].y[k] - rows.low) / (rows.high - rows.low);
       const QColor wanted = desktop::heat_color(share), drawn = zoomed.pixelColor(at);
       CHECK(std::abs(wanted.red() - drawn.red()) + std::abs(wanted.green() - drawn.green()) +
@@ -278,22 +278,23 @@ TEST_CASE("render: a spectrogram of a named curve is drawn where there is one", 
   const PlotDocument document = make_document(test::synthetic_sol(results::SolKind::Element));
   RenderOptions options;
   options.folder = folder.path().toStdString();
-  set_domain(options.view, "spectrogram", "Contact load");
+  parse_domain_options(options.view, "spectrogram", "Contact load");
   const auto written = render_document(document, "SOL1", options);
   CHECK(!written.empty());
   CHECK(written.size() < document.pages.size());
-  set_domain(options.view, "spectrogram", "no such curve");
+  parse_domain_options(options.view, "spectrogram", "no such curve");
   CHECK_THROWS_WITH(render_document(document, "SOL1", options),
                     Contains("no curve \"no such curve\"") && Contains("Contact load, outer race"));
-  CHECK_THROWS_WITH(set_domain(options.view, "spectrum", "load"), Contains("--domain spectrogram"));
-  CHECK_THROWS_WITH(set_domain(options.view, "spectrum", "", "", "speed"),
+  CHECK_THROWS_WITH(parse_domain_options(options.view, "spectrum", "load"),
+                    Contains("--domain spectrogram"));
+  CHECK_THROWS_WITH(parse_domain_options(options.view, "spectrum", "", "", "speed"),
                     Contains("--rows") && Contains("--domain spectrogram"));
-  CHECK_THROWS_WITH(set_domain(options.view, "history", "", "db"), Contains("--scale"));
-  set_domain(options.view, "spectrogram", "", "units");
+  CHECK_THROWS_WITH(parse_domain_options(options.view, "history", "", "db"), Contains("--scale"));
+  parse_domain_options(options.view, "spectrogram", "", "units");
   CHECK(options.view.spectrum.scale == SpectrumScale::Units);
-  set_domain(options.view, "spectrogram", "");
+  parse_domain_options(options.view, "spectrogram", "");
   CHECK(options.view.spectrum.scale == SpectrumScale::Automatic);
-  set_domain(options.view, "spectrogram", "", "db", "speed");
+  parse_domain_options(options.view, "spectrogram", "", "db", "speed");
   CHECK(options.view.spectrum.scale == SpectrumScale::Decibel);
   CHECK(options.view.spectrum.over_speed);
 }
@@ -370,9 +371,9 @@ TEST_CASE("run_beside: what a mark counts goes with the speeds of a run that acc
   results::SolFile file = test::synthetic_sol(results::SolKind::Power);
   file.path = folder / "SOL7";
   file.header.run_id = results::H5Reader(folder / "RESULTS.h5").run_id();
-  const PageContext context = context_of(file);
+  const PageContext context = page_context_of(file);
   const auto found = [&](const std::string& label, double from, double to) {
-    for (const MarkTurns& mark : context.marks)
+    for (const MarkEventCounts& mark : context.marks)
       if (mark.label == label) return frequency_between(mark, from, to);
     return 0.0;
   };

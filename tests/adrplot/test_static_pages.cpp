@@ -59,7 +59,7 @@ std::filesystem::path write_run(const QTemporaryDir& folder, const results::Stat
 
 }  // namespace
 
-TEST_CASE("quasi-static tables come back from RUN.json as they were", "[unit]") {
+TEST_CASE("quasi-static tables: written to RUN.json and read → unchanged", "[unit]") {
   const QTemporaryDir folder;
   const results::StaticTables written = four_elements(results::UnitSystem::English);
   const results::StaticTables read = results::read_static_tables(write_run(folder, written));
@@ -209,7 +209,7 @@ TEST_CASE("load rose: a spoke goes from the center to each load, and nowhere els
       return false;
     };
     // Scale and center from the axes.
-    const auto centre = scene.planePlace(0.0, 0.0), right = scene.planePlace(100.0, 0.0);
+    const auto centre = scene.planePosition(0.0, 0.0), right = scene.planePosition(100.0, 0.0);
     REQUIRE(centre);
     REQUIRE(right);
     const double pixels = (right->x() - centre->x()) / 100.0;  // per newton

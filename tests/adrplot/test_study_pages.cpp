@@ -87,7 +87,7 @@ TEST_CASE("a study's folder opens as the pictures of its report", "[gui][adrplot
   CHECK_THROWS_AS(document.build(99, {}), InputError);
 }
 
-TEST_CASE("a map of values over decades shows each decade in another color, and says so",
+TEST_CASE("maps: values over several decades → a color for each decade, with a note",
           "[gui][adrplot][studies]") {
   test::use_qt();
   const auto colours = [](std::vector<double> values) {
@@ -188,8 +188,7 @@ TEST_CASE("a click on a point of a study shows its run", "[gui][adrplot][studies
   CHECK(shown > 4);
 }
 
-TEST_CASE("a damaged STUDY.h5 is read or refused in a sentence, and nothing of it harms the reader",
-          "[adrplot][studies][h5]") {
+TEST_CASE("damaged STUDY.h5: read or rejected with a message, no crash", "[adrplot][studies][h5]") {
   const std::string good = test::bytes_of(study_folder() / "STUDY.h5");
   REQUIRE(good.size() > 2000);
   const QTemporaryDir folder;

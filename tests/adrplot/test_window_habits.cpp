@@ -2,10 +2,11 @@
 #include "desktop/chart_view.hpp"
 #include "support/paths.hpp"
 #include "support/qt_app.hpp"
-#include "support/synthetic_results.hpp"
+#include "support/result_files.hpp"
 
 #include <QAction>
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -29,6 +30,29 @@ QList<QByteArray> lines_of(const QString& path) {
 }
 
 }  // namespace
+
+TEST_CASE("plot_window: export of all pages → pages of all SOL files of the run, open or not",
+          "[gui][adrplot]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const std::filesystem::path run = folder.path().toStdString() + "/run";
+  std::filesystem::create_directory(run);
+  test::SyntheticRun made;
+  made.steps = 20;
+  test::write_text(run / "SOL2", test::sol_text(test::synthetic_sol(SolKind::Element, made)));
+  test::write_text(run / "SOL4", test::sol_text(test::synthetic_sol(SolKind::Cage, made)));
+  PlotWindow window;
+  REQUIRE(window.openFile(run / "SOL4"));
+  REQUIRE(window.exportTo(folder.filePath("all.csv"), true));
+  CHECK(window.statusBar()->currentMessage().contains("of 2 files"));
+  QStringList expected;
+  for (const char* file : {"SOL2", "SOL4"})
+    for (std::size_t page = 1; page <= open_document(run / file).pages.size(); ++page)
+      expected += QString("all-%1-%2.csv").arg(file).arg(page, 2, 10, QChar('0'));
+  CHECK(expected.size() > 10);
+  CHECK(QDir(folder.path()).entryList(QDir::Files, QDir::Name) == expected);
+  CHECK(window.fileCount() == 1);
+}
 
 TEST_CASE("plot_window: export of all or visible values → reported in the status bar",
           "[gui][adrplot]") {
@@ -111,7 +135,7 @@ TEST_CASE("plot_window: run without rotation → drawn over time, with a note", 
   CHECK(abscissa->currentText() == "over time (no rotation)");
 }
 
-TEST_CASE("plot_window: what a page does not have is gray and says why", "[gui][adrplot]") {
+TEST_CASE("plot_window: unavailable actions are disabled with a reason", "[gui][adrplot]") {
   test::use_qt();
   PlotWindow window;
   window.addFile(test::synthetic_sol(SolKind::Race));

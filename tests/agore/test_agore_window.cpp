@@ -86,19 +86,19 @@ TEST_CASE("agore_window: play, frame and pause move through the frames", "[gui]"
   CHECK(window.currentFrame() == 119);
 }
 
-TEST_CASE("agore_window: the format chosen for a film is what its name says", "[gui]") {
+TEST_CASE("agore_window: movie format follows the file name", "[gui]") {
   test::use_qt();
   AgoreWindow window;
   window.show();
   window.setAnimation(prepare(test::synthetic_sol8(short_run(20))));
   menu_action(window, "Save Movie...")->trigger();
-  auto* range = window.findChild<FilmDialog*>("filmRange");
+  auto* range = window.findChild<MovieDialog*>("filmRange");
   REQUIRE(range != nullptr);
   CHECK(range->windowTitle() == "Save Movie");
   range->accept();
   auto* dialog = window.findChild<QFileDialog*>("film");
   REQUIRE(dialog != nullptr);
-  CHECK(dialog->defaultSuffix() == (desktop::ffmpeg_found() ? "mp4" : "gif"));
+  CHECK(dialog->defaultSuffix() == (desktop::has_ffmpeg() ? "mp4" : "gif"));
   for (const QString& filter : dialog->nameFilters()) {
     emit dialog->filterSelected(filter);
     const QString name = dialog->selectedFiles().value(0);
@@ -122,8 +122,8 @@ TEST_CASE("agore_window: movie from a frame or time to another → length displa
   REQUIRE(window.openFile(sol8));
   CHECK(window.proposedName("gif") == "shaft at 9000-bearing.gif");
   CHECK(window.windowTitle().startsWith("shaft at 9000/SOL8"));
-  window.saveFilm();
-  auto* range = window.findChild<FilmDialog*>("filmRange");
+  window.saveMovie();
+  auto* range = window.findChild<MovieDialog*>("filmRange");
   REQUIRE(range != nullptr);
   auto* words = range->findChild<QLabel*>("filmLength");
   CHECK(words->text().startsWith("20 pictures at 25 per second: length 800 ms."));
@@ -149,7 +149,7 @@ TEST_CASE("agore_window: movie from a frame or time to another → length displa
   const QString small = words->text();
   size->setCurrentIndex(size->findData(QSize(1920, 1080)));
   CHECK(words->text() != small);
-  const FilmChoice chosen = range->choice();
+  const MovieSettings chosen = range->choice();
   CHECK(chosen.every == 3);
   CHECK(chosen.size == QSize(1920, 1080));
   auto* next = range->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
@@ -160,13 +160,13 @@ TEST_CASE("agore_window: movie from a frame or time to another → length displa
   range->reject();
   // Saved files are reported, and no others.
   const QString film = run + "/part.avi", pictures = run + "/pictures";
-  REQUIRE(window.writeFilm(film, 5, 12));
+  REQUIRE(window.writeMovie(film, 5, 12));
   CHECK(window.statusBar()->isVisible());
   CHECK(window.statusBar()->currentMessage() == "Saved " + film + ": 8 pictures.");
-  REQUIRE(window.writeFilm(film, FilmChoice{4, 11, 3, 10, QSize(640, 480)}));
+  REQUIRE(window.writeMovie(film, MovieSettings{4, 11, 3, 10, QSize(640, 480)}));
   CHECK(window.statusBar()->currentMessage() ==
         "Saved " + film + ": 3 pictures, one of every 3 frames.");
-  REQUIRE(window.writeFilm(pictures, 19));
+  REQUIRE(window.writeMovie(pictures, 19));
   CHECK(window.statusBar()->currentMessage() == "Saved 2 numbered pictures in " + pictures + ".");
   CHECK(QDir(pictures).entryList({"*.png"}) ==
         QStringList{"SOL8-frame-00019.png", "SOL8-frame-00020.png"});
@@ -176,7 +176,7 @@ TEST_CASE("agore_window: movie from a frame or time to another → length displa
   for (const auto& [rate, count] : {std::pair{"50", 20}, {"100", 10}, {"250", 4}, {"1000", 1}}) {
     window.findChild<QComboBox*>("speed")->setCurrentText(rate);
     INFO(rate);
-    REQUIRE(window.writeFilm(film));
+    REQUIRE(window.writeMovie(film));
     const QString said = window.statusBar()->currentMessage();
     CHECK(said.startsWith(QString("Saved %1: %2 picture").arg(film).arg(count)));
     CHECK(said.contains("one of every") == (count < 20));
@@ -193,13 +193,14 @@ TEST_CASE("agore_window: project → its runs in the menu, missing ones listed, 
     test::write_text(folder / run / "SOL8",
                      test::sol8_text(test::synthetic_sol8(short_run(run[0] == 'f' ? 20 : 10))));
   }
-  desktop::Project project = desktop::Project::of_folder(folder);
+  desktop::Project project = desktop::Project::open_or_create(folder);
   for (const char* run : {"gone", "first", "second"}) project.add_run(folder / run);
   project.save();
   AgoreWindow window;
   window.show();
   REQUIRE(window.openFile(project.file()));
-  CHECK(test::take_message(window).contains("gone"));
+  CHECK(test::take_message(window).isEmpty());  // the menu shows it
+  CHECK(window.statusBar()->currentMessage().contains("gone"));
   CHECK(window.frameCount() == 20);
   const QList<QAction*> runs = window.findChild<QMenu*>("projectMenu")->actions();
   REQUIRE(runs.size() == 3);
@@ -218,8 +219,8 @@ TEST_CASE("agore_window: selected additional view → exchanged with the first v
   AgoreWindow window;
   window.setAnimation(prepare(test::synthetic_sol8(short_run(5))));
   window.setView(View::Bearing);
-  window.setBeside(View::Cage, true);
-  window.setBeside(View::Pocket, true);
+  window.setAdditionalView(View::Cage, true);
+  window.setAdditionalView(View::Pocket, true);
   window.setView(View::Pocket);
   CHECK(window.options().view == View::Pocket);
   REQUIRE(window.options().beside.size() == 2);
@@ -278,6 +279,24 @@ TEST_CASE("agore_window: a picture is saved as pixels or as lines and text, by i
   CHECK_FALSE(QFile::exists(folder.filePath("moment.bmp")));
 }
 
+TEST_CASE("agore_window: dark theme → saved pictures are light", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  AgoreWindow window;
+  test::show_painted(window);
+  window.switchTheme();
+  REQUIRE(desktop::current_theme().kind == desktop::ThemeKind::Dark);
+  click(window, "save");
+  auto* dialog = window.findChild<QFileDialog*>("save");
+  REQUIRE(dialog);
+  emit dialog->fileSelected(folder.filePath("moment.png"));
+  dialog->close();
+  const QImage image(folder.filePath("moment.png"));
+  REQUIRE_FALSE(image.isNull());
+  CHECK(qGray(image.pixel(2, 2)) > 200);
+  window.switchTheme();
+}
+
 TEST_CASE("agore_window: the time bar fills and can be clicked", "[gui]") {
   test::use_qt();
   AgoreWindow window;
@@ -318,7 +337,7 @@ TEST_CASE("agore_window: open dialog → default is the largest number of steps"
   }
 }
 
-TEST_CASE("agore_window: what a command asks for is what a picture of it shows", "[gui][slow]") {
+TEST_CASE("agore_window: each command changes the picture as requested", "[gui][slow]") {
   test::use_qt();
   for (const std::string& type : test::kTypes) {
     AgoreWindow window;
@@ -335,10 +354,10 @@ TEST_CASE("agore_window: what a command asks for is what a picture of it shows",
         for (const int element : {1, 5, 99})
           for (const char* const beside : {"", "flange", "race,pocket"}) {
             ViewOptions asked;
-            asked.view = view_named(view, race);
+            asked.view = parse_view(view, race);
             asked.flange_race = std::string(race) == "outer" ? 0 : 1;
             asked.element = element;
-            asked.beside = views_beside(beside, race);
+            asked.beside = parse_additional_views(beside, race);
             asked.scale = window.options().scale;
             INFO(type << ": --view " << view << " --race " << race << " --element " << element
                       << " --beside " << beside);
@@ -349,7 +368,7 @@ TEST_CASE("agore_window: what a command asks for is what a picture of it shows",
             } catch (const InputError& error) {
               refused = error.what();
             }
-            CHECK(window.showAsAsked(asked) == refused.empty());
+            CHECK(window.applyViewOptions(asked) == refused.empty());
             if (!refused.empty()) {
               CHECK(test::take_message(window).toStdString() == refused);
               continue;
@@ -359,7 +378,7 @@ TEST_CASE("agore_window: what a command asks for is what a picture of it shows",
   }
 }
 
-TEST_CASE("agore_window: a place that was zoomed into is left with its view", "[gui]") {
+TEST_CASE("agore_window: view changed → zoom is reset", "[gui]") {
   test::use_qt();
   AgoreWindow window;
   window.setAnimation(prepare(test::synthetic_sol8(short_run(20))));
@@ -493,7 +512,7 @@ TEST_CASE("agore_window: slow motion follows the simulated time, and repeats whe
   window.pause();
 }
 
-TEST_CASE("agore_window: the keys for slower and faster act on the pace that plays", "[gui]") {
+TEST_CASE("agore_window: slower and faster keys change the current speed", "[gui]") {
   test::use_qt();
   AgoreWindow window;
   test::show_painted(window);

@@ -64,7 +64,7 @@ TEST_CASE("animation: speeds, pockets and guiding race are recovered from a file
   };
   CHECK(mean(cage_whirl(a).value) == Approx(0.46).epsilon(0.01));
   CHECK(mean(cage_speed(a).value) == Approx(0.43).epsilon(0.01));
-  CHECK(mean(element_orbit(a, 4).value) == Approx(0.43).epsilon(0.01));
+  CHECK(mean(element_orbit_speed(a, 4).value) == Approx(0.43).epsilon(0.01));
   // Every frame adds its rounding to a sum of sizes, so the spin comes out a little high.
   CHECK(mean(element_spin(a, 4).value) == Approx(3.1).epsilon(0.1));
 }
@@ -82,7 +82,8 @@ TEST_CASE("animation: SOL8 only → drawn at its own times, unknown quantities n
   file.frames.push_back(last);
   const Animation a = prepare(file);
   CHECK(a.source.find("SOL8 only") == 0);
-  for (const double ratio : element_orbit(a, 4).value) CHECK(ratio == Approx(0.43).epsilon(0.05));
+  for (const double ratio : element_orbit_speed(a, 4).value)
+    CHECK(ratio == Approx(0.43).epsilon(0.05));
   CHECK(a.cage_angle[30] == Approx(continuous([&] {
           std::vector<double> angle;
           for (const auto& frame : file.frames) angle.push_back(frame.cage.angles[0]);
@@ -96,7 +97,7 @@ TEST_CASE("animation: SOL8 only → drawn at its own times, unknown quantities n
   const History spin = element_spin(b, 0);
   CHECK(spin.unknown.find("Unknown: about ") == 0);
   CHECK(std::isnan(spin.value[5]));
-  CHECK(element_orbit(b, 0).unknown.empty());
+  CHECK(element_orbit_speed(b, 0).unknown.empty());
 }
 
 TEST_CASE("animation: SOL8 with SOL files → curves from these files", "[unit]") {
@@ -104,15 +105,15 @@ TEST_CASE("animation: SOL8 with SOL files → curves from these files", "[unit]"
   const std::filesystem::path base = folder.path().toStdString();
   test::write_text(base / "SOL8", test::sol8_text(test::synthetic_sol8(short_run(40))));
   const Animation alone = prepare(results::read_sol8(base / "SOL8"));
-  CHECK(element_orbit(alone, 0).time.size() == 40);
+  CHECK(element_orbit_speed(alone, 0).time.size() == 40);
   const auto element = test::synthetic_sol(results::SolKind::Element);
   test::write_text(base / "SOL1", test::sol_text(element));
   const auto cage = test::synthetic_sol(results::SolKind::Cage);
   test::write_text(base / "SOL2", test::sol_text(cage));
-  const History orbit = element_orbit(alone, 0);
+  const History orbit = element_orbit_speed(alone, 0);
   REQUIRE(orbit.value.size() == element.steps.size());
   CHECK(orbit.value[700] == Approx(element.steps[700].values[3] / 10000.0).epsilon(1e-4));
-  CHECK(element_orbit(alone, 1).time.size() == 40);  // no file of that element
+  CHECK(element_orbit_speed(alone, 1).time.size() == 40);  // no file of that element
   const History force = pocket_force(alone, 2);
   REQUIRE(force.value.size() == cage.steps.size());
   double largest = 0.0;
@@ -165,9 +166,9 @@ TEST_CASE("animation: unusable file → rejected with a message", "[unit]") {
 }
 
 TEST_CASE("view_options: names, and an exaggeration that keeps pockets apart", "[unit]") {
-  CHECK(view_named("race", "outer") == View::OuterRace);
-  CHECK(view_named("flange") == View::Flange);
-  CHECK_THROWS_WITH(view_named("front"), Catch::Contains("bearing, cage, pocket, element"));
+  CHECK(parse_view("race", "outer") == View::OuterRace);
+  CHECK(parse_view("flange") == View::Flange);
+  CHECK_THROWS_WITH(parse_view("front"), Catch::Contains("bearing, cage, pocket, element"));
   const Animation a = prepare(test::synthetic_sol8(short_run(5)));
   CHECK(used_exaggeration(a, {}) == 5.0);
   ViewOptions options;

@@ -48,7 +48,7 @@ int difference(const QImage& a, const QImage& b) {
 
 }  // namespace
 
-TEST_CASE("backdrop: a frame does not depend on frames drawn before", "[gui]") {
+TEST_CASE("backdrop: a frame does not depend on earlier frames", "[gui]") {
   test::use_qt();
   MotionPicture used(run_with_race_at(0.0));
   ViewOptions before;
@@ -91,7 +91,7 @@ TEST_CASE("backdrop: a race that moves is drawn where it is", "[gui]") {
 // when loads or paths were switched on, because a longer key makes the bearing smaller. A walk
 // through the options, one switch at a time, in which every switch is changed while every other one
 // is on.
-TEST_CASE("backdrop: no option leaves a part of the picture of before", "[gui][slow]") {
+TEST_CASE("backdrop: option changed → nothing of the previous picture remains", "[gui][slow]") {
   test::use_qt();
   const adore::testing::TemporaryFolder folder;
   test::write_run(folder);
@@ -104,7 +104,7 @@ TEST_CASE("backdrop: no option leaves a part of the picture of before", "[gui][s
       {"loads", [](Look& look) { look.options.contacts = true; }},
       {"paths", [](Look& look) { look.options.trails = true; }},
       {"colours", [](Look& look) { look.options.colour = ColourBy::Load; }},
-      {"scale of colours", [](Look& look) { look.options.scale.kind = ColourScale::Moment; }},
+      {"scale of colours", [](Look& look) { look.options.scale.kind = ColorScaleKind::Moment; }},
       {"a view beside", [](Look& look) { look.options.beside = {{View::Element}}; }},
       {"three beside",
        [](Look& look) {

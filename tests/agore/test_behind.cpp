@@ -29,8 +29,7 @@ void write_cut(const testing::TemporaryFolder& folder, long last) {
 
 }  // namespace
 
-TEST_CASE("behind the end of RESULTS.h5 the frames of SOL8 are shown, and said to be its own",
-          "[gui][h5]") {
+TEST_CASE("frames after the end of RESULTS.h5: taken from SOL8 with a note", "[gui][h5]") {
   test::use_qt();
   for (const long last : {16L, 20L, 29L, 30L}) {
     const testing::TemporaryFolder folder;
@@ -50,7 +49,7 @@ TEST_CASE("behind the end of RESULTS.h5 the frames of SOL8 are shown, and said t
       CHECK((a.contacts_at(i) == nullptr) == behind);
       CHECK(std::isnan(a.value("contact.load", i, 0)) == behind);
       if (behind) CHECK(a.frame(i).elements[2].theta == sol8.frames[i].elements[2].theta);
-      CHECK((colouring(a, i, ColourBy::Load).why_none == "no colors: " + words) == behind);
+      CHECK((element_colors(a, i, ColourBy::Load).why_none == "no colors: " + words) == behind);
       ViewOptions options;
       options.contacts = true;
       for (const View view : {View::Bearing, View::Element, View::Section, View::Solid}) {
@@ -93,7 +92,7 @@ TEST_CASE("curves after the end of RESULTS.h5 → values of SOL8, or end", "[gui
   CHECK(page.x.back() == a.time.back());
 }
 
-TEST_CASE("behind the end of RESULTS.h5 a SOL8 cut anywhere gives whole frames alone", "[h5]") {
+TEST_CASE("frames after the end of RESULTS.h5: truncated SOL8 → complete frames only", "[h5]") {
   const testing::TemporaryFolder folder;
   write_cut(folder, 25);
   const std::string text = testing::read_bytes(folder / "SOL8");

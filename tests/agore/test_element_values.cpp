@@ -119,10 +119,10 @@ TEST_CASE("raceway view: every type → ellipses with the pressures of the file 
     options.element = 1;
     CHECK(picture.image({1280, 800}, frame, options) != picture.image({1280, 800}, 0, options));
     // Elements are colored by the same quantity.
-    const Colouring by = colouring(animation, frame, ColourBy::Pressure, {});
+    const ElementColors by = element_colors(animation, frame, ColourBy::Pressure, {});
     REQUIRE(by.any());
     CHECK(by.unit == "Pa");
-    CHECK(by.high_end().ends_with("Pa"));
+    CHECK(by.high_end_label().ends_with("Pa"));
   }
   CHECK_FALSE(why_not(View::Raceways, prepare(test::synthetic_sol8())).empty());
 }

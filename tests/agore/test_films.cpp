@@ -79,7 +79,7 @@ TEST_CASE("render: movies and numbered pictures → first and last frame as spec
   const auto frames = [&](int first, int last, int every, double slow) {
     RenderOptions options;
     options.first = first, options.last = last, options.slow = slow;
-    return film_frames(picture, every, 25, options);
+    return movie_frames(picture, every, 25, options);
   };
   using Frames = std::vector<std::size_t>;
   CHECK(frames(1, 0, 3, 0.0) == Frames{0, 3, 6});
@@ -93,7 +93,7 @@ TEST_CASE("render: movies and numbered pictures → first and last frame as spec
   CHECK_THROWS_WITH(frames(5, 4, 1, 0.0), Catch::Contains("frame (5) is after the last frame (4)"));
 }
 
-TEST_CASE("render: numbered pictures end when somebody stops them", "[gui]") {
+TEST_CASE("render: numbered pictures stop on request", "[gui]") {
   test::use_qt();
   QTemporaryDir folder;
   const std::filesystem::path base = folder.path().toStdString();

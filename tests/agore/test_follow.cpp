@@ -40,7 +40,7 @@ TEST_CASE("agore_window: a running solver is followed, at the moment and place t
   REQUIRE(window.openFile(sol8));
   window.setView(View::Cage);
   window.setFrame(7);
-  window.setSpan(window.picture()->animation().time[3], {});
+  window.setRepeatRange(window.picture()->animation().time[3], {});
   const auto grows = [&](const std::string& text, std::size_t frames) {
     test::write_text(sol8, text);
     return QTest::qWaitFor([&] { return window.frameCount() == frames; }, kPatience);

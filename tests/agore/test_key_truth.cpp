@@ -33,7 +33,7 @@ constexpr std::array<View, 9> kViews{View::Bearing, View::Cage,      View::Pocke
 /// A picture alone, in a small window, and what its key says.
 struct Shown {
   QImage image;  ///< without the marks of the key
-  std::vector<KeyEntry> key;
+  std::vector<PictureLegendEntry> key;
   QString words;
   double key_top = 0.0;  ///< of its first entry
   QByteArray svg;
@@ -45,8 +45,8 @@ Shown show(const Animation& animation, std::size_t frame, const ViewOptions& opt
   const QRectF area(QPointF(0, 0), QSizeF(size.toSize()));
   const QColor paper = theme_of(options).surface;
   Shown out;
-  Kept kept;
-  const auto paint = [&](QPainter& painter, Kept& of) {
+  ViewCache kept;
+  const auto paint = [&](QPainter& painter, ViewCache& of) {
     paint_picture(painter, area, animation, frame, options, &of);
   };
   out.image = QImage(area.size().toSize(), QImage::Format_RGB32);
@@ -54,13 +54,13 @@ Shown show(const Animation& animation, std::size_t frame, const ViewOptions& opt
   QPainter painter(&out.image);
   paint(painter, kept);
   out.key = kept.key.entries();
-  Kept again;
+  ViewCache again;
   const QByteArray svg = out.svg =
-      desktop::svg_of(area.size().toSize(), [&](QPainter& p) { paint(p, again); });
+      desktop::render_svg(area.size().toSize(), [&](QPainter& p) { paint(p, again); });
   out.words = test::all_words(svg);
   out.key_top = area.height();
   for (const test::Words& words : test::words_of(svg))
-    for (const KeyEntry& entry : out.key) {
+    for (const PictureLegendEntry& entry : out.key) {
       if (words.text != entry.text && !entry.text.startsWith(words.text + " ")) continue;
       const QRectF mark(words.place.left() - 27.0, words.place.top() - 4.0, 27.0,
                         words.place.height() + 8.0);
@@ -124,7 +124,9 @@ void for_each_state(const std::function<void(const Animation&, std::size_t, cons
     }
 }
 
-bool drawn(const KeyEntry& entry) { return entry.colour.isValid() && entry.mark != KeyMark::None; }
+bool drawn(const PictureLegendEntry& entry) {
+  return entry.colour.isValid() && entry.mark != LegendMark::None;
+}
 
 /// Subject of an entry in any view; empty: unknown, which is a fault of this list.
 std::optional<std::string> quantity_of(const QString& text, View view) {
@@ -165,17 +167,17 @@ TEST_CASE("keys: what a key names is drawn, and every color of a mark is named",
     const bool solid = options.view == View::Solid;
     INFO(state);
     std::set<QRgb> key;
-    for (const KeyEntry& entry : shown.key) {
+    for (const PictureLegendEntry& entry : shown.key) {
       if (!drawn(entry)) continue;
       key.insert(entry.colour.rgb());
       ++named;
       INFO(entry.text.toStdString());
       // In space bodies, and what is painted on them, have light and shade.
-      if (solid && (entry.mark == KeyMark::Disc || entry.mark == KeyMark::Turning ||
-                    entry.mark == KeyMark::Sector))
+      if (solid && (entry.mark == LegendMark::Disc || entry.mark == LegendMark::Turning ||
+                    entry.mark == LegendMark::Sector))
         continue;
       if (solid && entry.text == kGuideLands) continue;
-      const bool thin = entry.mark == KeyMark::Dashed || entry.mark == KeyMark::Dotted;
+      const bool thin = entry.mark == LegendMark::Dashed || entry.mark == LegendMark::Dotted;
       CHECK(inked(shown.image, entry.colour, thin ? 120 : 40) > 0);
     }
     // Steel has the gray of elements without contact: the run distinguishes them.
@@ -249,18 +251,18 @@ std::vector<Drawn> marks_of(const Shown& shown) {
 }
 
 /// Which marks of a key name it.
-bool names(const KeyEntry& entry, const Drawn& mark) {
+bool names(const PictureLegendEntry& entry, const Drawn& mark) {
   // In space one entry explains all dashes.
   if (mark.shape == Drawn::Shape::Dashes && entry.text == "dashed: behind a body") return true;
   if (entry.colour.name() != mark.colour) return false;
   switch (mark.shape) {
     case Drawn::Shape::Round:
-      return entry.mark == KeyMark::Spot || entry.mark == KeyMark::Dots;
+      return entry.mark == LegendMark::Spot || entry.mark == LegendMark::Dots;
     case Drawn::Shape::Dashes:
-      return entry.mark == KeyMark::Dashed || entry.mark == KeyMark::Dotted ||
-             entry.mark == KeyMark::Contact;
+      return entry.mark == LegendMark::Dashed || entry.mark == LegendMark::Dotted ||
+             entry.mark == LegendMark::Contact;
     case Drawn::Shape::Star:
-      return entry.mark == KeyMark::Star;
+      return entry.mark == LegendMark::Star;
   }
   return false;
 }
@@ -284,7 +286,7 @@ TEST_CASE("keys: every drawn dot, star and dashed line has an entry with its sha
       INFO(state << ": " << mark.colour.toStdString() << " at " << mark.at.x() << ", "
                  << mark.at.y() << ", shape " << static_cast<int>(mark.shape));
       CHECK(std::any_of(shown.key.begin(), shown.key.end(),
-                        [&](const KeyEntry& entry) { return names(entry, mark); }));
+                        [&](const PictureLegendEntry& entry) { return names(entry, mark); }));
     }
   });
   for (const auto shape : {Drawn::Shape::Round, Drawn::Shape::Dashes, Drawn::Shape::Star})
@@ -302,7 +304,7 @@ TEST_CASE("keys: below four small pictures entries stand in columns, none left o
       options.beside = {{View::Solid}, {View::Section}, {View::Pocket}};
       options.contacts = all;
       options.colour = all ? ColourBy::Slip : ColourBy::None;
-      const QRectF key = MotionPicture::sharedKeyArea(QRectF({0, 0}, kSize), 4);
+      const QRectF key = MotionPicture::sharedLegendArea(QRectF({0, 0}, kSize), 4);
       std::set<int> left;
       int entries = 0;
       const QByteArray svg = picture.svg(kSize, picture.frames() - 1, options);
@@ -321,7 +323,7 @@ TEST_CASE("keys: one quantity has one color in all views", "[gui][keys][slow]") 
   std::map<std::pair<std::string, bool>, std::set<QString>> colours;
   for_each_state([&](const Animation& animation, std::size_t frame, const ViewOptions& options,
                      const std::string& state) {
-    for (const KeyEntry& entry : show(animation, frame, options).key) {
+    for (const PictureLegendEntry& entry : show(animation, frame, options).key) {
       if (!drawn(entry)) continue;
       const auto quantity = quantity_of(entry.text, options.view);
       INFO(state << ": " << entry.text.toStdString());

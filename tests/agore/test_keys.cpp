@@ -33,18 +33,19 @@ std::vector<View> views_of(const Animation& animation, ViewOptions& options) {
 }
 
 /// Entries that the key of one picture needs at its size.
-std::vector<KeyEntry> entries_of(const Animation& animation, std::size_t frame,
-                                 const ViewOptions& options, std::size_t tile, QSizeF size) {
+std::vector<PictureLegendEntry> entries_of(const Animation& animation, std::size_t frame,
+                                           const ViewOptions& options, std::size_t tile,
+                                           QSizeF size) {
   const std::size_t count = 1 + options.beside.size();
   QSizeF own = MotionPicture::pictureAreas(QRectF({0, 0}, size), count).at(tile).size();
   if (count > 1) own -= QSizeF(8.0, own.height() < 200.0 ? 22.0 : 30.0);
   QImage image(own.toSize(), QImage::Format_RGB32);
   QPainter painter(&image);
-  Kept kept;
+  ViewCache kept;
   paint_picture(painter, QRectF({0, 0}, own), animation, frame, options.tile(tile), &kept);
-  std::vector<KeyEntry> out = kept.key.entries();
+  std::vector<PictureLegendEntry> out = kept.key.entries();
   // Of several small pictures: objects without space for their name.
-  for (const KeyEntry& entry : kept.key.leftOut())
+  for (const PictureLegendEntry& entry : kept.key.omittedEntries())
     if (entry.colour.isValid()) out.push_back(entry);
   return out;
 }
@@ -88,8 +89,8 @@ TEST_CASE("bearing view: a body with a warning gets a red ring and a line of the
         WarnedBodies{{}, false, {true, false}}, WarnedBodies{{}, false, {false, true}}}) {
     CAPTURE(warned.names(true));
     CHECK(red(warned) > none + 200);
-    const std::vector<KeyEntry> key = entries_of(animation, 0, options, 0, {900, 700});
-    CHECK(std::any_of(key.begin(), key.end(), [&](const KeyEntry& entry) {
+    const std::vector<PictureLegendEntry> key = entries_of(animation, 0, options, 0, {900, 700});
+    CHECK(std::any_of(key.begin(), key.end(), [&](const PictureLegendEntry& entry) {
       return entry.text == QString::fromStdString("warning: " + warned.names(true));
     }));
   }
@@ -121,7 +122,8 @@ TEST_CASE("keys: every entry stands whole in the picture, however small, beside 
             INFO(type << ", " << view_title(options.view) << ", one of " << tiles
                       << (marks ? ", all marks, " : ", ") << size.width());
             for (std::size_t i = 0; i < tiles; ++i)
-              for (const KeyEntry& entry : entries_of(animation, frame, options, i, size)) {
+              for (const PictureLegendEntry& entry :
+                   entries_of(animation, frame, options, i, size)) {
                 INFO(entry.text.toStdString());
                 ++seen;
                 if (words.contains(entry.text.simplified())) continue;

@@ -13,7 +13,7 @@
 using namespace adore;
 using namespace adore::agore;
 
-TEST_CASE("agore_window: no view, mark or message makes a low window grow", "[gui]") {
+TEST_CASE("agore_window: views, marks and messages do not enlarge a low window", "[gui]") {
   test::use_qt();
   for (const QSize size : test::kLowWindows) {
     AgoreWindow window;
@@ -32,7 +32,7 @@ TEST_CASE("agore_window: no view, mark or message makes a low window grow", "[gu
   }
 }
 
-TEST_CASE("agore: a small picture says why its elements have no colors", "[gui][keys]") {
+TEST_CASE("agore: small picture → reason for missing element colors is shown", "[gui][keys]") {
   test::use_qt();
   MotionPicture picture(prepare(test::synthetic_sol8(test::short_run(61))));
   ViewOptions options;

@@ -72,7 +72,7 @@ QImage picture_of(const Animation& animation, std::size_t frame, const ViewOptio
 
 }  // namespace
 
-TEST_CASE("marks: every color stands out from what it lies on by 3:1, light and dark",
+TEST_CASE("marks: contrast of every color to its background is at least 3:1, light and dark",
           "[gui][agore][slow]") {
   test::use_qt();
   for (const std::string& type : test::kTypes) {
@@ -93,7 +93,7 @@ TEST_CASE("marks: every color stands out from what it lies on by 3:1, light and 
           const desktop::Theme& t = theme_of(options);
           const QImage image = picture_of(animation, frame, options);
           for (const QColor& mark : {t.red, t.green, t.blue, t.light_blue, t.curves[0], t.curves[1],
-                                     t.curves[2], t.curves[3], turning_mark_colour(t)}) {
+                                     t.curves[2], t.curves[3], rotation_mark_color(t)}) {
             const Seen seen = seen_of(image, mark);
             INFO(type << ", " << view_title(view) << (dark ? ", dark, " : ", light, ")
                       << mark.name().toStdString() << ": " << seen.lost << " of " << seen.all);
@@ -110,11 +110,11 @@ TEST_CASE("marks: rotation marks have one color, apart from every color of the s
     for (int i = 0; i <= 100; ++i) {
       const QColor tint = i == 100 ? no_contact_colour() : scale_colour(i / 99.0);
       INFO(tint.name().toStdString());
-      CHECK(contrast(turning_mark_colour(t).rgb(), tint.rgb()) >= 3.0);
-      CHECK(contrast(solid_mark_colour(t, true).rgb(), tint.rgb()) >= 3.0);
+      CHECK(contrast(rotation_mark_color(t).rgb(), tint.rgb()) >= 3.0);
+      CHECK(contrast(solid_rotation_mark_color(t, true).rgb(), tint.rgb()) >= 3.0);
     }
-    CHECK(contrast(turning_mark_colour(t).rgb(), t.steel_light.rgb()) >= 3.0);
-    CHECK(contrast(solid_mark_colour(t).rgb(), t.steel_light.rgb()) >= 3.0);
+    CHECK(contrast(rotation_mark_color(t).rgb(), t.steel_light.rgb()) >= 3.0);
+    CHECK(contrast(solid_rotation_mark_color(t).rgb(), t.steel_light.rgb()) >= 3.0);
   }
 }
 
@@ -134,7 +134,7 @@ TEST_CASE("marks: an element without contact has a color of its own, which the k
   animation.some_free = loses_contact(load);
   int coloured = 0;
   for (const ColourBy by : {ColourBy::Load, ColourBy::Slip, ColourBy::Heat}) {
-    const Colouring colours = colouring(animation, frame, by);
+    const ElementColors colours = element_colors(animation, frame, by);
     if (!colours.any()) continue;
     ++coloured;
     for (std::size_t k = 0; k < 8; ++k) {
@@ -241,7 +241,7 @@ TEST_CASE("marks: no path hides the mark that turns with an element", "[gui][ago
     const Animation animation = open_motion(test::example_run(type) / "RESULTS.h5");
     const std::size_t frame = animation.frames() - 1;
     ViewOptions options;
-    const QColor mark = turning_mark_colour(theme_of(options));
+    const QColor mark = rotation_mark_color(theme_of(options));
     const auto inked = [&](bool trails) {
       options.trails = trails;
       QImage image(394, 348, QImage::Format_RGB32);
@@ -250,9 +250,9 @@ TEST_CASE("marks: no path hides the mark that turns with an element", "[gui][ago
       // Equal size with any key.
       const Sketch sketch(painter, QRectF(0, 0, 394, 348),
                           1.1 * animation.file.geometry.outer_race_inner_radius, theme_of(options));
-      Kept kept;
-      bearing_view(Scene{sketch, animation, frame, animation.frame(frame), 1.0, options, kept.cages,
-                         kept.key});
+      ViewCache kept;
+      draw_bearing_view(Scene{sketch, animation, frame, animation.frame(frame), 1.0, options,
+                              kept.cages, kept.key});
       painter.end();
       return seen_of(image.copy(0, 0, 394, 240), mark).all;
     };
@@ -265,8 +265,7 @@ TEST_CASE("marks: no path hides the mark that turns with an element", "[gui][ago
   }
 }
 
-TEST_CASE("marks: what turns with a roller is an area, which no edge of a path looks like",
-          "[gui][agore]") {
+TEST_CASE("marks: rotation mark of a roller is an area, distinct from path edges", "[gui][agore]") {
   test::use_qt();
   Animation animation = open_motion(test::example_run("cylindrical") / "RESULTS.h5");
   const std::size_t frame = animation.frames() - 1;
@@ -280,8 +279,8 @@ TEST_CASE("marks: what turns with a roller is an area, which no edge of a path l
     // Of rollers as dark as the scale has them, and of steel, at the size that 700x450 leaves.
     for (const ColourBy colour : {ColourBy::None, ColourBy::Load}) {
       options.colour = colour;
-      options.scale = {ColourScale::Typed, 0.0, 1e9};
-      const QColor mark = turning_mark_colour(t);
+      options.scale = {ColorScaleKind::Typed, 0.0, 1e9};
+      const QColor mark = rotation_mark_color(t);
       double pixels = 0.0;  // of a roller's radius
       const auto inked = [&](const Animation& of) {
         QImage image(kSize, kSize, QImage::Format_RGB32);
@@ -289,7 +288,7 @@ TEST_CASE("marks: what turns with a roller is an area, which no edge of a path l
         QPainter painter(&image);
         const Sketch sketch(painter, QRectF(0, 0, kSize, kSize), radius, t);
         pixels = of.file.geometry.element_radius * sketch.scale();
-        Kept kept;
+        ViewCache kept;
         const ViewOptions asked = options;
         const Scene scene{sketch, of, frame, of.frame(frame), 1.0, asked, kept.cages, kept.key};
         draw_elements(scene);
@@ -298,12 +297,12 @@ TEST_CASE("marks: what turns with a roller is an area, which no edge of a path l
           const QPointF way =
               0.8 * of.file.geometry.element_radius / std::hypot(at.x(), at.y()) * across;
           const QPointF from = at - way, to = at + way;
-          draw_way(painter, sketch.area(),
-                   {{sketch.at(from.x(), from.y()), false, false},
-                    {sketch.at(to.x(), to.y()), true, false}},
-                   {trail_colour(scene), 2.0, t.surface});
+          draw_trajectory(painter, sketch.area(),
+                          {{sketch.at(from.x(), from.y()), false, false},
+                           {sketch.at(to.x(), to.y()), true, false}},
+                          {trail_colour(scene), 2.0, t.surface});
         }
-        draw_turning_marks(scene);
+        draw_rotation_marks(scene);
         painter.end();
         // Of 3x3 pixels in the mark's color: lines and edges of lines have none.
         int out = 0;
@@ -344,7 +343,7 @@ TEST_CASE("marks: in space a roller's mark is a field, not a sliver", "[gui][ago
     options.view = View::Solid;
     options.yaw = 0.0, options.elevation = 0.0;  // on their ends
     const QImage image = picture_of(animation, frame, options);
-    const QColor ink = solid_mark_colour(theme_of(options));
+    const QColor ink = solid_rotation_mark_color(theme_of(options));
     int painted = 0;  // with light and shade
     for (int y = 0; y < image.height(); ++y)
       for (int x = 0; x < image.width(); ++x) {
@@ -381,7 +380,7 @@ TEST_CASE("marks: loads behind bodies → dashed in 3D, explained in the key", "
   CHECK(before > 100);
 }
 
-TEST_CASE("marks: every element that carries has its arrow or a stub of it, in small pictures too",
+TEST_CASE("marks: every loaded element has an arrow, or a stub of an arrow in small pictures",
           "[gui][agore]") {
   test::use_qt();
   for (const char* type : {"ball", "spherical"}) {

@@ -92,7 +92,7 @@ TEST_CASE("agore_window: random user actions → no crash", "[gui][slow]") {
       }
       case 4:
         window.setView(static_cast<View>(any(9)), 1 + any(20));
-        if (any(2) == 0) window.setBeside(static_cast<View>(any(9)), any(3) > 0);
+        if (any(2) == 0) window.setAdditionalView(static_cast<View>(any(9)), any(3) > 0);
         break;
       default:
         any(2) == 0 ? window.frameForward() : window.frameBackward();

@@ -30,7 +30,7 @@ TEST_CASE(
   CHECK(test::unreadable_help(window).join("; ").toStdString() == "");
 }
 
-TEST_CASE("agore_window: a letter with Alt chooses one thing, in its dialogs, too", "[gui]") {
+TEST_CASE("agore_window: access keys are unique, also in dialogs", "[gui]") {
   test::use_qt();
   AgoreWindow window;
   window.setAnimation(prepare(test::synthetic_sol8()));
@@ -42,7 +42,7 @@ TEST_CASE("agore_window: a letter with Alt chooses one thing, in its dialogs, to
   CHECK(test::unspoken_in_dialogs(window, dialogs).join("; ").toStdString() == "");
 }
 
-TEST_CASE("agore_window: a letter with Alt that chooses nothing now is not typed", "[gui]") {
+TEST_CASE("agore_window: Alt+letter without an action is not typed into a field", "[gui]") {
   test::use_qt();
   AgoreWindow window;
   window.setAnimation(prepare(test::synthetic_sol8()));
@@ -50,8 +50,7 @@ TEST_CASE("agore_window: a letter with Alt that chooses nothing now is not typed
   CHECK(test::letters_typed_by_alt(window).join("; ").toStdString() == "");
 }
 
-TEST_CASE("agore_window: Qt has nothing to warn of while switches go off and on in every size",
-          "[gui]") {
+TEST_CASE("agore_window: no Qt warnings while switches are toggled at any size", "[gui]") {
   test::use_qt();
   const test::QtWarnings warnings;
   AgoreWindow window;
@@ -60,8 +59,9 @@ TEST_CASE("agore_window: Qt has nothing to warn of while switches go off and on 
   CHECK(test::warned_by_switches(window) == "");
 }
 
-TEST_CASE("agore_window: the picture has the keyboard and tells its views, frame and time",
-          "[gui]") {
+TEST_CASE(
+    "agore_window: the picture is focusable and its accessible text has views, frame and time",
+    "[gui]") {
   test::use_qt();
   AgoreWindow window;
   auto* picture = window.findChild<PictureWidget*>();
@@ -83,7 +83,7 @@ TEST_CASE("agore_window: the picture has the keyboard and tells its views, frame
     CHECK(picture->accessibleDescription() == bearing + told(frame));
   }
   window.setView(View::Element, 2);
-  window.setBeside(View::OuterRace, true);
+  window.setAdditionalView(View::OuterRace, true);
   CHECK(picture->accessibleDescription() ==
         QString::fromStdString(view_title(View::Element)) + " 2, " +
             QString::fromStdString(view_title(View::OuterRace)) + "; " + told(3));

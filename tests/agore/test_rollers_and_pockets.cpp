@@ -25,7 +25,7 @@ using test::write_sizes;
 
 TEST_CASE("pocket outlines have the clearances of their shape", "[unit][agore][pocket]") {
   using agore::PocketOutline;
-  const auto half = [](PocketOutline p) { return agore::pocket_half(p); };
+  const auto half = [](PocketOutline p) { return agore::pocket_half_size(p); };
   const PocketOutline ball{.radius = 5.0, .clearance_1 = 1.0, .clearance_2 = 2.0};
   const auto with = [&](int code) {
     PocketOutline p = ball;
@@ -59,21 +59,21 @@ TEST_CASE("pocket outlines have the clearances of their shape", "[unit][agore][p
   CHECK(window.contains(QPointF(4.7, 7.4)));
 }
 
-TEST_CASE("the arrow of a pocket points to the wall that carries", "[unit][agore][pocket]") {
-  using agore::touched_wall;
+TEST_CASE("pocket view: arrow points to the loaded wall", "[unit][agore][pocket]") {
+  using agore::wall_contact_direction;
   const QPointF down(0.1, -5.0);  // far along the axis
   for (const double direction : {1.0, -1.0}) {
     // The roller drives: the wall before it, whichever way the cage turns; and behind it.
-    CHECK(touched_wall(true, down, agore::kPi, direction) == QPointF(direction, 0.0));
-    CHECK(touched_wall(true, down, 0.0, direction) == QPointF(-direction, 0.0));
-    CHECK(touched_wall(false, {0.0, 0.0}, 0.0, direction) == QPointF(-direction, 0.0));
-    CHECK(touched_wall(false, {0.0, -5.0}, 0.0, direction) == QPointF(0.0, -1.0));
+    CHECK(wall_contact_direction(true, down, adore::kPi, direction) == QPointF(direction, 0.0));
+    CHECK(wall_contact_direction(true, down, 0.0, direction) == QPointF(-direction, 0.0));
+    CHECK(wall_contact_direction(false, {0.0, 0.0}, 0.0, direction) == QPointF(-direction, 0.0));
+    CHECK(wall_contact_direction(false, {0.0, -5.0}, 0.0, direction) == QPointF(0.0, -1.0));
   }
 }
 
 TEST_CASE("a roller meets its wall where the run says, or where it is drawn next to it",
           "[unit][agore][pocket]") {
-  using agore::touching_place, agore::upright;
+  using agore::wall_contact_point, agore::upright;
   const agore::RollerProfile shape{.half = 7.0, .radius = 5.0};
   const auto near = [](QPointF a, QPointF b) {
     return std::hypot(a.x() - b.x(), a.y() - b.y()) < 0.02;
@@ -81,17 +81,17 @@ TEST_CASE("a roller meets its wall where the run says, or where it is drawn next
   const QPolygonF straight = upright(shape.outline(), 0.0);
   for (const std::size_t side : {0U, 1U}) {
     const double x = side == 0 ? -5.0 : 5.0;
-    CHECK(near(touching_place(straight, 0.0, side, {}), {x, 0.0}));
-    CHECK(near(touching_place(straight, 0.0, side, 3.0), {x, 3.0}));
-    CHECK(near(touching_place(straight, 0.0, side, 99.0), {x, 7.0}));
+    CHECK(near(wall_contact_point(straight, 0.0, side, {}), {x, 0.0}));
+    CHECK(near(wall_contact_point(straight, 0.0, side, 3.0), {x, 3.0}));
+    CHECK(near(wall_contact_point(straight, 0.0, side, 99.0), {x, 7.0}));
     // A skew to the right brings its upper end to the right wall, its lower one to the left.
     const QPolygonF skewed = upright(shape.outline(), 0.1);
-    const QPointF touch = touching_place(skewed, 0.0, side, {});
+    const QPointF touch = wall_contact_point(skewed, 0.0, side, {});
     CHECK((side == 0 ? -1.0 : 1.0) * touch.y() > 6.0);
     CHECK(std::abs(touch.x()) == Approx(5.0 * std::cos(0.1) + 7.0 * std::sin(0.1)).epsilon(0.01));
     // A cone lies along the walls of its window.
     const agore::RollerProfile cone{.half = 7.0, .radius = 5.0, .slope = -0.1};
-    const QPointF on_cone = touching_place(upright(cone.outline(), 0.0), -0.1, side, 4.0);
+    const QPointF on_cone = wall_contact_point(upright(cone.outline(), 0.0), -0.1, side, 4.0);
     CHECK(std::abs(on_cone.x()) == Approx(4.6).epsilon(0.01));
     CHECK(on_cone.y() == Approx(4.0));
   }
@@ -121,22 +121,22 @@ TEST_CASE("the wall that carries by the stored angle is the one that is pressed 
           // A ball has gone towards the wall that its angle names.
           const auto& way = a.frame(frame).elements[k].pocket_vector;
           const double turns = a.cage_angle.back() >= a.cage_angle.front() ? 1.0 : -1.0;
-          const QPointF wall = touched_wall(false, {}, theta.at(frame, i), turns);
+          const QPointF wall = wall_contact_direction(false, {}, theta.at(frame, i), turns);
           CHECK(-way[1] * wall.x() + way[0] * wall.y() > 0.0);
         }
   }
   CHECK(contacts > 3);
 }
 
-TEST_CASE("a leaning roller is seen foreshortened, in a window that leaves it its clearance",
+TEST_CASE("pocket view: tilted roller is foreshortened, its clearance is kept",
           "[unit][agore][pocket]") {
   agore::RollerProfile shape{.half = 7.0, .radius = 5.0};
   CHECK(shape.outline(0.0) == shape.outline());
-  CHECK(shape.end_seen(0.0).isEmpty());
+  CHECK(shape.visible_end_rim(0.0).isEmpty());
   for (const double lean : {0.2, -0.35}) {
     const double sine = std::abs(std::sin(lean)), cosine = std::cos(lean);
     const QRectF seen = shape.outline(lean).boundingRect(),
-                 end = shape.end_seen(lean).boundingRect();
+                 end = shape.visible_end_rim(lean).boundingRect();
     CHECK(seen.height() == Approx(10.0));
     CHECK(seen.right() == Approx(7.0 * cosine + 5.0 * sine));
     CHECK(seen.left() == Approx(-seen.right()));
@@ -151,7 +151,7 @@ TEST_CASE("a leaning roller is seen foreshortened, in a window that leaves it it
       const agore::RollerProfile domed{
           .half = 7.0, .radius = 5.0, .corner = {0.5, 0.5}, .dome = {bulge, bulge}};
       const QRectF seen = domed.outline(lean).boundingRect(),
-                   end = domed.end_seen(lean).boundingRect();
+                   end = domed.visible_end_rim(lean).boundingRect();
       INFO("dome " << bulge << ", lean " << lean);
       CHECK(end.isEmpty() == (lean == 0.01));
       if (!end.isEmpty()) CHECK(seen.adjusted(-1e-9, -1e-9, 1e-9, 1e-9).contains(end));
@@ -160,7 +160,7 @@ TEST_CASE("a leaning roller is seen foreshortened, in a window that leaves it it
   shape.slope = -0.1;
   shape.corner = {0.5, 1.0};
   for (const double lean : {0.0, 0.15, -0.3}) {
-    const auto walls = agore::leaning_walls(shape, lean);
+    const auto walls = agore::end_wall_offsets(shape, lean);
     const QRectF seen = shape.outline(lean).boundingRect();
     CHECK(seen.left() == Approx(-7.0 - walls[0]).epsilon(1e-3));
     CHECK(seen.right() == Approx(7.0 + walls[1]).epsilon(1e-3));
@@ -170,8 +170,8 @@ TEST_CASE("a leaning roller is seen foreshortened, in a window that leaves it it
     const QRectF hole = agore::pocket_hole(pocket).boundingRect();
     CHECK(hole.top() == Approx(seen.left() - 0.5).epsilon(1e-3));
     CHECK(hole.bottom() == Approx(seen.right() + 0.5).epsilon(1e-3));
-    CHECK(agore::pocket_half(pocket).height() == Approx(std::max(-hole.top(), hole.bottom())));
-    CHECK(2.0 * agore::pocket_half(pocket).width() == Approx(hole.width()));
+    CHECK(agore::pocket_half_size(pocket).height() == Approx(std::max(-hole.top(), hole.bottom())));
+    CHECK(2.0 * agore::pocket_half_size(pocket).width() == Approx(hole.width()));
   }
 }
 
@@ -219,8 +219,7 @@ TEST_CASE("a roller is drawn with its cone, its arc, its corners and its domes",
         }
 }
 
-TEST_CASE("a skew takes as much more of the play as clearances are larger",
-          "[unit][agore][pocket]") {
+TEST_CASE("pocket view: drawn skew is scaled with the clearances", "[unit][agore][pocket]") {
   using agore::drawn_skew;
   agore::RollerProfile roller{.half = 7.0, .radius = 5.0};
   // Straight: its ends go aside in proportion.
@@ -228,7 +227,7 @@ TEST_CASE("a skew takes as much more of the play as clearances are larger",
   CHECK(drawn_skew(roller.outline(), 0.0, -0.01, 10.0) < -0.09);
   CHECK(drawn_skew(roller.outline(), 0.0, 0.0, 10.0) == Approx(0.0).margin(1e-9));
   CHECK(drawn_skew(roller.outline(), 0.0, 0.03, 1.0) == Approx(0.03));
-  CHECK(drawn_skew(roller.outline(), 0.0, 0.5, 1e3) <= agore::kPi / 3.0 + 1e-12);
+  CHECK(drawn_skew(roller.outline(), 0.0, 0.5, 1e3) <= adore::kPi / 3.0 + 1e-12);
   // A barrel: its arc goes aside by (R - r)(1 - cos skew), up to the arc's end at 0.19 rad.
   roller.crown = 36.0;
   const double drawn = drawn_skew(roller.outline(), 0.0, 0.06, 9.0);
@@ -246,7 +245,7 @@ TEST_CASE("a skew takes as much more of the play as clearances are larger",
 
 TEST_CASE("pocket view: roller and pocket drawn → ratio of the gaps kept",
           "[unit][agore][pocket]") {
-  using agore::moved, agore::play_in;
+  using agore::moved, agore::pocket_gaps;
   // At the second wall, at the first, in the middle, one part of four; jammed, and overlapping.
   CHECK(moved({1.0, 1.0}, {3e-6, 0.0}) == Approx(1.0));
   CHECK(moved({1.0, 1.0}, {-1e-9, 3e-6}) == Approx(-1.0));
@@ -263,7 +262,7 @@ TEST_CASE("pocket view: roller and pocket drawn → ratio of the gaps kept",
         const agore::PocketOutline pocket{
             .radius = 5.0, .roller_length = 14.0, .taper = taper, .clearance_1 = 3.0};
         const QPolygonF roller = agore::upright(shape.outline(), skew);
-        const auto [sides, ends] = play_in(pocket, roller);
+        const auto [sides, ends] = pocket_gaps(pocket, roller);
         // Moved by its play it just touches: a little less stays in the hole, a little more does
         // not.
         const QPainterPath hole = agore::pocket_hole(pocket);
@@ -293,9 +292,9 @@ TEST_CASE("pocket with guide faces: a roller moved by its play touches them and 
   CHECK(hole.contains(QPointF(6.4, 2.1)));
   CHECK(hole.contains(QPointF(6.6, 0.0)));  // between the faces
   CHECK_FALSE(hole.contains(QPointF(-6.1, -5.9)));
-  CHECK(agore::pocket_half(pocket).width() == Approx(7.1));
+  CHECK(agore::pocket_half_size(pocket).width() == Approx(7.1));
   const agore::RollerProfile shape{.half = 7.0, .radius = 5.0};
-  const auto play = agore::play_in(pocket, agore::upright(shape.outline(), 0.0));
+  const auto play = agore::pocket_gaps(pocket, agore::upright(shape.outline(), 0.0));
   CHECK(play.sides[0] == Approx(1.0));
   CHECK(play.sides[1] == Approx(1.0));
 }
@@ -318,7 +317,7 @@ TEST_CASE("views: a roller is drawn at the wall that carries it, and the key tel
           const bool touched = (i % 2 == 0) == first;
           element.pocket[i].force = touched ? 5.0 : 0.0;
           element.pocket[i].gap = touched ? -1e-8 : 3.8e-4;
-          element.pocket[i].theta = first ? 0.0 : agore::kPi;
+          element.pocket[i].theta = first ? 0.0 : adore::kPi;
         }
       }
       h5.write(recorder.record(snapshot));
@@ -365,7 +364,7 @@ TEST_CASE("views: a roller is drawn at the wall that carries it, and the key tel
   }
 }
 
-TEST_CASE("views: a wall that carries nothing is not called touched", "[gui][h5]") {
+TEST_CASE("views: unloaded wall → not marked as touched", "[gui][h5]") {
   using namespace adore::testing;
   test::use_qt();
   const TemporaryFolder folder;
@@ -420,11 +419,11 @@ TEST_CASE("the shape of a roller is what RESULTS.h5 says of it, in meters or inc
       CHECK(cage.hole == Approx((0.007 + 0.0002) / unit));  // half of clearance I at each end
       // However a roller lies in its pocket, its walls are beyond it.
       for (const double cone : {0.0, 8.0, -20.0}) {
-        const double lean = agore::nominal_lean(a) - cone * agore::kPi / 180.0;
-        const auto walls = agore::leaning_walls(roller, lean);
+        const double lean = agore::nominal_lean(a) - cone * adore::kPi / 180.0;
+        const auto walls = agore::end_wall_offsets(roller, lean);
         double most[] = {0.0, 0.0};
         for (const QPointF& p : roller.outline().toFillPolygon()) {
-          const double u = agore::leaned(0.0, 0.0, lean, p.x(), p.y()).x();
+          const double u = agore::tilted_point(0.0, 0.0, lean, p.x(), p.y()).x();
           most[u < 0.0 ? 0 : 1] = std::max(most[u < 0.0 ? 0 : 1], std::abs(u));
         }
         for (const std::size_t end : {0U, 1U})
@@ -455,26 +454,26 @@ TEST_CASE("the shape of a roller is what RESULTS.h5 says of it, in meters or inc
   CHECK(agore::roller_profile(alone).side(-0.005) == agore::roller_profile(alone).side(0.005));
 }
 
-TEST_CASE("the section's cage leaves its pocket as open as it is", "[unit][agore][pocket]") {
+TEST_CASE("section view: drawn pocket opening equals that of the cage", "[unit][agore][pocket]") {
   agore::CageProfile cage{.half_width = 9.0, .low = -3.0, .high = 3.0, .hole = 5.0};
-  CHECK(cage.hole_at(-3.0, 0) == 5.0);
+  CHECK(cage.pocket_half_length_at(-3.0, 0) == 5.0);
   cage.round = 5.0;  // a sphere
-  CHECK(cage.hole_at(3.0, 1) == Approx(4.0));
+  CHECK(cage.pocket_half_length_at(3.0, 1) == Approx(4.0));
   cage.round = 0.0, cage.flare = 0.1;  // a cone that opens outwards
-  CHECK(cage.hole_at(3.0, 0) == Approx(5.3));
-  CHECK(cage.hole_at(-3.0, 1) == Approx(4.7));
+  CHECK(cage.pocket_half_length_at(3.0, 0) == Approx(5.3));
+  CHECK(cage.pocket_half_length_at(-3.0, 1) == Approx(4.7));
   cage.leaning = {0.25, 0.5};  // of a roller that leans in its pocket
-  CHECK(cage.hole_at(0.0, 0) == Approx(5.25));
-  CHECK(cage.hole_at(0.0, 1) == Approx(5.5));
+  CHECK(cage.pocket_half_length_at(0.0, 0) == Approx(5.25));
+  CHECK(cage.pocket_half_length_at(0.0, 1) == Approx(5.5));
 }
 
-TEST_CASE("the section's guide land ends where its bar does", "[unit][agore]") {
+TEST_CASE("section view: guide land ends with its bar", "[unit][agore]") {
   agore::CageProfile cage{.half_width = 9.0, .low = -3.0, .high = 3.0, .hole = 5.5};
   using Part = std::pair<double, double>;
-  CHECK(agore::on_bar(cage, 30.0, {0, 5.0, 8.0, 33.0, 33.1}) == Part{5.5, 8.0});
-  CHECK(agore::on_bar(cage, 30.0, {1, -8.0, -5.0, 27.0, 26.9}) == Part{-8.0, -5.5});
-  CHECK(agore::on_bar(cage, 30.0, {1, 6.0, 8.0, 27.0, 26.9}) == Part{6.0, 8.0});
-  CHECK(agore::on_bar(cage, 30.0, {0, -8.0, 8.0, 33.0, 33.1}) == Part{-8.0, 8.0});
+  CHECK(agore::land_range_on_bar(cage, 30.0, {0, 5.0, 8.0, 33.0, 33.1}) == Part{5.5, 8.0});
+  CHECK(agore::land_range_on_bar(cage, 30.0, {1, -8.0, -5.0, 27.0, 26.9}) == Part{-8.0, -5.5});
+  CHECK(agore::land_range_on_bar(cage, 30.0, {1, 6.0, 8.0, 27.0, 26.9}) == Part{6.0, 8.0});
+  CHECK(agore::land_range_on_bar(cage, 30.0, {0, -8.0, 8.0, 33.0, 33.1}) == Part{-8.0, 8.0});
 }
 
 TEST_CASE("flange view: roller rotated by Phi of SOL1, its +x end up", "[gui][h5]") {

@@ -44,14 +44,14 @@ TEST_CASE("views: RESULTS.h5 alone shows sections, colors and race loads", "[gui
   CHECK(a.guide_clearance == Approx(0.0003));
   CHECK(a.land[1]);
   // Channels of the run, not differences: 400 + k rad/s of a shaft at 1000.
-  const History orbit = element_orbit(a, 2);
+  const History orbit = element_orbit_speed(a, 2);
   REQUIRE(orbit.value.size() == 31);
   for (const double ratio : orbit.value) CHECK(ratio == Approx(0.403));
-  const Colouring load = colouring(a, 5, ColourBy::Load);
+  const ElementColors load = element_colors(a, 5, ColourBy::Load);
   REQUIRE(load.value.size() == 8);
   CHECK(load.value[2] == Approx(1300.0));  // the larger of both contacts: 100 (3 + 10)
   CHECK(load.high == Approx(1800.0));
-  CHECK(load.high_end() == "1.8 kN");
+  CHECK(load.high_end_label() == "1.8 kN");
   CHECK(load.of(2) == scale_colour(1300.0 / 1800.0));
   results::MotionChannel made;  // 1, 2 ... 100, the larger of both contacts, and nothing
   made.width = 2;
@@ -64,10 +64,10 @@ TEST_CASE("views: RESULTS.h5 alone shows sections, colors and race loads", "[gui
   Animation peak = a;
   peak.run_ranges["contact.load"] = {0.0, 18000.0, 1500.0};
   const auto scaled = [&](const std::string& scale) {
-    return colouring(peak, 5, ColourBy::Load, scale_named(scale));
+    return element_colors(peak, 5, ColourBy::Load, parse_color_scale(scale));
   };
   CHECK(scaled("usual").high == Approx(1500.0));
-  CHECK(scaled("usual").high_end() == "≥ 1.5 kN");
+  CHECK(scaled("usual").high_end_label() == "≥ 1.5 kN");
   CHECK(scaled("usual").scale == "top 5 % off scale, max. 18 kN");
   CHECK(scaled("run").high == Approx(18000.0));
   CHECK_FALSE(scaled("run").above);
@@ -75,11 +75,11 @@ TEST_CASE("views: RESULTS.h5 alone shows sections, colors and race loads", "[gui
   CHECK(scaled("moment").scale == "range of frame, max. of run 18 kN");
   CHECK(scaled("1000:1600").of(2) == scale_colour(0.5));
   CHECK(scaled("1000:1600").of(7) == scale_colour(1.0));
-  CHECK(scaled("1000:1600").low_end() == "≤ 1 kN");
+  CHECK(scaled("1000:1600").low_end_label() == "≤ 1 kN");
   for (const char* name : {"largest", "3:1", "1:1", "0:inf", "0:2 N", "0;2"})
-    CHECK_THROWS_WITH(scale_named(name), Catch::Contains(name) && Catch::Contains("0:0.02"));
+    CHECK_THROWS_WITH(parse_color_scale(name), Catch::Contains(name) && Catch::Contains("0:0.02"));
   for (const char* name : {"usual", "run", "moment", "-0.5:0.25"})
-    CHECK(scale_name(scale_named(name)) == name);
+    CHECK(scale_name(parse_color_scale(name)) == name);
   CHECK(scale_colour(0.0) == QColor(92, 112, 214));
   CHECK(scale_colour(1.0) == QColor(253, 231, 37));
   ViewOptions options;

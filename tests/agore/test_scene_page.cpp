@@ -125,7 +125,7 @@ TEST_CASE("scene page: headless Chromium → it draws, and a link opens it at a 
           "[gui][agore][slow]") {
   test::use_qt();
   const QString chromium = QStandardPaths::findExecutable("chromium");
-  if (chromium.isEmpty() || !three_found()) {
+  if (chromium.isEmpty() || !is_threejs_installed()) {
     WARN("skipped: chromium or libjs-three is not installed (./setup.sh --tests)");
     return;
   }

@@ -59,10 +59,10 @@ TEST_CASE("segments: each has its own lands, turning and curves, chosen by the e
   for (int k = 0; k < 3; ++k) {
     for (std::size_t land = 0; land < 2; ++land) {
       const double force = 10.0 * (k + 1) + static_cast<double>(land);
-      CHECK(a.land_touch(7, k, land).force == Approx(force));
+      CHECK(a.land_contact(7, k, land).force == Approx(force));
       CHECK(land_force(a, land, k).value.at(7) == Approx(force));
     }
-    CHECK(a.land_touch(7, k, 0).angle == Approx(0.1 * (k + 1)));
+    CHECK(a.land_contact(7, k, 0).angle == Approx(0.1 * (k + 1)));
     CHECK(a.part(7, k).position[1] == Approx(1e-5 * (k + 1)));
     CHECK(cage_speed(a, k).value.at(7) == Approx(0.4 + 0.01 * k));
   }

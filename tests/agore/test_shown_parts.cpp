@@ -40,7 +40,7 @@ TEST_CASE("motion picture: hidden heading, chart and legend → the bodies get t
     CHECK(picture({false, false, false}, views).top() < 20.0);
     for (const ShownParts& shown :
          {ShownParts{true, false, true}, ShownParts{false, false, true}}) {
-      const QRectF key = MotionPicture::sharedKeyArea(all, views, shown);
+      const QRectF key = MotionPicture::sharedLegendArea(all, views, shown);
       for (const QRectF& tile : MotionPicture::pictureAreas(all, views, shown)) {
         CHECK_FALSE(tile.intersects(key));
         CHECK(all.contains(tile));
@@ -48,7 +48,7 @@ TEST_CASE("motion picture: hidden heading, chart and legend → the bodies get t
     }
   }
   CHECK(MotionPicture::dataArea(all, 1, {true, false, true}).isEmpty());
-  CHECK(MotionPicture::sharedKeyArea(all, 4, {true, true, false}).isEmpty());
+  CHECK(MotionPicture::sharedLegendArea(all, 4, {true, true, false}).isEmpty());
   MotionPicture motion(prepare(test::synthetic_sol8(test::short_run(61))));
   ViewOptions options;
   const auto words = [&] { return test::all_words(motion.svg({1280, 800}, 3, options)); };

@@ -32,7 +32,7 @@ TEST_CASE("agore: numbers of the small chart → readable with one to four views
       }
 }
 
-TEST_CASE("agore: a title that is cut keeps what tells it apart", "[gui]") {
+TEST_CASE("agore: shortened titles keep their distinguishing part", "[gui]") {
   test::use_qt();
   for (const qreal width : {200.0, 230.0, 300.0}) {
     desktop::ChartScene scene(desktop::ChartStyle::Compact);

@@ -91,7 +91,7 @@ TEST_CASE("ring_profile: a groove has its bottom and its shoulders where the fil
   const auto outer = ring_profile(a, 0), inner = ring_profile(a, 1);
   const auto lowest = [](const auto& ring, double sign) {
     double best = -1e9;
-    for (const RingColumn& c : ring) best = std::max(best, sign * c.near);
+    for (const RingRadii& c : ring) best = std::max(best, sign * c.near);
     return sign * best;
   };
   const auto& g = a.file.geometry;
@@ -99,17 +99,17 @@ TEST_CASE("ring_profile: a groove has its bottom and its shoulders where the fil
   CHECK(lowest(outer, 1.0) == Approx(g.outer_race_inner_radius).epsilon(1e-3));
   CHECK(lowest(inner, -1.0) == Approx(g.inner_race_outer_radius).epsilon(1e-3));
   // It guides the cage: its shoulders are what its lands run on.
-  REQUIRE(land_places(a).size() == 2);
+  REQUIRE(land_sections(a).size() == 2);
   CHECK(outer.front().near == Approx(0.0373));
   CHECK(outer.back().near == Approx(0.0371));
   CHECK(ring_profile(a, 0, 4.0).back().near == Approx(0.0374));  // its clearance magnified
-  CHECK(inner.front().near == Approx(size_length(a, "inner_shoulder_radius")));
-  CHECK(outer.back().x - outer.front().x == Approx(size_length(a, "outer_race_width")));
-  for (const RingColumn& c : outer) CHECK(c.near <= c.far);
-  for (const RingColumn& c : inner) CHECK(c.near >= c.far);
+  CHECK(inner.front().near == Approx(dimension_in_file_unit(a, "inner_shoulder_radius")));
+  CHECK(outer.back().x - outer.front().x == Approx(dimension_in_file_unit(a, "outer_race_width")));
+  for (const RingRadii& c : outer) CHECK(c.near <= c.far);
+  for (const RingRadii& c : inner) CHECK(c.near >= c.far);
 }
 
-TEST_CASE("land_places: lands are where the deck has them, and their race reaches to them",
+TEST_CASE("land_sections: lands are where the deck has them, and their race reaches to them",
           "[unit][agore]") {
   using namespace adore::testing;
   for (const auto guide : {bearing::GuideLand::Guide::Outer, bearing::GuideLand::Guide::Inner})
@@ -130,7 +130,7 @@ TEST_CASE("land_places: lands are where the deck has them, and their race reache
       Animation a = open_motion(folder / "RESULTS.h5");
       if (rollers) a.file.bearing_type = 2;  // as long as wide
       const bool outer = guide == bearing::GuideLand::Guide::Outer;
-      const auto lands = land_places(a);
+      const auto lands = land_sections(a);
       REQUIRE(lands.size() == 2);
       CHECK(lands[0].low == Approx(-0.007));
       CHECK(lands[0].high == Approx(-0.005));
@@ -149,7 +149,7 @@ TEST_CASE("land_places: lands are where the deck has them, and their race reache
         // The element's place in the middle is as it was.
         const auto& g = a.file.geometry;
         double deepest = race == 0 ? -1.0 : 1.0;
-        for (const RingColumn& c : ring)
+        for (const RingRadii& c : ring)
           deepest = race == 0 ? std::max(deepest, c.near) : std::min(deepest, c.near);
         CHECK(deepest == Approx(race == 0 ? g.outer_race_inner_radius : g.inner_race_outer_radius)
                              .epsilon(1e-3));
@@ -209,11 +209,11 @@ TEST_CASE("motion_picture: views too low for separate keys → shared key", "[gu
   ViewOptions options;
   options.beside = {{View::Solid}, {View::Element}, {View::Pocket}};
   const QRectF low(0, 0, 700, 450), high(0, 0, 1920, 1200);
-  const QRectF key = MotionPicture::sharedKeyArea(low, 4);
+  const QRectF key = MotionPicture::sharedLegendArea(low, 4);
   REQUIRE_FALSE(key.isEmpty());
-  CHECK(MotionPicture::sharedKeyArea(high, 4).isEmpty());
-  CHECK_FALSE(MotionPicture::sharedKeyArea({0, 0, 1280, 800}, 4).isEmpty());
-  CHECK(MotionPicture::sharedKeyArea(low, 1).isEmpty());
+  CHECK(MotionPicture::sharedLegendArea(high, 4).isEmpty());
+  CHECK_FALSE(MotionPicture::sharedLegendArea({0, 0, 1280, 800}, 4).isEmpty());
+  CHECK(MotionPicture::sharedLegendArea(low, 1).isEmpty());
   for (const QRectF& tile : MotionPicture::pictureAreas(low, 4)) CHECK_FALSE(tile.intersects(key));
   CHECK_FALSE(MotionPicture::dataArea(low, 4).intersects(key));
   CHECK(key.bottom() < MotionPicture::timeBar(low).top() - 21.0);
@@ -255,8 +255,8 @@ TEST_CASE("motion_picture: views too low for separate keys → shared key", "[gu
 TEST_CASE("shared key: entries longer than a line → wrapped", "[gui][agore]") {
   test::use_qt();
   const desktop::Theme& t = desktop::theme(desktop::ThemeKind::Light);
-  SharedKey key;
-  const QByteArray svg = desktop::svg_of({400, 200}, [&](QPainter& p) {
+  SharedLegend key;
+  const QByteArray svg = desktop::render_svg({400, 200}, [&](QPainter& p) {
     key.draw(
         p, QRectF(0, 0, 230, 180), t,
         {{t.red, "pocket contact: 530 mN at 0°, 275 mN at 180°"}, {t.blue, "inner race frame"}});
@@ -292,7 +292,7 @@ TEST_CASE("motion_picture: several views → side by side", "[gui][agore]") {
 
 TEST_CASE("ring_profile: an overhanging flange leaves no trace on the far side", "[unit][agore]") {
   // A roller's end that leans: the columns go back from 2 to 1.5.
-  const std::vector<RingColumn> profile{
+  const std::vector<RingRadii> profile{
       {0.0, 6.0, 1.0}, {2.0, 5.5, 1.0}, {1.5, 4.0, 1.0}, {5.0, 3.0, 1.0}, {6.0, 2.8, 1.0}};
   const auto outline = ring_outline(profile);
   double along = 0.0;

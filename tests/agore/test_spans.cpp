@@ -59,8 +59,8 @@ TEST_CASE("agore_window: what is marked is repeated, offered as a film, and take
   CHECK(turns >= 2);
   CHECK(least >= 20);
   CHECK(most <= 29);
-  window.saveFilm();
-  auto* film = window.findChild<FilmDialog*>("filmRange");
+  window.saveMovie();
+  auto* film = window.findChild<MovieDialog*>("filmRange");
   REQUIRE(film != nullptr);
   CHECK(film->first() == 20);
   CHECK(film->last() == 29);
@@ -92,7 +92,7 @@ TEST_CASE("agore_window: Shift and a drag over the time bar or a curve mark what
       QPoint from = QPointF(line.left() + 0.4 * line.width(), line.center().y()).toPoint(),
              to = QPointF(line.left() + 0.7 * line.width(), line.center().y()).toPoint();
       if (backward) std::swap(from, to);
-      window.setSpan({}, {});
+      window.setRepeatRange({}, {});
       QTest::mousePress(canvas, Qt::LeftButton, Qt::ShiftModifier, from);
       QMouseEvent move(QEvent::MouseMove, to, canvas->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
                        Qt::ShiftModifier);

@@ -48,7 +48,7 @@ void disc(QPainter& p, QPointF middle, double radius) {
 
 TEST_CASE("stamps: what is kept is drawn where it belongs, with all of its ink", "[unit][agore]") {
   for (const double radius : {9.0, 100.0}) {
-    Stamps stamps;
+    SpriteCache stamps;
     const double off = radius < 64.0 ? 0.125 : 0.25;  // each way
     for (int i = 0; i < 60; ++i) {
       const QPointF where(150.0 + 1.37 * std::sin(7.0 * i), 150.0 + 1.71 * std::cos(5.0 * i));
@@ -72,8 +72,8 @@ TEST_CASE("stamps: what is kept is drawn where it belongs, with all of its ink",
 
 TEST_CASE("stamps: different looks are distinguished; large ones are drawn, not cached",
           "[unit][agore]") {
-  Stamps stamps;
-  const auto ink = [&](double radius, double reach, Stamps::Look look) {
+  SpriteCache stamps;
+  const auto ink = [&](double radius, double reach, SpriteCache::DrawingAppearance look) {
     QImage image = paper();
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -91,10 +91,9 @@ TEST_CASE("stamps: different looks are distinguished; large ones are drawn, not 
   CHECK(stamps.size() == 4);
 }
 
-TEST_CASE("stamps: what is kept stays within its room, and what was drawn last stays",
-          "[unit][agore]") {
+TEST_CASE("stamps: cache size is limited, last drawn pictures are kept", "[unit][agore]") {
   constexpr double kOne = 4.0 * 27.0 * 27.0;  // bytes of a reach of 12
-  Stamps stamps(8.5 * kOne);
+  SpriteCache stamps(8.5 * kOne);
   QImage image = paper();
   QPainter painter(&image);
   int drawn = 0;
@@ -128,16 +127,16 @@ TEST_CASE("stamps: all views of a window keep theirs in one room", "[gui][agore]
   double most = 0.0;
   for (int i = 0; i < 90; ++i) {  // separate images for every zoom
     options.zoom = 1.0 + 0.02 * i;
-    for (SideView& side : options.beside) side.zoom = options.zoom;
+    for (AdditionalView& side : options.beside) side.zoom = options.zoom;
     QPainter painter(&screen);
     picture.paint(painter, QRectF(0, 0, 960, 540), static_cast<std::size_t>(i % 6), options);
-    most = std::max(most, picture.keptBytes());
-    REQUIRE(picture.keptBytes() <= Stamps::kRoom);
+    most = std::max(most, picture.cachedImageBytes());
+    REQUIRE(picture.cachedImageBytes() <= SpriteCache::kRoom);
   }
-  CHECK(most > 0.7 * Stamps::kRoom);  // it was full
+  CHECK(most > 0.7 * SpriteCache::kRoom);  // it was full
 }
 
-TEST_CASE("depth_canvas: restoring takes away everything that was drawn since", "[unit][agore]") {
+TEST_CASE("depth_canvas: restored → everything drawn since is removed", "[unit][agore]") {
   const Shades red = shades_of(QColor(200, 0, 0)), blue = shades_of(QColor(0, 0, 200));
   DepthCanvas still;
   still.reset({80, 60}, qRgb(255, 255, 255));

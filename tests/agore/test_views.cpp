@@ -102,7 +102,8 @@ TEST_CASE("views: arrows of race loads stay clear of the numbers and of the word
     const QRectF area = MotionPicture::pictureAreas(QRectF(QPointF(0, 0), size), 1).front();
     const QPointF middle = picture_middle(animation, options, area);
     const double radius =
-        0.5 * std::min(area.width(), area.height() - key_foot(animation, options, area.size()));
+        0.5 * std::min(area.width(),
+                       area.height() - legend_height_below(animation, options, area.size()));
     const QRect number(QPointF(middle.x() - 12, middle.y() - radius).toPoint(), QSize(24, 20));
     CHECK(pixels_of(bearing, number, blue) == 0);
     CHECK(pixels_of(bearing, number.translated(0, 26), blue) > (size.width() > 1000 ? 10 : 2));

@@ -32,7 +32,7 @@ Animation thinned(std::size_t stride) {
 struct Seen {
   Seen(const Animation& animation, const ViewOptions& options)
       : area(MotionPicture::pictureAreas(QRectF({0, 0}, kSize), 1).front()),
-        foot(key_foot(animation, options, area.size())),
+        foot(legend_height_below(animation, options, area.size())),
         nothing(1, 1, QImage::Format_RGB32),
         painter(&nothing),
         sketch(painter, area,
@@ -52,7 +52,7 @@ bool coloured(const QImage& image, QPointF at, const QColor& colour) {
 
 }  // namespace
 
-TEST_CASE("ways: frames are marked, and a chord is drawn only where the way between is known",
+TEST_CASE("paths: frames are marked, lines only where the path between frames is known",
           "[gui][ways]") {
   test::use_qt();
   for (const std::size_t stride : {5U, 20U, 47U, 50U, 60U, 90U, 120U}) {
@@ -92,7 +92,7 @@ TEST_CASE("ways: frames are marked, and a chord is drawn only where the way betw
   }
 }
 
-TEST_CASE("ways: sparse orbits of centers are their frames, and the key says so", "[gui][ways]") {
+TEST_CASE("paths: sparse orbits of centers are drawn as frames, with a key entry", "[gui][ways]") {
   test::use_qt();
   ViewOptions options;
   options.view = View::Cage;

@@ -146,13 +146,13 @@ TEST_CASE("an interrupt ends every command alike: a word, exit code 130, no unfi
       {"agore", {run + "/SOL8", "--render", out, "--every", "1", "--view", "3d"}},
       {"agore", {run + "/SOL8", "--render", out, "--movie", "a.gif", "--view", "3d"}},
       {"adore", {"animate", run + "/SOL8", "--out", out, "--movie", "b.avi", "--view", "3d"}}};
-  if (adore::desktop::ffmpeg_found())
+  if (adore::desktop::has_ffmpeg())
     for (const char* program : {"agore", "adore"})
       commands.push_back(
           {program, program == std::string("agore")
                         ? QStringList{run + "/SOL8", "--render", out, "--movie", "c.mp4"}
                         : QStringList{"animate", run + "/SOL8", "--out", out, "--movie", "c.mp4"}});
-  const auto listens = [](qint64 process) {
+  const auto is_listening = [](qint64 process) {
     QFile status(QString("/proc/%1/status").arg(process));
     if (!status.open(QIODevice::ReadOnly)) return false;
     for (const QByteArray& line : status.readAll().split('\n'))
@@ -168,7 +168,7 @@ TEST_CASE("an interrupt ends every command alike: a word, exit code 130, no unfi
     process.start(QString::fromStdString(adore::test::program(command.program).string()),
                   command.words);
     REQUIRE(process.waitForStarted());
-    REQUIRE(QTest::qWaitFor([&] { return listens(process.processId()); }, 60'000));
+    REQUIRE(QTest::qWaitFor([&] { return is_listening(process.processId()); }, 60'000));
     REQUIRE(::kill(static_cast<pid_t>(process.processId()), SIGINT) == 0);
     REQUIRE(process.waitForFinished(60'000));
     const QString said = QString::fromUtf8(process.readAll());
@@ -188,9 +188,9 @@ TEST_CASE("a second viewer of a project hands its files over and ends", "[gui][a
     const QString file = project.filePath(QString("run-001/") + name);
     REQUIRE(QFile::copy(run_folder() + "/" + name, file));
     QStringList shown;
-    const adore::desktop::OneWindow first(program, project.path(), nullptr,
-                                          [&](const QStringList& names) { shown = names; });
-    REQUIRE(first.listens());
+    const adore::desktop::SingleWindowServer first(
+        program, project.path(), nullptr, [&](const QStringList& names) { shown = names; });
+    REQUIRE(first.is_listening());
     QProcess second;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert("QT_QPA_PLATFORM", "offscreen");
@@ -287,7 +287,7 @@ TEST_CASE("adrinput --render draws its pages for a real deck", "[gui][apps]") {
 
 TEST_CASE("programs: start another program of the same folder; missing → message", "[gui][apps]") {
   adore::test::use_qt();
-  adore::desktop::start_programs_by({});
+  adore::desktop::set_program_starter({});
   QTemporaryDir pictures;
   qputenv("QT_QPA_PLATFORM", "offscreen");
   adore::desktop::start_program(

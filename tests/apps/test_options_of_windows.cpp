@@ -47,7 +47,8 @@ const QMap<QString, QString> kValues{{"--size", "900x700"},    {"--page", "2"},
                                      {"--fps", "5"},           {"--slow", "1e-4"},
                                      {"--colour", "load"},     {"--scale", "run"},
                                      {"--domain", "spectrum"}, {"--curve", "2"},
-                                     {"--rows", "speed"}};
+                                     {"--rows", "speed"},      {"--band", "2000:8000"},
+                                     {"--orders-of", "cage"}};
 /// Of pictures alone: no window comes.
 const QSet<QString> kOfPictures{"--size", "--frame", "--movie", "--html", "--fps", "--slow"};
 
@@ -103,6 +104,9 @@ TEST_CASE("no option of a window's command line is remembered for the next windo
       if (option.key() == "--curve" || option.key() == "--rows")
         words << "--domain"
               << "spectrogram";
+      if (option.key() == "--band" || option.key() == "--orders-of")
+        words << "--domain"
+              << "envelope";
       const bool picture = kOfPictures.contains(option.key()) ||
                            (program.name == std::string("adrinput") && option.key() == "--dark") ||
                            (program.name == std::string("agore") &&

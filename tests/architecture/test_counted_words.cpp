@@ -13,7 +13,7 @@
 /// "1 pages": a number before a word in the plural is written by counted(), unless it is never 1.
 namespace fs = std::filesystem;
 
-TEST_CASE("counted: one thing is no plural", "[unit]") {
+TEST_CASE("counted(): one item → singular form", "[unit]") {
   CHECK(adore::counted(1, "page") == "1 page");
   CHECK(adore::counted(0, "page") == "0 pages");
   CHECK(adore::counted(12345UL, "step") == "12345 steps");
@@ -94,7 +94,9 @@ TEST_CASE("sentences of the sources write no number before a plural", "[unit]") 
                                       "{} cage segments, ",
                                       "the study has more than {} runs",
                                       "{} names none",
-                                      "{} names no set"};
+                                      "{} names no set",
+                                      "The ratings apply to {} rows together",
+                                      "is narrower than {} lines"};
   std::string found;
   int files = 0;
   for (const char* folder : {"adrinput", "adrplot", "agore", "cli", "core", "desktop"})

@@ -1,3 +1,4 @@
+#include "base/finding.hpp"
 #include "support/bytes.hpp"
 #include "support/paths.hpp"
 
@@ -90,37 +91,51 @@ TEST_CASE("sources: only base/write_folder.cpp opens files for writing or change
 TEST_CASE("sources: only base/input_file.cpp opens files for reading", "[unit][architecture]") {
   static const Pattern reader(
       R"(\bifstream\b|\bQFile\s+\w|(^|\W)::(open|openat)\s*\(|\bopen\s*\(.*\bO_RD|\bH5Fopen\s*\()");
-  CHECK(faults(reader, {"core/base/input_file.cpp", "core/base/write_folder.cpp",
-                        "core/results/h5_driver.cpp",
-                        "core/results/h5_file.cpp",  // in the reading process, after refuse_pipe()
-                        "core/results/results_h5.cpp",        // in its file
-                        "core/results/run_findings.cpp",      // the same; in the reading process
-                        "core/studies/study_table_read.cpp",  // STUDY.h5, after refuse_pipe()
-                        "core/runs/output_folder.cpp",        // locks
-                        "agore/scene_page.cpp",               // a resource of the program
-                        "core/results/h5_process.cpp", "core/studies/slurm.cpp",
-                        "cli/streams.cpp"}) == "");  // these three: /dev/null
+  CHECK(faults(
+            reader,
+            {"core/base/input_file.cpp", "core/base/write_folder.cpp", "core/results/h5_driver.cpp",
+             "core/results/h5_file.cpp",     // in the reading process, after reject_special_file()
+             "core/results/results_h5.cpp",  // in its file
+             "core/results/run_findings.cpp",      // the same; in the reading process
+             "core/studies/study_table_read.cpp",  // STUDY.h5, after reject_special_file()
+             "core/runs/output_folder.cpp",        // locks
+             "agore/scene_page.cpp",               // a resource of the program
+             "core/results/h5_process.cpp", "core/studies/slurm.cpp", "cli/streams.cpp"}) ==
+        "");  // these three: /dev/null
 }
 
-TEST_CASE("sources: remarks are Finding; lists of sentences are in the modules below the register",
+TEST_CASE("sources: remarks are Finding; lists of sentences are texts of a listing",
           "[unit][architecture]") {
   static const Pattern list(
       R"(std::vector<(std::string|Issue)> *&? *(notes|remarks|warnings|hints)_?\b *(=|;|\)|,|\{))");
-  CHECK(faults(list, {"core/statics/friction.hpp", "core/statics/ball_statics.cpp",
-                      "core/statics/ball_report.cpp", "core/statics/race_text.cpp",
-                      "core/statics/roller_report.cpp", "core/statics/least_heat.hpp",
-                      "core/statics/least_heat.cpp", "core/bearing/fits.hpp",
-                      "core/thermal/bearing_heat.hpp", "core/life/parameters.hpp",
-                      "core/life/parameters.cpp", "core/life/iso_report.cpp",
-                      "core/life/bearing_life.hpp",
-                      // texts of findings for a listing
-                      "core/listing/static_summary.hpp", "core/listing/static_summary.cpp",
-                      "core/listing/print_file.hpp", "core/listing/print_file.cpp",
-                      "core/assembly/set_statics.hpp", "core/runs/run_outputs.cpp",
+  CHECK(faults(list, {"core/statics/friction.hpp",        // below the table of friction in PRINT
+                      "core/listing/static_summary.hpp",  // and texts for a listing
+                      "core/listing/static_summary.cpp", "core/listing/print_file.hpp",
+                      "core/listing/print_file.cpp", "core/runs/run_outputs.cpp",
                       // about a drawing, a change of the deck, a page of experiments
                       "core/drawing/outline.hpp", "core/drawing/outline_model.hpp",
                       "core/deck/monitored_bodies.cpp", "core/python/bindings/deck.cpp",
                       "core/validation/experiments.hpp"}) == "");
+}
+
+TEST_CASE("sources: no finding is made from a sentence", "[unit][architecture]") {
+  // A search in the sentence of a finding: base/finding.cpp cuts the text for PRINT, by code.
+  static const Pattern in_sentence(
+      R"(\bmessage *(\.|->) *(find|rfind|starts_with|ends_with|contains|compare) *\()");
+  CHECK(faults(in_sentence, {"core/base/finding.cpp"}) == "");
+  // Each code is named by the source that makes it; deck.<severity> is that of an Issue without
+  // one.
+  std::string sources;
+  for (const std::string& folder : kFolders)
+    for (const auto& entry : fs::recursive_directory_iterator(adore::test::source_dir() / folder))
+      if (entry.path().extension() == ".cpp") sources += adore::test::bytes_of(entry.path());
+  std::string unnamed;
+  for (const adore::FindingKind& kind : adore::finding_kinds())
+    if (!kind.code.starts_with("validity.") &&
+        !(kind.code == "deck.error" || kind.code == "deck.warning" || kind.code == "deck.note") &&
+        sources.find('"' + kind.code + '"') == std::string::npos)
+      unnamed += kind.code + " ";
+  CHECK(unnamed == "");
 }
 
 TEST_CASE("sources: all text for the terminal goes through base/terminal_text.hpp",

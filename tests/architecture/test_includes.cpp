@@ -100,7 +100,7 @@ TEST_CASE("core folders include only what the dependency rule allows", "[unit][a
   CHECK(seen > 50);
 }
 
-TEST_CASE("apps reach the core through its rooms for values, files, drawings and runs only",
+TEST_CASE("apps include only the core folders for values, files, drawings and runs",
           "[unit][architecture]") {
   for (const std::string app : {"desktop", "adrplot", "agore", "adrinput", "core/python"})
     for (const fs::path& file : sources(adore::test::source_dir() / app))
@@ -115,7 +115,7 @@ TEST_CASE("apps reach the core through its rooms for values, files, drawings and
       }
 }
 
-TEST_CASE("effects are seen by the dynamics alone", "[unit][architecture]") {
+TEST_CASE("effects are included only by dynamics", "[unit][architecture]") {
   for (const auto& entry : fs::directory_iterator(adore::test::source_dir() / "core")) {
     if (!entry.is_directory() || entry.path().filename() == "dynamics") continue;
     for (const fs::path& file : sources(entry.path()))
@@ -127,7 +127,7 @@ TEST_CASE("effects are seen by the dynamics alone", "[unit][architecture]") {
   }
 }
 
-TEST_CASE("numbers are read by functions that know no locale", "[unit][architecture]") {
+TEST_CASE("numbers are read independently of the locale", "[unit][architecture]") {
   // Qt and other programs that call us set the user's locale: in a German one stod("7.5") is 7.
   static const std::regex reader(R"(\b(stod|stof|stold|strtod|strtof|atof|sscanf)\s*\()");
   for (const std::string folder : {"core", "cli", "desktop", "adrplot", "agore", "adrinput"})
@@ -174,7 +174,7 @@ TEST_CASE("the picture of the core's folders is the dependency rule", "[unit][ar
     }
 }
 
-TEST_CASE("every reading and every output rule that the code cites stands in the docs",
+TEST_CASE("citations: every reading and output rule in the code is in the docs",
           "[unit][architecture]") {
   const fs::path root = adore::test::source_dir();
   const std::string readings = text_of(root / "resources/docs/readings.md");

@@ -154,7 +154,7 @@ void pan_orbit(benchmark::State& state) {
     const double x = 0.4 * std::cos(turn), y = 0.4 * std::sin(turn);
     scene.setZoom({0.0, 1.0, {std::pair(y - half, y + half), std::pair(x - half, x + half)}});
     benchmark::DoNotOptimize(scene.readoutParts(pointer));
-    benchmark::DoNotOptimize(scene.pointNear(pointer, 20.0));
+    benchmark::DoNotOptimize(scene.nearestPlanePoint(pointer, 20.0));
     QPainter painter(&image);
     scene.paintPage(painter, QRectF(QPointF(0, 0), QSizeF(size)));
     return thread_time() - before;

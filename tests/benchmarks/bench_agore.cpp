@@ -137,7 +137,7 @@ double seconds_of_helpers() {
 
 void film(benchmark::State& state, const char* name) {
   agore::MotionPicture& shown = picture();
-  if (std::string_view(name).ends_with("mp4") && !desktop::ffmpeg_found()) {
+  if (std::string_view(name).ends_with("mp4") && !desktop::has_ffmpeg()) {
     state.SkipWithError("no ffmpeg here");
     return;
   }

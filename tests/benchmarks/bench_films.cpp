@@ -20,7 +20,7 @@ using dynamics::InstructionSet;
 constexpr std::size_t kBalls = 16;
 
 /// Nodes along and across the contact of a run.
-using Nodes = tribology::EllipseSize;
+using Nodes = tribology::EllipseNodeCounts;
 bool strips(int code) {
   return tribology::lubricant(code).model == tribology::LubricantModel::ViscoElastic;
 }
@@ -41,8 +41,8 @@ bearing::Lubrication lubrication_of(int code) {
   return lubrication;
 }
 
-tribology::FilmSurface contact_surface(bool single = true) {
-  tribology::FilmSurface surface;
+tribology::RaceFilmInputs contact_surface(bool single = true) {
+  tribology::RaceFilmInputs surface;
   surface.radius = 0.005;
   surface.modulus = 2.26e11;
   surface.wall_temperature = 360.0;
@@ -101,7 +101,7 @@ double heat(test::ThrustScene& scene) {
 }
 
 void films(benchmark::State& state, int code, InstructionSet set) {
-  if (!dynamics::instruction_set_available(set)) {
+  if (!dynamics::is_instruction_set_available(set)) {
     state.SkipWithError("this machine lacks the instruction set");
     return;
   }
@@ -126,7 +126,7 @@ void films(benchmark::State& state, int code, InstructionSet set) {
 }
 
 void rolling(benchmark::State& state, InstructionSet set) {
-  if (!dynamics::instruction_set_available(set)) {
+  if (!dynamics::is_instruction_set_available(set)) {
     state.SkipWithError("this machine lacks the instruction set");
     return;
   }

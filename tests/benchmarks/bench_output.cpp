@@ -14,17 +14,20 @@ using namespace adore::results;
 
 /// Contacts, flanges, pockets of two surfaces, lands and races. Aim: 50 ns an element.
 void look_at_40_rollers(benchmark::State& state) {
-  using adore::scene::Looked;
+  using adore::scene::ExtremeQuantity;
   adore::scene::Look look;
-  for (const Looked what : {Looked::ContactLoad, Looked::ContactHeat, Looked::ContactSlip})
+  for (const ExtremeQuantity what :
+       {ExtremeQuantity::ContactLoad, ExtremeQuantity::ContactHeat, ExtremeQuantity::ContactSlip})
     look[what].assign(80, 1.0);
-  for (const Looked what : {Looked::FlangeForce, Looked::FlangeSlip}) look[what].assign(160, 2.0);
-  look[Looked::PocketForce].assign(80, 3.0);
-  look[Looked::LandForce].assign(2, 4.0);
-  for (std::size_t k = 8; k < adore::scene::kLooked; ++k) look.values[k].assign(2, 5.0);
+  for (const ExtremeQuantity what : {ExtremeQuantity::FlangeForce, ExtremeQuantity::FlangeSlip})
+    look[what].assign(160, 2.0);
+  look[ExtremeQuantity::PocketForce].assign(80, 3.0);
+  look[ExtremeQuantity::LandForce].assign(2, 4.0);
+  for (std::size_t k = 8; k < adore::scene::kExtremeQuantityCount; ++k)
+    look.values[k].assign(2, 5.0);
   StepBand band;
   for (auto _ : state) band.look(look);
-  benchmark::DoNotOptimize(band.high(Looked::FlangeForce, 159));
+  benchmark::DoNotOptimize(band.high(ExtremeQuantity::FlangeForce, 159));
 }
 
 /// Fields of SOL1 to SOL7 (digits 7, one before the point) and SOL8 (digits 3).

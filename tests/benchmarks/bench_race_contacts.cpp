@@ -20,10 +20,10 @@ const char* const kCases[] = {"dyn3_40_10k_twoslope_curved", "dyn3_40_30k_twoslo
                               "dyn3_40_60k_twoslope_curved", "dyn3_40_30k_exp_curved"};
 
 /// The larger error of the two races.
-dynamics::RuleError rule_error(const test::ThrustScene& scene) {
-  dynamics::RuleError both;
+dynamics::QuadratureRuleError rule_error(const test::ThrustScene& scene) {
+  dynamics::QuadratureRuleError both;
   for (std::size_t j = 0; j < 2; ++j) {
-    const dynamics::RuleError one =
+    const dynamics::QuadratureRuleError one =
         dynamics::measure_rule_error(scene.model[j], scene.arrays(), scene.race[j]);
     both.force = std::max(both.force, one.force);
     both.moment = std::max(both.moment, one.moment);
@@ -49,7 +49,7 @@ struct Rule {
 /// `traction` off shows what geometry, normal forces and summation cost alone.
 void race_contacts(benchmark::State& state, const char* id, InstructionSet set, const Rule& rule,
                    bool traction) {
-  if (!dynamics::instruction_set_available(set)) {
+  if (!dynamics::is_instruction_set_available(set)) {
     state.SkipWithError("this machine lacks the instruction set");
     return;
   }
@@ -66,7 +66,7 @@ void race_contacts(benchmark::State& state, const char* id, InstructionSet set, 
     benchmark::ClobberMemory();
   }
   if (!traction) return;
-  static std::map<std::string, dynamics::RuleError> known;
+  static std::map<std::string, dynamics::QuadratureRuleError> known;
   const std::string key = id + rule.name();
   if (!known.contains(key)) known[key] = rule_error(scene);
   state.counters["force_error"] = known[key].force;

@@ -35,7 +35,7 @@ static void stiffness_table_100_aim_200ms(benchmark::State& state) {
         [&](const std::array<double, 2>& speed, const adore::statics::RaceResult* previous) {
           bearing.speed = speed;
           bearing.constraints = load_case;
-          adore::statics::StaticsOptions options;
+          adore::statics::BallStaticsOptions options;
           options.difference_share = share;
           options.warm_start = previous != nullptr;
           if (previous != nullptr) bearing.constraints.displacement = previous->displacement;

@@ -37,7 +37,7 @@ contact damping: tapered|tapered||--opt contactDamping=0|-
 contact damping: spherical|spherical||--opt contactDamping=0|-
 oil: film and rolling resistance|ball|--set kTrac=3 --set reRaceFilm=1e-8 --set strParam=10||BallRolling
 suppressed motions|ball|--set kDOF=2||Hold
-balls of unequal diameter|ball|--set kReGeoImp=2 --set reDiaVar1=1e-6||DifferentBalls|OwnBallMotion
+balls of unequal diameter|ball|--set kReGeoImp=2 --set reDiaVar1=1e-6||DifferentBalls|UnequalBallMotion
 flanges|cylindrical||--set kFlngInd11=0 --set kFlngInd12=0 --set kFlngInd21=0 --set kFlngInd22=0|FlangeBlock
 cage of rollers|cylindrical||--set nCseg=0 --set kNumPltElem=2 --set kPltElemInd=1,16|RollerPocketBlock|LandBlock
 EOF

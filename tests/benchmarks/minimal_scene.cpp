@@ -52,10 +52,10 @@ class Minimal {
     for (std::vector<double>& action : actions_) std::fill(action.begin(), action.end(), 0.0);
     if (!view_elements(y, slices_, sin_.data(), cos_.data(), balls_)) return false;
     double* rate = dydt + 9 * kBalls;
-    const auto sums =
-        evaluate_both_races(model_, balls_, race_,
-                            {forces_in(actions_, load_[0].data(), heat_[0].data(), nullptr),
-                             forces_in(actions_, load_[1].data(), heat_[1].data(), nullptr)});
+    const auto sums = evaluate_both_races(
+        model_, balls_, race_,
+        {element_force_targets(actions_, load_[0].data(), heat_[0].data(), nullptr),
+         element_force_targets(actions_, load_[1].data(), heat_[1].data(), nullptr)});
     for (std::size_t j = 0; j < 2; ++j) {
       *rate++ = -race_[j].speed * sums[j].moment.dot(race_[j].axis);
       *rate++ = sums[j].heat;

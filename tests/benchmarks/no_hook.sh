@@ -49,7 +49,7 @@ echo '{"adrx3": {"force": "built_in"}}' >"$work/adrx3.json"
 wrong=0
 count "$work/ball.txt"
 without=$each
-if grep -E 'adore::user::|::User(Pocket|RollerPocket|Flange|Land)Block|AskUser|FrameForces|evaluate_asking' "$work/functions"; then
+if grep -E 'adore::user::|::User(Pocket|RollerPocket|Flange|Land)Block|CallRoutine|FrameForces|evaluate_user_law' "$work/functions"; then
   echo "runs though there is no plug-in"
   wrong=1
 fi

@@ -32,7 +32,7 @@ TEST_CASE("adore run: folder with ASSEMBLY.json → files of set and rows", "[cl
   CHECK(run.code == 0);
   CHECK(has(run, "arrangement DB, 2 rows"));
   CHECK(has(run, "preload: 211 N unmounted"));
-  CHECK(has(run, "takes all load from row 2"));
+  CHECK(has(run, "unloads row 2"));
   for (const char* name : {"PRINT.txt", "RUN.json", "row-1/PRINT.txt", "row-2/RUN.json"})
     CHECK(fs::exists(fs::path(out) / name));
   // Results are kept unless --overwrite is given.

@@ -42,7 +42,7 @@ bool speaks_for_itself(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("mistakes on the command line are met with what was probably meant", "[cli]") {
+TEST_CASE("command line: misspelled word → the nearest word is suggested", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const std::string deck = (folder / "DATA.txt").string();
@@ -214,7 +214,7 @@ TEST_CASE("a dash stands for the standard streams", "[cli]") {
   CHECK(contains(twice.out, "once"));
 }
 
-TEST_CASE("show, examples, run options and the run's summary speak JSON", "[cli]") {
+TEST_CASE("JSON output: show, examples, run options, run summary", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const Result run =
@@ -277,7 +277,7 @@ TEST_CASE("adore run: options without effect → reported", "[cli]") {
   CHECK_FALSE(contains(run_as_given("run " + deck).out, "--tol"));
 }
 
-TEST_CASE("a run ends with the way to its pictures and the way on", "[cli]") {
+TEST_CASE("run: last lines list the commands for pictures and continuation", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const Result run = run_as_given("run " + folder.path().string() + " --until 0.02rev");
@@ -319,7 +319,7 @@ TEST_CASE("adore run: continuation command is unique for all speed laws", "[cli]
   }
 }
 
-TEST_CASE("plan tells the disk that a run needs", "[cli]") {
+TEST_CASE("plan: disk space of a run is listed", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const std::string deck = folder.path().string();
@@ -431,7 +431,7 @@ TEST_CASE("adore without a command in a deck's folder: names it, runs after a ye
   CHECK(contains(again.out, "--overwrite"));
 }
 
-TEST_CASE("a file given to the wrong command is named for what it is", "[cli]") {
+TEST_CASE("wrong file for a command → message names the file type", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const std::string out = folder.path().string();

@@ -149,7 +149,7 @@ TEST_CASE("integrator: impossible request → rejected before any file is change
   }
 }
 
-TEST_CASE("adore plan, schema, examples and calc speak JSON and tables", "[cli]") {
+TEST_CASE("JSON and table output: plan, schema, examples, calc", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const Result plan = run_adore("plan --json " + folder.path().string());

@@ -58,7 +58,7 @@ TEST_CASE("adore find: calculator, questions and the list", "[cli][find]") {
   const Result list = run_adore("find --list");
   CHECK(list.code == 0);
   for (const char* name :
-       {"quiet-load", "pivot-speed", "all-loaded", "viscosity_ratio", "above 1 the ball pivots"})
+       {"quiet-load", "pivot-speed", "all-loaded", "viscosity_ratio", "above 1 a ball pivots"})
     CHECK(list.out.find(name) != std::string::npos);
   CHECK(list.out.find("mean_power_loss_W") == std::string::npos);
 }

@@ -40,7 +40,7 @@ std::string names_with(const std::string& final_file, const std::string& first_p
 
 }  // namespace
 
-TEST_CASE("no output replaces an input or what another program wrote", "[cli]") {
+TEST_CASE("outputs: inputs and files of other programs are not replaced", "[cli]") {
   const auto refused = [](const fs::path& deck, const Folder& folder, const std::string& said) {
     const auto before = content(folder.path());
     for (const char* how : {"", " --overwrite"}) {
@@ -209,7 +209,7 @@ TEST_CASE("exports replace neither what they read nor anything but an earlier ex
   CHECK(convert("SOL1.csv").out.empty());
 }
 
-TEST_CASE("standard streams that fail cost no results, and are noticed", "[cli]") {
+TEST_CASE("standard streams: write error → reported, results complete", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const std::string deck = folder.path().string(), out = " --out " + (folder / "out").string(),

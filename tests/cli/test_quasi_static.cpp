@@ -210,8 +210,7 @@ TEST_CASE("lost clearance and loose fits → reported on the terminal, in PRINT 
   CHECK(check.code == 0);
 }
 
-TEST_CASE("a set brings back the record that the deck holds, and names the defaults it invents",
-          "[cli]") {
+TEST_CASE("set: hidden record of the deck is used again, added defaults are listed", "[cli]") {
   const Folder folder;
   const std::string path = (folder / "DATA.txt").string();
   REQUIRE(run_adore("new angular-218 --out " + path).code == 0);
@@ -277,7 +276,7 @@ TEST_CASE("check and run reject the same values, by record and variable", "[cli]
   }
 }
 
-TEST_CASE("messages about stiffness and spin speak the user's units", "[cli]") {
+TEST_CASE("messages about stiffness and spin: units of the deck", "[cli]") {
   const Folder folder;
   const std::string path = (folder / "DATA.txt").string();
   REQUIRE(run_adore("new angular-218 --out " + path).code == 0);

@@ -139,9 +139,9 @@ TEST_CASE("continued run: changed loads and speeds â†’ reported; other bearing â
         {"cageGsCls[2]=2.5e-4", "cageGsCls[2]"},
         {"raceFit2=1e-6", "raceFit2"},
         {"runID=another", "another"},
-        {"mode=1", "do not fit this value (mode: 0"},
-        {"kDOF=2", "do not fit this value (kDOF: 0"},
-        {"kPltElemInd[1]=2", "do not fit this value (kPltElemInd[1]: 1"}}) {
+        {"mode=1", "do not allow this change (mode: 0"},
+        {"kDOF=2", "do not allow this change (kDOF: 0"},
+        {"kPltElemInd[1]=2", "do not allow this change (kPltElemInd[1]: 1"}}) {
     const Result other = run(std::string("--set kIcOpt=1 --set ") + set);
     INFO(other.out);
     CHECK(other.code == 2);

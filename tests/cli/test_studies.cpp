@@ -91,7 +91,7 @@ TEST_CASE("study: influence with failed runs → note; --quiet → no output", "
   CHECK_FALSE(contains(report, "nan"));
 }
 
-TEST_CASE("derivatives of a motion are of what motions have, and what they lack is named",
+TEST_CASE("sensitivity study of a motion: available results are differentiated, others are named",
           "[cli]") {
   const Folder folder;
   new_ball_deck(folder);

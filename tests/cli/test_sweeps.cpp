@@ -159,7 +159,7 @@ TEST_CASE("run without steps → no continuation command", "[cli]") {
   }
 }
 
-TEST_CASE("a sweep of a variable that is none ends before it has touched a file", "[cli]") {
+TEST_CASE("sweep: unknown variable → ends before a file is written", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const Result sweep =

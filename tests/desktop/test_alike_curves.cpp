@@ -91,7 +91,7 @@ TEST_CASE("chart_scene: both of two equal curves are seen along a line of any sl
       int last = -1;
       for (double x = area.left() + 2.0; x < area.right() - 2.0; x += step) {
         const double y =
-            scene.heightOf(0, (rising ? 1.0 : -1.0) * (x - area.center().x()) / area.width() + 0.5);
+            scene.sceneYAt(0, (rising ? 1.0 : -1.0) * (x - area.center().x()) / area.width() + 0.5);
         if (y < area.top() + 3.0 || y > area.bottom() - 3.0) continue;
         const QRgb ink = image.pixel(QPointF(x, y).toPoint());
         const int own = away(colours[0], ink) < away(colours[1], ink) ? 0 : 1;
@@ -171,9 +171,9 @@ TEST_CASE("chart_scene: spike of a partly covered curve → complete", "[gui][de
       scene.setPage(page_of(lower, upper));
       REQUIRE(legend_of(scene).contains("partly"));
       const QImage image = scene.image(size);
-      const int x = static_cast<int>(scene.positionOf(1e-3 * static_cast<double>(at + 15)));
-      const int top = static_cast<int>(scene.heightOf(0, 95.0)),
-                bottom = static_cast<int>(scene.heightOf(0, 3.0));
+      const int x = static_cast<int>(scene.sceneXAt(1e-3 * static_cast<double>(at + 15)));
+      const int top = static_cast<int>(scene.sceneYAt(0, 95.0)),
+                bottom = static_cast<int>(scene.sceneYAt(0, 3.0));
       int bare = 0;
       for (int y = top; y <= bottom; ++y) {
         bool ink = false;
@@ -203,9 +203,9 @@ TEST_CASE("chart_scene: covering curve without values → curve complete", "[gui
     INFO(count << " values, " << legend_of(scene).toStdString());
     REQUIRE(legend_of(scene).contains("partly = outer race"));
     const QImage image = scene.image({1280, 800});
-    const int y = static_cast<int>(scene.heightOf(0, 5.0));
-    const int left = static_cast<int>(scene.positionOf(page.x[count / 3])) + 4,
-              right = static_cast<int>(scene.positionOf(page.x[2 * count / 3])) - 4;
+    const int y = static_cast<int>(scene.sceneYAt(0, 5.0));
+    const int left = static_cast<int>(scene.sceneXAt(page.x[count / 3])) + 4,
+              right = static_cast<int>(scene.sceneXAt(page.x[2 * count / 3])) - 4;
     int bare = 0;
     for (int x = left; x <= right; ++x) {
       bool ink = false;
@@ -271,9 +271,9 @@ TEST_CASE("chart_scene: curves that lie together share the way over time and ove
       const QImage image = scene.image(size);
       const auto& colours = theme(ThemeKind::Light).curves;
       int of[2] = {0, 0};
-      const int from = static_cast<int>(scene.positionOf(0.4)),
-                to = static_cast<int>(scene.positionOf(0.9)),
-                y = static_cast<int>(scene.heightOf(0, 0.0));
+      const int from = static_cast<int>(scene.sceneXAt(0.4)),
+                to = static_cast<int>(scene.sceneXAt(0.9)),
+                y = static_cast<int>(scene.sceneYAt(0, 0.0));
       for (int x = from; x < to; ++x)
         for (const int row : {y - 1, y})
           for (const int c : {0, 1}) {

@@ -27,8 +27,8 @@ TEST_CASE("chart_scene: extremes between stored values → min-max band", "[gui]
   CHECK(scene.valueAt(0, area.top()) >= 70.0);  // the axis has space for it
   const QImage image = scene.image({900, 600});
   const auto at = [&](double x, double y) {
-    return image.pixelColor(static_cast<int>(scene.positionOf(x)),
-                            static_cast<int>(scene.heightOf(0, y)));
+    return image.pixelColor(static_cast<int>(scene.sceneXAt(x)),
+                            static_cast<int>(scene.sceneYAt(0, y)));
   };
   CHECK(at(5.03, 35.0) != at(5.03, 68.0));
   CHECK(at(5.03, 35.0).blue() > at(5.03, 35.0).red());
@@ -60,9 +60,9 @@ TEST_CASE(
     const double before = page.x[static_cast<std::size_t>(peak - 1)],
                  after = page.x[static_cast<std::size_t>(peak + 1)];
     const double at = page.x[static_cast<std::size_t>(peak)];
-    const int row = static_cast<int>(scene.heightOf(0, 18.0));
+    const int row = static_cast<int>(scene.sceneYAt(0, 18.0));
     const auto pale = [&](double x) {
-      const QColor colour = image.pixelColor(static_cast<int>(scene.positionOf(x)), row);
+      const QColor colour = image.pixelColor(static_cast<int>(scene.sceneXAt(x)), row);
       return colour.blue() - colour.red() > 30;
     };
     CHECK(pale(0.5 * (before + at)));
@@ -72,7 +72,7 @@ TEST_CASE(
       const QColor colour = image.pixelColor(x, row);
       columns += colour.blue() - colour.red() > 30 ? 1 : 0;
     }
-    const double wide = scene.positionOf(at) - scene.positionOf(before);
+    const double wide = scene.sceneXAt(at) - scene.sceneXAt(before);
     CHECK(columns >= 1);
     CHECK(columns <= wide + 2.0);
   }
@@ -129,7 +129,7 @@ TEST_CASE("chart_scene: extremes of 0 and less begin at the lower edge of a loga
     const QRectF covered = band->polygon().boundingRect();
     CHECK(area.adjusted(-1.0, -1.0, 1.0, 1.0).contains(covered));
     CHECK(covered.bottom() == Approx(area.bottom()));
-    CHECK(covered.top() == Approx(scene.heightOf(0, 20.0)));
+    CHECK(covered.top() == Approx(scene.sceneYAt(0, 20.0)));
   }
   CHECK(bands == 1);
 }
@@ -247,7 +247,7 @@ TEST_CASE("chart_scene: min-max bands below all curves", "[gui][step-band]") {
       scene.setPage(page);
       const QImage image = scene.image(size);
       std::vector<QRgb> out;
-      const int y = static_cast<int>(scene.heightOf(0, 10.0));
+      const int y = static_cast<int>(scene.sceneYAt(0, 10.0));
       for (int x = 0; x < image.width(); ++x) {
         QRgb darkest = image.pixel(x, y);
         for (const int row : {y - 1, y + 1})
@@ -263,7 +263,7 @@ TEST_CASE("chart_scene: min-max bands below all curves", "[gui][step-band]") {
     // Next to it the area is visible.
     const QImage image = scene.image(size);
     const QColor beside = image.pixelColor(static_cast<int>(area.center().x()),
-                                           static_cast<int>(scene.heightOf(0, 100.0)));
+                                           static_cast<int>(scene.sceneYAt(0, 100.0)));
     CHECK(beside != theme(ThemeKind::Light).surface);
     int kept = 0, all = 0;
     for (int x = static_cast<int>(area.left()) + 3; x < area.right() - 3; ++x) {

@@ -32,7 +32,7 @@ TEST_CASE("chart_scene: ends of a curve → distance from the frame", "[gui]") {
       scene.setPage(page);
       const QImage image = scene.image(size);
       const QRectF area = scene.plotAreas()[0];
-      const int row = static_cast<int>(scene.heightOf(0, -4.3));
+      const int row = static_cast<int>(scene.sceneYAt(0, -4.3));
       const auto is = [&](int x, const QColor& colour, int most) {
         const QColor seen = image.pixelColor(x, row);
         return std::abs(seen.red() - colour.red()) + std::abs(seen.green() - colour.green()) +

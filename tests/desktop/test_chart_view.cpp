@@ -61,21 +61,21 @@ TEST_CASE("chart_view: cursors on stored values → statistics in between", "[gu
   view.showPage(lines_page());
   ChartScene& scene = view.chartScene();
   const QRectF area = scene.plotAreas()[0];
-  click(view, {scene.positionOf(2.0), area.center().y()}, Qt::ControlModifier);
-  click(view, {scene.positionOf(7.0), area.center().y()}, Qt::ControlModifier | Qt::ShiftModifier);
-  CHECK(view.cursorAt(0) == Approx(2.0));
-  CHECK(view.cursorAt(1) == Approx(7.0));
+  click(view, {scene.sceneXAt(2.0), area.center().y()}, Qt::ControlModifier);
+  click(view, {scene.sceneXAt(7.0), area.center().y()}, Qt::ControlModifier | Qt::ShiftModifier);
+  CHECK(view.cursorAbscissa(0) == Approx(2.0));
+  CHECK(view.cursorAbscissa(1) == Approx(7.0));
   const QString report = view.cursorReport();
   INFO(report.toStdString());
   CHECK(report.contains("B − A: 5 s"));
   CHECK(report.contains("rising:  A 4 N  B 14 N  B − A 10 N  min 4 N  max 14 N  mean 9 N"));
   CHECK(report.contains("falling:  A 98 N"));
   view.showPage(lines_page());  // the same abscissa: they stay
-  CHECK(view.cursorAt(0) == Approx(2.0));
+  CHECK(view.cursorAbscissa(0) == Approx(2.0));
   ChartPage other = lines_page();
   other.x_unit = "rev";
   view.showPage(other);
-  CHECK(std::isnan(view.cursorAt(0)));
+  CHECK(std::isnan(view.cursorAbscissa(0)));
 }
 
 TEST_CASE("chart_view: cursors tell a small motion about a large value", "[gui]") {
@@ -93,7 +93,7 @@ TEST_CASE("chart_view: cursors tell a small motion about a large value", "[gui]"
   curve.y[20] = 0.0300051234;
   view.showPage(page);
   const QRectF area = view.chartScene().plotAreas()[0];
-  click(view, {view.chartScene().positionOf(page.x[20]), area.center().y()}, Qt::ControlModifier);
+  click(view, {view.chartScene().sceneXAt(page.x[20]), area.center().y()}, Qt::ControlModifier);
   INFO(view.cursorReport().toStdString());
   CHECK(view.cursorReport().contains("30.0051234 mm"));
 }
@@ -107,7 +107,7 @@ TEST_CASE("chart_view: a box zooms both ways, views come back, and outlive a cha
   view.showPage(lines_page());
   ChartScene& scene = view.chartScene();
   const auto place = [&](double x, double y) {
-    return view.mapFromScene(QPointF(scene.positionOf(x), scene.heightOf(0, y)));
+    return view.mapFromScene(QPointF(scene.sceneXAt(x), scene.sceneYAt(0, y)));
   };
   const QPoint from = place(2.0, 80.0), to = place(6.0, 20.0);
   QTest::mousePress(view.viewport(), Qt::LeftButton, Qt::ShiftModifier, from);
@@ -119,7 +119,7 @@ TEST_CASE("chart_view: a box zooms both ways, views come back, and outlive a cha
   CHECK(scene.zoom().panels[0]->first == Approx(20.0).margin(1.0));
   CHECK(scene.zoom().panels[0]->second == Approx(80.0).margin(1.0));
   CHECK_FALSE(scene.zoom().panels[1].has_value());
-  CHECK(scene.valueAt(0, scene.heightOf(0, 50.0)) == Approx(50.0));
+  CHECK(scene.valueAt(0, scene.sceneYAt(0, 50.0)) == Approx(50.0));
   ChartPage next = lines_page();
   next.panels.pop_back();
   view.showPage(next);  // another page over the same time
@@ -171,10 +171,10 @@ TEST_CASE("chart_view: a click in the legend hides a curve, and the axis follows
       if (e.curve == curve) return e.place.center();
     return QPointF();
   };
-  CHECK(scene.linesOf(0) == 2);
+  CHECK(scene.lineCount(0) == 2);
   click(view, entry(1));
   CHECK(scene.page().panels[0].curves[1].hidden);
-  CHECK(scene.linesOf(0) == 1);
+  CHECK(scene.lineCount(0) == 1);
   const QRectF area = scene.plotAreas()[0];
   CHECK(scene.valueAt(0, area.top()) < 25.0);  // the rising curve ends at 20
   click(view, entry(1));
@@ -206,13 +206,13 @@ TEST_CASE("chart_scene: a logarithmic axis has equal decades and no place for ze
   ChartScene scene;
   scene.setPageSize({900, 600});
   scene.setPage(page);
-  const double decade = scene.heightOf(0, 10.0) - scene.heightOf(0, 100.0);
-  CHECK(scene.heightOf(0, 1e4) - scene.heightOf(0, 1e5) == Approx(decade));
-  CHECK(scene.linesOf(0) == 2);  // one that leaves at the foot and comes back, and the other
+  const double decade = scene.sceneYAt(0, 10.0) - scene.sceneYAt(0, 100.0);
+  CHECK(scene.sceneYAt(0, 1e4) - scene.sceneYAt(0, 1e5) == Approx(decade));
+  CHECK(scene.lineCount(0) == 2);  // one that leaves at the foot and comes back, and the other
   page.log_x = true;
   scene.setPage(page);
-  CHECK(scene.positionOf(1.0) - scene.positionOf(0.1) ==
-        Approx(scene.positionOf(10.0) - scene.positionOf(1.0)));
+  CHECK(scene.sceneXAt(1.0) - scene.sceneXAt(0.1) ==
+        Approx(scene.sceneXAt(10.0) - scene.sceneXAt(1.0)));
 }
 
 TEST_CASE("axis_scale: logarithmic ticks → decades, with 2 and 5 if they fit", "[unit]") {
@@ -272,7 +272,7 @@ TEST_CASE("chart_view: ranges and hidden curves are those of their page, after o
     // As a box does.
     const QRectF area = scene.plotAreas().front();
     const auto at = [&](double x, double part) {
-      return view.mapFromScene(QPointF(scene.positionOf(x), area.bottom() - part * area.height()));
+      return view.mapFromScene(QPointF(scene.sceneXAt(x), area.bottom() - part * area.height()));
     };
     QTest::mousePress(view.viewport(), Qt::LeftButton, Qt::ShiftModifier, at(low, bottom));
     QTest::mouseMove(view.viewport(), at(high, top));

@@ -152,7 +152,7 @@ TEST_CASE("chart_scene: a step leads from a name to its line where others take i
       // From below its name to its line, in their order; each below the one before, so that none
       // crosses it.
       while (mark < page.marks.size() &&
-             std::abs(steps[i].to - scene.positionOf(page.marks[mark].x)) > 0.01)
+             std::abs(steps[i].to - scene.sceneXAt(page.marks[mark].x)) > 0.01)
         ++mark;
       CHECK(mark < page.marks.size());
       CHECK(std::find(feet.begin(), feet.end(), steps[i].from) != feet.end());
@@ -202,7 +202,7 @@ TEST_CASE("chart_scene: curves that would hide others → legend text, half of t
   CHECK(words(scene).contains("land 2"));
   const QImage both = look(wave);
   CHECK(words(scene).contains("land 2 (= land 1)"));
-  CHECK(scene.linesOf(0) == 2);
+  CHECK(scene.lineCount(0) == 2);
   const int first = inked(scene, both, 0), second = inked(scene, both, 1);
   CHECK(first > 200);
   CHECK(second > 200);
@@ -469,12 +469,12 @@ TEST_CASE("a note takes smaller letters and room before sentences are counted, n
               " tells of a load of 12.5 kN that a page has to explain.";
     return note;
   };
-  for (const auto& [size, pointed] : {std::pair(QSizeF(700, 450), true),
-                                      {QSizeF(1280, 800), true},
-                                      {QSizeF(700, 450), false},
-                                      {QSizeF(1280, 800), false}})
+  for (const auto& [size, interactive] : {std::pair(QSizeF(700, 450), true),
+                                          {QSizeF(1280, 800), true},
+                                          {QSizeF(700, 450), false},
+                                          {QSizeF(1280, 800), false}})
     for (int panels = 1; panels <= 3; ++panels) {
-      scene.setPointed(pointed);
+      scene.setInteractive(interactive);
       bool counted = false;
       for (int count = 1; count <= 400 && !counted; count += count < 12 ? 1 : 7) {
         INFO(size.width() << " wide, " << panels << " panels, " << count << " sentences");
@@ -499,8 +499,8 @@ TEST_CASE("a note takes smaller letters and room before sentences are counted, n
         for (int i = 0; i < count; ++i)
           told += all.contains(QString("Sentence %1 tells").arg(i)) ? 1 : 0;
         if (all.contains("(1 more sentence")) more = 1;
-        if (const auto at = all.indexOf(pointed ? " more sentences: move the pointer here"
-                                                : " more sentences not shown");
+        if (const auto at = all.indexOf(interactive ? " more sentences: move the pointer here"
+                                                    : " more sentences not shown");
             at > 0)
           more = all.left(at).section('(', -1).toInt();
         CHECK(told + more == count);
@@ -509,7 +509,7 @@ TEST_CASE("a note takes smaller letters and room before sentences are counted, n
         counted = counted || more > 0;
         CHECK(text_faults(scene) == std::vector<std::string>());
         for (const QRectF& area : scene.plotAreas())
-          CHECK(area.height() >= (pointed ? 43.0 : 33.0));
+          CHECK(area.height() >= (interactive ? 43.0 : 33.0));
       }
       CHECK(counted);  // the test went far enough
     }

@@ -91,7 +91,7 @@ TEST_CASE("dense_line: a wave of ten pixels in a long curve keeps every one of i
     y.push_back(std::sin(2.0 * 3.14159265358979 * static_cast<double>(i) / 200.0));
   }
   const CurveBlocks blocks = blocks_of(y, false);
-  const auto pieces = drawable_pieces(x, y, 30'000.0, 50'000.0, 1000, false, &blocks);
+  const auto pieces = drawable_polylines(x, y, 30'000.0, 50'000.0, 1000, false, &blocks);
   REQUIRE(pieces.size() == 1);
   int peaks = 0;
   for (std::size_t i = 1; i + 1 < pieces[0].y.size(); ++i)

@@ -59,7 +59,7 @@ TEST_CASE("dense_way: every place of a way is within a pixel of a stroke that is
   const QRectF area(0.0, 0.0, 400.0, 400.0);
   for (const double noise : {0.0, 4.0}) {
     const Way way = many_turns(500, noise);
-    const auto parts = seen_way(way.x, way.y, {}, area);
+    const auto parts = visible_path_strokes(way.x, way.y, {}, area);
     std::size_t points = 0;
     for (const QPolygonF& part : parts) points += static_cast<std::size_t>(part.size());
     INFO(noise << ": " << points << " points of " << way.x.size());
@@ -95,11 +95,11 @@ TEST_CASE("dense_way: every place of a way is within a pixel of a stroke that is
         out += std::hypot(part[i].x() - part[i - 1].x(), part[i].y() - part[i - 1].y());
     return out;
   };
-  const double whole = length(seen_way(once.x, once.y, {}, area));
+  const double whole = length(visible_path_strokes(once.x, once.y, {}, area));
   CHECK(whole == Approx(793.3).epsilon(2e-3));
   once.x.insert(once.x.end(), again.x.begin(), again.x.end());
   once.y.insert(once.y.end(), again.y.begin(), again.y.end());
-  CHECK(length(seen_way(once.x, once.y, {}, area)) < 1.02 * whole);
+  CHECK(length(visible_path_strokes(once.x, once.y, {}, area)) < 1.02 * whole);
 }
 
 TEST_CASE("dense_way: a picture has ink wherever the whole way has, and nowhere else",
@@ -127,7 +127,7 @@ TEST_CASE("dense_way: a picture has ink wherever the whole way has, and nowhere 
       });
       way.x[way.x.size() / 2 + 50] = std::numeric_limits<double>::quiet_NaN();
       const QImage seen = image_of([&](QPainter& painter) {
-        draw_lines(painter, seen_way(way.x, way.y, {}, area), area, pen);
+        draw_lines(painter, visible_path_strokes(way.x, way.y, {}, area), area, pen);
       });
       const auto ink = [](const QImage& image, int x, int y) {
         return 255 - qRed(image.pixel(x, y));

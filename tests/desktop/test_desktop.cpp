@@ -37,21 +37,21 @@ ChartPage wave_page(int points, int panels) {
 
 }  // namespace
 
-TEST_CASE("even_quantity: numbers of a list have one count of digits", "[unit]") {
-  using desktop::even_quantity;
-  CHECK(even_quantity(312.2, "N", 4) == "312.2 N");
-  CHECK(even_quantity(272.0, "N", 4) == "272.0 N");
-  CHECK(even_quantity(272.0, "N", 3) == "272 N");
-  CHECK(even_quantity(0.052, "s", 3) == "52.0 ms");
-  CHECK(even_quantity(0.0879, "s", 3) == "87.9 ms");
-  CHECK(even_quantity(0.5, "", 3) == "0.500");
-  CHECK(even_quantity(-2.5, "N", 3).ends_with("2.50 N"));
-  CHECK(even_quantity(0.0, "N", 3) == desktop::pretty_quantity(0.0, "N", 3));
+TEST_CASE("zero_padded_quantity: numbers of a list have one count of digits", "[unit]") {
+  using desktop::zero_padded_quantity;
+  CHECK(zero_padded_quantity(312.2, "N", 4) == "312.2 N");
+  CHECK(zero_padded_quantity(272.0, "N", 4) == "272.0 N");
+  CHECK(zero_padded_quantity(272.0, "N", 3) == "272 N");
+  CHECK(zero_padded_quantity(0.052, "s", 3) == "52.0 ms");
+  CHECK(zero_padded_quantity(0.0879, "s", 3) == "87.9 ms");
+  CHECK(zero_padded_quantity(0.5, "", 3) == "0.500");
+  CHECK(zero_padded_quantity(-2.5, "N", 3).ends_with("2.50 N"));
+  CHECK(zero_padded_quantity(0.0, "N", 3) == desktop::pretty_quantity(0.0, "N", 3));
   // Never another number, and never more digits than asked for.
   for (double value = 1.234e-9; value < 1e9; value *= 7.3)
     for (const int digits : {2, 3, 4}) {
       const std::string plain = desktop::pretty_quantity(value, "N", digits),
-                        even = even_quantity(value, "N", digits);
+                        even = zero_padded_quantity(value, "N", digits);
       CAPTURE(plain, even);
       CHECK(std::stod(even) == std::stod(plain));
       CHECK(even.size() >= plain.size());
@@ -146,10 +146,10 @@ TEST_CASE("axis_scale: numbers for people carry no negative zero and a true minu
 TEST_CASE("chart_page: lines break at missing values and where an angle starts again", "[unit]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> x{0, 1, 2, 3, 4, 5, 6};
-  CHECK(drawable_pieces(x, {0, 1, nan, 3, 4, 5, 6}, 0, 6, 100, false).size() == 2);
-  CHECK(drawable_pieces(x, {340, 350, 359, 5, 15, 25, 35}, 0, 6, 100, true).size() == 2);
-  CHECK(drawable_pieces(x, {340, 350, 359, 5, 15, 25, 35}, 0, 6, 100, false).size() == 1);
-  const auto zoomed = drawable_pieces(x, {0, 1, 2, 3, 4, 5, 6}, 2.5, 3.5, 100, false);
+  CHECK(drawable_polylines(x, {0, 1, nan, 3, 4, 5, 6}, 0, 6, 100, false).size() == 2);
+  CHECK(drawable_polylines(x, {340, 350, 359, 5, 15, 25, 35}, 0, 6, 100, true).size() == 2);
+  CHECK(drawable_polylines(x, {340, 350, 359, 5, 15, 25, 35}, 0, 6, 100, false).size() == 1);
+  const auto zoomed = drawable_polylines(x, {0, 1, 2, 3, 4, 5, 6}, 2.5, 3.5, 100, false);
   REQUIRE(zoomed.size() == 1);
   CHECK(zoomed.front().x == std::vector<double>{2, 3, 4});  // one neighbor beyond each end
 }
@@ -162,7 +162,7 @@ TEST_CASE("chart_page: thinning a long line keeps every peak", "[unit]") {
   }
   y[123457] = 50.0;
   y[61001] = -40.0;
-  const auto pieces = drawable_pieces(x, y, 0, 199999, 800, false);
+  const auto pieces = drawable_polylines(x, y, 0, 199999, 800, false);
   REQUIRE(pieces.size() == 1);
   CHECK(pieces.front().x.size() <= 4 * 801);
   CHECK(*std::max_element(pieces.front().y.begin(), pieces.front().y.end()) == 50.0);
@@ -177,7 +177,7 @@ TEST_CASE("chart_scene: panels stand over one abscissa with a series per curve",
   scene.setPage(wave_page(5000, 3));
   REQUIRE(scene.plotAreas().size() == 3);
   for (std::size_t i = 0; i < 3; ++i) {
-    CHECK(scene.linesOf(i) == 2);
+    CHECK(scene.lineCount(i) == 2);
     CHECK(scene.plotAreas()[i].left() == scene.plotAreas()[0].left());
     CHECK(scene.plotAreas()[i].width() == scene.plotAreas()[0].width());
     CHECK(scene.sceneRect().contains(scene.plotAreas()[i]));
@@ -201,12 +201,12 @@ TEST_CASE("chart_scene: zooming follows the abscissa and keeps inside the data",
   CHECK(scene.viewHigh() == Approx(3.0));
   scene.setView(1.0, 2.0);
   CHECK(scene.viewLow() == 1.0);
-  CHECK(scene.abscissaAt(scene.positionOf(1.25)) == Approx(1.25));
+  CHECK(scene.abscissaAt(scene.sceneXAt(1.25)) == Approx(1.25));
   CHECK(scene.abscissaAt(scene.plotAreas()[0].right()) == Approx(2.0));
   scene.setView(-5.0, 99.0);
   CHECK(scene.viewLow() == 0.0);
   CHECK(scene.viewHigh() == Approx(3.0));
-  const QPointF middle(scene.positionOf(0.75), scene.plotAreas()[0].center().y());
+  const QPointF middle(scene.sceneXAt(0.75), scene.plotAreas()[0].center().y());
   CHECK(scene.readout(middle).contains("outer −"));
   CHECK(scene.readout({1, 1}).isEmpty());
 }

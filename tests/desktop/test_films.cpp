@@ -72,7 +72,7 @@ TEST_CASE("mp4_writer: without ffmpeg the reason is a sentence", "[gui]") {
   test::use_qt();
   QTemporaryDir folder;
   const std::filesystem::path path = folder.filePath("film.mp4").toStdString();
-  if (!ffmpeg_found()) {
+  if (!has_ffmpeg()) {
     CHECK_THROWS_WITH(Mp4Writer(path, {64, 64}, 25), Catch::Contains("ffmpeg"));
     return;
   }

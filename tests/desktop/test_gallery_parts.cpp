@@ -15,14 +15,14 @@ TEST_CASE("few_colours: a picture of few colors stays as it is, others nearly", 
   QImage plain(40, 30, QImage::Format_RGB32);
   plain.fill(QColor(250, 251, 252));
   for (int x = 0; x < 20; ++x) plain.setPixelColor(x, 3, QColor(10, 200, 30));
-  const QImage few = desktop::in_few_colours(plain);
+  const QImage few = desktop::reduce_colors(plain);
   CHECK(few.format() == QImage::Format_Indexed8);
   CHECK(few.convertToFormat(QImage::Format_RGB32) == plain);
   QImage many(256, 256, QImage::Format_RGB32);
   for (int y = 0; y < 256; ++y)
     for (int x = 0; x < 256; ++x) many.setPixelColor(x, y, QColor(x, y, 100));
-  const QImage less = desktop::in_few_colours(many);
-  CHECK(desktop::in_few_colours(many, 32).colorCount() == 32);
+  const QImage less = desktop::reduce_colors(many);
+  CHECK(desktop::reduce_colors(many, 32).colorCount() == 32);
   CHECK(less.colorCount() == 256);
   int worst = 0;
   for (int y = 0; y < 256; y += 5)
@@ -55,10 +55,10 @@ TEST_CASE("few_colours: mixed shading has no stripes, and paper, lines and lette
       }
     return out;
   };
-  const QImage mixed = desktop::in_mixed_colours(shaded);
+  const QImage mixed = desktop::dither_colors(shaded);
   CHECK(mixed.colorCount() <= 256);
   CHECK(worst(mixed) < 1.5);
-  CHECK(worst(desktop::in_few_colours(shaded, 64)) > 2.0);  // stripes
+  CHECK(worst(desktop::reduce_colors(shaded, 64)) > 2.0);  // stripes
   for (int y = 201; y < 300; ++y)
     for (int x = 0; x < 400; x += 7)
       if (y != 250 && y != 249 && y != 251) REQUIRE(mixed.pixel(x, y) == shaded.pixel(x, y));
@@ -155,8 +155,7 @@ TEST_CASE("chart_scene: the base of an axis hides no curve while one corner of i
       INFO(names << ", shape " << shape);
       int hidden = 0;
       for (std::size_t i = 0; i < y.size(); ++i)
-        if (base->sceneBoundingRect().contains(scene.positionOf(page.x[i]),
-                                               scene.heightOf(0, y[i])))
+        if (base->sceneBoundingRect().contains(scene.sceneXAt(page.x[i]), scene.sceneYAt(0, y[i])))
           ++hidden;
       CHECK(hidden == 0);
       CHECK(desktop::text_faults(scene).empty());

@@ -109,7 +109,7 @@ TEST_CASE("chart_scene: line leaving a logarithmic axis → ends at its lower en
   const auto inked = [&](double from, double to, int above_foot) {
     const int y = static_cast<int>(scene.plotAreas()[0].bottom()) - above_foot;
     int out = 0;
-    for (int x = static_cast<int>(scene.positionOf(from)); x < scene.positionOf(to); ++x) {
+    for (int x = static_cast<int>(scene.sceneXAt(from)); x < scene.sceneXAt(to); ++x) {
       const QColor seen = image.pixelColor(x, y);
       out += std::abs(seen.red() - colour.red()) + std::abs(seen.green() - colour.green()) +
                          std::abs(seen.blue() - colour.blue()) <

@@ -69,8 +69,8 @@ TEST_CASE("chart_page: a long curve drawn by its blocks hides no peak and keeps 
        {std::pair{0.0, 1.0}, {0.31, 0.72}, {0.512, 0.5126}, {0.69, 0.71}}) {
     const double low = from * curve.x.back(), high = to * curve.x.back();
     INFO(from << " to " << to);
-    const auto quick = drawable_pieces(curve.x, curve.y, low, high, kColumns, false, &blocks);
-    const auto exact = drawable_pieces(curve.x, curve.y, low, high, kColumns, false);
+    const auto quick = drawable_polylines(curve.x, curve.y, low, high, kColumns, false, &blocks);
+    const auto exact = drawable_polylines(curve.x, curve.y, low, high, kColumns, false);
     CHECK(quick.size() == exact.size());
     CHECK(extreme(quick, true) == extreme(exact, true));
     CHECK(extreme(quick, false) == extreme(exact, false));
@@ -94,8 +94,8 @@ TEST_CASE("chart_page: angles that wrap are broken where they wrap, also in bloc
     y.push_back(std::remainder(0.1 * static_cast<double>(i), 360.0));  // wraps every 3,600
   }
   const CurveBlocks blocks = blocks_of(y, true);
-  const auto quick = drawable_pieces(x, y, 0.0, 20'000.0, 300, true, &blocks);
-  CHECK(quick.size() == drawable_pieces(x, y, 0.0, 20'000.0, 300, true).size());
+  const auto quick = drawable_polylines(x, y, 0.0, 20'000.0, 300, true, &blocks);
+  CHECK(quick.size() == drawable_polylines(x, y, 0.0, 20'000.0, 300, true).size());
   for (const Polyline& piece : quick)
     for (std::size_t i = 1; i < piece.y.size(); ++i) CHECK(piece.y[i] >= piece.y[i - 1]);
 }
@@ -112,12 +112,12 @@ TEST_CASE("chart_page: pieces of a long curve are counted as they are drawn", "[
     for (const auto& [from, to] :
          {std::pair<std::size_t, std::size_t>{0, 20'000}, {31, 33}, {1'780, 9'999}, {64, 128}}) {
       INFO(from << " to " << to << ", wraps " << wraps);
-      CHECK(
-          pieces_between(y, from, to, wraps, blocks) ==
-          drawable_pieces({x.begin() + static_cast<long>(from), x.begin() + static_cast<long>(to)},
-                          {y.begin() + static_cast<long>(from), y.begin() + static_cast<long>(to)},
-                          0.0, 20'000.0, 300, wraps)
-              .size());
+      CHECK(count_pieces_between(y, from, to, wraps, blocks) ==
+            drawable_polylines(
+                {x.begin() + static_cast<long>(from), x.begin() + static_cast<long>(to)},
+                {y.begin() + static_cast<long>(from), y.begin() + static_cast<long>(to)}, 0.0,
+                20'000.0, 300, wraps)
+                .size());
     }
   }
 }
@@ -132,7 +132,7 @@ TEST_CASE("chart_page: an angle of very many wraps is joined, a few points to a 
   y[500'007] = 200.0;  // the only value beyond half a turn
   const CurveBlocks blocks = blocks_of(y, true);
   constexpr int kColumns = 1'000;
-  const auto pieces = drawable_pieces(x, y, 0.0, 1e6, kColumns, true, &blocks);
+  const auto pieces = drawable_polylines(x, y, 0.0, 1e6, kColumns, true, &blocks);
   REQUIRE(pieces.size() == 1);
   CHECK(pieces[0].x.size() <= 8 * kColumns);
   CHECK(extreme(pieces, true) == 200.0);
@@ -156,8 +156,8 @@ TEST_CASE("chart_page: an angle of some hundred wraps has few points, its wraps 
       y.push_back(std::remainder(angle, 360.0));
     }
     const CurveBlocks blocks = blocks_of(y, true);
-    const auto quick = drawable_pieces(x, y, 0.0, 6e5, kColumns, true, &blocks);
-    const auto exact = drawable_pieces(x, y, 0.0, 6e5, kColumns, true);
+    const auto quick = drawable_polylines(x, y, 0.0, 6e5, kColumns, true, &blocks);
+    const auto exact = drawable_polylines(x, y, 0.0, 6e5, kColumns, true);
     INFO("seed " << seed << ", " << exact.size() << " pieces");
     REQUIRE(exact.size() > 10);
     CHECK(quick.size() == exact.size());
@@ -192,7 +192,7 @@ TEST_CASE("chart_scene: the axis of a long curve reaches its only peak", "[gui]"
   const auto top = [&] { return scene.valueAt(0, scene.plotAreas()[0].top()); };
   CHECK(top() >= 7.0);
   CHECK(scene.valueAt(0, scene.plotAreas()[0].bottom()) <= -9.0);
-  CHECK(scene.linesOf(0) == 2);
+  CHECK(scene.lineCount(0) == 2);
   scene.setView(0.0, 0.5 * curve.x.back());  // before the peak at half of it
   CHECK(top() < 2.0);
   scene.setView(0.5 * curve.x.back(), 0.52 * curve.x.back());

@@ -85,7 +85,7 @@ TEST_CASE("chart_scene: leaders of marks neither merge nor cross, nor go through
       CHECK(text_faults(scene) == std::vector<std::string>());
       const auto near_mark = [&](double x) {
         return std::any_of(marks.begin(), marks.end(), [&](const ChartMark& mark) {
-          return std::abs(scene.positionOf(mark.x) - x) < 0.01;
+          return std::abs(scene.sceneXAt(mark.x) - x) < 0.01;
         });
       };
       const std::vector<QLineF> lines = leaders(scene);

@@ -76,7 +76,7 @@ TEST_CASE("page_export: SVG and PDF hold lines and text, not pixels", "[gui]") {
 
 TEST_CASE("svg_writer: clips and gradients as drawn", "[gui]") {
   test::use_qt();
-  const QByteArray svg = svg_of({200, 100}, [](QPainter& p) {
+  const QByteArray svg = render_svg({200, 100}, [](QPainter& p) {
     p.translate(10, 0);
     p.save();
     p.setClipRect(QRectF(0.5, 0, 50, 50));

@@ -234,16 +234,16 @@ TEST_CASE("a window comes back where it was closed", "[unit][gui][window]") {
   QSettings("Adore", app).clear();
   {
     QWidget window;
-    desktop::open_at_size(window, {700, 500});
-    const desktop::WindowMemory memory(window, app);
+    desktop::resize_to_fit_screen(window, {700, 500});
+    const desktop::WindowGeometryStore memory(window, app);
     CHECK(window.size() == QSize(700, 500));
     window.show();
     window.resize(640, 410);
     window.close();
   }
   QWidget window;
-  desktop::open_at_size(window, {700, 500});
-  const desktop::WindowMemory memory(window, app);
+  desktop::resize_to_fit_screen(window, {700, 500});
+  const desktop::WindowGeometryStore memory(window, app);
   CHECK(window.size() == QSize(640, 410));
   QSettings("Adore", app).clear();
 }

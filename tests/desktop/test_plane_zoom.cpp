@@ -80,14 +80,14 @@ TEST_CASE("chart_view: an orbit is zoomed, moved and boxed, and its axes stay eq
   // At the position of the wheel nothing moves, also with a key. Pointer positions are whole
   // pixels.
   const QPointF top =
-      view.mapToScene(view.mapFromScene(QPointF(scene.positionOf(0.1), scene.heightOf(0, 0.98))));
+      view.mapToScene(view.mapFromScene(QPointF(scene.sceneXAt(0.1), scene.sceneYAt(0, 0.98))));
   const double across = scene.abscissaAt(top.x()), up = scene.valueAt(0, top.y());
   wheel(view, top, 5);
   wheel(view, top, 5, Qt::ControlModifier);
   CHECK(scales(scene).first == Approx(whole * std::pow(0.8, 10)));
   check_equal(scene);
-  CHECK(scene.positionOf(across) == Approx(top.x()).margin(0.01));
-  CHECK(scene.heightOf(0, up) == Approx(top.y()).margin(0.01));
+  CHECK(scene.sceneXAt(across) == Approx(top.x()).margin(0.01));
+  CHECK(scene.sceneYAt(0, up) == Approx(top.y()).margin(0.01));
   CHECK(scene.zoomed());
 
   // A drag takes the picture with it.
@@ -95,14 +95,14 @@ TEST_CASE("chart_view: an orbit is zoomed, moved and boxed, and its axes stay eq
   QTest::mousePress(view.viewport(), Qt::LeftButton, Qt::NoModifier, from);
   move(view, to, Qt::LeftButton);
   QTest::mouseRelease(view.viewport(), Qt::LeftButton, Qt::NoModifier, to);
-  CHECK(scene.positionOf(across) == Approx(top.x() + 40.0).margin(0.01));
-  CHECK(scene.heightOf(0, up) == Approx(top.y() + 25.0).margin(0.01));
+  CHECK(scene.sceneXAt(across) == Approx(top.x() + 40.0).margin(0.01));
+  CHECK(scene.sceneYAt(0, up) == Approx(top.y() + 25.0).margin(0.01));
   check_equal(scene);
 
   // Earlier views, and another size of the window.
   const ChartZoom moved = scene.zoom();
   view.zoomBack();
-  CHECK(scene.positionOf(across) == Approx(top.x()).margin(0.01));
+  CHECK(scene.sceneXAt(across) == Approx(top.x()).margin(0.01));
   view.zoomForward();
   CHECK(scene.zoom() == moved);
   view.resize(700, 640);
@@ -119,8 +119,8 @@ TEST_CASE("chart_view: an orbit is zoomed, moved and boxed, and its axes stay eq
   CHECK(scene.whole());
 
   // A box of any shape is completely visible; nothing beyond the whole is.
-  const QPoint corner = view.mapFromScene(QPointF(scene.positionOf(-0.2), scene.heightOf(0, 1.05))),
-               other = view.mapFromScene(QPointF(scene.positionOf(0.2), scene.heightOf(0, 0.95)));
+  const QPoint corner = view.mapFromScene(QPointF(scene.sceneXAt(-0.2), scene.sceneYAt(0, 1.05))),
+               other = view.mapFromScene(QPointF(scene.sceneXAt(0.2), scene.sceneYAt(0, 0.95)));
   QTest::mousePress(view.viewport(), Qt::LeftButton, Qt::ShiftModifier, corner);
   QTest::mouseRelease(view.viewport(), Qt::LeftButton, Qt::ShiftModifier, other);
   check_equal(scene);
@@ -131,8 +131,8 @@ TEST_CASE("chart_view: an orbit is zoomed, moved and boxed, and its axes stay eq
   CHECK(scene.valueAt(0, area.bottom()) < 0.95);
   wheel(view, area.center(), -30);
   CHECK_FALSE(scene.zoomed());
-  const double smallest = scales(scene).first;  // of this size of the window
-  wheel(view, {scene.positionOf(0.0), scene.heightOf(0, 0.999)}, 100);  // to the limit
+  const double smallest = scales(scene).first;                        // of this size of the window
+  wheel(view, {scene.sceneXAt(0.0), scene.sceneYAt(0, 0.999)}, 100);  // to the limit
   CHECK(scales(scene).first == Approx(1e-4 * smallest).epsilon(1e-6));
   check_equal(scene);
 }
@@ -179,7 +179,7 @@ TEST_CASE("chart_scene: an enlarged orbit has its circle and its directions wher
   const QImage round = near_point(std::sin(a), std::cos(a), 1e-3);
   int hits = 0, places = 0;
   for (double b = a - 6e-4; b <= a + 6e-4; b += 1e-5) {  // broken: half of it
-    const auto at = scene.planePlace(std::sin(b), std::cos(b));
+    const auto at = scene.planePosition(std::sin(b), std::cos(b));
     REQUIRE(at.has_value());
     ++places;
     hits += is_drawn(round, *at, circle) ? 1 : 0;
@@ -198,17 +198,17 @@ TEST_CASE("chart_view: an orbit's stored points are read off, and cursors stand 
   history.x = orbit_page().along;
   history.panels = {{"Radius", "m", {{"", std::vector<double>(history.x.size(), 2.0), {}}}, false}};
   view.showPage(history);
-  view.setCursor(0, 0.1);  // a quarter of the first turn later: back at the top after 0.1 s
+  view.setCursorAbscissa(0, 0.1);  // a quarter of the first turn later: back at the top after 0.1 s
   view.showPage(orbit_page());
   ChartScene& scene = view.chartScene();
   const ChartCurve& curve = scene.page().panels[0].curves[0];
-  const QPointF point(scene.positionOf(curve.x[30]), scene.heightOf(0, curve.y[30]));
+  const QPointF point(scene.sceneXAt(curve.x[30]), scene.sceneYAt(0, curve.y[30]));
   const QString told = scene.readout(point + QPointF(2.0, 1.0));
   INFO(told.toStdString());
   CHECK(told.contains("30 ms"));
   CHECK(told.contains(QString::fromStdString(pretty_quantity(curve.x[30], "", 5))));
   CHECK(told.contains(QString::fromStdString(pretty_quantity(curve.y[30], "", 5))));
-  CHECK(scene.readout({scene.positionOf(0.0), scene.heightOf(0, 0.0)}).startsWith("here:"));
+  CHECK(scene.readout({scene.sceneXAt(0.0), scene.sceneYAt(0, 0.0)}).startsWith("here:"));
   CHECK(scene.readout({5.0, 5.0}).isEmpty());
   // As many digits as an enlarged picture resolves.
   scene.setZoom({0.0,
@@ -216,14 +216,14 @@ TEST_CASE("chart_view: an orbit's stored points are read off, and cursors stand 
                  {std::pair(curve.y[30] - 1e-4, curve.y[30] + 1e-4),
                   std::pair(curve.x[30] - 1e-4, curve.x[30] + 1e-4)}});
   const QString close =
-      scene.readout({scene.positionOf(curve.x[30]), scene.heightOf(0, curve.y[30])});
+      scene.readout({scene.sceneXAt(curve.x[30]), scene.sceneYAt(0, curve.y[30])});
   INFO(close.toStdString());
   CHECK(close.contains(QString::fromStdString(pretty_quantity(curve.x[30], "", 8))));
   scene.showAll();
 
-  CHECK(view.cursorAt(0) == Approx(0.1));  // that of the page before
+  CHECK(view.cursorAbscissa(0) == Approx(0.1));  // that of the page before
   QTest::mouseClick(view.viewport(), Qt::LeftButton, Qt::ControlModifier | Qt::ShiftModifier,
-                    view.mapFromScene(QPointF(scene.positionOf(0.0), scene.heightOf(0, -0.9))));
+                    view.mapFromScene(QPointF(scene.sceneXAt(0.0), scene.sceneYAt(0, -0.9))));
   const QString report = view.cursorReport();
   INFO(report.toStdString());
   CHECK(report.contains("A: 100 ms"));
@@ -246,7 +246,7 @@ TEST_CASE("chart_scene: values under the mouse have the digits that their panel 
   page.panels[0].curves[0].y[20] = 0.0300051234;
   scene.setPage(page);
   const auto read = [&] {
-    return scene.readout({scene.positionOf(2.0), scene.plotAreas()[0].center().y()});
+    return scene.readout({scene.sceneXAt(2.0), scene.plotAreas()[0].center().y()});
   };
   INFO(read().toStdString());
   CHECK(read().contains("30.0051234 mm"));
@@ -341,8 +341,8 @@ TEST_CASE("chart_view: curve ending between the cursors → range of the mean gi
   page.panels = {panel};
   ChartView view;
   view.showPage(page);
-  view.setCursor(0, 80.0);
-  view.setCursor(1, 20.0);
+  view.setCursorAbscissa(0, 80.0);
+  view.setCursorAbscissa(1, 20.0);
   const QStringList lines = view.cursorReport().split('\n');
   INFO(view.cursorReport().toStdString());
   REQUIRE(lines.size() == 3);

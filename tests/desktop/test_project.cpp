@@ -30,7 +30,7 @@ TEST_CASE("project: added decks and runs → relative names, and the same after 
   fs::create_directories(folder / "out");
   write(folder / "DATA.txt", "deck");
   write(folder / "out" / "RUN.json", "{}");
-  Project project = Project::of_folder(folder);
+  Project project = Project::open_or_create(folder);
   CHECK_FALSE(fs::exists(folder / desktop::kProjectFile));
   CHECK(project.add_deck(folder / "DATA.txt"));
   CHECK(project.add_run(folder / "out"));
@@ -57,7 +57,7 @@ TEST_CASE("project: unknown members → kept when it is saved", "[unit][desktop]
   const fs::path folder = temporary.path().toStdString();
   write(folder / "PROJECT.json",
         R"({"format": "adore-project", "version": 1, "decks": [], "runs": [], "notes": {"a": 1}})");
-  Project project = Project::of_folder(folder);
+  Project project = Project::open_or_create(folder);
   project.add_run(folder / "out");
   project.save();
   CHECK(bytes_of(folder / "PROJECT.json").find("\"notes\"") != std::string::npos);
@@ -78,7 +78,7 @@ TEST_CASE("project: damaged or newer file → a message, and the same bytes", "[
     write(file, text);
     CHECK_THROWS_WITH(Project::open(file),
                       Catch::Contains(reason) && Catch::Contains("PROJECT.json"));
-    CHECK_THROWS_AS(Project::of_folder(folder), InputError);
+    CHECK_THROWS_AS(Project::open_or_create(folder), InputError);
     CHECK(bytes_of(file) == text);
   }
   CHECK_THROWS_AS(Project::open(folder / "none" / "PROJECT.json"), InputError);

@@ -43,7 +43,7 @@ TEST_CASE("recent files: the files of one run do not take the places of others",
   const auto open = [](const QString& path) {
     QFile file(path);
     REQUIRE(file.open(QIODevice::WriteOnly));
-    remember_part_of_run("recent-test", path);
+    add_recent_run_file("recent-test", path);
   };
   open(other.filePath("SOL1"));
   for (int i = 1; i <= 8; ++i) open(folder.filePath(QString("SOL%1").arg(i)));

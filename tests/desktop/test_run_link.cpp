@@ -61,7 +61,7 @@ class Environment {
 /// Not a window: bytes of any program.
 void write_bytes(const QString& folder, const QByteArray& bytes) {
   QLocalSocket socket;
-  socket.connectToServer(RunLink::socketOf(folder));
+  socket.connectToServer(RunLink::socketPath(folder));
   REQUIRE(socket.waitForConnected(kPatience));
   socket.write(bytes);
   socket.flush();
@@ -209,7 +209,7 @@ TEST_CASE("run_link: the hub closes or is switched off → the others stay linke
 TEST_CASE("run_link: socket of a program that was cut off → replaced", "[gui][desktop]") {
   test::use_qt();
   const QTemporaryDir folder;
-  const QString path = RunLink::socketOf(folder.path());
+  const QString path = RunLink::socketPath(folder.path());
   REQUIRE_FALSE(path.isEmpty());
   {
     QFile left(path);
@@ -245,7 +245,7 @@ TEST_CASE("run_link: bytes of a foreign program → ignored, windows stay linked
   std::vector<std::unique_ptr<QLocalSocket>> idle;
   for (int i = 0; i < 40; ++i) {
     idle.push_back(std::make_unique<QLocalSocket>());
-    idle.back()->connectToServer(RunLink::socketOf(folder.path()));
+    idle.back()->connectToServer(RunLink::socketPath(folder.path()));
   }
   Window late(folder.path());
   CHECK(late.knows(3.0));
@@ -254,8 +254,8 @@ TEST_CASE("run_link: bytes of a foreign program → ignored, windows stay linked
 TEST_CASE("run_link: no run folder → nothing is shared", "[gui][desktop]") {
   test::use_qt();
   const QTemporaryDir base;
-  CHECK(RunLink::socketOf({}).isEmpty());
-  CHECK(RunLink::socketOf(base.filePath("none")).isEmpty());
+  CHECK(RunLink::socketPath({}).isEmpty());
+  CHECK(RunLink::socketPath(base.filePath("none")).isEmpty());
   Window a(base.filePath("none")), b({});
   a.link.tell({1.0, {}});
   b.link.tell({2.0, {}});
@@ -307,7 +307,7 @@ TEST_CASE("run_link: another program → linked, also when it is killed while it
   };
   QProcess first;
   start(first);
-  REQUIRE(QTest::qWaitFor([&] { return QFile::exists(RunLink::socketOf(folder.path())); },
+  REQUIRE(QTest::qWaitFor([&] { return QFile::exists(RunLink::socketPath(folder.path())); },
                           3 * kPatience));
   Window window(folder.path());
   CHECK(window.knows(100.0));  // the other one is the hub

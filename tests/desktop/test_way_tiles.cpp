@@ -45,7 +45,7 @@ const QPen& ink() {
   return pen;
 }
 
-QImage drawn(WayTiles& tiles, const WayRuns& runs, const WayPlace& place) {
+QImage drawn(PathTiles& tiles, const PathIndex& runs, const PathPlacement& place) {
   QImage image = paper();
   QPainter painter(&image);
   tiles.draw(painter, runs, place, ink());
@@ -99,13 +99,13 @@ TEST_CASE("way_tiles: tiles have ink wherever the whole way has, and nowhere els
         for (std::size_t i = 1; i < near.x.size(); ++i)
           if (std::isfinite(near.x[i - 1] + near.x[i]))
             painter.drawLine(QPointF(near.x[i - 1], near.y[i - 1]), QPointF(near.x[i], near.y[i]));
-        const StampImage stamps = stamp_image(seen_way(near.x, near.y, {}, area), ink().widthF(),
-                                              Qt::black, area.toAlignedRect());
+        const StampImage stamps = stamp_image(visible_path_strokes(near.x, near.y, {}, area),
+                                              ink().widthF(), Qt::black, area.toAlignedRect());
         QPainter other(&once);
         other.drawImage(stamps.place, stamps.image);
       }
-      WayTiles tiles;
-      const QImage seen = drawn(tiles, WayRuns(near.x, near.y), {{}, {0.0, 0.0}, area});
+      PathTiles tiles;
+      const QImage seen = drawn(tiles, PathIndex(near.x, near.y), {{}, {0.0, 0.0}, area});
       const auto ink_at = [](const QImage& image, int x, int y) {
         return 255 - qGreen(image.pixel(x, y));
       };
@@ -130,8 +130,8 @@ TEST_CASE("way_tiles: tiles have ink wherever the whole way has, and nowhere els
       // No stroke that the picture as a whole leaves out, but for rounding at the edges of tiles.
       CHECK(added < inked / 500);
       // Strokes from far outside cross all tiles in between.
-      WayTiles others;
-      const QImage crossed = drawn(others, WayRuns(way.x, way.y), {{}, {0.0, 0.0}, area});
+      PathTiles others;
+      const QImage crossed = drawn(others, PathIndex(way.x, way.y), {{}, {0.0, 0.0}, area});
       const std::size_t far = way.x.size() / 2 + 50;
       const QPointF from(way.x[far + 1], way.y[far + 1]),
           along = QPointF(way.x[far], way.y[far]) - from;
@@ -148,11 +148,11 @@ TEST_CASE("way_tiles: a frame that moves over a way shows the same as one that h
           "[gui][desktop]") {
   test::use_qt();
   const Way way = many_turns(300, 2.0);
-  const WayRuns runs(way.x, way.y);
-  WayTiles kept;
+  const PathIndex runs(way.x, way.y);
+  PathTiles kept;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> some(-1.0, 1.0);
-  WayPlace place{{0.0, 1.0, 0.0, -1.0}, {200.0, 200.0}, {30.0, 20.0, 150.0, 120.0}};
+  PathPlacement place{{0.0, 1.0, 0.0, -1.0}, {200.0, 200.0}, {30.0, 20.0, 150.0, 120.0}};
   PlaneScale& scale = place.scale;
   std::size_t most_kept = 0;
   int seen = 0;
@@ -162,7 +162,7 @@ TEST_CASE("way_tiles: a frame that moves over a way shows the same as one that h
     scale.x_at = std::clamp(scale.x_at + far * some(random), -200.0, 100.0);
     scale.y_at = std::clamp(scale.y_at + far * some(random), 100.0, 400.0);
     if (move == 15 || move == 30) scale.x_per *= 1.01, scale.y_per *= 1.01;
-    WayTiles fresh;
+    PathTiles fresh;
     const QImage one = drawn(kept, runs, place), other = drawn(fresh, runs, place);
     INFO("move " << move << " to " << scale.x_at << ", " << scale.y_at);
     CHECK(most_apart(one, other) <= 1);
@@ -230,7 +230,7 @@ TEST_CASE("way_tiles: a point of a long orbit is drawn where its axes say, where
       without.setZoom(scene.zoom());
     }
     const QImage with_dot = drawn(scene), empty = drawn(without);
-    const auto at = scene.planePlace(210.0, 205.0);
+    const auto at = scene.planePosition(210.0, 205.0);
     REQUIRE(at);
     QPointF sum;
     double weight = 0.0;
@@ -249,7 +249,7 @@ TEST_CASE("way_tiles: a point of a long orbit is drawn where its axes say, where
 TEST_CASE("way_runs: the point that is nearest to a place is found as by a look at all of them",
           "[unit][desktop]") {
   const Way way = many_turns(7, 2.0);
-  const WayRuns runs(way.x, way.y);
+  const PathIndex runs(way.x, way.y);
   std::mt19937 random(2);
   std::uniform_real_distribution<double> some(0.0, 400.0);
   int found = 0;

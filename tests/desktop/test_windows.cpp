@@ -56,12 +56,12 @@ TEST_CASE("a program that was started holds no stream of the one that started it
       "echo \"$held\" > \"$1.part\"\nmv \"$1.part\" \"$1\"\n");
   script.close();
   REQUIRE(script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
-  const desktop::Starter before = desktop::start_programs_by({});
+  const desktop::Starter before = desktop::set_program_starter({});
   const QByteArray path = qgetenv("PATH");
   qputenv("PATH", folder.path().toUtf8() + ':' + path);
   desktop::start_program("viewer", {folder.filePath("streams")});
   qputenv("PATH", path);
-  desktop::start_programs_by(before);
+  desktop::set_program_starter(before);
   QFile streams(folder.filePath("streams"));
   REQUIRE(QTest::qWaitFor([&] { return streams.exists(); }, 30000));
   REQUIRE(streams.open(QIODevice::ReadOnly));
@@ -159,27 +159,28 @@ TEST_CASE("files go to the window that shows their folder, and to no other", "[g
   const QTemporaryDir project, other;
   QStringList shown;
   const QStringList files{project.filePath("SOL1"), project.filePath("SOL2")};
-  CHECK_FALSE(desktop::hand_over("adrplot", project.path(), files));
+  CHECK_FALSE(desktop::send_to_open_window("adrplot", project.path(), files));
   {
-    const desktop::OneWindow window("adrplot", project.path(), nullptr,
-                                    [&](const QStringList& names) { shown = names; });
-    REQUIRE(window.listens());
-    const desktop::OneWindow second("adrplot", project.path(), nullptr, [](const QStringList&) {});
-    CHECK_FALSE(second.listens());
-    CHECK(desktop::hand_over("adrplot", project.path(), files));
+    const desktop::SingleWindowServer window("adrplot", project.path(), nullptr,
+                                             [&](const QStringList& names) { shown = names; });
+    REQUIRE(window.is_listening());
+    const desktop::SingleWindowServer second("adrplot", project.path(), nullptr,
+                                             [](const QStringList&) {});
+    CHECK_FALSE(second.is_listening());
+    CHECK(desktop::send_to_open_window("adrplot", project.path(), files));
     CHECK(QTest::qWaitFor([&] { return shown == files; }, 5000));
     const QStringList of_a_run = QStringList{"--follow"} + files;  // which continues
-    CHECK(desktop::hand_over("adrplot", project.path(), of_a_run));
+    CHECK(desktop::send_to_open_window("adrplot", project.path(), of_a_run));
     CHECK(QTest::qWaitFor([&] { return shown == of_a_run; }, 5000));
     // A run in a separate folder belongs to the project that started it.
     const QStringList of_folder{project.filePath("run-001/SOL1")};
-    CHECK(desktop::hand_over("adrplot", project.path(), of_folder));
+    CHECK(desktop::send_to_open_window("adrplot", project.path(), of_folder));
     CHECK(QTest::qWaitFor([&] { return shown == of_folder; }, 5000));
-    CHECK_FALSE(desktop::hand_over("adrplot", project.path(), {"--follow"}));
-    CHECK_FALSE(desktop::hand_over("adrplot", other.path(), {other.filePath("SOL1")}));
-    CHECK_FALSE(desktop::hand_over("agore", project.path(), files));
+    CHECK_FALSE(desktop::send_to_open_window("adrplot", project.path(), {"--follow"}));
+    CHECK_FALSE(desktop::send_to_open_window("adrplot", other.path(), {other.filePath("SOL1")}));
+    CHECK_FALSE(desktop::send_to_open_window("agore", project.path(), files));
   }
-  CHECK_FALSE(desktop::hand_over("adrplot", project.path(), files));
+  CHECK_FALSE(desktop::send_to_open_window("adrplot", project.path(), files));
 }
 
 TEST_CASE("a window that opens behind does not take the keyboard until it is chosen",
@@ -188,7 +189,7 @@ TEST_CASE("a window that opens behind does not take the keyboard until it is cho
   QWidget before;
   before.show();
   {
-    const desktop::OpensBehind behind;
+    const desktop::OpenWithoutFocusGuard behind;
     QWidget window;
     QDialog question(&window);
     window.show();

@@ -269,15 +269,15 @@ def covered(identifier, *names):
         return "; ".join(f'ctest -R "{n}"' for n in names), [equal(f"tests named '{n}'", tests.get(n, 0), 1) for n in names]
 
 
-covered("F260", "every record of the schema: its page is built, edited by typing, and reads back equal", "searching jumps to the field; help tells about the record")
-covered("F262", "records come and go with the options, and what was typed comes back")
-covered("F264", "opening: dropped and recent decks, folders, files that are none")
+covered("F260", "every record of the schema: its page is built, edited by typing, and reads back equal", "search: result selected → its field has the focus and help shows its record")
+covered("F262", "options: record hidden and shown again → its values are kept")
+covered("F264", "opening: dropped and recent decks, folders, other files")
 covered("F265", "example decks: the second save has the same bytes as the first")
 covered("F266", "adrinput: Go Back, Next Rec, Save & Exit and Quit → behavior as in the manual", "run panel: cancel a run; quit during a run → confirmation")
 covered("F267", "adrinput: the help of the keys is readable with large letters", "adrinput: keyboard → every action has a menu entry with a shortcut, every button takes the focus")
 covered("F268", "adrinput: Go Back, Next Rec, Save & Exit and Quit → behavior as in the manual")
 covered("F269", "adrinput: Go Back, Next Rec, Save & Exit and Quit → behavior as in the manual")
-covered("F270", "names as long as the system takes them are saved and opened", "every app has an icon and an entry in the desktop's menu")
+covered("F270", "file names: longest possible names are saved and opened", "every app has an icon and an entry in the desktop's menu")
 covered("F271", "disclaimer: names warranty and independence, and is remembered", "a file is opened by the question of its steps, however long the window lives meanwhile")
 covered("F275", "plot_window: files → opened, rejected with a reason, truncated ones explained")
 covered("F276", "plot_window: every key does what the menus promise, wherever the focus is")

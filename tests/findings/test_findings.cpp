@@ -69,9 +69,20 @@ void disturb(const Json& how, const fs::path& folder) {
   std::ofstream(file) << text.replace(at, from.size(), edit.at(2).get<std::string>());
 }
 
+/// Nothing of a finding is in its sentence alone: the sentence without its data is only a remark of
+/// the deck, and a value has its quantity.
+void check_data(const Json& finding) {
+  adore::Issue bare;
+  bare.message = finding.at("sentence");
+  bare.severity = adore::find_finding_kind(finding.at("code").get<std::string>())->severity;
+  CHECK(Finding(bare).code.starts_with("deck."));
+  if (finding.contains("value")) CHECK(finding.contains("quantity"));
+}
+
 /// Codes in the JSON output of the program.
 struct Said {
   Codes all, last;  ///< of all its calls, of the last one
+  Codes measured;   ///< with the value of a quantity
   bool error = false;
 
   void add(const QStringList& arguments) {
@@ -79,7 +90,11 @@ struct Said {
     last.clear();
     add_codes(findings, last);
     all.insert(last.begin(), last.end());
-    for (const Json& one : findings) error = error || one.at("severity") == "error";
+    for (const Json& one : findings) {
+      error = error || one.at("severity") == "error";
+      check_data(one);
+      if (one.contains("value")) measured.insert(one.at("code").get<std::string>());
+    }
   }
 };
 
@@ -193,6 +208,8 @@ TEST_CASE("findings: decks of the table lead to their codes in the command line 
       CHECK(said.all.count(code) == 1);
       const adore::FindingKind* kind = adore::find_finding_kind(code);
       REQUIRE(kind != nullptr);
+      const bool has_value = !kind->quantity.empty() && !deck.value("without_value", false);
+      if (has_value) CHECK(said.measured.count(code) == 1);
       if (ran && kind->origin != "check" && said.last.count(code) == 1)
         CHECK(stored.count(code) == 1);
     }

@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
              std::string(reinterpret_cast<const char*>(data), size), "CHARTS.json")) {
       (void)study_chart_csv(chart);
       (void)chart.title();
-      if (!chart.drawable()) continue;
+      if (!chart.has_content()) continue;
       QImage image(480, 300, QImage::Format_RGB32);
       QPainter painter(&image);
       paint_study(chart, painter, image.size(), theme(ThemeKind::Light));

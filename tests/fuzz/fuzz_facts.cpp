@@ -20,7 +20,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const CandidateReport report = find_candidates(read_facts(text));
     (void)candidates_text(report);
     (void)candidates_json(report);
-    if (!report.candidates.empty()) (void)deck::catalogue_story(chosen_candidate(report, 1));
+    if (!report.candidates.empty())
+      (void)deck::describe_catalogue_bearing(candidate_bearing(report, 1));
   } catch (const InputError&) {
   }
   return 0;

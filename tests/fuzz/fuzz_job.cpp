@@ -59,7 +59,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string key(32, '7');
   for (const char* name : {"job.json", "tasks.jsonl", "RUNS.csv"})
     write(folder.path() / name, section(all, name));
-  write(record_file(folder.path(), key), section(all, "record"));
+  write(run_record_path(folder.path(), key), section(all, "record"));
   std::size_t decks = 1;
   refused_or([&] {
     const Job job = read_job(folder.path());
@@ -82,6 +82,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     (void)run_text(table, 1);
   });
   refused_or([&] { (void)run_text(folder.path(), 1); });
-  refused_or([&] { (void)run_files(folder.path(), 1); });
+  refused_or([&] { (void)run_files_folder(folder.path(), 1); });
   return 0;
 }

@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const std::array files{file.path()};
     const ValidateReport report = validate_files(files);
-    for (const FileResult& one : report.files) (void)file_text(one, true);
+    for (const FileResult& one : report.files) (void)file_result_text(one, true);
   } catch (const InputError&) {
   }
   return 0;

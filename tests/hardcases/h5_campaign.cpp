@@ -107,7 +107,7 @@ void start_clock() {
 }
 
 void read_directly(const std::filesystem::path& path) {
-  const results::h5::Quiet quiet;
+  const results::h5::Hdf5Lock quiet;
   results::h5::File file(path);
   const results::h5::Content& content = file.content();
   for (const auto& info : content.channels)
@@ -143,9 +143,9 @@ void read_directly(const std::filesystem::path& path) {
 bool answered(const std::filesystem::path& path, std::string& kind) {
   kind = kKinds[0];
   try {
-    results::h5::Limits limits;
+    results::h5::ReaderLimits limits;
     limits.cpu = std::chrono::seconds(1);  // users wait 20 s for the same sentence
-    results::h5::Process reader(path, limits);
+    results::h5::ReaderProcess reader(path, limits);
     for (const auto& info : reader.content().channels)
       (void)reader.read(info.id, info.size(), 0, reader.content().steps, 1);
   } catch (const InputError& error) {

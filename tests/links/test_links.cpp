@@ -59,7 +59,7 @@ struct Plot {
   }
   adrplot::PlotWindow window;
   adrplot::RunMotion motion;
-  [[nodiscard]] double at() { return window.view().cursorAt(0); }
+  [[nodiscard]] double at() { return window.view().cursorAbscissa(0); }
   [[nodiscard]] std::optional<double> time() {
     return adrplot::time_of_cursor(window.view().chartScene().page(), motion, at());
   }
@@ -117,7 +117,7 @@ TEST_CASE("linked windows: cursor A → nearest frame, and frame → cursor A, f
   Motion motion(run);
   QTest::qWait(kQuiet);
   CHECK(motion.window.currentFrame() == 0);  // opening moves nothing
-  CHECK(std::isnan(plot.window.view().cursorAt(0)));
+  CHECK(std::isnan(plot.window.view().cursorAbscissa(0)));
   for (const char* abscissa : {"over revolutions", "over time", "over steps"}) {
     INFO(abscissa);
     plot.window.findChild<QComboBox*>("abscissa")->setCurrentText(abscissa);
@@ -162,24 +162,24 @@ TEST_CASE("linked windows: after a change → no further movement", "[gui][links
   Motion motion(run), other(run);
   QTest::qWait(kQuiet);
   plot.clickAt(0.337);  // between two frames
-  const double at = plot.window.view().cursorAt(0);
+  const double at = plot.window.view().cursorAbscissa(0);
   CHECK(comes([&] { return other.time() > 0.0 && motion.time() == other.time(); }));
-  CHECK(comes([&] { return second.window.view().cursorAt(0) == at; }));
+  CHECK(comes([&] { return second.window.view().cursorAbscissa(0) == at; }));
   const std::size_t frame = motion.window.currentFrame();
   QTest::qWait(kQuiet);
-  CHECK(plot.window.view().cursorAt(0) == at);
-  CHECK(second.window.view().cursorAt(0) == at);
+  CHECK(plot.window.view().cursorAbscissa(0) == at);
+  CHECK(second.window.view().cursorAbscissa(0) == at);
   CHECK(motion.window.currentFrame() == frame);
   CHECK(other.window.currentFrame() == frame);
   // A repaint or another page is not a change of the user.
   plot.window.nextPage();
-  motion.window.setColour(agore::ColourBy::None);
+  motion.window.setColorQuantity(agore::ColourBy::None);
   QTest::qWait(kQuiet);
-  CHECK(plot.window.view().cursorAt(0) == at);
+  CHECK(plot.window.view().cursorAbscissa(0) == at);
   CHECK(motion.window.currentFrame() == frame);
   // The playing animation moves cursors; a cursor stops the animation.
   motion.window.playForward();
-  CHECK(comes([&] { return second.window.view().cursorAt(0) > at; }));
+  CHECK(comes([&] { return second.window.view().cursorAbscissa(0) > at; }));
   second.clickAt(0.1);
   CHECK(comes([&] { return !motion.window.playing(); }));
   CHECK(comes([&] { return close(second.time(), motion.time(), 0.5 * motion.step()); }));
@@ -213,7 +213,7 @@ TEST_CASE("linked windows: cursor removed → stays removed; spectra have none",
   CHECK(comes([&] { return motion.time() > 0.0; }));
   const std::size_t frame = motion.window.currentFrame();
   plot.window.setDomain(adrplot::Domain::Spectrum);
-  CHECK(std::isnan(plot.window.view().cursorAt(0)));
+  CHECK(std::isnan(plot.window.view().cursorAbscissa(0)));
   plot.clickAt(0.2);  // a frequency
   QTest::qWait(kQuiet);
   CHECK(motion.window.currentFrame() == frame);
@@ -222,7 +222,7 @@ TEST_CASE("linked windows: cursor removed → stays removed; spectra have none",
   plot.window.view().clearCursors();
   plot.window.nextPage();
   QTest::qWait(kQuiet);
-  CHECK(std::isnan(plot.window.view().cursorAt(0)));
+  CHECK(std::isnan(plot.window.view().cursorAbscissa(0)));
   CHECK(motion.window.currentFrame() == frame);
 }
 
@@ -239,12 +239,12 @@ TEST_CASE("linked windows: other run, or switched off → not moved; the choice 
   CHECK(QSettings("Adore", "adrplot").value("linkTime", true).toBool());
   plot.type("linkAction", false);
   const std::size_t frame = motion.window.currentFrame();
-  const double at = plot.window.view().cursorAt(0);
+  const double at = plot.window.view().cursorAbscissa(0);
   plot.clickAt(0.9);
   motion.window.frameForward();
   QTest::qWait(kQuiet);
   CHECK(motion.window.currentFrame() == frame + 1);
-  CHECK(plot.window.view().cursorAt(0) > at);
+  CHECK(plot.window.view().cursorAbscissa(0) > at);
   {
     Plot next(run);
     CHECK_FALSE(next.window.findChild<QAction*>("linkAction")->isChecked());
@@ -287,7 +287,7 @@ TEST_CASE("linked windows: results in memory → not linked", "[gui][links]") {
   agore::AgoreWindow motion;
   motion.show();
   motion.setAnimation(agore::prepare(test::synthetic_sol8()));
-  plot.view().setCursor(0, 1.0);
+  plot.view().setCursorAbscissa(0, 1.0);
   QTest::qWait(kQuiet);
   CHECK(motion.currentFrame() == 0);
 }

@@ -19,7 +19,7 @@ inline void use_qt() {
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
-    desktop::start_programs_by([](const QString& path, const QStringList&) {
+    desktop::set_program_starter([](const QString& path, const QStringList&) {
       FAIL_CHECK("a test started " << path.toStdString() << ": let it look on instead");
       return true;
     });

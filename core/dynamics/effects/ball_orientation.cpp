@@ -44,7 +44,7 @@ class BallOrientation final : public SceneEffect {
   void declare(SceneBuilder& scene) override {
     for (const int index : scene.plan.oriented_elements) {
       demand(index >= 0 && index < scene.bearing.element_count(),
-             "the plan orients an element that does not exist");
+             "the plan integrates the orientation of an element that does not exist");
       const std::string name = fmt::format("element{}", index + 1);
       const auto i = static_cast<std::size_t>(index);
       elements_.push_back({i, scene.statics.balls[i].azimuth,
@@ -66,8 +66,8 @@ class BallOrientation final : public SceneEffect {
       ball.oriented = true;
       ball.orientation = quaternion_at(e.y, one.orientation);
       ball.total_rotation = e.y[one.rotation.first];
-      const Vec3 axis =
-          e.to_cylindrical(one.element, rotation_matrix(normalise(ball.orientation)).col(0));
+      const Vec3 axis = e.to_cylindrical(
+          one.element, rotation_matrix(normalize_quaternion(ball.orientation)).col(0));
       ball.x_axis = Vec3(axis[0], -axis[2], axis[1]);
     }
   }

@@ -20,17 +20,18 @@ void BallMotion::apply(Evaluation& e) noexcept {
   e.valid = ball_motion(e.elements, e.actions, mass_, inertia_, rates_in(e.dydt, s_)) && e.valid;
 }
 
-OwnBallMotion::OwnBallMotion(const ElementSlices& slices, const ElementMasses& masses)
+UnequalBallMotion::UnequalBallMotion(const ElementSlices& slices, const ElementMasses& masses)
     : s_(slices) {
   for (std::size_t i = 0; i < slices.elements(); ++i) {
-    per_mass_.push_back(1.0 / masses[i].mass);
-    per_inertia_.push_back(1.0 / masses[i].inertia(0, 0));
+    inverse_mass_.push_back(1.0 / masses[i].mass);
+    inverse_inertia_.push_back(1.0 / masses[i].inertia(0, 0));
   }
 }
 
-void OwnBallMotion::apply(Evaluation& e) noexcept {
+void UnequalBallMotion::apply(Evaluation& e) noexcept {
   e.valid =
-      ball_motion(e.elements, e.actions, per_mass_, per_inertia_, rates_in(e.dydt, s_)) && e.valid;
+      ball_motion(e.elements, e.actions, inverse_mass_, inverse_inertia_, rates_in(e.dydt, s_)) &&
+      e.valid;
 }
 
 void Balls::declare(SceneBuilder& scene) {
@@ -45,15 +46,15 @@ void Balls::declare(SceneBuilder& scene) {
   masses_ = ElementMasses(bearing);
   start_ = scene.statics.balls;
   for (std::size_t q = 0; q < kQuantities.size(); ++q) {
-    const QuantityLine& line = kQuantities[q];
+    const ElementQuantity& line = kQuantities[q];
     s_[static_cast<Quantity>(q)] =
-        scene.states_of_elements("element." + std::string(line.name), line.unit, line.scale);
+        scene.add_element_states("element." + std::string(line.name), line.unit, line.scale);
   }
   scene.block<ElementKinematics>(Phase::Kinematics, kMotionCost, {}, s_);
   if (masses_.alike())
     scene.block<BallMotion>(Phase::Motion, kMotionCost, {}, s_, masses_[0].mass, moments[0]);
   else
-    scene.block<OwnBallMotion>(Phase::Motion, kMotionCost, {}, s_, masses_);
+    scene.block<UnequalBallMotion>(Phase::Motion, kMotionCost, {}, s_, masses_);
 }
 
 void Balls::start(std::span<double> y) const {

@@ -29,14 +29,14 @@ class BallMotion final : public EffectBlock {
 };
 
 /// Of balls that differ.
-class OwnBallMotion final : public EffectBlock {
+class UnequalBallMotion final : public EffectBlock {
  public:
-  OwnBallMotion(const ElementSlices& slices, const ElementMasses& masses);
+  UnequalBallMotion(const ElementSlices& slices, const ElementMasses& masses);
   void apply(Evaluation& e) noexcept override;
 
  private:
   ElementSlices s_;
-  std::vector<double> per_mass_, per_inertia_;  ///< by ball [1/kg, 1/(kg m²)]
+  std::vector<double> inverse_mass_, inverse_inertia_;  ///< by ball [1/kg, 1/(kg m²)]
 };
 
 class Balls final : public SceneEffect {

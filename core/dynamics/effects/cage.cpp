@@ -72,7 +72,8 @@ class SlipAccount final : public EffectBlock {
 class Cage final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
-    demand(scene.bearing.cage.has_value(), "the plan moves a cage that the bearing does not have");
+    demand(scene.bearing.cage.has_value(),
+           "the plan has a cage motion, but the bearing has no cage");
     const bearing::Cage& cage = *scene.bearing.cage;
     pieces_ = pieces_of(scene);
     scene.e.segments.resize(pieces_.middle.size());
@@ -103,7 +104,7 @@ class Cage final : public SceneEffect {
       mean_x -= scene.bearing.roller_mass_offset * std::cos(rollers->axis_angle);
     mass_centre_ = -cage.inertia.geometric_centre;
     for (std::size_t k = 0; k < segments_.size(); ++k) {
-      const bearing::PieceStart& one = cage.start_of(k);
+      const bearing::CageStartState& one = cage.start_of(k);
       CageStart start =
           cage_start(nominal_cage_speed(scene.bearing), one.speed_ratio, one.whirl_ratio,
                      {mean_x, 0.0, 0.0}, one.start_offset, one.start_angles);

@@ -144,7 +144,7 @@ class LandFilm final : public SceneEffect {
     demand(bearing.cage_films.has_value() && bearing.cage.has_value(),
            "cage films need a cage and oil");
     const bearing::CageFilms& films = *bearing.cage_films;
-    const double viscosity = tribology::film_viscosity(bearing, films.land_viscosity);
+    const double viscosity = tribology::cage_film_viscosity(bearing, films.land_viscosity);
     heat_.part.assign(bearing.cage->lands.size(), 0.0);
     for (std::size_t i = 0; i < bearing.cage->lands.size(); ++i) {
       const bearing::GuideLand& guide = bearing.cage->lands[i];
@@ -155,7 +155,7 @@ class LandFilm final : public SceneEffect {
       land.index = i;
       land.cage_inside = guide.guide == bearing::GuideLand::Guide::Outer;
       land.race = land.cage_inside ? 0 : 1;
-      land.x = contact::land_centre(guide.edge, guide.width);
+      land.x = contact::land_center_position(guide.edge, guide.width);
       land.film = {viscosity, 0.5 * guide.diameter - (land.cage_inside ? 0.0 : c), guide.width, c};
       constexpr double kTightest = 0.5;  // a clearance of a few critical films still has one
       land.largest = std::max(kTightest, 1.0 - films.critical_film / c);
@@ -217,12 +217,12 @@ PocketFilmAction film_action(const PocketSet& set, const PocketOil& oil, const E
   const double k_along = lengthwise * oil.along + (1.0 - lengthwise) * oil.around;
   const double k_across = lengthwise * oil.around + (1.0 - lengthwise) * oil.along;
   const double wedge =
-      tribology::pocket_wedge(oil.viscosity, 0.5 * u, 1.0 / k_along, 1.0 / k_across, h);
+      tribology::point_wedge_force(oil.viscosity, 0.5 * u, 1.0 / k_along, 1.0 / k_across, h);
   const double reduced = 1.0 / std::sqrt(k_along * k_across);
-  const double squeeze = tribology::sphere_squeeze(oil.viscosity, reduced, h, -closing);
+  const double squeeze = tribology::sphere_squeeze_force(oil.viscosity, reduced, h, -closing);
   out.shear = fade * 6.0 * std::numbers::pi * oil.viscosity * R *
               std::max(0.0, 8.0 / 15.0 * std::log(R / h) + 0.9588);
-  out.squeeze = fade * tribology::sphere_squeeze(oil.viscosity, reduced, h, -1.0);
+  out.squeeze = fade * tribology::sphere_squeeze_force(oil.viscosity, reduced, h, -1.0);
   const double fade_slope = 12.0 * s * (1.0 - s) / oil.largest;
   out.stiffness = fade * (0.5 * wedge + squeeze) / h + fade_slope * (wedge + squeeze);
   out.force = -out.shear * sliding - fade * (wedge + squeeze) * m;
@@ -256,7 +256,7 @@ class PocketFilmBlock final : public EffectBlock {
   HeatByPart& heat_;
 };
 
-class PocketFilm final : public SceneEffect, public ElementSupport {
+class PocketFilm final : public SceneEffect, public NonRaceContacts {
  public:
   void declare(SceneBuilder& scene) override {
     const bearing::Bearing& bearing = scene.bearing;
@@ -267,7 +267,7 @@ class PocketFilm final : public SceneEffect, public ElementSupport {
     const double r = 0.5 * bearing.balls().diameter;
     const double wall = 1.0 / (r + 0.5 * std::max(bearing.cage->pocket_clearance_1, 1e-3 * r));
     const auto shape = bearing.cage->pocket;
-    oil_.viscosity = tribology::film_viscosity(bearing, films.pocket_viscosity);
+    oil_.viscosity = tribology::cage_film_viscosity(bearing, films.pocket_viscosity);
     oil_.largest = films.largest_pocket_film;
     oil_.critical = std::min(films.critical_film, 0.25 * films.largest_pocket_film);
     oil_.around = 1.0 / r - (shape == bearing::PocketShape::Rectangular ? 0.0 : wall);

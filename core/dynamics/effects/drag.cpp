@@ -54,9 +54,9 @@ void ElementBlock<Rollers, Balanced>::apply(Evaluation& e) noexcept {
     if constexpr (Balanced) {
       const Vec3 along = e.to_base(i, 0.0, 0.0, 1.0);
       const double v = V.dot(along);
-      force = -drag_.element_force(std::abs(v)) * v * along;
+      force = -drag_.element_force_per_speed(std::abs(v)) * v * along;
     } else {
-      force = -drag_.element_force(V.norm()) * V;
+      force = -drag_.element_force_per_speed(V.norm()) * V;
     }
     const Vec3 spin = e.element_omega(i) - medium.omega;
     Vec3 moment;
@@ -114,8 +114,9 @@ class CageBlock final : public EffectBlock {
     for (BodyState& cage : e.segments) {
       for (const tribology::CageSurface& surface : drag_.surfaces())
         act(e.race[static_cast<std::size_t>(surface.race)], cage, surface.radius,
-            [&](double w) { return drag_.surface_moment(surface, w); });
-      act(e.race[0], cage, drag_.face_radius(), [&](double w) { return drag_.face_moment(w); });
+            [&](double w) { return drag_.surface_moment_per_speed(surface, w); });
+      act(e.race[0], cage, drag_.mean_face_radius(),
+          [&](double w) { return drag_.face_moment_per_speed(w); });
     }
   }
 

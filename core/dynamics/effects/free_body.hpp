@@ -23,7 +23,7 @@ class FreeBody final : public BorderBody {
   /// base axes, rotations about the columns of `axes`; `holding` is what that takes.
   void constrain(const RaceConstraints& constraints, const Mat3& axes) {
     constraints_ = constraints;
-    axes_ = axes;
+    constraint_axes_ = axes;
   }
   /// The given accelerations at this evaluation.
   void prescribe(const Vec3& acceleration, const Vec3& angular_acceleration) noexcept {
@@ -44,14 +44,16 @@ class FreeBody final : public BorderBody {
   void carry(const BodyState& body, Momenta& momenta) const;
   /// Motion, orientation and rotation in y.
   void report(const Evaluation& e, BodySnapshot& snapshot) const;
-  [[nodiscard]] double total_turn(const double* y) const noexcept { return y[s_.rotation.first]; }
+  [[nodiscard]] double integrated_rotation(const double* y) const noexcept {
+    return y[s_.rotation.first];
+  }
   /// Force, and moment about `position`, that hold the constrained directions [N, N m].
   [[nodiscard]] const Vec3& holding_force() const noexcept { return holding_force_; }
   [[nodiscard]] const Vec3& holding_moment() const noexcept { return holding_moment_; }
 
   /// Action = reaction: velocity by F/m, ω by I⁻¹ Rᵀ M.
-  void add_share(const Evaluation& e, std::size_t i, const Vec3& force, const Vec3& moment,
-                 double* row) const noexcept override;
+  void add_rate_contribution(const Evaluation& e, std::size_t i, const Vec3& force,
+                             const Vec3& moment, double* row) const noexcept override;
 
  private:
   struct Slices {
@@ -61,25 +63,27 @@ class FreeBody final : public BorderBody {
     return body.to_base * mass_centre_;
   }
   [[nodiscard]] Vec3 angular_momentum(const Vec3& omega_body) const noexcept {
-    return straight_ ? Vec3(moments_.cwiseProduct(omega_body)) : Vec3(inertia_ * omega_body);
+    return principal_axes_aligned_ ? Vec3(principal_inertia_.cwiseProduct(omega_body))
+                                   : Vec3(inertia_ * omega_body);
   }
   /// ω̇ in body axes from a moment in base axes, `omega` in body axes.
-  [[nodiscard]] Vec3 free_rate(const BodyState& body, const Vec3& omega,
-                               const Vec3& moment) const noexcept;
+  [[nodiscard]] Vec3 free_angular_acceleration(const BodyState& body, const Vec3& omega,
+                                               const Vec3& moment) const noexcept;
   /// The body with its constraints, for any prescribed values.
-  [[nodiscard]] HeldAt held(const BodyState& body) const noexcept {
-    return {mass_, body.to_base * inertia_ * body.to_base.transpose(), arm(body), axes_};
+  [[nodiscard]] ConstrainedBody held(const BodyState& body) const noexcept {
+    return {mass_, body.to_base * inertia_ * body.to_base.transpose(), arm(body), constraint_axes_};
   }
 
   BodyId id_;
   Slices s_;
   double mass_ = 0.0;
-  Vec3 moments_ = Vec3::Zero();  ///< principal
-  Mat3 inertia_ = Mat3::Zero(), inverse_ = Mat3::Zero();
+  Vec3 principal_inertia_ = Vec3::Zero();  ///< principal
+  Mat3 inertia_ = Mat3::Zero(), inverse_inertia_ = Mat3::Zero();
   Vec3 mass_centre_ = Vec3::Zero();
-  bool off_centre_ = false, straight_ = true;  ///< straight: principal axes along the body's
+  bool has_eccentric_mass_ = false,
+       principal_axes_aligned_ = true;  ///< straight: principal axes along the body's
   std::optional<RaceConstraints> constraints_;
-  Mat3 axes_ = Mat3::Identity();
+  Mat3 constraint_axes_ = Mat3::Identity();
   Vec3 holding_force_ = Vec3::Zero(), holding_moment_ = Vec3::Zero();
 };
 

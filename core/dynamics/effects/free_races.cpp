@@ -42,7 +42,7 @@ struct Loaded {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< now, at the race's center [N, N m]
   Vec3 first_force = Vec3::Zero();                   ///< at t = 0 [N]
   double turning_share = 0.0, turning_speed = 0.0;   ///< of the radial load [-, rad/s]
-  std::optional<RaceLaws> laws;                      ///< of the held directions
+  std::optional<RaceMotionLaws> laws;                ///< of the held directions
   Vec3 free_along = Vec3::Zero(), free_about = Vec3::Zero();   ///< 1 where the race is free
   Vec3 user_force = Vec3::Zero(), user_moment = Vec3::Zero();  ///< of ADRX1, now [N, N m]
   // Now, with what holds the held directions: power [W], about the base origin [N, N m].
@@ -59,7 +59,7 @@ class RaceKinematics final : public EffectBlock {
     loaded_.body.read(e.y, race);
     race.speed = race.omega.dot(race.axis());
     race.tilt = race.omega - race.speed * race.axis();
-    race.angle = loaded_.body.total_turn(e.y);
+    race.angle = loaded_.body.integrated_rotation(e.y);
     race.turn_beyond = 0.0;
   }
 
@@ -101,7 +101,7 @@ class HeldDirections final : public EffectBlock {
 
 class LoadAccount final : public EffectBlock {
  public:
-  LoadAccount(Loaded& loaded, RaceAccount& account) : loaded_(loaded), account_(account) {}
+  LoadAccount(Loaded& loaded, RaceContactTotals& account) : loaded_(loaded), account_(account) {}
   void apply(Evaluation& e) noexcept override {
     const RaceBody& race = e.race[static_cast<std::size_t>(loaded_.race)];
     const Vec3 force = loaded_.force + loaded_.user_force + loaded_.body.holding_force();
@@ -114,7 +114,7 @@ class LoadAccount final : public EffectBlock {
 
  private:
   Loaded& loaded_;
-  RaceAccount& account_;
+  RaceContactTotals& account_;
 };
 
 /// Takes what ADRX1 says of races that are integrated.
@@ -128,7 +128,7 @@ class TakeUser final : public EffectBlock {
       const auto j = static_cast<std::size_t>(one.race);
       one.user_force = actions.force[j];
       one.user_moment = actions.moment[j];
-      if (user_.promise().drives[j])
+      if (user_.motion_declaration().drives[j])
         one.body.prescribe(actions.acceleration[j], actions.angular_acceleration[j]);
     }
   }
@@ -183,14 +183,14 @@ class FreeRaces final : public SceneEffect {
       const std::string name = j == 0 ? "outer race" : "inner race";
       one.race = static_cast<int>(j);
       one.force = one.first_force = free[j]->force;
-      if (const auto& turning = scene.plan.race_motions.turning_load;
+      if (const auto& turning = scene.plan.race_motions.rotating_load_parameters;
           turning && !free[j]->translation_held[1] && !free[j]->translation_held[2]) {
         one.turning_share = turning->fraction[j];
         one.turning_speed = turning->speed[j];
       }
       one.moment = free[j]->moment;
       one.body.declare(scene, {BodyId::Kind::Race, one.race}, name, scene.bearing.race_inertia[j]);
-      RaceBody& start = start_.emplace_back(races.at_rest()[j]);
+      RaceBody& start = start_.emplace_back(races.initial_races()[j]);
       start.mass_centre = -scene.bearing.race_inertia[j].geometric_centre;
       const auto& [translation, rotation] =
           std::tie(free[j]->translation_held, free[j]->rotation_held);
@@ -201,18 +201,18 @@ class FreeRaces final : public SceneEffect {
         one.free_along[k] = translation[static_cast<std::size_t>(k)] ? 0.0 : 1.0;
         one.free_about[k] = rotation[static_cast<std::size_t>(k)] ? 0.0 : 1.0;
       }
-      const bool driven = user_ != nullptr && user_->promise().drives[j];
+      const bool driven = user_ != nullptr && user_->motion_declaration().drives[j];
       if (driven) {
         one.body.constrain({translation, rotation}, start.to_base);
-        start.velocity += user_->promise().start_velocity[j];
-        start.speed += user_->promise().start_spin[j];
+        start.velocity += user_->motion_declaration().start_velocity[j];
+        start.speed += user_->motion_declaration().start_spin[j];
         start.settle();
       } else if (held(translation) || held(rotation)) {
         one.body.constrain({translation, rotation}, start.to_base);
-        if (scene.plan.race_motions.excited(one.race)) {
-          one.laws.emplace(
-              std::array<Vec3, 2>{races.at_rest()[0].position, races.at_rest()[1].position},
-              scene.plan.race_motions);
+        if (scene.plan.race_motions.has_excitation(one.race)) {
+          one.laws.emplace(std::array<Vec3, 2>{races.initial_races()[0].position,
+                                               races.initial_races()[1].position},
+                           scene.plan.race_motions);
           const Vec3 velocity = one.laws->place(one.race, 0.0).velocity;
           for (std::size_t k = 0; k < 3; ++k)
             if (translation[k]) start.velocity[static_cast<int>(k)] = velocity[static_cast<int>(k)];
@@ -246,7 +246,7 @@ class FreeRaces final : public SceneEffect {
              std::span<double> y) override {
     for (Loaded& one : loaded_) {
       const auto j = static_cast<std::size_t>(one.race);
-      if (user_ == nullptr || !user_->promise().drives[j])
+      if (user_ == nullptr || !user_->motion_declaration().drives[j])
         shift_held(one, start_[static_cast<std::size_t>(&one - loaded_.data())], before[j], now[j],
                    y);
     }

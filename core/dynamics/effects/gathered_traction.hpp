@@ -18,29 +18,29 @@
 /// are 0. Decision 431.
 namespace adore::dynamics {
 
-class GatheredTraction {
+class UserTractionBatch {
  public:
   /// First pass: κ is not known yet.
-  struct Noting {
-    GatheredTraction* to;
+  struct RecordPass {
+    UserTractionBatch* to;
     double load = 0.0;
     double operator()(double slip, double) const {
       to->slip_.push_back(slip);
       to->load_.push_back(load);
       return 0.0;
     }
-    [[nodiscard]] Noting under(double newtons) const { return {to, newtons}; }
+    [[nodiscard]] RecordPass under(double newtons) const { return {to, newtons}; }
   };
   /// Second pass.
-  struct Answering {
-    GatheredTraction* from;
+  struct ReplayPass {
+    UserTractionBatch* from;
     double operator()(double, double) const { return from->kappa_[from->next_++]; }
-    [[nodiscard]] Answering under(double) const { return *this; }
+    [[nodiscard]] ReplayPass under(double) const { return *this; }
   };
 
   /// Room for this many contacts; more are allowed.
   void reserve(std::size_t contacts) {
-    for (auto* values : {&slip_, &load_, &kappa_, &none_}) values->reserve(contacts);
+    for (auto* values : {&slip_, &load_, &kappa_, &zeros_}) values->reserve(contacts);
   }
   void clear() noexcept {
     slip_.clear();
@@ -48,12 +48,12 @@ class GatheredTraction {
     next_ = 0;
   }
   /// @param race of the contacts, -1: not one
-  void ask(const tribology::UserTraction& of, int kind, int race) {
+  void ask(const tribology::UserTractionRoutine& of, int kind, int race) {
     const std::size_t n = slip_.size();
     kappa_.assign(n, 0.0);
     if (n == 0) return;
-    if (none_.size() < n) none_.resize(n, 0.0);
-    const double* none = none_.data();
+    if (zeros_.size() < n) zeros_.resize(n, 0.0);
+    const double* none = zeros_.data();
     const auto count = static_cast<long>(n);
     of.ask(of.routine,
            {kind, race, count, 1, count, slip_.data(), of.wants_pressure ? none : nullptr,
@@ -61,21 +61,22 @@ class GatheredTraction {
   }
 
  private:
-  std::vector<double> slip_, load_, kappa_, none_;
+  std::vector<double> slip_, load_, kappa_, zeros_;
   std::size_t next_ = 0;
 };
 
 template <class Friction>
 inline constexpr bool kIsOfUser =
-    std::is_same_v<Friction, tribology::RoundedLaw<tribology::UserLaw::Here<double>>>;
+    std::is_same_v<Friction, tribology::RegularizedLaw<tribology::UserTractionLaw::Here<double>>>;
 
 /// Is this the first pass?
 template <class Friction>
 inline constexpr bool kOnlyNotes =
-    std::is_same_v<std::remove_cvref_t<Friction>, tribology::RoundedLaw<GatheredTraction::Noting>>;
+    std::is_same_v<std::remove_cvref_t<Friction>,
+                   tribology::RegularizedLaw<UserTractionBatch::RecordPass>>;
 
 /// N κ(s)/s, the friction force over the slip, from u² [N s/m].
-/// @param friction tribology::RoundedLaw
+/// @param friction tribology::RegularizedLaw
 template <class Friction>
 [[nodiscard, gnu::always_inline]] inline double friction_over_slip(const Friction& friction,
                                                                    double N, double square) {
@@ -91,27 +92,29 @@ template <class Friction>
 }
 
 /// pass(friction) with the law as it is, or twice with what a routine of the user answers.
-/// @param friction of TractionLaw::visit_rounded; @param race -1: that of the law
+/// @param friction of TractionLaw::visit_regularized; @param race -1: that of the law
 template <class Friction, class Pass>
-[[gnu::always_inline]] inline void in_passes(GatheredTraction& asked, const Friction& friction,
-                                             const Pass& pass, int race = -1) {
+[[gnu::always_inline]] inline void run_friction_passes(UserTractionBatch& asked,
+                                                       const Friction& friction, const Pass& pass,
+                                                       int race = -1) {
   if constexpr (kIsOfUser<Friction>) {
-    using Asked = GatheredTraction;
-    const tribology::UserLaw::Here<double>& law = friction.law;
+    using Asked = UserTractionBatch;
+    const tribology::UserTractionLaw::Here<double>& law = friction.law;
     asked.clear();
-    pass(tribology::RoundedLaw<Asked::Noting>{{&asked}, friction.floor});
+    pass(tribology::RegularizedLaw<Asked::RecordPass>{{&asked}, friction.floor});
     asked.ask(*law.of, law.kind, race < 0 ? law.race : race);
-    pass(tribology::RoundedLaw<Asked::Answering>{{&asked}, friction.floor});
+    pass(tribology::RegularizedLaw<Asked::ReplayPass>{{&asked}, friction.floor});
   } else {
     pass(friction);
   }
 }
 /// The same for an unchanged law; null: pass(nullptr).
 template <class Pass>
-inline void in_passes_of(GatheredTraction& asked, const tribology::TractionLaw* law,
-                         const Pass& pass, int race = -1) {
+inline void run_traction_passes(UserTractionBatch& asked, const tribology::TractionLaw* law,
+                                const Pass& pass, int race = -1) {
   if (law == nullptr) return pass(nullptr);
-  law->visit_rounded([&](const auto& friction) { in_passes(asked, friction, pass, race); });
+  law->visit_regularized(
+      [&](const auto& friction) { run_friction_passes(asked, friction, pass, race); });
 }
 
 }  // namespace adore::dynamics

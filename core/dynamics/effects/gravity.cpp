@@ -27,7 +27,7 @@ class BodyGravity final : public EffectBlock {
   explicit BodyGravity(const Vec3& gravity) : gravity_(gravity) {}
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation& e) noexcept override {
-    e.for_integrated([this](BodyState& body) {
+    e.for_integrated_bodies([this](BodyState& body) {
       const Vec3 weight = body.mass * gravity_;
       body.force += weight;
       if (!body.mass_centre.isZero(0.0))
@@ -44,7 +44,7 @@ void ElementGravity::apply(Evaluation& e) noexcept {
     const ElementMass& body = masses_[i];
     const Vec3 weight = body.mass * gravity_;
     e.add_force(i, e.to_cylindrical(i, weight));
-    if (body.off_centre)
+    if (body.has_eccentric_mass)
       e.add_moment(i, e.to_cylindrical(i, Vec3(e.attitude[i] * body.arm).cross(weight)));
   }
 }
@@ -63,10 +63,10 @@ class Gravity final : public SceneEffect {
     double stored = 0.0;
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       Vec3 centre = e.element_centre(i);
-      if (masses_[i].off_centre) centre += e.attitude[i] * masses_[i].arm;
+      if (masses_[i].has_eccentric_mass) centre += e.attitude[i] * masses_[i].arm;
       stored -= masses_[i].mass * gravity_.dot(centre);
     }
-    e.for_integrated(
+    e.for_integrated_bodies(
         [&](const BodyState& body) { stored -= body.mass * gravity_.dot(body.centre_of_mass()); });
     energy.accumulate(kEnergy, stored);
   }

@@ -25,9 +25,9 @@ struct HeatByPart {
 };
 
 /// Sets such heat to zero before the blocks that add to it.
-class NoHeatOfParts final : public EffectBlock {
+class ResetHeatByPart final : public EffectBlock {
  public:
-  explicit NoHeatOfParts(HeatByPart& heat) : heat_(heat) {}
+  explicit ResetHeatByPart(HeatByPart& heat) : heat_(heat) {}
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation&) noexcept override { heat_.none(); }
 

@@ -9,7 +9,7 @@ namespace adore::dynamics {
 
 /// Places and motion of elements and races of the evaluation made last, for a look
 /// (scene/look.hpp): the state that they came from may be gone by then.
-class KeptElements {
+class LastElementStates {
  public:
   void size(std::size_t elements) {
     for (auto& values : values_) values.resize(elements);
@@ -23,14 +23,14 @@ class KeptElements {
   std::array<RaceMotion, 2> race_;
 };
 
-class KeepElements final : public EffectBlock {
+class StoreElementStates final : public EffectBlock {
  public:
-  explicit KeepElements(KeptElements& kept) : kept_(kept) {}
+  explicit StoreElementStates(LastElementStates& kept) : kept_(kept) {}
   void apply(Evaluation& e) noexcept override { kept_.keep(e); }
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
 
  private:
-  KeptElements& kept_;
+  LastElementStates& kept_;
 };
 
 }  // namespace adore::dynamics

@@ -11,7 +11,7 @@ namespace adore::dynamics {
 
 /// Normal forces or slips of one kind of contacts from the last evaluation, for a sample
 /// (scene/look.hpp): the state that they came from may have changed since.
-struct KeptValues {
+struct LastContactValues {
   std::vector<double> at;  ///< by place [N or m/s]; sized before the first evaluation
   std::size_t row = 1;     ///< places of one pocket or element
 
@@ -30,9 +30,9 @@ struct KeptValues {
 
 /// Pockets of all elements, and the last halves of segments in the order of the segments.
 template <class Set>
-void look_at_pockets(const KeptValues& pockets, const std::optional<Set>& last_halves,
-                     const KeptValues& of_halves, scene::Look& out) {
-  std::vector<double>& all = out[scene::Looked::PocketForce];
+void sample_pocket_forces(const LastContactValues& pockets, const std::optional<Set>& last_halves,
+                          const LastContactValues& of_halves, scene::Look& out) {
+  std::vector<double>& all = out[scene::ExtremeQuantity::PocketForce];
   const std::size_t row = pockets.row;
   all.resize(pockets.at.size() + of_halves.at.size());
   std::copy(pockets.at.begin(), pockets.at.end(), all.begin());

@@ -90,7 +90,7 @@ std::vector<LandModel> make_lands(const bearing::Bearing& bearing, int slices, d
       land.law = {bearing::contact_modulus(cage.material, bearing.race_material[race]),
                   0.5 * guide.clearance};
       land.slice_length = guide.width / slices;
-      const double centre = contact::land_centre(guide.edge, guide.width);
+      const double centre = contact::land_center_position(guide.edge, guide.width);
       for (int k = 0; k < slices; ++k)
         land.slice_x.push_back(centre + ((k + 0.5) / slices - 0.5) * guide.width);
       if (!guide.ideal()) land.uneven.emplace(uneven_shape(guide, land, half_angle));
@@ -102,7 +102,7 @@ std::vector<LandModel> make_lands(const bearing::Bearing& bearing, int slices, d
 
 /// dN/de of a slice [N/m].
 double stiffness_of(const LandModel& land, double eccentricity) noexcept {
-  return contact::land_slope_per_length(land.law, eccentricity) * land.slice_length;
+  return contact::land_stiffness_per_length(land.law, eccentricity) * land.slice_length;
 }
 
 /// Force, least gap over the slices and its azimuth in the frame of the cage or segment.
@@ -136,13 +136,13 @@ class LandBlock final : public EffectBlock {
         law_(law),
         heat_(heat),
         kept_(kept),
-        race_(one_race(lands)) {}
+        race_(common_guide_race(lands)) {}
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation& e) noexcept override {
     kept_.none();
     heat_.none();
-    law_.visit_rounded([&](const auto& friction_per_slip) {
-      in_passes(
+    law_.visit_regularized([&](const auto& friction_per_slip) {
+      run_friction_passes(
           asked_, friction_per_slip,
           [&](const auto& law) {
             for (std::size_t k = 0; k < e.segments.size(); ++k) apply_with(law, e, k);
@@ -158,7 +158,7 @@ class LandBlock final : public EffectBlock {
   const std::vector<LandModel>& lands_;
   double half_angle_;  ///< of the arc of a segment [rad]
   tribology::TractionLaw law_;
-  GatheredTraction asked_;
+  UserTractionBatch asked_;
   HeatByPart& heat_;
   LandForces& kept_;
   int race_;
@@ -175,7 +175,7 @@ void LandBlock<Traction, Arcs>::apply_with([[maybe_unused]] const Friction& fric
     RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
     const double c = land.law.clearance;
     for (const double x : land.slice_x) {
-      const SliceAt slice = locate(x, cage, race);
+      const LandSlicePosition slice = locate(x, cage, race);
       const double e2 = slice.eccentricity.squaredNorm();
       if (c > 0.0 && e2 <= c * c) continue;
       double size = 0.0;
@@ -242,27 +242,28 @@ class UserLandBlock final : public EffectBlock {
         forces_(forces),
         heat_(heat),
         kept_(kept),
-        race_(one_race(lands)) {}
+        race_(common_guide_race(lands)) {}
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation& e) noexcept override {
-    law_.visit_rounded([&](const auto& friction) {
-      in_passes(
+    law_.visit_regularized([&](const auto& friction) {
+      run_friction_passes(
           asked_, friction, [&](const auto& law) { collect_all(law, e); }, race_);
     });
-    const bool valid = forces_.ask(e.t, [&](const UserLandTouch& touch, const UserDifference& by) {
-      BodyState& cage = e.segments[touch.segment];
-      RaceBody& race = e.race[static_cast<std::size_t>(lands_[touch.land].race)];
-      const Vec3 normal = -by.force * touch.direction, friction = by.ratio * touch.friction;
-      cage.add_force(normal, touch.acts_at);
-      race.add_force(-normal, touch.acts_at);
-      cage.add_force(friction, touch.point);
-      race.add_force(-friction, touch.point);
-      cage.load_slip += by.force * touch.slip;
-      const std::size_t part = touch.segment * lands_.size() + touch.land;
-      kept_.at[part] += normal;
-      heat_.add(part, by.ratio * touch.heat + by.heat);
-      heat_.damping += by.damping;
-    });
+    const bool valid =
+        forces_.ask(e.t, [&](const UserLandTouch& touch, const UserForceDifference& by) {
+          BodyState& cage = e.segments[touch.segment];
+          RaceBody& race = e.race[static_cast<std::size_t>(lands_[touch.land].race)];
+          const Vec3 normal = -by.force * touch.direction, friction = by.ratio * touch.friction;
+          cage.add_force(normal, touch.acts_at);
+          race.add_force(-normal, touch.acts_at);
+          cage.add_force(friction, touch.point);
+          race.add_force(-friction, touch.point);
+          cage.load_slip += by.force * touch.slip;
+          const std::size_t part = touch.segment * lands_.size() + touch.land;
+          kept_.at[part] += normal;
+          heat_.add(part, by.ratio * touch.heat + by.heat);
+          heat_.damping += by.damping;
+        });
     if (!valid) e.valid = false;
   }
 
@@ -281,7 +282,7 @@ class UserLandBlock final : public EffectBlock {
     const LandModel& land = lands_[k];
     const BodyState& cage = e.segments[i];
     const RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
-    const SliceAt slice = locate(x, cage, race);
+    const LandSlicePosition slice = locate(x, cage, race);
     const Nearest at =
         nearest_on_arc(slice.eccentricity, land.side, half_angle_, cage, race.axis());
     const double c = land.law.clearance;
@@ -314,7 +315,7 @@ class UserLandBlock final : public EffectBlock {
   double half_angle_;
   bool traction_;
   tribology::TractionLaw law_;
-  GatheredTraction asked_;
+  UserTractionBatch asked_;
   UserLandForces& forces_;
   HeatByPart& heat_;
   LandForces& kept_;
@@ -340,7 +341,7 @@ class LandContact final : public SceneEffect {
         traction
             ? traction_of(scene, tribology::TractionKind::CageRace, *scene.bearing.land_traction)
             : tribology::TractionLaw();
-    scene::UserForce* const user = scene.options.user ? scene.options.user->land : nullptr;
+    scene::UserContactForce* const user = scene.options.user ? scene.options.user->land : nullptr;
     std::size_t slices = 0;  // of one segment, which share its mass
     for (const LandModel& land : lands_) slices += land.slice_x.size();
     for (LandModel& land : lands_)
@@ -370,7 +371,7 @@ class LandContact final : public SceneEffect {
                                             heat_, kept_);
     }
     if (user != nullptr) {
-      demand(!any_uneven, "ADRX4 does not support lands with shape errors");
+      demand(!any_uneven, "user routine ADRX4 does not support guide lands with shape errors");
       forces_.emplace(*user, slices * static_cast<std::size_t>(cut.count));
       scene.block<UserLandBlock>(Phase::Force, "user routine ADRX4", {}, lands_, half_angle_,
                                  traction, law, *forces_, heat_, kept_);
@@ -386,14 +387,14 @@ class LandContact final : public SceneEffect {
         const LandModel& land = lands_[i];
         const Vec3& force = kept_.at[k * lands_.size() + i];
         snapshot.cages[k].lands.push_back(
-            land.uneven ? report_of_uneven(land, e, e.segments[k], middle_[k], force)
+            land.uneven ? report_uneven_land(land, e, e.segments[k], middle_[k], force)
                         : report_of(land, e, e.segments[k], half_angle_, force));
         snapshot.cages[k].lands.back().heat = heat_.part[k * lands_.size() + i];
       }
   }
 
   void look(const Evaluation&, Look& out) const override {
-    std::vector<double>& force = out[Looked::LandForce];
+    std::vector<double>& force = out[ExtremeQuantity::LandForce];
     force.resize(kept_.at.size());
     for (std::size_t i = 0; i < force.size(); ++i) force[i] = kept_.at[i].norm();
   }

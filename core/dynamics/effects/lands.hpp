@@ -29,7 +29,7 @@ struct LandModel {
 };
 
 /// The race that guides all lands; -1: both.
-[[nodiscard]] inline int one_race(const std::vector<LandModel>& lands) noexcept {
+[[nodiscard]] inline int common_guide_race(const std::vector<LandModel>& lands) noexcept {
   int race = -1;
   for (const LandModel& land : lands) {
     if (land.slice_x.empty()) continue;
@@ -39,12 +39,12 @@ struct LandModel {
   return race;
 }
 
-struct SliceAt {
+struct LandSlicePosition {
   Vec3 centre;        ///< slice center, base frame [m]
   Vec3 eccentricity;  ///< across the race axis [m]
 };
 
-inline SliceAt locate(double x, const BodyState& cage, const RaceBody& race) noexcept {
+inline LandSlicePosition locate(double x, const BodyState& cage, const RaceBody& race) noexcept {
   const Vec3 centre = cage.position + x * cage.to_base.col(0);
   const Vec3 from_race = centre - race.position, axis = race.axis();
   return {centre, from_race - from_race.dot(axis) * axis};
@@ -70,7 +70,7 @@ class UnevenLandBlock final : public EffectBlock {
         law_(law),
         heat_(heat),
         kept_(kept),
-        race_(one_race(lands)) {}
+        race_(common_guide_race(lands)) {}
   void apply(Evaluation& e) noexcept override;
 
  private:
@@ -81,7 +81,7 @@ class UnevenLandBlock final : public EffectBlock {
   const std::vector<LandModel>& lands_;
   const std::vector<double>& middle_;
   tribology::TractionLaw law_;
-  GatheredTraction asked_;
+  UserTractionBatch asked_;
   HeatByPart& heat_;
   LandForces& kept_;
   int race_;
@@ -91,8 +91,8 @@ extern template class UnevenLandBlock<true>;
 
 /// Force, least gap over the slices and its azimuth in the frame of the cage or segment.
 /// @param force of the evaluation made last [N]
-[[nodiscard]] scene::LandSnapshot report_of_uneven(const LandModel& land, const Evaluation& e,
-                                                   const BodyState& segment, double middle,
-                                                   const Vec3& force);
+[[nodiscard]] scene::LandSnapshot report_uneven_land(const LandModel& land, const Evaluation& e,
+                                                     const BodyState& segment, double middle,
+                                                     const Vec3& force);
 
 }  // namespace adore::dynamics

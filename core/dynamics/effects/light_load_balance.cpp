@@ -50,20 +50,20 @@ constexpr const LedgerTerm* kTerms[] = {&kSwitches, &kBalance, &kLeftOut};
 
 class HeldRates final : public EffectBlock {
  public:
-  explicit HeldRates(HeldElements& held) : held_(held) {}
+  explicit HeldRates(QuasiStaticElements& held) : held_(held) {}
   void apply(Evaluation& e) noexcept override { held_.form_rates(e); }
 
  private:
-  HeldElements& held_;
+  QuasiStaticElements& held_;
 };
 
 class HeldMotion final : public EffectBlock {
  public:
-  explicit HeldMotion(HeldElements& held) : held_(held) {}
-  void apply(Evaluation& e) noexcept override { held_.take_inertia_out(e); }
+  explicit HeldMotion(QuasiStaticElements& held) : held_(held) {}
+  void apply(Evaluation& e) noexcept override { held_.remove_inertia(e); }
 
  private:
-  HeldElements& held_;
+  QuasiStaticElements& held_;
 };
 
 /// An element that becomes held: where it was and where its balance is.
@@ -73,7 +73,7 @@ struct Candidate {
   Vec2 residual;  ///< G at the old place [N]
 };
 
-class LightLoadBalance final : public SceneEffect, public HoldsElements {
+class LightLoadBalance final : public SceneEffect, public QuasiStaticEffect {
  public:
   void declare(SceneBuilder& scene) override;
   void resume(std::span<const double> y) override;
@@ -81,16 +81,18 @@ class LightLoadBalance final : public SceneEffect, public HoldsElements {
   /// An element is held when its largest contact load is at or below qFac times the force scale
   /// and, put in balance, below the release level; released above kReleaseRatio times that. The
   /// jumps of energy and momentum are booked in y.
-  bool between_steps(double t, std::span<double> y, BetweenSteps& scene) override;
-  [[nodiscard]] bool is_held(std::size_t i) const noexcept override { return held_->is_held(i); }
-  [[nodiscard]] bool holds_x() const noexcept override { return axial_; }
+  bool between_steps(double t, std::span<double> y, BetweenStepsAccess& scene) override;
+  [[nodiscard]] bool is_quasi_static(std::size_t i) const noexcept override {
+    return held_->is_quasi_static(i);
+  }
+  [[nodiscard]] bool is_x_quasi_static() const noexcept override { return axial_; }
 
  private:
   /// Turns a roller that becomes held into line, about the shortest way; its spin about its axis
   /// stays.
   void align(const Evaluation& e, std::size_t i, std::span<double> y) const;
 
-  std::optional<HeldElements> held_;
+  std::optional<QuasiStaticElements> held_;
   const RigidElements* rigid_ = nullptr;  ///< rollers
   ElementSlices element_;
   ElementMasses masses_;
@@ -108,7 +110,7 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
   all_ = scene.plan.has(Effect::ElementBalance);
   demand(all_ || load_ratio_ > 0.0, "light-load balance needs a load ratio above 0");
   axial_ = !scene.plan.suppressed.element_axial;
-  std::unique_ptr<HeldContacts> contacts;
+  std::unique_ptr<QuasiStaticContacts> contacts;
   masses_ = ElementMasses(scene.bearing);
   rigid_ = scene.find<RigidElements>();
   if (rigid_ != nullptr)
@@ -117,32 +119,33 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
     element_ = scene.find<Balls>()->slices();
   if (scene.rollers != nullptr) {
     axial_ = axial_ && scene.bearing.type == bearing::Type::Tapered;
-    contacts = std::make_unique<HeldRollers>(
+    contacts = std::make_unique<QuasiStaticRollers>(
         statics::make_roller_model(scene.bearing, scene.rollers->options),
         scene.bearing.imperfections, masses_,
         scene.options.user ? std::span(scene.options.user->out_of_round)
-                           : std::span<const std::shared_ptr<const bearing::GivenRace>>());
+                           : std::span<const std::shared_ptr<const bearing::SurfaceSeries>>());
   } else {
-    contacts = std::make_unique<HeldBalls>(scene.find<Races>()->contacts(),
-                                           scene.find<Races>()->halves(), masses_,
-                                           static_cast<std::size_t>(scene.bearing.element_count()));
+    contacts = std::make_unique<QuasiStaticBalls>(
+        scene.find<Races>()->contacts(), scene.find<Races>()->halves(), masses_,
+        static_cast<std::size_t>(scene.bearing.element_count()));
   }
   RaceBalance* race = scene.find<RaceBalance>();
   const scene::SuppressedMotions& suppressed = scene.plan.suppressed;
   held_.emplace(
-      HeldElements::Scene{masses_,
-                          axial_,
-                          race != nullptr ? &race->race() : nullptr,
-                          {.x = suppressed.element_axial, .tilt = suppressed.element_tilt},
-                          !all_ && scene.rollers != nullptr,
-                          scene.rollers != nullptr ? scene.bearing.rollers()->axis_angle : 0.0},
+      QuasiStaticElements::Scene{
+          masses_,
+          axial_,
+          race != nullptr ? &race->race() : nullptr,
+          {.x = suppressed.element_axial, .tilt = suppressed.element_tilt},
+          !all_ && scene.rollers != nullptr,
+          scene.rollers != nullptr ? scene.bearing.rollers()->axis_angle : 0.0},
       element_, std::move(contacts), scene.force_pass(race == nullptr));
   constexpr std::string_view kCost = "light-load balance";
   scene.block<HeldRates>(Phase::Kinematics, kCost, {}, *held_);
   scene.block<HeldMotion>(Phase::Motion, kCost, {}, *held_);
 
   using Momentum = SceneBuilder::Momentum;
-  const HeldElements::Account& account = held_->account();
+  const QuasiStaticElements::Account& account = held_->account();
   scene.energy(balance_, "held.balance_work", kBalance, &account.power);
   scene.energy(switches_, "held.switch_energy", kSwitches, nullptr);
   scene.momentum(impulse_, "held.impulse", Momentum::Linear, kMomentum, account.force.data());
@@ -158,18 +161,18 @@ void LightLoadBalance::resume(std::span<const double> y) {
 
 void LightLoadBalance::report(const Evaluation&, Snapshot& snapshot) const {
   double left_out = 0.0;
-  for (const std::size_t i : held_->list()) {
+  for (const std::size_t i : held_->quasi_static_indices()) {
     left_out += 0.5 * masses_[i].mass * held_->left_out(i).squaredNorm();
     snapshot.elements[i].held = true;
   }
   snapshot.energy.add(kLeftOut, left_out);
-  snapshot.held_elements = static_cast<int>(held_->list().size());
+  snapshot.held_elements = static_cast<int>(held_->quasi_static_indices().size());
 }
 
 void LightLoadBalance::align(const Evaluation& e, std::size_t i, std::span<double> y) const {
   const Vec3 old = e.attitude[i].col(0), now = e.to_base(i, held_->aligned_axis());
   const Slice& slice = rigid_->attitude(i);
-  const Quat q = normalise(quaternion_at(y.data(), slice));
+  const Quat q = normalize_quaternion(quaternion_at(y.data(), slice));
   const Eigen::Quaterniond turned =
       Eigen::Quaterniond::FromTwoVectors(old, now) * Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
   store_at(y.data(), slice, Quat{turned.w(), turned.x(), turned.y(), turned.z()});
@@ -184,8 +187,8 @@ void LightLoadBalance::align(const Evaluation& e, std::size_t i, std::span<doubl
   component(y, element_[Quantity::OmegaTheta], i) = omega[2];
 }
 
-bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps& scene) {
-  HeldElements& held = *held_;
+bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenStepsAccess& scene) {
+  QuasiStaticElements& held = *held_;
   const Evaluation& e = scene.evaluate(t, y);
   const double threshold = load_ratio_ * scene.run_scales().force;
   const auto at = [&y](const Slice& slice, std::size_t i) -> double& {
@@ -202,10 +205,10 @@ bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps
   };
   std::vector<Release> released;
   std::vector<Candidate> taken;
-  std::vector<HeldPlace> places;
+  std::vector<QuasiStaticPosition> places;
   for (std::size_t i = 0; i < e.elements.n; ++i) {
-    const bool was = held.is_held(i);
-    if ((all_ || held_next(was, load_of(i), threshold)) == was) continue;
+    const bool was = held.is_quasi_static(i);
+    if ((all_ || is_quasi_static_next(was, load_of(i), threshold)) == was) continue;
     if (was) {
       released.push_back({i, held.rate(i)});
       continue;
@@ -217,7 +220,7 @@ bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps
     const Vec2 residual = mass * Vec2(axial_ ? rate_of(element_[Quantity::XDot], i) : 0.0,
                                       rate_of(element_[Quantity::RDot], i));
     const Vec2 other = residual - Vec2(0.0, centrifugal) - held.normal_force(e, i);
-    HeldPlace place = held.balanced(e, i, other);
+    QuasiStaticPosition place = held.balanced(e, i, other);
     if (!all_ && (!place.solved || place.load > kReleaseRatio * threshold))
       continue;  // passing through
     if (!place.solved || !axial_) {
@@ -268,7 +271,7 @@ bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps
     integral(angular_impulse_ + k) -= after.angular[k] - momenta.angular[k];
   }
   for (std::size_t i = 0; i < e.elements.n; ++i)
-    integral(flags_ + static_cast<int>(i)) = held.is_held(i) ? 1.0 : 0.0;
+    integral(flags_ + static_cast<int>(i)) = held.is_quasi_static(i) ? 1.0 : 0.0;
   return true;
 }
 

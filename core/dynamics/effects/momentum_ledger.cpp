@@ -44,11 +44,11 @@ void ExternalActions::apply(Evaluation& e) noexcept {
   for (std::size_t i = 0; i < e.elements.n; ++i) {
     const ElementMass& body = masses_[i];
     Vec3 centre = e.element_centre(i);
-    if (body.off_centre) centre += e.attitude[i] * body.arm;
+    if (body.has_eccentric_mass) centre += e.attitude[i] * body.arm;
     first_moment += body.mass * centre;
     mass += body.mass;
   }
-  e.for_integrated([&](const BodyState& body) {
+  e.for_integrated_bodies([&](const BodyState& body) {
     first_moment += body.mass * body.centre_of_mass();
     mass += body.mass;
   });

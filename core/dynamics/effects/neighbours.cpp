@@ -68,13 +68,13 @@ template <bool Traction>
 class PairBlock final : public EffectBlock {
  public:
   PairBlock(const std::vector<PairOfBalls>& pairs, const tribology::TractionLaw& law, double& heat,
-            double& damping, KeptValues& kept)
+            double& damping, LastContactValues& kept)
       : pairs_(pairs), law_(law), heat_(heat), damping_(damping), kept_(kept) {}
   void apply(Evaluation& e) noexcept override {
     kept_.none();
     damping_ = 0.0;
-    law_.visit_rounded([&](const auto& friction) {
-      in_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
+    law_.visit_regularized([&](const auto& friction) {
+      run_friction_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
     });
   }
 
@@ -84,10 +84,10 @@ class PairBlock final : public EffectBlock {
 
   const std::vector<PairOfBalls>& pairs_;
   tribology::TractionLaw law_;
-  GatheredTraction asked_;
+  UserTractionBatch asked_;
   double& heat_;
   double& damping_;
-  KeptValues& kept_;
+  LastContactValues& kept_;
 };
 
 template <bool Traction>
@@ -127,7 +127,7 @@ void PairBlock<Traction>::apply_with([[maybe_unused]] const Friction& friction_p
   }
 }
 
-class Neighbours final : public SceneEffect, public ElementSupport {
+class Neighbours final : public SceneEffect, public NonRaceContacts {
  public:
   void declare(SceneBuilder& scene) override {
     const bearing::Bearing& bearing = scene.bearing;
@@ -186,7 +186,7 @@ class Neighbours final : public SceneEffect, public ElementSupport {
       const double overlap = pair.reach - c.distance;
       if (!(overlap > 0.0)) return;
       const Eigen::Vector2d n = e.to_cylindrical(i, c.n).head<2>();
-      friction_->visit_rounded([&](const auto& per_slip) {
+      friction_->visit_regularized([&](const auto& per_slip) {
         damping += 2.0 *
                    friction_over_slip(per_slip, contact::load(pair.law, overlap),
                                       slip_of(e, pair, c).squaredNorm()) *
@@ -212,11 +212,13 @@ class Neighbours final : public SceneEffect, public ElementSupport {
     }
   }
 
-  void look(const Evaluation&, Look& out) const override { out[Looked::PairForce] = kept_.at; }
+  void look(const Evaluation&, Look& out) const override {
+    out[ExtremeQuantity::PairForce] = kept_.at;
+  }
 
  private:
   std::vector<PairOfBalls> pairs_;
-  KeptValues kept_;
+  LastContactValues kept_;
   std::optional<tribology::TractionLaw> friction_;
   double heat_ = 0.0, damped_ = 0.0;  ///< now [W]
 };

@@ -22,7 +22,7 @@ double nominal_cage_speed(const bearing::Bearing& bearing) noexcept {
 }
 
 PocketSet::PocketSet(const bearing::Bearing& bearing,
-                     const std::vector<contact::PlacedPocket>& pockets) {
+                     const std::vector<contact::SegmentPocket>& pockets) {
   const bearing::Cage& cage = *bearing.cage;
   const double D = bearing.balls().diameter;
   ball_radius_ = 0.5 * D;
@@ -33,22 +33,22 @@ PocketSet::PocketSet(const bearing::Bearing& bearing,
   std::vector<bearing::PocketDeviation> deviation;
   bool alike = cage.pocket == bearing::PocketShape::Cylindrical && cage.cone_angle == 0.0 &&
                !bearing::has_unequal_balls(bearing);
-  for (const contact::PlacedPocket& pocket : pockets) {
+  for (const contact::SegmentPocket& pocket : pockets) {
     segment_.push_back(pocket.piece);
     element_.push_back(pocket.element);
     deviation.push_back(cage.deviation_of(pocket.element));
     alike = alike && deviation.back().is_zero() && pocket.half == 0;
   }
   const auto height = [&](double thickness) {
-    return contact::wall_height(cage.outer_diameter, cage.inner_diameter,
-                                bearing.balls().pitch_diameter, thickness);
+    return contact::pocket_wall_limits(cage.outer_diameter, cage.inner_diameter,
+                                       bearing.balls().pitch_diameter, thickness);
   };
   if (alike) {
     const auto [low, high] = height(0.0);
     wall_ = {0.5 * (D + cage.pocket_clearance_1), low, high};
-    hole2_ = wall_.wall_radius * wall_.wall_radius;
+    hole_radius_squared_ = wall_.wall_radius * wall_.wall_radius;
     const double play = std::max(wall_.wall_radius - ball_radius_, 0.0);
-    play2_ = play * play;
+    clearance_squared_ = play * play;
     law_ = contact::ball_pocket_law(bearing.element_material, cage.material, D,
                                     {-1.0 / wall_.wall_radius, 0.0})
                .law;
@@ -61,7 +61,7 @@ PocketSet::PocketSet(const bearing::Bearing& bearing,
   for (std::size_t i = 0; i < count; ++i) {
     const bearing::PocketDeviation& own = deviation[i];
     const auto [low, high] = height(own.thickness);
-    Shaped pocket;
+    ShapedPocket pocket;
     pocket.pocket = {cage.pocket,
                      D,
                      cage.pocket_clearance_1 + own.clearance[0],
@@ -69,19 +69,19 @@ PocketSet::PocketSet(const bearing::Bearing& bearing,
                      low,
                      high,
                      pockets[i].half,
-                     contact::cut_edge(cage, bearing.balls().pitch_diameter)};
+                     contact::half_pocket_edge(cage, bearing.balls().pitch_diameter)};
     const double own_diameter = 2.0 * bearing::element_radius(bearing, pockets[i].element);
-    pocket.pocket = contact::with_ball(pocket.pocket, own_diameter - D);
+    pocket.pocket = contact::pocket_with_ball_growth(pocket.pocket, own_diameter - D);
     pocket.frame = contact::pocket_frame(
         {pockets[i].azimuth + own.angular, pitch_radius_, own.axial, cage.cone_angle, own.tilt});
     pocket.law = contact::ball_pocket_law(bearing.element_material, cage.material, own_diameter,
                                           contact::wall_curvatures(pocket.pocket))
                      .law;
-    shaped_.push_back(std::move(pocket));
+    shaped_pockets_.push_back(std::move(pocket));
   }
 }
 
-inline void PocketSet::locate_round(const Evaluation& e, std::size_t i) noexcept {
+inline void PocketSet::locate_in_round_pocket(const Evaluation& e, std::size_t i) noexcept {
   const BodyState& cage = body(e, i);
   const Mat3& R = cage.to_base;
   const Vec3& p = cage.position;
@@ -97,8 +97,8 @@ inline void PocketSet::locate_round(const Evaluation& e, std::size_t i) noexcept
   qz_[i] = cos_[i] * cz - sin_[i] * cy - pitch_radius_;
 }
 
-void PocketSet::locate_shaped(const Evaluation& e, std::size_t i) noexcept {
-  const contact::PocketFrame& frame = shaped_[i].frame;
+void PocketSet::locate_in_shaped_pocket(const Evaluation& e, std::size_t i) noexcept {
+  const contact::PocketFrame& frame = shaped_pockets_[i].frame;
   const BodyState& cage = body(e, i);
   const Vec3 in_cage = cage.to_base.transpose() * (e.element_centre(element_[i]) - cage.position);
   const Vec3 q = frame.cage_to_pocket * (in_cage - frame.centre);
@@ -108,14 +108,14 @@ void PocketSet::locate_shaped(const Evaluation& e, std::size_t i) noexcept {
 }
 
 void PocketSet::locate(const Evaluation& e) noexcept {
-  if (shaped())
-    for (std::size_t i = 0; i < size(); ++i) locate_shaped(e, i);
+  if (has_shaped_pockets())
+    for (std::size_t i = 0; i < size(); ++i) locate_in_shaped_pocket(e, i);
   else
-    for (std::size_t i = 0; i < size(); ++i) locate_round(e, i);
+    for (std::size_t i = 0; i < size(); ++i) locate_in_round_pocket(e, i);
 }
 
 void PocketSet::locate(const Evaluation& e, std::size_t i) noexcept {
-  shaped() ? locate_shaped(e, i) : locate_round(e, i);
+  has_shaped_pockets() ? locate_in_shaped_pocket(e, i) : locate_in_round_pocket(e, i);
 }
 
 std::vector<PocketContactSnapshot> PocketSet::report(std::size_t i) const {
@@ -137,19 +137,19 @@ namespace {
 
 constexpr const LedgerTerm* kTerms[] = {&kPocketHeat, &kPocketDamping};
 
-template <bool Traction, bool Shaped>
+template <bool Traction, bool ShapedPocket>
 class PocketBlock final : public EffectBlock {
  public:
   PocketBlock(PocketSet& set, const tribology::TractionLaw& law,
-              const contact::DampingLaw<>& damping, HeatByPart& heat, KeptValues& kept)
-      : set_(set), law_(law), damping_(damping), heat_(heat), kept_(kept) {
-    if (law.is_of_user()) asked_.reserve(set.size() * kMostWalls);
+              const contact::DampingLaw<>& damping, HeatByPart& heat, LastContactValues& kept)
+      : pocket_set_(set), law_(law), damping_(damping), heat_(heat), kept_(kept) {
+    if (law.is_user_law()) asked_.reserve(set.size() * kMostWalls);
   }
   void apply(Evaluation& e) noexcept override {
     kept_.none();
     if constexpr (Traction) {
-      law_.visit_rounded([&](const auto& friction) {
-        in_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
+      law_.visit_regularized([&](const auto& friction) {
+        run_friction_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
       });
     } else {
       apply_with(nullptr, e);
@@ -163,24 +163,24 @@ class PocketBlock final : public EffectBlock {
   void touch(const Friction& friction, Evaluation& e, std::size_t i, std::size_t surface,
              const contact::CappedHertz& law, const Vec3& m, double overlap) noexcept;
 
-  PocketSet& set_;
+  PocketSet& pocket_set_;
   tribology::TractionLaw law_;
   contact::DampingLaw<> damping_;
-  GatheredTraction asked_;
+  UserTractionBatch asked_;
   HeatByPart& heat_;
-  KeptValues& kept_;
+  LastContactValues& kept_;
 };
 
-template <bool Traction, bool Shaped>
+template <bool Traction, bool ShapedPocket>
 template <class Friction>
-inline void PocketBlock<Traction, Shaped>::touch(const Friction& friction, Evaluation& e,
-                                                 std::size_t i, std::size_t surface,
-                                                 const contact::CappedHertz& law, const Vec3& m,
-                                                 double overlap) noexcept {
-  BodyState& cage = set_.body(e, i);
-  const std::size_t ball = set_.element(i);
+inline void PocketBlock<Traction, ShapedPocket>::touch(const Friction& friction, Evaluation& e,
+                                                       std::size_t i, std::size_t surface,
+                                                       const contact::CappedHertz& law,
+                                                       const Vec3& m, double overlap) noexcept {
+  BodyState& cage = pocket_set_.body(e, i);
+  const std::size_t ball = pocket_set_.element(i);
   const PocketAction action =
-      pocket_action(law, damping_, friction, e, ball, cage, set_.ball_radius(i), m, overlap);
+      pocket_action(law, damping_, friction, e, ball, cage, pocket_set_.ball_radius(i), m, overlap);
   if constexpr (kOnlyNotes<Friction>) return;
   if constexpr (Traction) {
     e.add_moment(ball, e.to_cylindrical(ball, action.arm.cross(action.friction)));
@@ -194,32 +194,34 @@ inline void PocketBlock<Traction, Shaped>::touch(const Friction& friction, Evalu
   kept_.add(i, surface, action.N);
 }
 
-template <bool Traction, bool Shaped>
+template <bool Traction, bool ShapedPocket>
 template <class Friction>
-void PocketBlock<Traction, Shaped>::apply_with(const Friction& friction, Evaluation& e) noexcept {
-  set_.locate(e);
-  for (std::size_t i = 0; i < set_.size(); ++i) {
-    if constexpr (Shaped) {
-      if (!set_.is_inside(i)) {
+void PocketBlock<Traction, ShapedPocket>::apply_with(const Friction& friction,
+                                                     Evaluation& e) noexcept {
+  pocket_set_.locate(e);
+  for (std::size_t i = 0; i < pocket_set_.size(); ++i) {
+    if constexpr (ShapedPocket) {
+      if (!pocket_set_.is_inside(i)) {
         e.valid = false;
         return;
       }
-      const contact::WallPoints walls = set_.walls(i);
+      const contact::WallPoints walls = pocket_set_.walls(i);
       for (std::size_t k = 0; k < static_cast<std::size_t>(walls.count); ++k) {
         const contact::WallPoint& wall = walls.surface[k];
         if (wall.gap < 0.0)
-          touch(friction, e, i, k, set_.law(i), set_.to_base(i, wall.m, set_.body(e, i).to_base),
-                -wall.gap);
+          touch(friction, e, i, k, pocket_set_.law(i),
+                pocket_set_.to_base(i, wall.m, pocket_set_.body(e, i).to_base), -wall.gap);
       }
     } else {
-      if (set_.surely_open(i) && set_.inside(i)) continue;
-      if (!set_.inside(i)) {
+      if (pocket_set_.is_certainly_open(i) && pocket_set_.inside(i)) continue;
+      if (!pocket_set_.inside(i)) {
         e.valid = false;
         return;
       }
-      const contact::WallPoint wall = set_.wall_point(i);
+      const contact::WallPoint wall = pocket_set_.wall_point(i);
       if (wall.gap < 0.0)
-        touch(friction, e, i, 0, set_.law(), set_.round_to_base(i, wall.m, set_.body(e, i).to_base),
+        touch(friction, e, i, 0, pocket_set_.law(),
+              pocket_set_.round_pocket_to_base(i, wall.m, pocket_set_.body(e, i).to_base),
               -wall.gap);
     }
   }
@@ -230,20 +232,20 @@ class UserPocketBlock final : public EffectBlock {
  public:
   UserPocketBlock(PocketSet& set, const std::optional<tribology::TractionLaw>& friction,
                   const contact::DampingLaw<>& damping, UserPocketForces& forces, HeatByPart& heat,
-                  KeptValues& kept)
-      : set_(set),
+                  LastContactValues& kept)
+      : pocket_set_(set),
         friction_(friction),
         damping_(damping),
-        forces_(forces),
+        user_forces_(forces),
         heat_(heat),
         kept_(kept) {}
   void apply(Evaluation& e) noexcept override {
-    in_passes_of(asked_, friction_ ? &*friction_ : nullptr,
-                 [&](const auto& law) { collect_all(law, e); });
+    run_traction_passes(asked_, friction_ ? &*friction_ : nullptr,
+                        [&](const auto& law) { collect_all(law, e); });
     const bool valid =
-        forces_.ask(e.t, [&](const UserPocketTouch& touch, const UserDifference& by) {
-          const std::size_t ball = set_.element(touch.pocket);
-          BodyState& cage = set_.body(e, touch.pocket);
+        user_forces_.ask(e.t, [&](const UserPocketTouch& touch, const UserForceDifference& by) {
+          const std::size_t ball = pocket_set_.element(touch.pocket);
+          BodyState& cage = pocket_set_.body(e, touch.pocket);
           const Vec3 on_ball = by.ratio * touch.action.on_ball;
           e.add_force(ball, e.to_cylindrical(ball, on_ball));
           cage.add_force(-on_ball, touch.action.point);
@@ -262,10 +264,12 @@ class UserPocketBlock final : public EffectBlock {
  private:
   template <class Friction>
   void collect_all(const Friction& friction, const Evaluation& e) noexcept {
-    forces_.clear();
-    for (std::size_t i = 0; i < set_.size(); ++i) {
-      if (!set_.is_inside(i) || (!set_.shaped() && set_.surely_open(i))) continue;
-      const contact::WallPoints walls = set_.walls(i);
+    user_forces_.clear();
+    for (std::size_t i = 0; i < pocket_set_.size(); ++i) {
+      if (!pocket_set_.is_inside(i) ||
+          (!pocket_set_.has_shaped_pockets() && pocket_set_.is_certainly_open(i)))
+        continue;
+      const contact::WallPoints walls = pocket_set_.walls(i);
       for (std::size_t k = 0; k < static_cast<std::size_t>(walls.count); ++k)
         if (walls.surface[k].gap < 0.0) collect(friction, e, i, k, walls.surface[k]);
     }
@@ -273,41 +277,41 @@ class UserPocketBlock final : public EffectBlock {
   template <class Friction>
   void collect(const Friction& friction, const Evaluation& e, std::size_t i, std::size_t k,
                const contact::WallPoint& wall) noexcept {
-    const BodyState& cage = set_.body(e, i);
-    const Vec3 m = set_.to_base(i, wall.m, cage.to_base);
-    const std::size_t ball = set_.element(i);
-    const UserPocketTouch touch{
-        i, k,
-        pocket_action(set_.law(i), {}, friction, e, ball, cage, set_.ball_radius(i), m, -wall.gap)};
+    const BodyState& cage = pocket_set_.body(e, i);
+    const Vec3 m = pocket_set_.to_base(i, wall.m, cage.to_base);
+    const std::size_t ball = pocket_set_.element(i);
+    const UserPocketTouch touch{i, k,
+                                pocket_action(pocket_set_.law(i), {}, friction, e, ball, cage,
+                                              pocket_set_.ball_radius(i), m, -wall.gap)};
     const double N = touch.action.N, rate = touch.action.rate;
     if (!(N > 0.0)) return;
-    forces_.collect(
-        touch, ball, k, wall.gap, -rate, N,
-        damped_contact(damping_, N, contact::slope(set_.law(i), -wall.gap), -wall.gap, rate));
+    user_forces_.collect(touch, ball, k, wall.gap, -rate, N,
+                         damped_contact(damping_, N, contact::slope(pocket_set_.law(i), -wall.gap),
+                                        -wall.gap, rate));
   }
 
-  PocketSet& set_;
+  PocketSet& pocket_set_;
   const std::optional<tribology::TractionLaw>& friction_;
   contact::DampingLaw<> damping_;
-  GatheredTraction asked_;
-  UserPocketForces& forces_;
+  UserTractionBatch asked_;
+  UserPocketForces& user_forces_;
   HeatByPart& heat_;
-  KeptValues& kept_;
+  LastContactValues& kept_;
 };
 
 }  // namespace
 
-void PocketContact::add_block(SceneBuilder& scene, PocketSet& set, KeptValues& kept,
+void PocketContact::add_block(SceneBuilder& scene, PocketSet& set, LastContactValues& kept,
                               std::vector<BodyId> partners) {
-  const auto add = [&]<bool Traction, bool Shaped>() {
-    scene.block<PocketBlock<Traction, Shaped>>(
-        Phase::Force, "pocket contacts", Partners(std::move(partners)), set,
+  const auto add = [&]<bool Traction, bool ShapedPocket>() {
+    scene.block<PocketBlock<Traction, ShapedPocket>>(
+        Phase::Force, "pocket contacts", CoupledBodies(std::move(partners)), set,
         Traction ? *friction_ : tribology::TractionLaw(), damping_, heat_, kept);
   };
   if (!friction_)
-    set.shaped() ? add.operator()<false, true>() : add.operator()<false, false>();
+    set.has_shaped_pockets() ? add.operator()<false, true>() : add.operator()<false, false>();
   else
-    set.shaped() ? add.operator()<true, true>() : add.operator()<true, false>();
+    set.has_shaped_pockets() ? add.operator()<true, true>() : add.operator()<true, false>();
 }
 
 void PocketContact::declare(SceneBuilder& scene) {
@@ -322,29 +326,30 @@ void PocketContact::declare(SceneBuilder& scene) {
   const bearing::Cage& cage = *scene.bearing.cage;
   damping_ = damping_law(scene, scene.bearing.element_material, cage.material,
                          reduced_mass(scene.bearing.element_inertia.mass, cage.inertia.mass));
-  scene::UserForce* const user = scene.options.user ? scene.options.user->pocket : nullptr;
+  scene::UserContactForce* const user = scene.options.user ? scene.options.user->pocket : nullptr;
   const bool damped = contact::is_damped(damping_);
   if (friction_ || user != nullptr || damped)
-    scene.block<NoHeatOfParts>(Phase::Force, "pocket contacts", {}, heat_);
+    scene.block<ResetHeatByPart>(Phase::Force, "pocket contacts", {}, heat_);
   const contact::CagePieces pieces = pieces_of(scene);
   const auto add = [&](std::optional<PocketSet>& set,
-                       const std::vector<contact::PlacedPocket>& pockets,
-                       std::optional<UserPocketForces>& forces, KeptValues& kept) {
+                       const std::vector<contact::SegmentPocket>& pockets,
+                       std::optional<UserPocketForces>& forces, LastContactValues& kept) {
     set.emplace(scene.bearing, pockets);
     kept.size(pockets.size(),
               static_cast<std::size_t>(bearing::pocket_surfaces(*scene.bearing.cage, false)));
     std::vector<BodyId> partners(pieces.pockets.size(), BodyId{BodyId::Kind::Segment, -1});
-    for (const contact::PlacedPocket& pocket : pockets)
+    for (const contact::SegmentPocket& pocket : pockets)
       partners[pocket.element].index = pocket.piece;
     if (user == nullptr) return add_block(scene, *set, kept, std::move(partners));
-    Partners same{std::vector<BodyId>(partners)};
+    CoupledBodies same{std::vector<BodyId>(partners)};
     add_block(scene, *set, kept, std::move(partners));
     forces.emplace(*user, set->size() * kMostWalls);
     scene.block<UserPocketBlock>(Phase::Force, "user routine ADRX3", std::move(same), *set,
                                  friction_, damping_, *forces, heat_, kept);
   };
-  add(set_, pieces.pockets, forces_[0], kept_[0]);
-  if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves, forces_[1], kept_[1]);
+  add(pocket_set_, pieces.pockets, user_forces_[0], kept_[0]);
+  if (!pieces.last_halves.empty())
+    add(end_half_pockets_, pieces.last_halves, user_forces_[1], kept_[1]);
   if (friction_ || user != nullptr) scene.energy("pockets.heat", kPocketHeat, &heat_.sum);
   if (damped) scene.energy("pockets.damping", kPocketDamping, &heat_.damping);
   scene.supports(*this);
@@ -355,7 +360,8 @@ namespace {
 /// visit(wall) of what the ball of a located pocket touches.
 template <class Visit>
 void for_touched(const PocketSet& set, std::size_t pocket, const Visit& visit) noexcept {
-  if (!set.is_inside(pocket) || (!set.shaped() && set.surely_open(pocket))) return;
+  if (!set.is_inside(pocket) || (!set.has_shaped_pockets() && set.is_certainly_open(pocket)))
+    return;
   const contact::WallPoints walls = set.walls(pocket);
   for (std::size_t k = 0; k < static_cast<std::size_t>(walls.count); ++k)
     if (walls.surface[k].gap < 0.0) visit(walls.surface[k]);
@@ -385,7 +391,7 @@ void PocketContact::damp(const Evaluation& e, std::size_t i, Eigen::Matrix2d& da
   for_pockets(i, [&](PocketSet& set, std::size_t pocket) {
     for_touched(set, pocket, [&](const contact::WallPoint& wall) {
       const BodyState& cage = set.body(e, pocket);
-      friction_->visit_rounded([&](const auto& friction) {
+      friction_->visit_regularized([&](const auto& friction) {
         const PocketAction a =
             pocket_action(set.law(pocket), {}, friction, e, i, cage, set.ball_radius(pocket),
                           set.to_base(pocket, wall.m, cage.to_base), -wall.gap);
@@ -397,7 +403,7 @@ void PocketContact::damp(const Evaluation& e, std::size_t i, Eigen::Matrix2d& da
 }
 
 std::string PocketContact::why_invalid(const Evaluation&) const {
-  for (const auto* set : {&set_, &last_halves_}) {
+  for (const auto* set : {&pocket_set_, &end_half_pockets_}) {
     if (!set->has_value()) continue;
     for (std::size_t i = 0; i < (*set)->size(); ++i) {
       if ((*set)->is_inside(i)) continue;
@@ -414,22 +420,22 @@ std::string PocketContact::why_invalid(const Evaluation&) const {
 
 void PocketContact::report(const Evaluation& e, Snapshot& snapshot) const {
   for (std::size_t i = 0; i < e.elements.n; ++i) {
-    snapshot.elements[i].pocket = set_->report(i);
+    snapshot.elements[i].pocket = pocket_set_->report(i);
     kept_[0].give(i, snapshot.elements[i].pocket);
-    snapshot.elements[i].pocket_to_centre = set_->centre(i);
+    snapshot.elements[i].pocket_to_centre = pocket_set_->centre(i);
     snapshot.elements[i].pocket_heat = heat_.part[i];
   }
-  if (!last_halves_) return;
-  snapshot.cages.resize(last_halves_->size());
-  for (std::size_t i = 0; i < last_halves_->size(); ++i) {
-    auto& half = snapshot.cages[static_cast<std::size_t>(last_halves_->segment(i))].last_half;
-    half = last_halves_->report(i);
+  if (!end_half_pockets_) return;
+  snapshot.cages.resize(end_half_pockets_->size());
+  for (std::size_t i = 0; i < end_half_pockets_->size(); ++i) {
+    auto& half = snapshot.cages[static_cast<std::size_t>(end_half_pockets_->segment(i))].last_half;
+    half = end_half_pockets_->report(i);
     kept_[1].give(i, half);
   }
 }
 
 void PocketContact::look(const Evaluation&, Look& out) const {
-  look_at_pockets(kept_[0], last_halves_, kept_[1], out);
+  sample_pocket_forces(kept_[0], end_half_pockets_, kept_[1], out);
 }
 
 std::unique_ptr<SceneEffect> make_pocket_contact(const ScenePlan& plan) {

@@ -45,16 +45,16 @@ inline constexpr LedgerTerm kPocketHeat{LedgerKind::Heat,
 class PocketSet {
  public:
   /// @param pockets where they are, without their deviations
-  PocketSet(const bearing::Bearing& bearing, const std::vector<contact::PlacedPocket>& pockets);
+  PocketSet(const bearing::Bearing& bearing, const std::vector<contact::SegmentPocket>& pockets);
 
   /// Not all round and alike: only the general functions hold.
-  [[nodiscard]] bool shaped() const noexcept { return !shaped_.empty(); }
+  [[nodiscard]] bool has_shaped_pockets() const noexcept { return !shaped_pockets_.empty(); }
   [[nodiscard]] std::size_t size() const noexcept { return qx_.size(); }
   /// The element in pocket i: the same number, but for the last halves of segments.
   [[nodiscard]] std::size_t element(std::size_t i) const noexcept { return element_[i]; }
   /// For the ball in pocket i; identical round pockets have one for all.
   [[nodiscard]] double ball_radius(std::size_t i) const noexcept {
-    return shaped() ? 0.5 * shaped_[i].pocket.ball_diameter : ball_radius_;
+    return has_shaped_pockets() ? 0.5 * shaped_pockets_[i].pocket.ball_diameter : ball_radius_;
   }
   /// Centers of all balls, or of one, in their pocket frames, kept for the other calls.
   void locate(const Evaluation& e) noexcept;
@@ -64,10 +64,12 @@ class PocketSet {
   // In general.
   /// Is the ball center inside the hole of the wall and within one radius of its height?
   [[nodiscard]] bool is_inside(std::size_t i) const noexcept {
-    return shaped() ? contact::is_inside(shaped_[i].pocket, centre(i)) : inside(i);
+    return has_shaped_pockets() ? contact::is_inside(shaped_pockets_[i].pocket, centre(i))
+                                : inside(i);
   }
   [[nodiscard]] contact::WallPoints walls(std::size_t i) const noexcept {
-    if (shaped()) return contact::nearest_walls(shaped_[i].pocket, centre(i), rotation_sign_);
+    if (has_shaped_pockets())
+      return contact::nearest_walls(shaped_pockets_[i].pocket, centre(i), rotation_sign_);
     contact::WallPoints out;
     out.count = 1;
     out.surface[0] = wall_point(i);
@@ -75,11 +77,12 @@ class PocketSet {
   }
   [[nodiscard]] Vec3 to_base(std::size_t i, const Vec3& v,
                              const Mat3& cage_to_base) const noexcept {
-    return shaped() ? Vec3(cage_to_base * (shaped_[i].frame.cage_to_pocket.transpose() * v))
-                    : round_to_base(i, v, cage_to_base);
+    return has_shaped_pockets()
+               ? Vec3(cage_to_base * (shaped_pockets_[i].frame.cage_to_pocket.transpose() * v))
+               : round_pocket_to_base(i, v, cage_to_base);
   }
   [[nodiscard]] const contact::CappedHertz& law(std::size_t i) const noexcept {
-    return shaped() ? shaped_[i].law : law_;
+    return has_shaped_pockets() ? shaped_pockets_[i].law : law_;
   }
   /// Force, gap and angles of every surface of pocket i; call locate() first.
   [[nodiscard]] std::vector<PocketContactSnapshot> report(std::size_t i) const;
@@ -87,18 +90,18 @@ class PocketSet {
   // For identical round pockets.
   [[nodiscard]] bool inside(std::size_t i) const noexcept {
     const double d2 = qx_[i] * qx_[i] + qy_[i] * qy_[i];
-    return d2 < hole2_ && qz_[i] > wall_.z_low - ball_radius_ &&
+    return d2 < hole_radius_squared_ && qz_[i] > wall_.z_low - ball_radius_ &&
            qz_[i] < wall_.z_high + ball_radius_;
   }
   /// Conservative and cheap: the gap is never less than ρ - r_b - √(x²+y²).
-  [[nodiscard]] bool surely_open(std::size_t i) const noexcept {
-    return qx_[i] * qx_[i] + qy_[i] * qy_[i] < play2_;
+  [[nodiscard]] bool is_certainly_open(std::size_t i) const noexcept {
+    return qx_[i] * qx_[i] + qy_[i] * qy_[i] < clearance_squared_;
   }
   [[nodiscard]] contact::WallPoint wall_point(std::size_t i) const noexcept {
     return contact::nearest_wall(wall_, centre(i), ball_radius_);
   }
-  [[nodiscard]] Vec3 round_to_base(std::size_t i, const Vec3& v,
-                                   const Mat3& cage_to_base) const noexcept {
+  [[nodiscard]] Vec3 round_pocket_to_base(std::size_t i, const Vec3& v,
+                                          const Mat3& cage_to_base) const noexcept {
     return cage_to_base *
            Vec3(v[0], cos_[i] * v[1] - sin_[i] * v[2], sin_[i] * v[1] + cos_[i] * v[2]);
   }
@@ -113,20 +116,22 @@ class PocketSet {
   [[nodiscard]] const contact::CappedHertz& law() const noexcept { return law_; }
 
  private:
-  struct Shaped {
+  struct ShapedPocket {
     contact::BallPocket pocket;
     contact::PocketFrame frame;
     contact::CappedHertz law;
   };
-  void locate_round(const Evaluation& e, std::size_t i) noexcept;
-  void locate_shaped(const Evaluation& e, std::size_t i) noexcept;
+  void locate_in_round_pocket(const Evaluation& e, std::size_t i) noexcept;
+  void locate_in_shaped_pocket(const Evaluation& e, std::size_t i) noexcept;
 
-  std::vector<Shaped> shaped_;
+  std::vector<ShapedPocket> shaped_pockets_;
   contact::CylindricalPocket wall_;
   contact::CappedHertz law_;
   double ball_radius_ = 0.0, pitch_radius_ = 0.0, rotation_sign_ = 1.0;
-  double hole2_ = 0.0, play2_ = 0.0;  ///< ρ², (ρ - r_b)² [m²]; play2_ 0 for a pocket without play
-  std::vector<double> sin_, cos_;     ///< of the pocket azimuths
+  double hole_radius_squared_ = 0.0,
+         clearance_squared_ =
+             0.0;  ///< ρ², (ρ - r_b)² [m²]; clearance_squared_ 0 for a pocket without play
+  std::vector<double> sin_, cos_;  ///< of the pocket azimuths
   std::vector<double> qx_, qy_, qz_;
   std::vector<int> segment_;  ///< of each pocket
   std::vector<std::size_t> element_;
@@ -147,7 +152,7 @@ struct PocketAction {
 };
 
 /// Contact of ball i with a wall that it overlaps by `overlap` along m, a unit vector in base axes.
-/// @param friction per newton and slip, of the square of the slip (tribology::RoundedLaw), or
+/// @param friction per newton and slip, of the square of the slip (tribology::RegularizedLaw), or
 /// nullptr without traction
 template <class Friction>
 [[nodiscard]] inline PocketAction pocket_action(const contact::CappedHertz& law,
@@ -190,7 +195,7 @@ using UserPocketForces = UserForces<UserPocketTouch>;
 
 /// Effects "pocket contact" and "pocket traction", of balls. Not valid when a ball's center left
 /// the hole.
-class PocketContact final : public SceneEffect, public ElementSupport {
+class PocketContact final : public SceneEffect, public NonRaceContacts {
  public:
   void declare(SceneBuilder& scene) override;
   [[nodiscard]] std::string why_invalid(const Evaluation& e) const override;
@@ -201,27 +206,27 @@ class PocketContact final : public SceneEffect, public ElementSupport {
   void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept override;
   void damp(const Evaluation& e, std::size_t i, Eigen::Matrix2d& damping) noexcept override;
   /// Pockets that belong to one piece of the cage. @pre declared
-  [[nodiscard]] PocketSet& set() noexcept { return *set_; }
+  [[nodiscard]] PocketSet& set() noexcept { return *pocket_set_; }
 
  private:
   /// visit(set, its pocket of element i): one, or the halves of two segments.
   template <class Visit>
   void for_pockets(std::size_t i, const Visit& visit) {
-    visit(*set_, i);
-    if (!last_halves_) return;
-    for (std::size_t k = 0; k < last_halves_->size(); ++k)
-      if (last_halves_->element(k) == i) visit(*last_halves_, k);
+    visit(*pocket_set_, i);
+    if (!end_half_pockets_) return;
+    for (std::size_t k = 0; k < end_half_pockets_->size(); ++k)
+      if (end_half_pockets_->element(k) == i) visit(*end_half_pockets_, k);
   }
-  void add_block(SceneBuilder& scene, PocketSet& set, KeptValues& kept,
+  void add_block(SceneBuilder& scene, PocketSet& set, LastContactValues& kept,
                  std::vector<BodyId> partners);
 
-  std::optional<PocketSet> set_;
-  std::optional<PocketSet> last_halves_;  ///< of segments that are cut through their pockets
+  std::optional<PocketSet> pocket_set_;
+  std::optional<PocketSet> end_half_pockets_;  ///< of segments that are cut through their pockets
   std::optional<tribology::TractionLaw> friction_;
   contact::DampingLaw<> damping_;
-  std::array<std::optional<UserPocketForces>, 2> forces_;  ///< ADRX3 of both sets
-  std::array<KeptValues, 2> kept_;                         ///< likewise, by pocket and surface
-  HeatByPart heat_;                                        ///< now, of the pocket of each element
+  std::array<std::optional<UserPocketForces>, 2> user_forces_;  ///< ADRX3 of both sets
+  std::array<LastContactValues, 2> kept_;                       ///< likewise, by pocket and surface
+  HeatByPart heat_;  ///< now, of the pocket of each element
 };
 
 }  // namespace adore::dynamics

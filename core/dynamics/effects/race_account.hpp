@@ -7,7 +7,7 @@
 namespace adore::dynamics {
 
 /// Sums over all elements of one race at this evaluation.
-struct RaceAccount {
+struct RaceContactTotals {
   double power = 0.0;                          ///< that the race exerts on elements and cage [W]
   double heat = 0.0;                           ///< [W]
   double damping = 0.0;                        ///< power that damping takes [W]

@@ -64,11 +64,11 @@ void RaceBalance::declare(SceneBuilder& scene) {
     if (free[k]) load[static_cast<int>(k)] = given.load[k];
   }
   race_.emplace(load, free);
-  if (const auto& turning = scene.plan.race_motions.turning_load)
-    race_->turn_load(turning->fraction[1], turning->speed[1]);
-  start_ = scene.find<Races>()->at_rest()[1].position;
+  if (const auto& turning = scene.plan.race_motions.rotating_load_parameters)
+    race_->set_rotating_load(turning->fraction[1], turning->speed[1]);
+  start_ = scene.find<Races>()->initial_races()[1].position;
   centre_ = scene.state("inner race.centre", "m", 3, ScaleKind::Length, kBorder);
-  scene.border_body({BodyId::Kind::Race, 1}, *this, centre_);
+  scene.add_border_body({BodyId::Kind::Race, 1}, *this, centre_);
   scene.block<Place>(Phase::Races, kMotionCost, {}, centre_, *race_);
   if (const UserMotion* user = scene.find<UserMotion>())
     scene.block<UserLoad>(Phase::Kinematics, kMotionCost, {}, *user, *race_);
@@ -77,8 +77,8 @@ void RaceBalance::declare(SceneBuilder& scene) {
 
 void RaceBalance::start(std::span<double> y) const { store_at(y.data(), centre_, start_); }
 
-void RaceBalance::add_share(const Evaluation&, std::size_t, const Vec3& force, const Vec3&,
-                            double* row) const noexcept {
+void RaceBalance::add_rate_contribution(const Evaluation&, std::size_t, const Vec3& force,
+                                        const Vec3&, double* row) const noexcept {
   const Vec3 rate = race_->pull(-force - race_->load());
   for (int k = 0; k < 3; ++k) row[k] += rate[k];
 }

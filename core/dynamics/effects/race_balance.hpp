@@ -18,8 +18,8 @@ class RaceBalance final : public SceneEffect, public BorderBody {
   void declare(SceneBuilder& scene) override;
   void start(std::span<double> y) const override;
   [[nodiscard]] bool moves_races() const noexcept override { return true; }
-  void add_share(const Evaluation& e, std::size_t i, const Vec3& force, const Vec3& moment,
-                 double* row) const noexcept override;
+  void add_rate_contribution(const Evaluation& e, std::size_t i, const Vec3& force,
+                             const Vec3& moment, double* row) const noexcept override;
 
   [[nodiscard]] BalancedRace& race() noexcept { return *race_; }
 

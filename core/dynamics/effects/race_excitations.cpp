@@ -25,7 +25,7 @@ double longest_step_of(double frequency) {
 /// Rotating load and vibration (9.3A, 9.3B).
 class RacePlaces final : public EffectBlock {
  public:
-  explicit RacePlaces(const RaceLaws& laws) : laws_(laws) {}
+  explicit RacePlaces(const RaceMotionLaws& laws) : laws_(laws) {}
   void apply(Evaluation& e) noexcept override {
     for (std::size_t j = 0; j < 2; ++j) {
       RaceBody& race = e.race[j];
@@ -38,18 +38,18 @@ class RacePlaces final : public EffectBlock {
   }
 
  private:
-  const RaceLaws& laws_;
+  const RaceMotionLaws& laws_;
 };
 
 /// Speed ramp and variation (9.4A, 9.4B).
 class RaceTurns final : public EffectBlock {
  public:
-  explicit RaceTurns(const RaceLaws& laws) : laws_(laws) {}
+  explicit RaceTurns(const RaceMotionLaws& laws) : laws_(laws) {}
   void apply(Evaluation& e) noexcept override {
     for (std::size_t j = 0; j < 2; ++j) {
       RaceBody& race = e.race[j];
       if (race.moves == Moves::Integrated) continue;
-      const PrescribedTurn turn = laws_.turn(static_cast<int>(j), e.t);
+      const PrescribedRotation turn = laws_.turn(static_cast<int>(j), e.t);
       race.speed += turn.speed;
       race.angle += turn.angle;
       race.turn_beyond += turn.angle;
@@ -58,24 +58,27 @@ class RaceTurns final : public EffectBlock {
   }
 
  private:
-  const RaceLaws& laws_;
+  const RaceMotionLaws& laws_;
 };
 
 class RaceExcitations final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
     motions_ = scene.plan.race_motions;
-    if (motions_.turning_load && scene.plan.has(Effect::RaceBalance))
-      motions_.turning_load->fraction[1] = 0.0;  // the load itself turns (race_balance.hpp)
-    for (std::size_t j = 0; j < 2; ++j)          // and so does that of a free race (free_races.cpp)
-      if (const auto& free = motions_.free[j];
-          motions_.turning_load && free && !free->translation_held[1] && !free->translation_held[2])
-        motions_.turning_load->fraction[j] = 0.0;
+    if (motions_.rotating_load_parameters && scene.plan.has(Effect::RaceBalance))
+      motions_.rotating_load_parameters->fraction[1] =
+          0.0;                           // the load itself turns (race_balance.hpp)
+    for (std::size_t j = 0; j < 2; ++j)  // and so does that of a free race (free_races.cpp)
+      if (const auto& free = motions_.free[j]; motions_.rotating_load_parameters && free &&
+                                               !free->translation_held[1] &&
+                                               !free->translation_held[2])
+        motions_.rotating_load_parameters->fraction[j] = 0.0;
     const Races& races = *scene.find<Races>();
-    laws_.emplace(std::array<Vec3, 2>{races.at_rest()[0].position, races.at_rest()[1].position},
-                  motions_);
+    laws_.emplace(
+        std::array<Vec3, 2>{races.initial_races()[0].position, races.initial_races()[1].position},
+        motions_);
     constexpr std::string_view kCost = "prescribed motion of races";
-    if (laws_->moves_places()) scene.block<RacePlaces>(Phase::Races, kCost, {}, *laws_);
+    if (laws_->has_center_motion()) scene.block<RacePlaces>(Phase::Races, kCost, {}, *laws_);
     if (laws_->turns()) scene.block<RaceTurns>(Phase::Races, kCost, {}, *laws_);
   }
   [[nodiscard]] bool moves_races() const noexcept override { return true; }
@@ -96,9 +99,9 @@ class RaceExcitations final : public SceneEffect {
     for (std::size_t j = 0; j < 2; ++j) {
       if (motions_.vibration[j]) at_most(longest_step_of(motions_.vibration[j]->frequency));
       if (motions_.variation[j]) at_most(longest_step_of(motions_.variation[j]->frequency));
-      if (motions_.turning_load)
-        at_most(
-            longest_step_of(std::abs(motions_.turning_load->speed[j]) / (2.0 * std::numbers::pi)));
+      if (motions_.rotating_load_parameters)
+        at_most(longest_step_of(std::abs(motions_.rotating_load_parameters->speed[j]) /
+                                (2.0 * std::numbers::pi)));
       if (const auto& ramp = motions_.ramp[j]; ramp && ramp->end > ramp->begin)
         for (const double kink : {ramp->begin, ramp->end})
           if (kink > t) at_most(kink - t);
@@ -108,13 +111,13 @@ class RaceExcitations final : public SceneEffect {
 
  private:
   bearing::RaceMotions motions_;
-  std::optional<RaceLaws> laws_;
+  std::optional<RaceMotionLaws> laws_;
 };
 
 }  // namespace
 
 std::unique_ptr<SceneEffect> make_race_excitations(const ScenePlan& plan) {
-  if (!plan.race_motions.excited()) return nullptr;
+  if (!plan.race_motions.has_excitation()) return nullptr;
   return std::make_unique<RaceExcitations>();
 }
 

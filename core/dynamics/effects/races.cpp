@@ -42,10 +42,11 @@ constexpr LedgerTerm kHeat{LedgerKind::Heat,
 constexpr const LedgerTerm* kTerms[] = {&kWork, &kHeat};
 
 /// What films of one race read. Walls have the mean bulk temperature of race and ball for the run.
-tribology::FilmSurface film_surface(const bearing::Bearing& bearing, const RaceContactModel& model,
-                                    double contact_angle, bool single) {
+tribology::RaceFilmInputs film_surface(const bearing::Bearing& bearing,
+                                       const RaceContactModel& model, double contact_angle,
+                                       bool single) {
   const auto j = static_cast<std::size_t>(model.race);
-  tribology::FilmSurface surface;
+  tribology::RaceFilmInputs surface;
   surface.radius =
       1.0 /
       contact::race_curvature(bearing.balls(), static_cast<int>(j), contact_angle).along_minor;
@@ -64,7 +65,7 @@ tribology::FilmSurface film_surface(const bearing::Bearing& bearing, const RaceC
 
 /// The deck's curve, or its lubricant's film with the curve where it breaks down.
 tribology::TractionLaw race_law(const bearing::Bearing& bearing,
-                                const tribology::FilmSurface& surface) {
+                                const tribology::RaceFilmInputs& surface) {
   if (!bearing.lubrication) return bearing.race_traction;
   return tribology::film_law(bearing.race_traction, tribology::lubricant_of(*bearing.lubrication),
                              *bearing.lubrication, surface);
@@ -74,25 +75,25 @@ tribology::TractionLaw race_law(const bearing::Bearing& bearing,
 class RaceBooks {
  public:
   /// @param load_slip it is wanted: by the wear integrals, or by elements in balance
-  RaceBooks(const RaceContactModel& model, bool load_slip, RaceAccount& sums)
-      : model_(model), load_slip_(load_slip), load_limit_(load_limit(model)), sums_(sums) {}
+  RaceBooks(const RaceContactModel& model, bool load_slip, RaceContactTotals& sums)
+      : model_(model), load_slip_index_(load_slip), load_limit_(load_limit(model)), sums_(sums) {}
   [[nodiscard]] ElementForces out(Evaluation& e) const noexcept {
     const auto j = static_cast<std::size_t>(model_.race);
-    return forces_in(e.actions, e.load[j].data(), e.heat[j].data(),
-                     load_slip_ ? e.load_slip[j].data() : nullptr);
+    return element_force_targets(e.actions, e.load[j].data(), e.heat[j].data(),
+                                 load_slip_index_ ? e.load_slip[j].data() : nullptr);
   }
   /// @param halves,second of a split race
-  void book(Evaluation& e, const RaceSums& sums, const HalfLoads* halves = nullptr,
+  void book(Evaluation& e, const RaceSums& sums, const OtherHalfLoads* halves = nullptr,
             const RaceContactModel* second = nullptr) noexcept;
 
  private:
   const RaceContactModel& model_;
-  bool load_slip_;
+  bool load_slip_index_;
   double load_limit_;
-  RaceAccount& sums_;
+  RaceContactTotals& sums_;
 };
 
-void RaceBooks::book(Evaluation& e, const RaceSums& sums, const HalfLoads* halves,
+void RaceBooks::book(Evaluation& e, const RaceSums& sums, const OtherHalfLoads* halves,
                      const RaceContactModel* second) noexcept {
   const auto j = static_cast<std::size_t>(model_.race);
   RaceBody& race = e.race[j];
@@ -114,7 +115,7 @@ void RaceBooks::book(Evaluation& e, const RaceSums& sums, const HalfLoads* halve
     const RaceContactModel& model =
         (halves != nullptr && halves->swapped[i] != 0 ? *second : model_).of(i);
     e.valid =
-        e.valid && within_hertz(model, race_contact_state(model, e.elements, i, race.motion()));
+        e.valid && is_hertz_valid(model, race_contact_state(model, e.elements, i, race.motion()));
   }
 }
 
@@ -122,20 +123,21 @@ void RaceBooks::book(Evaluation& e, const RaceSums& sums, const HalfLoads* halve
 class SplitRaceBlock final : public EffectBlock {
  public:
   SplitRaceBlock(const RaceContactModel& first, const RaceContactModel& second, bool load_slip,
-                 HalfLoads& halves, RaceAccount& sums)
+                 OtherHalfLoads& halves, RaceContactTotals& sums)
       : first_(first),
-        second_(second),
-        halves_(halves),
-        load_slip_(load_slip),
+        second_half_model_(second),
+        other_half_loads_(halves),
+        load_slip_index_(load_slip),
         books_(first, load_slip, sums) {}
   void apply(Evaluation& e) noexcept override {
     const auto j = static_cast<std::size_t>(first_.race);
     const RaceMotion race = e.race[j].motion();
     const ElementForces out = books_.out(e);
     RaceSums sums = evaluate_race_contacts(first_, e.elements, race, out);
-    const ElementForces other = forces_in(e.actions, halves_.load.data(), halves_.heat.data(),
-                                          load_slip_ ? halves_.load_slip.data() : nullptr);
-    const RaceSums more = evaluate_race_contacts(second_, e.elements, race, other);
+    const ElementForces other = element_force_targets(
+        e.actions, other_half_loads_.load.data(), other_half_loads_.heat.data(),
+        load_slip_index_ ? other_half_loads_.load_slip.data() : nullptr);
+    const RaceSums more = evaluate_race_contacts(second_half_model_, e.elements, race, other);
     sums.force += more.force;
     sums.moment += more.moment;
     sums.elastic_energy += more.elastic_energy;
@@ -143,25 +145,25 @@ class SplitRaceBlock final : public EffectBlock {
     sums.load_slip += more.load_slip;
     sums.damping += more.damping;
     for (std::size_t i = 0; i < e.elements.n; ++i) {
-      halves_.swapped[i] = halves_.load[i] > e.load[j][i] ? 1 : 0;
-      if (halves_.swapped[i] == 0) continue;
-      std::swap(halves_.load[i], e.load[j][i]);
-      std::swap(halves_.heat[i], e.heat[j][i]);
-      std::swap(halves_.load_slip[i], e.load_slip[j][i]);
+      other_half_loads_.swapped[i] = other_half_loads_.load[i] > e.load[j][i] ? 1 : 0;
+      if (other_half_loads_.swapped[i] == 0) continue;
+      std::swap(other_half_loads_.load[i], e.load[j][i]);
+      std::swap(other_half_loads_.heat[i], e.heat[j][i]);
+      std::swap(other_half_loads_.load_slip[i], e.load_slip[j][i]);
     }
-    books_.book(e, sums, &halves_, &second_);
+    books_.book(e, sums, &other_half_loads_, &second_half_model_);
   }
 
  private:
-  const RaceContactModel &first_, &second_;
-  HalfLoads& halves_;
-  bool load_slip_;
+  const RaceContactModel &first_, &second_half_model_;
+  OtherHalfLoads& other_half_loads_;
+  bool load_slip_index_;
   RaceBooks books_;
 };
 
 class RaceBlock final : public EffectBlock {
  public:
-  RaceBlock(const RaceContactModel& model, bool load_slip, RaceAccount& sums)
+  RaceBlock(const RaceContactModel& model, bool load_slip, RaceContactTotals& sums)
       : model_(model), books_(model, load_slip, sums) {}
   void apply(Evaluation& e) noexcept override {
     const RaceMotion race = e.race[static_cast<std::size_t>(model_.race)].motion();
@@ -177,7 +179,7 @@ class RaceBlock final : public EffectBlock {
 class BothRacesBlock final : public EffectBlock {
  public:
   BothRacesBlock(const std::array<RaceContactModel, 2>& models, bool load_slip,
-                 std::array<RaceAccount, 2>& sums)
+                 std::array<RaceContactTotals, 2>& sums)
       : models_(models),
         books_{RaceBooks(models[0], load_slip, sums[0]), RaceBooks(models[1], load_slip, sums[1])} {
   }
@@ -196,50 +198,51 @@ class BothRacesBlock final : public EffectBlock {
 /// Prescribed races at their static place with their spin: what other prescribed motions add to.
 class RaceSpin final : public EffectBlock {
  public:
-  RaceSpin(const std::array<RaceBody, 2>& at_rest, const std::array<double, 2>& turned_before)
-      : at_rest_(at_rest), turned_before_(turned_before) {}
+  RaceSpin(const std::array<RaceBody, 2>& initial_races, const std::array<double, 2>& turned_before)
+      : initial_races_(initial_races), prior_rotation_(turned_before) {}
   void apply(Evaluation& e) noexcept override {
     for (std::size_t j = 0; j < 2; ++j) {
       RaceBody& race = e.race[j];
       if (race.moves == Moves::Integrated) continue;
-      race = at_rest_[j];
-      race.angle = race.turn_beyond = race.speed * e.t + turned_before_[j];
+      race = initial_races_[j];
+      race.angle = race.turn_beyond = race.speed * e.t + prior_rotation_[j];
     }
   }
 
  private:
-  const std::array<RaceBody, 2>& at_rest_;
-  const std::array<double, 2>& turned_before_;
+  const std::array<RaceBody, 2>& initial_races_;
+  const std::array<double, 2>& prior_rotation_;
 };
 
 /// Keeps what holds races that are prescribed.
 class HoldingForces final : public EffectBlock {
  public:
-  explicit HoldingForces(std::array<RaceAccount, 2>& account) : account_(account) {}
+  explicit HoldingForces(std::array<RaceContactTotals, 2>& account) : contact_totals_(account) {}
   void apply(Evaluation& e) noexcept override {
     for (std::size_t j = 0; j < 2; ++j)
       if (e.race[j].moves != Moves::Integrated)
-        account_[j].keep(Vec3(-e.race[j].force), Vec3(-e.race[j].moment));
+        contact_totals_[j].keep(Vec3(-e.race[j].force), Vec3(-e.race[j].moment));
   }
 
  private:
-  std::array<RaceAccount, 2>& account_;
+  std::array<RaceContactTotals, 2>& contact_totals_;
 };
 
 class RacePower final : public EffectBlock {
  public:
-  explicit RacePower(std::array<RaceAccount, 2>& account) : account_(account) {}
+  explicit RacePower(std::array<RaceContactTotals, 2>& account) : contact_totals_(account) {}
   void apply(Evaluation& e) noexcept override {
     // -F·v - M·ω, with ω as the kernel has it.
     for (std::size_t j = 0; j < 2; ++j) {
       const RaceBody& race = e.race[j];
-      account_[j].power = -race.force.dot(race.velocity) -
-                          race.speed * race.moment.dot(race.axis()) - race.moment.dot(race.tilt);
+      contact_totals_[j].power = -race.force.dot(race.velocity) -
+                                 race.speed * race.moment.dot(race.axis()) -
+                                 race.moment.dot(race.tilt);
     }
   }
 
  private:
-  std::array<RaceAccount, 2>& account_;
+  std::array<RaceContactTotals, 2>& contact_totals_;
 };
 
 }  // namespace
@@ -247,7 +250,8 @@ class RacePower final : public EffectBlock {
 namespace {
 
 /// Of each ball; null: all are round.
-const std::vector<std::shared_ptr<const bearing::GivenRace>>* forms_of(const SceneBuilder& scene) {
+const std::vector<std::shared_ptr<const bearing::SurfaceSeries>>* forms_of(
+    const SceneBuilder& scene) {
   return scene.options.user && !scene.options.user->out_of_round.empty()
              ? &scene.options.user->out_of_round
              : nullptr;
@@ -258,9 +262,9 @@ std::shared_ptr<const contact::WavyGroove> wavy_groove(const SceneBuilder& scene
                                                        const bearing::RaceErrors& errors) {
   struct Kept {
     contact::WavyGroove groove;
-    std::vector<std::shared_ptr<const bearing::GivenRace>> given;
-    std::vector<contact::RaceTable> of_ball;
-    contact::BallForms forms;
+    std::vector<std::shared_ptr<const bearing::SurfaceSeries>> given;
+    std::vector<contact::SurfaceDeviationTable> of_ball;
+    contact::BallFormErrors forms;
   };
   auto kept = std::make_shared<Kept>();
   kept->groove = contact::make_wavy_groove(scene.bearing.balls(), static_cast<int>(j), errors,
@@ -294,21 +298,22 @@ bool has_uneven_lands(const SceneBuilder& scene) {
 void Races::place(const SceneBuilder& scene, const std::array<double, 2>& centre_x) {
   const auto& misalignment = scene.bearing.constraints.outer_misalignment;
   const auto& displacement = scene.statics.displacement;
-  at_rest_[0].set_attitude(quaternion_from_angles({0.0, misalignment[0], misalignment[1]}));
-  at_rest_[1].set_attitude(quaternion_from_angles({0.0, displacement[3], displacement[4]}));
+  initial_races_[0].set_attitude(quaternion_from_angles({0.0, misalignment[0], misalignment[1]}));
+  initial_races_[1].set_attitude(quaternion_from_angles({0.0, displacement[3], displacement[4]}));
   for (std::size_t j = 0; j < 2; ++j) {
-    free_centre_[j] = Vec3(centre_x[j], 0.0, 0.0);
-    RaceBody& race = at_rest_[j];
-    race.position = free_centre_[j];
+    unloaded_race_centers_[j] = Vec3(centre_x[j], 0.0, 0.0);
+    RaceBody& race = initial_races_[j];
+    race.position = unloaded_race_centers_[j];
     race.speed = scene.bearing.speed[j];
     race.settle();
   }
-  at_rest_[1].position += Vec3(displacement[0], displacement[1], displacement[2]);
+  initial_races_[1].position += Vec3(displacement[0], displacement[1], displacement[2]);
 }
 
 void Races::set_up_balls(const SceneBuilder& scene) {
   const contact::GrooveGeometry groove = contact::groove_geometry(scene.bearing.balls());
-  const tribology::EllipseSize nodes{scene.options.ellipse_major, scene.options.ellipse_minor};
+  const tribology::EllipseNodeCounts nodes{scene.options.ellipse_major,
+                                           scene.options.ellipse_minor};
   const tribology::EllipseRule rule =
       scene.bearing.lubrication ? tribology::make_run_rule(nodes)
                                 : tribology::make_split_ellipse_rule(nodes.major, nodes.minor);
@@ -322,7 +327,7 @@ void Races::set_up_balls(const SceneBuilder& scene) {
         contact::race_curvature(scene.bearing.balls(), static_cast<int>(j), scene.fixed_angle[j]),
         model.effective_modulus);
     const bearing::RaceErrors& errors = scene.bearing.imperfections.race[j];
-    given_[j] = errors.given;
+    user_race_surfaces_[j] = errors.given;
     if (!errors.ideal() || forms_of(scene) != nullptr) model.wavy = wavy_groove(scene, j, errors);
     if (scene.options.moving_angle)
       model.angle = contact::make_angle_law(scene.bearing.balls(), static_cast<int>(j),
@@ -332,12 +337,12 @@ void Races::set_up_balls(const SceneBuilder& scene) {
     model.traction = scene.plan.has(Effect::RaceTraction);
     model.surface = scene.options.surface;
     model.rule = rule;
-    const tribology::FilmSurface surface =
+    const tribology::RaceFilmInputs surface =
         film_surface(scene.bearing, model, scene.fixed_angle[j], scene.options.single_films);
     if (scene.plan.has(Effect::RollingResistance))
-      rolling_[j] = tribology::rolling_resistance(
+      rolling_resistance_[j] = tribology::rolling_resistance(
           tribology::lubricant_of(*scene.bearing.lubrication), *scene.bearing.lubrication, surface);
-    const tribology::UserTraction* routine =
+    const tribology::UserTractionRoutine* routine =
         scene.options.user ? scene.options.user->traction_of(tribology::TractionKind::ElementRace)
                            : nullptr;
     if (routine != nullptr) {
@@ -347,21 +352,24 @@ void Races::set_up_balls(const SceneBuilder& scene) {
     } else {
       model.law = race_law(scene.bearing, surface);
       if (j == 0 && scene.bearing.lubrication)
-        stated_ = tribology::strips_of(tribology::lubricant_of(*scene.bearing.lubrication),
-                                       *scene.bearing.lubrication, surface);
+        approximation_note_ =
+            tribology::describe_film_evaluation(tribology::lubricant_of(*scene.bearing.lubrication),
+                                                *scene.bearing.lubrication, surface);
     }
     const auto count = static_cast<std::size_t>(scene.bearing.element_count());
-    const auto halves = contact::split_halves(scene.bearing.balls(), groove, static_cast<int>(j));
+    const auto halves =
+        contact::split_race_halves(scene.bearing.balls(), groove, static_cast<int>(j));
     model.half = halves[0];
     const RaceContactModel whole = model;
     const auto& growth = scene.bearing.imperfections.ball_diameter;
-    set_own_balls(model, scene.bearing.balls(), errors, growth, scene.fixed_angle[j], count);
+    set_unequal_balls(model, scene.bearing.balls(), errors, growth, scene.fixed_angle[j], count);
     if (!model.half.is_split()) continue;
     demand(!model.wavy, "a split race cannot have geometric errors");
-    second_[j] = whole;
-    second_[j]->half = halves[1];
-    set_own_balls(*second_[j], scene.bearing.balls(), errors, growth, scene.fixed_angle[j], count);
-    HalfLoads& loads = halves_[j];
+    second_half_model_[j] = whole;
+    second_half_model_[j]->half = halves[1];
+    set_unequal_balls(*second_half_model_[j], scene.bearing.balls(), errors, growth,
+                      scene.fixed_angle[j], count);
+    OtherHalfLoads& loads = other_half_loads_[j];
     for (auto* values : {&loads.load, &loads.heat, &loads.load_slip}) values->assign(count, 0.0);
     loads.swapped.assign(count, 0);
   }
@@ -376,17 +384,18 @@ void Races::declare_contacts(SceneBuilder& scene) {
   const auto count = static_cast<std::size_t>(scene.bearing.element_count());
   if (rollers_) {
     for (std::size_t j = 0; j < 2; ++j) {
-      on_race_[j].emplace((*rollers_)[j], count);
+      rollers_on_race_[j].emplace((*rollers_)[j], count);
       fastest_[j].resize(count);
     }
   } else {
     kept_.size(count);
-    scene.block<KeepElements>(Phase::Account, kMotionCost, {}, kept_);
+    scene.block<StoreElementStates>(Phase::Account, kMotionCost, {}, kept_);
   }
   const auto& free = scene.plan.race_motions.free;
   // A race that moves is a partner of its own.
-  if (!rollers_ && !held && !free[0] && !free[1] && share_vectors(contacts_))
-    scene.block<BothRacesBlock>(Phase::Force, "race contacts", {}, contacts_, wear, account_);
+  if (!rollers_ && !held && !free[0] && !free[1] && can_share_vectors(contacts_))
+    scene.block<BothRacesBlock>(Phase::Force, "race contacts", {}, contacts_, wear,
+                                contact_totals_);
   else
     for (std::size_t j = 0; j < 2; ++j) declare_contact(scene, j, wear || held);
 }
@@ -394,36 +403,36 @@ void Races::declare_contacts(SceneBuilder& scene) {
 void Races::declare_contact(SceneBuilder& scene, std::size_t j, bool load_slip) {
   const std::string cost = j == 0 ? "outer race contacts" : "inner race contacts";
   const BodyId race{BodyId::Kind::Race, static_cast<int>(j)};
-  const bool rolls =
-      rollers_ && scene.plan.has(Effect::RollingResistance) && (*rollers_)[j].rolls_in_film();
+  const bool rolls = rollers_ && scene.plan.has(Effect::RollingResistance) &&
+                     (*rollers_)[j].rolling_uses_traction_film();
   if (rollers_)
     scene.block<RollerRaceBlock>(Phase::Force, rolls ? cost + ", rolling in oil" : cost, race,
-                                 (*rollers_)[j], *on_race_[j], load_slip, rolls, account_[j],
-                                 fastest_[j]);
-  else if (second_[j])
-    scene.block<SplitRaceBlock>(Phase::Force, cost, race, contacts_[j], *second_[j], load_slip,
-                                halves_[j], account_[j]);
+                                 (*rollers_)[j], *rollers_on_race_[j], load_slip, rolls,
+                                 contact_totals_[j], fastest_[j]);
+  else if (second_half_model_[j])
+    scene.block<SplitRaceBlock>(Phase::Force, cost, race, contacts_[j], *second_half_model_[j],
+                                load_slip, other_half_loads_[j], contact_totals_[j]);
   else
-    scene.block<RaceBlock>(Phase::Force, cost, race, contacts_[j], load_slip, account_[j]);
+    scene.block<RaceBlock>(Phase::Force, cost, race, contacts_[j], load_slip, contact_totals_[j]);
 }
 
 void Races::declare(SceneBuilder& scene) {
   if (scene.rollers != nullptr) {
     rollers_ = roller_race_models(scene);
-    stated_ = (*rollers_)[0].stated;
+    approximation_note_ = (*rollers_)[0].approximation_note;
     place(scene, {});  // their reference point is the middle of the bearing
   } else {
     set_up_balls(scene);
   }
-  scene.e.race = at_rest_;
-  scene.block<RaceSpin>(Phase::Races, kMotionCost, {}, at_rest_, turned_before_);
+  scene.e.race = initial_races_;
+  scene.block<RaceSpin>(Phase::Races, kMotionCost, {}, initial_races_, prior_rotation_);
   temperature_ = scene.bearing.race_temperature;
   roughness_ = rollers_ ? scene.bearing.rollers()->roughness : scene.bearing.balls().roughness;
   material_ = {scene.bearing.race_material[0], scene.bearing.race_material[1],
                scene.bearing.element_material};
   const ScenePlan& plan = scene.plan;
-  in_contact_ = plan.has(Effect::RaceContact);
-  rolls_ = plan.has(Effect::RollingResistance);
+  has_race_contact_ = plan.has(Effect::RaceContact);
+  has_rolling_resistance_ = plan.has(Effect::RollingResistance);
   for (auto* values : {&slip_, &other_slip_, &scratch_})
     values->resize(static_cast<std::size_t>(scene.bearing.element_count()));
   const bool traction = plan.has(Effect::RaceTraction), wear = plan.has(Effect::WearIntegrals);
@@ -434,11 +443,11 @@ void Races::declare(SceneBuilder& scene) {
                     plan.has(Effect::FlangeTraction) || plan.has(Effect::ElementDrag) ||
                     plan.has(Effect::CageDrag) || plan.has(Effect::LandFilm) ||
                     has_user_motion(plan) || scene.races_move();
-  if (in_contact_) declare_contacts(scene);
+  if (has_race_contact_) declare_contacts(scene);
   const std::array<std::string, 2> names{"outer race", "inner race"};
   for (std::size_t j = 0; j < 2; ++j) {
     const std::string& name = names[j];
-    RaceAccount& account = account_[j];
+    RaceContactTotals& account = contact_totals_[j];
     if (work && !plan.race_motions.free[j])
       scene.energy(name + ".work", kWork, &account.power, static_cast<int>(j));
     const bool damped = rollers_ ? contact::is_damped((*rollers_)[j].slices.front().damping)
@@ -448,42 +457,44 @@ void Races::declare(SceneBuilder& scene) {
     if (!traction) continue;
     scene.energy(name + ".heat", kHeat, &account.heat, static_cast<int>(j));
     if (!wear) continue;
-    scene.integral(load_slip_[j], name + ".load_slip", "J", &account.load_slip);
-    scene.integral(load_slip_element1_[j], name + ".load_slip_element1", "J",
+    scene.integral(load_slip_index_[j], name + ".load_slip", "J", &account.load_slip);
+    scene.integral(load_slip_element1_index_[j], name + ".load_slip_element1", "J",
                    &account.load_slip_element1);
   }
-  scene.block<HoldingForces>(Phase::Account, kMotionCost, {}, account_);
-  if (work) scene.block<RacePower>(Phase::Account, kMotionCost, {}, account_);
-  if (in_contact_ && !rollers_ &&
+  scene.block<HoldingForces>(Phase::Account, kMotionCost, {}, contact_totals_);
+  if (work) scene.block<RacePower>(Phase::Account, kMotionCost, {}, contact_totals_);
+  if (has_race_contact_ && !rollers_ &&
       !plan.has(Effect::ElementBalance)) {  // whose balls do not vibrate
     const Balls* balls = scene.find<Balls>();
     std::vector<RaceContactModel> models(contacts_.begin(), contacts_.end());
-    for (const auto& other : second_)
+    for (const auto& other : second_half_model_)
       if (other) models.push_back(*other);
-    normal_.emplace(std::move(models),
-                    balls != nullptr ? balls->slices() : scene.find<RigidElements>()->slices(),
-                    ElementMasses(scene.bearing));
+    normal_contacts_.emplace(
+        std::move(models),
+        balls != nullptr ? balls->slices() : scene.find<RigidElements>()->slices(),
+        ElementMasses(scene.bearing));
   }
 }
 
-std::array<std::array<contact::SplitHalf, 2>, 2> Races::halves() const noexcept {
-  std::array<std::array<contact::SplitHalf, 2>, 2> out;
+std::array<std::array<contact::SplitRaceHalf, 2>, 2> Races::halves() const noexcept {
+  std::array<std::array<contact::SplitRaceHalf, 2>, 2> out;
   for (std::size_t j = 0; j < 2; ++j)
-    if (second_[j]) out[j] = {contacts_[j].half, second_[j]->half};
+    if (second_half_model_[j]) out[j] = {contacts_[j].half, second_half_model_[j]->half};
   return out;
 }
 
 const RaceContactModel& Races::model_of(std::size_t j, std::size_t i, bool other) const noexcept {
-  if (!second_[j]) return contacts_[j].of(i);
-  return ((halves_[j].swapped[i] != 0) != other ? *second_[j] : contacts_[j]).of(i);
+  if (!second_half_model_[j]) return contacts_[j].of(i);
+  return ((other_half_loads_[j].swapped[i] != 0) != other ? *second_half_model_[j] : contacts_[j])
+      .of(i);
 }
 
 void Races::prescribe(double, PrescribedRaces& races) const {
   for (std::size_t j = 0; j < 2; ++j) {
-    races[j].position += at_rest_[j].position;
-    races[j].attitude = at_rest_[j].attitude;
-    races[j].speed += at_rest_[j].speed;
-    races[j].turned_before = turned_before_[j];
+    races[j].position += initial_races_[j].position;
+    races[j].attitude = initial_races_[j].attitude;
+    races[j].speed += initial_races_[j].speed;
+    races[j].turned_before = prior_rotation_[j];
   }
 }
 
@@ -494,7 +505,7 @@ void Races::go_on(const PrescribedRaces& before, const PrescribedRaces& now, std
     const double beyond = before[j].angle - made;
     const bool same =
         std::abs(beyond - before[j].turned_before) <= 1e-12 * std::abs(before[j].angle);
-    turned_before_[j] = same ? before[j].turned_before : beyond;
+    prior_rotation_[j] = same ? before[j].turned_before : beyond;
   }
 }
 
@@ -542,13 +553,14 @@ RaceContactSnapshot Races::detail(const Evaluation& e, std::size_t j, std::size_
                                   bool second) const {
   const RaceContactModel& model = model_of(j, i, second);
   const RaceMotion motion = e.race[j].motion();
-  const ContactSums sums = second ? ContactSums{halves_[j].heat[i], halves_[j].load_slip[i]}
-                                  : ContactSums{e.heat[j][i], e.load_slip[j][i]};
+  const ContactSums sums =
+      second ? ContactSums{other_half_loads_[j].heat[i], other_half_loads_[j].load_slip[i]}
+             : ContactSums{e.heat[j][i], e.load_slip[j][i]};
   RaceContactSnapshot out = sums_known_ ? race_contact_detail(model, e.elements, i, motion, sums)
                                         : race_contact_detail(model, e.elements, i, motion);
-  if (rolls_)
-    out.rolling_heat =
-        race_rolling_heat(model, rolling_[j], race_contact_state(model, e.elements, i, motion));
+  if (has_rolling_resistance_)
+    out.rolling_heat = race_rolling_heat(model, rolling_resistance_[j],
+                                         race_contact_state(model, e.elements, i, motion));
   return out;
 }
 
@@ -567,12 +579,12 @@ void Races::complete(RaceContactSnapshot& contact, std::size_t j, bool in_oil) c
 
 void Races::report(const Evaluation& e, Snapshot& snapshot) const {
   snapshot.shaft_rotation = e.race[1].angle - e.race[0].angle;
-  if (second_[0] || second_[1])
+  if (second_half_model_[0] || second_half_model_[1])
     for (scene::ElementSnapshot& element : snapshot.elements) element.second.assign(2, {});
   for (std::size_t j = 0; j < 2; ++j) {
     const RaceBody& body = e.race[j];
     RaceSnapshot& race = snapshot.races[j];
-    race.position = body.position - free_centre_[j];
+    race.position = body.position - unloaded_race_centers_[j];
     race.velocity = body.velocity;
     race.acceleration = body.acceleration;
     race.total_rotation = body.angle;
@@ -580,10 +592,10 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
     race.omega = body.omega;
     race.applied_force = race.carried_force = -body.force;
     race.applied_moment = -body.moment;
-    snapshot.power.integrated = load_slip_[j] >= 0;
-    snapshot.power.qv_race[j] = integral_at(e, load_slip_[j]);
-    snapshot.power.qv_element1[j] = integral_at(e, load_slip_element1_[j]);
-    if (!in_contact_) continue;
+    snapshot.power.integrated = load_slip_index_[j] >= 0;
+    snapshot.power.qv_race[j] = integral_at(e, load_slip_index_[j]);
+    snapshot.power.qv_element1[j] = integral_at(e, load_slip_element1_index_[j]);
+    if (!has_race_contact_) continue;
     std::vector<RaceContactSnapshot> of_rollers;
     if (rollers_) of_rollers = roller_race_report((*rollers_)[j], e);
     const bool in_oil = rollers_ ? (*rollers_)[j].traction && (*rollers_)[j].law.has_film()
@@ -592,12 +604,12 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
       RaceContactSnapshot& contact = snapshot.elements[i].race[j];
       contact = rollers_ ? std::move(of_rollers[i]) : detail(e, j, i);
       if (rollers_) {
-        const RaceAccount& sums = account_[j];
+        const RaceContactTotals& sums = contact_totals_[j];
         if (!sums.rolling_of.empty()) contact.rolling_heat = sums.rolling_of[i];
         if (!sums.damping_of.empty()) contact.damping_heat = sums.damping_of[i];
       }
       complete(contact, j, in_oil);
-      if (!second_[j]) continue;
+      if (!second_half_model_[j]) continue;
       std::vector<RaceContactSnapshot>& others = snapshot.elements[i].second;
       others[j] = detail(e, j, i, true);
       complete(others[j], j, in_oil);
@@ -612,7 +624,7 @@ double Races::speed_to_resolve(const Evaluation& e, double near) const {
   constexpr double kThinnest = 1e-9;       // no film is thinner than some molecules [m]
   constexpr double kSlides = 0.1;          // slip over `near`: the contact slides
   double out = std::numeric_limits<double>::infinity();
-  if (!in_contact_) return out;
+  if (!has_race_contact_) return out;
   for (std::size_t j = 0; j < 2; ++j) {
     const bool traction = rollers_ ? (*rollers_)[j].traction : contacts_[j].traction;
     const tribology::TractionLaw& law = rollers_ ? (*rollers_)[j].law : contacts_[j].law;
@@ -647,32 +659,32 @@ double Races::speed_to_resolve(const Evaluation& e, double near) const {
   return out;
 }
 
-void Races::look_at_slips(const Evaluation& e, std::size_t j) const noexcept {
-  if (!in_contact_) return;  // stays 0
+void Races::sample_slips(const Evaluation& e, std::size_t j) const noexcept {
+  if (!has_race_contact_) return;  // stays 0
   if (!rollers_) {
     largest_slips(chosen_instruction_set(), contacts_[j], kept_.elements(e), kept_.race(j),
                   scratch_.data(), slip_.data());
-    if (!second_[j]) return;
+    if (!second_half_model_[j]) return;
     std::vector<double>& other = other_slip_;
-    largest_slips(chosen_instruction_set(), *second_[j], kept_.elements(e), kept_.race(j),
-                  scratch_.data(), other.data());
+    largest_slips(chosen_instruction_set(), *second_half_model_[j], kept_.elements(e),
+                  kept_.race(j), scratch_.data(), other.data());
     for (std::size_t i = 0; i < other.size(); ++i)
-      if (halves_[j].swapped[i] != 0) slip_[i] = other[i];
+      if (other_half_loads_[j].swapped[i] != 0) slip_[i] = other[i];
     return;
   }
   if ((*rollers_)[j].traction)
     std::transform(fastest_[j].begin(), fastest_[j].end(), slip_.begin(),
                    [](double square) { return std::sqrt(square); });
   else
-    on_race_[j]->largest_slips(slip_.data());
+    rollers_on_race_[j]->largest_slips(slip_.data());
 }
 
 void Races::look(const Evaluation& e, Look& out) const {
-  using enum Looked;
-  for (const Looked what : {ContactLoad, ContactHeat, ContactSlip})
+  using enum ExtremeQuantity;
+  for (const ExtremeQuantity what : {ContactLoad, ContactHeat, ContactSlip})
     out[what].resize(2 * e.load[0].size());
   for (std::size_t j = 0; j < 2; ++j) {
-    look_at_slips(e, j);
+    sample_slips(e, j);
     for (std::size_t i = 0; i < e.load[j].size(); ++i) {
       out[ContactLoad][2 * i + j] = e.load[j][i];
       out[ContactHeat][2 * i + j] = e.heat[j][i];
@@ -680,16 +692,16 @@ void Races::look(const Evaluation& e, Look& out) const {
     }
   }
   for (std::size_t k = 0; k < 3; ++k)
-    for (const auto& [first, of] : {std::pair{RaceForceX, &RaceAccount::force},
-                                    std::pair{RaceMomentX, &RaceAccount::moment}}) {
+    for (const auto& [first, of] : {std::pair{RaceForceX, &RaceContactTotals::force},
+                                    std::pair{RaceMomentX, &RaceContactTotals::moment}}) {
       std::vector<double>& both = out.values[static_cast<std::size_t>(first) + k];
       both.resize(2);
-      for (std::size_t j = 0; j < 2; ++j) both[j] = (account_[j].*of)[k];
+      for (std::size_t j = 0; j < 2; ++j) both[j] = (contact_totals_[j].*of)[k];
     }
 }
 
 void Races::add_quadrature_error(const Evaluation& e, scene::QuadratureError& error) const {
-  if (!in_contact_ || rollers_) return;  // slices have no rule
+  if (!has_race_contact_ || rollers_) return;  // slices have no rule
   for (std::size_t j = 0; j < 2; ++j) {
     if (!contacts_[j].traction) continue;
     const tribology::EllipseRule& rule = contacts_[j].rule;

@@ -29,7 +29,7 @@ class RigidElements::Kinematics final : public EffectBlock {
   explicit Kinematics(const RigidElements& of) : of_(of) {}
   void apply(Evaluation& e) noexcept override {
     for (std::size_t i = 0; i < of_.attitude_.size(); ++i) {
-      e.attitude[i] = rotation_matrix(normalise(quaternion_at(e.y, of_.attitude_[i])));
+      e.attitude[i] = rotation_matrix(normalize_quaternion(quaternion_at(e.y, of_.attitude_[i])));
       e.valid = e.valid && !(of_.rollers_ && lies_across(e.attitude[i]));
     }
   }
@@ -61,10 +61,10 @@ void RigidElements::Motion::apply(Evaluation& e) noexcept {
     const Mat3& B = e.attitude[i];
     const Vec3 omega = B.transpose() * e.element_omega(i);
     Vec3 moment = B.transpose() * e.to_base(i, M_x[i], M_r[i], M_theta[i]);
-    if (body.off_centre)
+    if (body.has_eccentric_mass)
       moment -= body.arm.cross(Vec3(B.transpose() * e.to_base(i, F_x[i], F_r[i], F_theta[i])));
     const Vec3 rate = body.inverse * (moment - omega.cross(Vec3(body.inertia * omega)));
-    if (body.off_centre)
+    if (body.has_eccentric_mass)
       acceleration -=
           e.to_cylindrical(i, B * (rate.cross(body.arm) + omega.cross(omega.cross(body.arm))));
     const double ax = acceleration[0];
@@ -107,9 +107,9 @@ void RigidElements::declare(SceneBuilder& scene) {
          "the start has another number of elements than the bearing");
   masses_ = ElementMasses(bearing);
   for (std::size_t q = 0; q < kQuantities.size(); ++q) {
-    const QuantityLine& line = kQuantities[q];
+    const ElementQuantity& line = kQuantities[q];
     s_[static_cast<Quantity>(q)] =
-        scene.states_of_elements("element." + std::string(line.name), line.unit, line.scale);
+        scene.add_element_states("element." + std::string(line.name), line.unit, line.scale);
   }
   for (int i = 0; i < count; ++i)
     attitude_.push_back(scene.quaternion(fmt::format("element{}.quaternion", i + 1), i));
@@ -160,7 +160,7 @@ Vec3 RigidElements::angular_momentum(const Evaluation& e, std::size_t i) const n
 }
 
 /// From the state, in which ẋ and ṙ of held elements are zero.
-Vec3 RigidElements::carried_velocity(const Evaluation& e, std::size_t i) const noexcept {
+Vec3 RigidElements::velocity_from_state(const Evaluation& e, std::size_t i) const noexcept {
   return e.to_base(i, e.y[s_.at(Quantity::XDot, i)], e.y[s_.at(Quantity::RDot, i)],
                    e.elements.r[i] * e.elements.theta_dot[i]);
 }
@@ -169,7 +169,7 @@ void RigidElements::store(const Evaluation& e, EnergyLedger& energy) const {
   double kinetic = 0.0;
   for (std::size_t i = 0; i < e.elements.n; ++i) {
     const Vec3 omega = e.element_omega(i);
-    const Vec3 velocity = carried_velocity(e, i) + omega.cross(arm(e, i));
+    const Vec3 velocity = velocity_from_state(e, i) + omega.cross(arm(e, i));
     kinetic +=
         0.5 * masses_[i].mass * velocity.squaredNorm() + 0.5 * omega.dot(angular_momentum(e, i));
   }
@@ -179,7 +179,8 @@ void RigidElements::store(const Evaluation& e, EnergyLedger& energy) const {
 void RigidElements::carry(const Evaluation& e, Momenta& momenta) const {
   for (std::size_t i = 0; i < e.elements.n; ++i) {
     const Vec3 to_mass = arm(e, i);
-    const Vec3 p = masses_[i].mass * (carried_velocity(e, i) + e.element_omega(i).cross(to_mass));
+    const Vec3 p =
+        masses_[i].mass * (velocity_from_state(e, i) + e.element_omega(i).cross(to_mass));
     momenta.add(p, (e.element_centre(i) + to_mass).cross(p) + angular_momentum(e, i));
   }
 }

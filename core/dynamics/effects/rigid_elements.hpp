@@ -46,7 +46,7 @@ class RigidElements final : public SceneEffect {
     std::size_t element = 0;
     Slice turn;  ///< ∫ ω·(body x axis) dt
   };
-  [[nodiscard]] Vec3 carried_velocity(const Evaluation& e, std::size_t i) const noexcept;
+  [[nodiscard]] Vec3 velocity_from_state(const Evaluation& e, std::size_t i) const noexcept;
   /// About the mass center.
   [[nodiscard]] Vec3 angular_momentum(const Evaluation& e, std::size_t i) const noexcept;
   /// From the reference point to the mass center, base axes.

@@ -55,14 +55,14 @@ struct FlangeAction {
 /// A roller as its race sees it.
 struct SeenRoller {
   contact::RacePose pose;
-  contact::MeridianTurn turn;
+  contact::MeridianRotation turn;
   statics::Vec4 p = statics::Vec4::Zero();  ///< statics/slice_potential.hpp
   Vec3 axis = Vec3::UnitX();                ///< meridian frame
 
   [[nodiscard]] Vec3 centre() const { return {p(0), 0.0, p(1)}; }
   [[nodiscard]] Vec3 to_base(const Vec3& v) const {
     const contact::Triple<double> of_race = turn.back({v[0], v[1], v[2]});
-    return pose.direction_back({of_race.x, of_race.y, of_race.z});
+    return pose.direction_from_race({of_race.x, of_race.y, of_race.z});
   }
 };
 
@@ -72,7 +72,7 @@ SeenRoller seen(const Evaluation& e, std::size_t i, const RaceBody& race, double
   const Vec3 a = e.attitude[i].col(0);
   const Vec3 C = out.pose.point(e.element_centre(i) - mass_offset * a);
   double r = 0.0;
-  out.turn = contact::meridian_turn(C[1], C[2], r);
+  out.turn = contact::meridian_rotation(C[1], C[2], r);
   const Vec3 of_race = out.pose.direction(a);
   const contact::Triple<double> axis = out.turn.into({of_race[0], of_race[1], of_race[2]});
   out.axis = {axis.x, axis.y, axis.z};
@@ -81,11 +81,12 @@ SeenRoller seen(const Evaluation& e, std::size_t i, const RaceBody& race, double
 }
 
 template <class Friction>
-FlangeAction act(const statics::FlangePair& pair, const SeenRoller& roller, const Evaluation& e,
+FlangeAction act(const statics::FlangeEndPair& pair, const SeenRoller& roller, const Evaluation& e,
                  std::size_t i, const RaceBody& race, const contact::DampingLaw<>& damping,
                  const Friction& friction) {
   FlangeAction out;
-  out.contact = contact::flange_overlap(pair.face, pair.end, roller.centre(), roller.axis);
+  out.contact =
+      contact::flange_contact_for_forces(pair.face, pair.end, roller.centre(), roller.axis);
   if (!(out.contact.gap < 0.0)) return out;
   const double gradient = contact::hertz_load(pair.K, -out.contact.gap);
   out.load = out.contact.steepness * gradient;
@@ -120,10 +121,10 @@ struct FlangeAccount {
 
 class FlangeBlock final : public EffectBlock {
  public:
-  FlangeBlock(const std::vector<std::vector<statics::FlangePair>>& pairs, std::size_t race,
+  FlangeBlock(const std::vector<std::vector<statics::FlangeEndPair>>& pairs, std::size_t race,
               double mass_offset, const tribology::TractionLaw* friction,
-              const contact::DampingLaw<>& damping, FlangeAccount& account, KeptValues& kept,
-              KeptValues& slip)
+              const contact::DampingLaw<>& damping, FlangeAccount& account, LastContactValues& kept,
+              LastContactValues& slip)
       : pairs_(pairs),
         race_(race),
         mass_offset_(mass_offset),
@@ -135,7 +136,7 @@ class FlangeBlock final : public EffectBlock {
   void apply(Evaluation& e) noexcept override {
     kept_.none();
     slip_.none();
-    in_passes_of(
+    run_traction_passes(
         asked_, friction_, [&](const auto& law) { apply_with(law, e); }, static_cast<int>(race_));
   }
 
@@ -145,10 +146,11 @@ class FlangeBlock final : public EffectBlock {
     RaceBody& race = e.race[race_];
     account_ = {};
     for (std::size_t i = 0; i < e.elements.n; ++i) {
-      const std::vector<statics::FlangePair>& pairs = pairs_[pairs_.size() == 1 ? 0 : i];
+      const std::vector<statics::FlangeEndPair>& pairs = pairs_[pairs_.size() == 1 ? 0 : i];
       const SeenRoller roller = seen(e, i, race, mass_offset_);
-      for (const statics::FlangePair& pair : pairs) {
-        if (static_cast<std::size_t>(pair.race) != race_ || pair.surely_open(roller.p)) continue;
+      for (const statics::FlangeEndPair& pair : pairs) {
+        if (static_cast<std::size_t>(pair.race) != race_ || pair.is_certainly_open(roller.p))
+          continue;
         const FlangeAction a = act(pair, roller, e, i, race, damping_, friction);
         if (kOnlyNotes<Friction> || !(a.energy > 0.0)) continue;
         e.add_force(i, e.to_cylindrical(i, a.force));
@@ -165,15 +167,15 @@ class FlangeBlock final : public EffectBlock {
     }
   }
 
-  const std::vector<std::vector<statics::FlangePair>>& pairs_;
+  const std::vector<std::vector<statics::FlangeEndPair>>& pairs_;
   std::size_t race_;
   double mass_offset_;
   const tribology::TractionLaw* friction_;
   contact::DampingLaw<> damping_;
-  GatheredTraction asked_;
+  UserTractionBatch asked_;
   FlangeAccount& account_;
-  KeptValues& kept_;
-  KeptValues& slip_;
+  LastContactValues& kept_;
+  LastContactValues& slip_;
 };
 
 /// A contact that ADRX2 is asked for.
@@ -187,10 +189,10 @@ using UserFlangeForces = UserForces<UserFlangeTouch>;
 /// ADRX2 (user_forces.hpp), of the flanges of one race.
 class UserFlangeBlock final : public EffectBlock {
  public:
-  UserFlangeBlock(const std::vector<std::vector<statics::FlangePair>>& pairs, std::size_t race,
+  UserFlangeBlock(const std::vector<std::vector<statics::FlangeEndPair>>& pairs, std::size_t race,
                   double mass_offset, const tribology::TractionLaw* friction,
                   const contact::DampingLaw<>& damping, UserFlangeForces& forces,
-                  FlangeAccount& account, KeptValues& kept)
+                  FlangeAccount& account, LastContactValues& kept)
       : pairs_(pairs),
         race_(race),
         mass_offset_(mass_offset),
@@ -201,10 +203,10 @@ class UserFlangeBlock final : public EffectBlock {
         kept_(kept) {}
   void apply(Evaluation& e) noexcept override {
     RaceBody& race = e.race[race_];
-    in_passes_of(
+    run_traction_passes(
         asked_, friction_, [&](const auto& law) { collect_all(law, e); }, static_cast<int>(race_));
     const bool valid =
-        forces_.ask(e.t, [&](const UserFlangeTouch& touch, const UserDifference& by) {
+        forces_.ask(e.t, [&](const UserFlangeTouch& touch, const UserForceDifference& by) {
           const FlangeAction& a = touch.action;
           const std::size_t i = touch.roller;
           const Vec3 force = by.ratio * a.force;
@@ -227,14 +229,15 @@ class UserFlangeBlock final : public EffectBlock {
     const RaceBody& race = e.race[race_];
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       const SeenRoller roller = seen(e, i, race, mass_offset_);
-      for (const statics::FlangePair& pair : pairs_[pairs_.size() == 1 ? 0 : i])
-        if (static_cast<std::size_t>(pair.race) == race_ && !pair.surely_open(roller.p))
+      for (const statics::FlangeEndPair& pair : pairs_[pairs_.size() == 1 ? 0 : i])
+        if (static_cast<std::size_t>(pair.race) == race_ && !pair.is_certainly_open(roller.p))
           collect(friction, pair, roller, e, i, race);
     }
   }
   template <class Friction>
-  void collect(const Friction& friction, const statics::FlangePair& pair, const SeenRoller& roller,
-               const Evaluation& e, std::size_t i, const RaceBody& race) noexcept {
+  void collect(const Friction& friction, const statics::FlangeEndPair& pair,
+               const SeenRoller& roller, const Evaluation& e, std::size_t i,
+               const RaceBody& race) noexcept {
     const FlangeAction a = act(pair, roller, e, i, race, {}, friction);
     if (!(a.load > 0.0)) return;
     forces_.collect(
@@ -243,15 +246,15 @@ class UserFlangeBlock final : public EffectBlock {
         damped_contact(damping_, a.load, a.stiffness(a.load), -a.contact.gap, -a.opens));
   }
 
-  const std::vector<std::vector<statics::FlangePair>>& pairs_;
+  const std::vector<std::vector<statics::FlangeEndPair>>& pairs_;
   std::size_t race_;
   double mass_offset_;
   const tribology::TractionLaw* friction_;
   contact::DampingLaw<> damping_;
-  GatheredTraction asked_;
+  UserTractionBatch asked_;
   UserFlangeForces& forces_;
   FlangeAccount& account_;
-  KeptValues& kept_;
+  LastContactValues& kept_;
 };
 
 class RollerFlanges final : public SceneEffect {
@@ -260,7 +263,7 @@ class RollerFlanges final : public SceneEffect {
     demand(scene.rollers != nullptr, "flanges need rollers");
     const statics::RollerModel model =
         statics::make_roller_model(scene.bearing, scene.rollers->options);
-    for (const statics::RollerBody& body : model.bodies) pairs_.push_back(body.flanges);
+    for (const statics::RollerContactGeometry& body : model.bodies) pairs_.push_back(body.flanges);
     mass_offset_ = scene.bearing.roller_mass_offset;
     const bool traction = scene.plan.has(Effect::FlangeTraction);
     if (traction) {
@@ -270,7 +273,7 @@ class RollerFlanges final : public SceneEffect {
           traction_of(scene, tribology::TractionKind::RollerFlange, *scene.bearing.flange_traction);
     }
     has_friction_ = traction;
-    scene::UserForce* const user = scene.options.user ? scene.options.user->flange : nullptr;
+    scene::UserContactForce* const user = scene.options.user ? scene.options.user->flange : nullptr;
     for (std::size_t j = 0; j < 2; ++j) {
       for (auto* kept : {&kept_[j], &slip_[j]})
         kept->size(static_cast<std::size_t>(scene.bearing.element_count()), 2);
@@ -313,13 +316,13 @@ class RollerFlanges final : public SceneEffect {
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       const std::array<SeenRoller, 2> by_race{seen(e, i, e.race[0], mass_offset_),
                                               seen(e, i, e.race[1], mass_offset_)};
-      for (const statics::FlangePair& pair : pairs_[pairs_.size() == 1 ? 0 : i]) {
+      for (const statics::FlangeEndPair& pair : pairs_[pairs_.size() == 1 ? 0 : i]) {
         const auto j = static_cast<std::size_t>(pair.race);
         const RaceBody& race = e.race[j];
         const SeenRoller& roller = by_race[j];
         FlangeAction a;
-        if (!pair.surely_open(roller.p))
-          a = has_friction_ ? friction_.visit_rounded([&](const auto& friction) {
+        if (!pair.is_certainly_open(roller.p))
+          a = has_friction_ ? friction_.visit_regularized([&](const auto& friction) {
             return act(pair, roller, e, i, race, damping_[j], friction);
           })
                             : act(pair, roller, e, i, race, damping_[j], nullptr);
@@ -338,7 +341,7 @@ class RollerFlanges final : public SceneEffect {
 
   void look(const Evaluation&, Look& out) const override {
     for (const auto& [what, from] :
-         {std::pair{Looked::FlangeForce, &kept_}, {Looked::FlangeSlip, &slip_}}) {
+         {std::pair{ExtremeQuantity::FlangeForce, &kept_}, {ExtremeQuantity::FlangeSlip, &slip_}}) {
       std::vector<double>& values = out[what];
       values.resize(2 * kept_[0].at.size());
       for (std::size_t k = 0; k < values.size(); ++k)  // element, race, side
@@ -347,13 +350,13 @@ class RollerFlanges final : public SceneEffect {
   }
 
  private:
-  std::vector<std::vector<statics::FlangePair>> pairs_;  ///< of all rollers, or by roller
-  double mass_offset_ = 0.0;                             ///< s_G [m]
+  std::vector<std::vector<statics::FlangeEndPair>> pairs_;  ///< of all rollers, or by roller
+  double mass_offset_ = 0.0;                                ///< s_G [m]
   tribology::TractionLaw friction_;
   bool has_friction_ = false;
   std::array<contact::DampingLaw<>, 2> damping_;
   std::array<FlangeAccount, 2> account_;
-  std::array<KeptValues, 2> kept_, slip_;                              ///< forces, slips by race
+  std::array<LastContactValues, 2> kept_, slip_;                       ///< forces, slips by race
   std::array<std::optional<UserFlangeForces>, 2> forces_;              ///< ADRX2 by race
   std::array<int, 2> load_slip_{-1, -1}, load_slip_element1_{-1, -1};  ///< in the state
 };

@@ -79,8 +79,8 @@ void for_slices(const RingModel& model, const SlicedRoller& one, const Axis& at,
                 const SlicedRoller& other, const Axis& there, const Visit& visit) noexcept {
   for (const contact::RollerSlice& slice : one.slices) {
     const Vec3 p = at.C + slice.s * at.a;
-    const contact::PairSlice c =
-        contact::pair_slice(p, slice.radius, 0.5 * one.slice_width, other.side, there.C, there.a);
+    const contact::RollerPairSlice c = contact::roller_pair_slice(
+        p, slice.radius, 0.5 * one.slice_width, other.side, there.C, there.a);
     if (!(c.fraction > 0.0)) continue;
     const double load = 0.5 * contact::slice_load(model.law, one.slice_width, c.overlap).load;
     const double energy = (9.0 / 19.0) * load * std::max(c.overlap, 0.0);
@@ -92,14 +92,14 @@ template <bool Traction>
 class RingBlock final : public EffectBlock {
  public:
   RingBlock(const RingModel& model, const tribology::TractionLaw& law, double& heat,
-            double& damping, KeptValues& kept)
+            double& damping, LastContactValues& kept)
       : model_(model), law_(law), heat_(heat), damping_(damping), kept_(kept) {}
   void apply(Evaluation& e) noexcept override {
     kept_.none();
     damping_ = 0.0;
     if constexpr (Traction) heat_ = 0.0;
-    law_.visit_rounded([&](const auto& friction) {
-      in_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
+    law_.visit_regularized([&](const auto& friction) {
+      run_friction_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
     });
   }
 
@@ -125,7 +125,7 @@ class RingBlock final : public EffectBlock {
     double normal = 0.0;
     for_slices(
         model_, one, at, other, there,
-        [&](const contact::RollerSlice& slice, const contact::PairSlice& c, const Vec3& p,
+        [&](const contact::RollerSlice& slice, const contact::RollerPairSlice& c, const Vec3& p,
             double load, double energy) {
           if (!(c.fraction * load > 0.0)) return;
           e.valid = e.valid && c.overlap < 0.5 * model_.diameter;
@@ -171,13 +171,13 @@ class RingBlock final : public EffectBlock {
 
   const RingModel& model_;
   tribology::TractionLaw law_;
-  GatheredTraction asked_;
+  UserTractionBatch asked_;
   double& heat_;
   double& damping_;
-  KeptValues& kept_;
+  LastContactValues& kept_;
 };
 
-class RollerNeighbours final : public SceneEffect, public ElementSupport {
+class RollerNeighbours final : public SceneEffect, public NonRaceContacts {
  public:
   void declare(SceneBuilder& scene) override {
     demand(scene.rollers != nullptr, "contacts between rollers need a roller bearing");
@@ -220,8 +220,8 @@ class RollerNeighbours final : public SceneEffect, public ElementSupport {
 
   /// f dQ/dδ m mᵀ of what is touched.
   void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept override {
-    const auto add = [&](const contact::RollerSlice&, const contact::PairSlice& c, const Vec3&,
-                         double load, double) {
+    const auto add = [&](const contact::RollerSlice&, const contact::RollerPairSlice& c,
+                         const Vec3&, double load, double) {
       if (!(load > 0.0)) return;
       const Vec3 m = e.to_cylindrical(i, c.m);
       stiffness += (10.0 / 9.0) * c.fraction * load / c.overlap * m * m.transpose();
@@ -252,7 +252,9 @@ class RollerNeighbours final : public SceneEffect, public ElementSupport {
     }
   }
 
-  void look(const Evaluation&, Look& out) const override { out[Looked::PairForce] = kept_.at; }
+  void look(const Evaluation&, Look& out) const override {
+    out[ExtremeQuantity::PairForce] = kept_.at;
+  }
 
  private:
   static SlicedRoller sliced(const contact::RollerProfile& profile, int count) {
@@ -269,12 +271,12 @@ class RollerNeighbours final : public SceneEffect, public ElementSupport {
   }
 
   /// Load of all slices and their least gap.
-  [[nodiscard]] scene::NeighbourSnapshot contact_of(const Evaluation& e,
-                                                    const NeighbourPair& pair) const {
-    scene::NeighbourSnapshot out;
+  [[nodiscard]] scene::NeighborContactSnapshot contact_of(const Evaluation& e,
+                                                          const NeighbourPair& pair) const {
+    scene::NeighborContactSnapshot out;
     out.gap = std::numeric_limits<double>::infinity();
-    const auto look = [&](const contact::RollerSlice&, const contact::PairSlice& c, const Vec3&,
-                          double load, double) {
+    const auto look = [&](const contact::RollerSlice&, const contact::RollerPairSlice& c,
+                          const Vec3&, double load, double) {
       out.force += c.fraction * load;
       out.gap = std::min(out.gap, -c.overlap);
     };
@@ -287,7 +289,7 @@ class RollerNeighbours final : public SceneEffect, public ElementSupport {
   }
 
   RingModel model_;
-  KeptValues kept_;
+  LastContactValues kept_;
   double heat_ = 0.0, damped_ = 0.0;  ///< now [W]
 };
 

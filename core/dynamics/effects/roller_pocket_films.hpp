@@ -41,10 +41,10 @@ struct RollerPocketOil {
                cage.velocity_at(out.point);
     const double closing = out.slip.dot(out.m);  // -dh/dt, a roller's own spin is across m
     const Vec3 sliding = out.slip - closing * out.m;
-    const double wedge = tribology::line_wedge(viscosity, 0.5 * sliding.norm(), R, width, h);
-    const double squeeze = tribology::cylinder_squeeze(viscosity, R, width, h, -closing);
-    out.shear = fade * tribology::line_shear(viscosity, 1.0, R, width, h);
-    out.squeeze = fade * tribology::cylinder_squeeze(viscosity, R, width, h, -1.0);
+    const double wedge = tribology::line_wedge_force(viscosity, 0.5 * sliding.norm(), R, width, h);
+    const double squeeze = tribology::cylinder_squeeze_force(viscosity, R, width, h, -closing);
+    out.shear = fade * tribology::line_shear_force(viscosity, 1.0, R, width, h);
+    out.squeeze = fade * tribology::cylinder_squeeze_force(viscosity, R, width, h, -1.0);
     out.stiffness = fade * (wedge + 1.5 * squeeze) / h + fade_slope * (wedge + squeeze);
     out.force = -out.shear * sliding - fade * (wedge + squeeze) * out.m;
     return out;
@@ -56,7 +56,7 @@ struct RollerPocketOil {
     const RollerPocketSet::Place place = set.locate(e, i);
     if (!set.is_inside(i, place.q)) return;
     for (std::size_t k = 0; k < set.surfaces(i); ++k) {
-      if (!set.is_there(i, k) || set.surely_open(i, k, place, largest)) continue;
+      if (!set.has_surface(i, k) || set.is_certainly_open(i, k, place, largest)) continue;
       set.for_slices(i, k, place, largest, [&](const contact::PocketSlice& slice, double, double) {
         if (slice.gap < largest && slice.fraction > 0.0) visit(at(set, e, i, place, slice));
       });

@@ -31,15 +31,15 @@ class UserRollerPocketBlock final : public EffectBlock {
  public:
   UserRollerPocketBlock(const RollerPocketSet& set, const tribology::TractionLaw* friction,
                         const RollerPocketDamping& damping, RollerPocketForces& forces,
-                        HeatByPart& heat, KeptValues& kept)
+                        HeatByPart& heat, LastContactValues& kept)
       : set_(set), damping_(damping), forces_(forces), heat_(heat), kept_(kept) {
     if (friction != nullptr) friction_ = *friction;
   }
   void apply(Evaluation& e) noexcept override {
-    in_passes_of(asked_, friction_ ? &*friction_ : nullptr,
-                 [&](const auto& law) { collect_all(law, e); });
+    run_traction_passes(asked_, friction_ ? &*friction_ : nullptr,
+                        [&](const auto& law) { collect_all(law, e); });
     const bool valid =
-        forces_.ask(e.t, [&](const RollerPocketTouch& touch, const UserDifference& by) {
+        forces_.ask(e.t, [&](const RollerPocketTouch& touch, const UserForceDifference& by) {
           BodyState& cage = e.segments[set_.segment(touch.pocket)];
           const Vec3 f = by.ratio * touch.friction - by.force * touch.normal;
           add(e, cage, touch.roller, f, touch.arm);
@@ -67,7 +67,7 @@ class UserRollerPocketBlock final : public EffectBlock {
       const RollerPocketSet::Place at = set_.locate(e, i);
       if (!set_.is_inside(i, at.q)) continue;
       for (std::size_t k = 0; k < set_.surfaces(i); ++k) {
-        if (!set_.is_there(i, k) || set_.surely_open(i, k, at)) continue;
+        if (!set_.has_surface(i, k) || set_.is_certainly_open(i, k, at)) continue;
         set_.for_slices(
             i, k, at, 0.0, [&](const contact::PocketSlice& slice, double load, double energy) {
               if (load > 0.0 && slice.gap < 0.0)
@@ -75,7 +75,7 @@ class UserRollerPocketBlock final : public EffectBlock {
                         slice.gap, load, set_.slice_width(i) * slice.fraction, energy);
             });
       }
-      set_.for_ends(i, at, [&](const contact::EndTouch& touch, double load, double energy) {
+      set_.for_ends(i, at, [&](const contact::RollerEndContact& touch, double load, double energy) {
         const std::size_t surface = set_.surfaces(i) + (touch.out[0] > 0.0 ? 1 : 0);
         collect(friction, e, i, at, surface, touch.out, touch.point, Vec3::Zero(), Vec3::Zero(),
                 touch.gap, load, 1.0, energy);
@@ -116,7 +116,7 @@ class UserRollerPocketBlock final : public EffectBlock {
       t.slip = std::sqrt(square);
       t.heat = per_slip * square;
     }
-    const double k = weight * contact::power_stiffness(load, energy, -gap);
+    const double k = weight * contact::power_law_stiffness(load, energy, -gap);
     forces_.collect(t, roller, surface, gap, rate, load,
                     damped_contact(t.at_end ? damping_.end : damping_.slice, load, k, -gap, -rate));
   }
@@ -124,10 +124,10 @@ class UserRollerPocketBlock final : public EffectBlock {
   const RollerPocketSet& set_;
   std::optional<tribology::TractionLaw> friction_;
   RollerPocketDamping damping_;
-  GatheredTraction asked_;
+  UserTractionBatch asked_;
   RollerPocketForces& forces_;
   HeatByPart& heat_;
-  KeptValues& kept_;
+  LastContactValues& kept_;
 };
 
 }  // namespace adore::dynamics

@@ -7,7 +7,7 @@
 namespace adore::dynamics {
 
 RollerPocketSet::RollerPocketSet(const SceneBuilder& scene,
-                                 const std::vector<contact::PlacedPocket>& placed) {
+                                 const std::vector<contact::SegmentPocket>& placed) {
   const bearing::Bearing& bearing = scene.bearing;
   const bearing::RollerGeometry& rollers = *bearing.rollers();
   const bearing::Cage& cage = *bearing.cage;
@@ -38,10 +38,10 @@ RollerPocketSet::RollerPocketSet(const SceneBuilder& scene,
   const contact::RollerProfile ideal = contact::roller_profile(rollers);
   const std::array<contact::RollerEnd, 2> nominal{contact::roller_end(ideal, 0),
                                                   contact::roller_end(ideal, 1)};
-  for (const contact::PlacedPocket& place : placed) {
+  for (const contact::SegmentPocket& place : placed) {
     const bearing::PocketDeviation own = cage.deviation_of(place.element);
-    const auto [low, high] = contact::wall_height(cage.outer_diameter, cage.inner_diameter,
-                                                  rollers.pitch_diameter, own.thickness);
+    const auto [low, high] = contact::pocket_wall_limits(cage.outer_diameter, cage.inner_diameter,
+                                                         rollers.pitch_diameter, own.thickness);
     const double width = D + cage.pocket_clearance_1 + own.clearance[0];
     RollerPocket pocket;
     pocket.element = place.element;
@@ -53,11 +53,11 @@ RollerPocketSet::RollerPocketSet(const SceneBuilder& scene,
     pocket.z_high = high;
     pocket.half_window = 0.5 * width;
     // The nominal roller has half of the clearance at each end, however it lies in its pocket.
-    const Vec3 axis = passive_y(cage.cone_angle) *
+    const Vec3 axis = passive_rotation_y(cage.cone_angle) *
                       Vec3(std::cos(rollers.axis_angle), 0.0, -std::sin(rollers.axis_angle));
     for (std::size_t k = 0; k < 2; ++k)
       pocket.end_wall[k] =
-          0.5 * (width - D) - contact::end_at_wall(nominal[k], 0.0, Vec3::Zero(), axis).gap;
+          0.5 * (width - D) - contact::end_contact_at_wall(nominal[k], 0.0, Vec3::Zero(), axis).gap;
     if (!cage.pocket_faces.empty())
       pocket.faces = contact::paired_faces(contact::widened(cage.pocket_faces, own.clearance[0]),
                                            rotation_sign_);
@@ -66,7 +66,7 @@ RollerPocketSet::RollerPocketSet(const SceneBuilder& scene,
                                           low,
                                           high,
                                           place.half,
-                                          contact::cut_edge(cage, rollers.pitch_diameter),
+                                          contact::half_pocket_edge(cage, rollers.pitch_diameter),
                                           std::tan(rollers.half_angle),
                                           std::cos(rollers.half_angle)};
     else
@@ -93,7 +93,7 @@ RollerPocketSet::Nearest RollerPocketSet::nearest(std::size_t i, std::size_t k,
   const auto gap_of = [&](const contact::RollerSlice& slice) {
     return contact::gap_at_face(face, at.q + slice.s * at.u, at.u, slice.radius);
   };
-  const SliceBound bound = slice_bound(i, k, at);
+  const SliceGapBound bound = slice_gap_bound(i, k, at);
   const double enough = gap_of(*std::min_element(
       slices.begin(), slices.end(),
       [&](const auto& one, const auto& other) { return bound(one) < bound(other); }));
@@ -116,7 +116,7 @@ std::vector<PocketContactSnapshot> RollerPocketSet::report(std::size_t i, const 
   out.reserve(surfaces(i));
   for (std::size_t k = 0; k < surfaces(i); ++k) {
     PocketContactSnapshot& one = out.emplace_back();
-    if (!is_there(i, k)) continue;
+    if (!has_surface(i, k)) continue;
     double moment = 0.0;
     for_slices(i, k, at, 0.0, [&](const contact::PocketSlice& slice, double load, double) {
       one.force += load;

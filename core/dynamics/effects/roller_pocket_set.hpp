@@ -62,7 +62,7 @@ struct RollerPocketDamping {
 
 class RollerPocketSet {
  public:
-  RollerPocketSet(const SceneBuilder& scene, const std::vector<contact::PlacedPocket>& placed);
+  RollerPocketSet(const SceneBuilder& scene, const std::vector<contact::SegmentPocket>& placed);
 
   [[nodiscard]] std::size_t size() const noexcept { return pockets_.size(); }
   [[nodiscard]] double mass_offset() const noexcept { return mass_offset_; }
@@ -94,19 +94,19 @@ class RollerPocketSet {
     return pockets_[i].round ? 1 : pockets_[i].faces.size();
   }
   /// Slices on all surfaces, and both ends, of all pockets.
-  [[nodiscard]] std::size_t most_contacts() const noexcept {
+  [[nodiscard]] std::size_t max_contact_count() const noexcept {
     std::size_t out = 0;
     for (std::size_t i = 0; i < size(); ++i) out += surfaces(i) * roller_of(i).slices.size() + 2;
     return out;
   }
   /// Does the cut leave surface k?
-  [[nodiscard]] bool is_there(std::size_t i, std::size_t k) const noexcept {
+  [[nodiscard]] bool has_surface(std::size_t i, std::size_t k) const noexcept {
     const RollerPocket& pocket = pockets_[i];
     return pocket.half == 0 || pocket.round || pocket.half * pocket.faces[k].normal[1] > 0.0;
   }
   /// Is surface k farther than `reach` from the roller, whatever its slices?
-  [[nodiscard]] bool surely_open(std::size_t i, std::size_t k, const Place& at,
-                                 double reach = 0.0) const noexcept {
+  [[nodiscard]] bool is_certainly_open(std::size_t i, std::size_t k, const Place& at,
+                                       double reach = 0.0) const noexcept {
     const RollerPocket& pocket = pockets_[i];
     const PocketRoller& roller = roller_of(i);
     return (pocket.round ? contact::gap_bound(*pocket.round, at.q, at.u, roller.bounds)
@@ -124,14 +124,14 @@ class RollerPocketSet {
     return roller_of(i).slice_width;
   }
   /// Never more than the gaps of the slices at a surface; of a round pocket no bound is known.
-  struct SliceBound {
+  struct SliceGapBound {
     double middle, lean;
     [[nodiscard]] double operator()(const contact::RollerSlice& slice) const noexcept {
       return middle - slice.s * lean - slice.radius;
     }
   };
-  [[nodiscard]] SliceBound slice_bound(std::size_t i, std::size_t k,
-                                       const Place& at) const noexcept {
+  [[nodiscard]] SliceGapBound slice_gap_bound(std::size_t i, std::size_t k,
+                                              const Place& at) const noexcept {
     constexpr double kRounding = 1e-15;  // [m]
     const RollerPocket& pocket = pockets_[i];
     if (pocket.round) return {-std::numeric_limits<double>::infinity(), 0.0};
@@ -144,13 +144,13 @@ class RollerPocketSet {
                   const Visit& visit) const {
     const RollerPocket& pocket = pockets_[i];
     const PocketRoller& roller = roller_of(i);
-    const SliceBound bound = slice_bound(i, k, at);
+    const SliceGapBound bound = slice_gap_bound(i, k, at);
     for (const contact::RollerSlice& slice : roller.slices) {
       if (bound(slice) > reach) continue;
       const Vec3 p = at.q + slice.s * at.u;
       if (pocket.round) {
         const contact::PocketSlice c =
-            contact::slice_in_round(*pocket.round, p, at.u, slice.radius);
+            contact::slice_in_round_pocket(*pocket.round, p, at.u, slice.radius);
         const contact::LandLaw law{E_star_, pocket.round->radius_at(slice.s) - slice.radius};
         const double e = law.clearance - c.gap;
         const bool open = !(c.gap < 0.0);
@@ -172,8 +172,8 @@ class RollerPocketSet {
     for (std::size_t k = 0; k < 2; ++k) {
       if (contact::end_gap_bound(roller.end[k], pockets_[i].end_wall[k], at.q, at.u) > 0.0)
         continue;
-      const contact::EndTouch touch =
-          contact::end_at_wall(roller.end[k], pockets_[i].end_wall[k], at.q, at.u);
+      const contact::RollerEndContact touch =
+          contact::end_contact_at_wall(roller.end[k], pockets_[i].end_wall[k], at.q, at.u);
       if (!(touch.gap < 0.0)) continue;
       const double share = pockets_[i].half == 0 ? 1.0 : 0.5;
       const double load = contact::hertz_load(share * roller.end_constant[k], -touch.gap);

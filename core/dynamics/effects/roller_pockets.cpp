@@ -26,15 +26,15 @@ template <bool Traction>
 class RollerPocketBlock final : public EffectBlock {
  public:
   RollerPocketBlock(const RollerPocketSet& set, const tribology::TractionLaw& law,
-                    const RollerPocketDamping& damping, HeatByPart& heat, KeptValues& kept)
+                    const RollerPocketDamping& damping, HeatByPart& heat, LastContactValues& kept)
       : set_(set), law_(law), damping_(damping), heat_(heat), kept_(kept) {
-    if (law.is_of_user()) asked_.reserve(set.most_contacts());
+    if (law.is_user_law()) asked_.reserve(set.max_contact_count());
   }
   void apply(Evaluation& e) noexcept override {
     kept_.none();
     if constexpr (Traction)
-      law_.visit_rounded([&](const auto& friction) {
-        in_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
+      law_.visit_regularized([&](const auto& friction) {
+        run_friction_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
       });
     else
       apply_with(nullptr, e);
@@ -50,7 +50,7 @@ class RollerPocketBlock final : public EffectBlock {
         return;
       }
       for (std::size_t k = 0; k < set_.surfaces(i); ++k) {
-        if (!set_.is_there(i, k) || set_.surely_open(i, k, at)) continue;
+        if (!set_.has_surface(i, k) || set_.is_certainly_open(i, k, at)) continue;
         const double width = set_.slice_width(i);
         set_.for_slices(
             i, k, at, 0.0, [&](const contact::PocketSlice& slice, double load, double energy) {
@@ -66,7 +66,7 @@ class RollerPocketBlock final : public EffectBlock {
                 push_middle(e, i, at, slice.middle, N * slice.aside + load * slice.edge);
             });
       }
-      set_.for_ends(i, at, [&](const contact::EndTouch& touch, double load, double energy) {
+      set_.for_ends(i, at, [&](const contact::RollerEndContact& touch, double load, double energy) {
         push(friction, e, i, at,
              {touch.out, touch.point, load, energy, -touch.gap, Vec3::Zero(), nullptr},
              damping_.end, 1.0);
@@ -93,9 +93,9 @@ class RollerPocketBlock final : public EffectBlock {
   const RollerPocketSet& set_;
   tribology::TractionLaw law_;
   RollerPocketDamping damping_;
-  GatheredTraction asked_;
+  UserTractionBatch asked_;
   HeatByPart& heat_;
-  KeptValues& kept_;
+  LastContactValues& kept_;
 };
 
 template <bool Traction>
@@ -121,7 +121,7 @@ double RollerPocketBlock<Traction>::push(const Friction& friction, Evaluation& e
     double rate = -opens;
     if (touch.aside != nullptr)
       rate += apart(at.to_base * (touch.middle - at.q) - to_mass).dot(at.to_base * *touch.aside);
-    const double k = weight * contact::power_stiffness(load, touch.energy, touch.approach);
+    const double k = weight * contact::power_law_stiffness(load, touch.energy, touch.approach);
     load = contact::damped_load(damping, touch.load, k, touch.approach, rate);
     if constexpr (!kOnlyNotes<Friction>) heat_.damping += (load - touch.load) * rate;
   }
@@ -153,7 +153,7 @@ void RollerPocketBlock<Traction>::push_middle(Evaluation& e, std::size_t i,
   e.segments[set_.segment(i)].add_force(-f, e.element_centre(roller) + arm);
 }
 
-class RollerPockets final : public SceneEffect, public ElementSupport {
+class RollerPockets final : public SceneEffect, public NonRaceContacts {
  public:
   void declare(SceneBuilder& scene) override {
     demand(scene.plan.has(Effect::CageMotion), "the plan has cage contacts but no cage motion");
@@ -170,36 +170,37 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
       return damping_law(scene, scene.bearing.element_material, cage.material, mass, share);
     };
     damping_ = {law(1.0 / scene.bearing.rollers()->length), law(1.0)};
-    scene::UserForce* const user = scene.options.user ? scene.options.user->pocket : nullptr;
+    scene::UserContactForce* const user = scene.options.user ? scene.options.user->pocket : nullptr;
     const bool damped = contact::is_damped(damping_.end);
     if (traction || user != nullptr || damped)
-      scene.block<NoHeatOfParts>(Phase::Force, kCost, {}, heat_);
+      scene.block<ResetHeatByPart>(Phase::Force, kCost, {}, heat_);
     std::optional<tribology::TractionLaw> friction;
     if (traction)
       friction =
           traction_of(scene, tribology::TractionKind::ElementCage, *scene.bearing.pocket_traction);
     const contact::CagePieces pieces = pieces_of(scene);
     const auto add = [&](std::optional<RollerPocketSet>& set,
-                         const std::vector<contact::PlacedPocket>& pockets,
-                         std::optional<RollerPocketForces>& forces, KeptValues& kept) {
+                         const std::vector<contact::SegmentPocket>& pockets,
+                         std::optional<RollerPocketForces>& forces, LastContactValues& kept) {
       set.emplace(scene, pockets);
       kept.size(pockets.size(),
                 static_cast<std::size_t>(bearing::pocket_surfaces(*scene.bearing.cage, true)));
       std::vector<BodyId> partners(pieces.pockets.size(), BodyId{BodyId::Kind::Segment, -1});
-      for (const contact::PlacedPocket& pocket : pockets)
+      for (const contact::SegmentPocket& pocket : pockets)
         partners[pocket.element].index = pocket.piece;
       std::vector<BodyId> same = partners;
       if (friction)
-        scene.block<RollerPocketBlock<true>>(Phase::Force, kCost, Partners(std::move(partners)),
-                                             *set, *friction, damping_, heat_, kept);
+        scene.block<RollerPocketBlock<true>>(Phase::Force, kCost,
+                                             CoupledBodies(std::move(partners)), *set, *friction,
+                                             damping_, heat_, kept);
       else
-        scene.block<RollerPocketBlock<false>>(Phase::Force, kCost, Partners(std::move(partners)),
-                                              *set, tribology::TractionLaw(), damping_, heat_,
-                                              kept);
+        scene.block<RollerPocketBlock<false>>(Phase::Force, kCost,
+                                              CoupledBodies(std::move(partners)), *set,
+                                              tribology::TractionLaw(), damping_, heat_, kept);
       if (user == nullptr) return;
-      forces.emplace(*user, set->most_contacts());
+      forces.emplace(*user, set->max_contact_count());
       scene.block<UserRollerPocketBlock>(
-          Phase::Force, "user routine ADRX3", Partners(std::move(same)), *set,
+          Phase::Force, "user routine ADRX3", CoupledBodies(std::move(same)), *set,
           friction ? &*friction : nullptr, damping_, *forces, heat_, kept);
     };
     add(set_, pieces.pockets, forces_[0], kept_[0]);
@@ -209,7 +210,7 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
     if (scene.plan.has(Effect::PocketFilm)) {  // of a cage of one piece
       const bearing::CageFilms& films = *scene.bearing.cage_films;
       oil_.emplace();
-      oil_->viscosity = tribology::film_viscosity(scene.bearing, films.pocket_viscosity);
+      oil_->viscosity = tribology::cage_film_viscosity(scene.bearing, films.pocket_viscosity);
       oil_->largest = films.largest_pocket_film;
       oil_->critical = std::min(films.critical_film, 0.25 * films.largest_pocket_film);
       scene.block<RollerPocketFilmBlock>(Phase::Force, "films of the cage",
@@ -274,7 +275,7 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
   }
 
   void look(const Evaluation&, Look& out) const override {
-    look_at_pockets(kept_[0], last_halves_, kept_[1], out);
+    sample_pocket_forces(kept_[0], last_halves_, kept_[1], out);
   }
 
  private:
@@ -287,12 +288,12 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
       stiffness += slope * m * m.transpose();
     };
     for (std::size_t k = 0; k < set.surfaces(i); ++k) {
-      if (!set.is_there(i, k) || set.surely_open(i, k, at)) continue;
+      if (!set.has_surface(i, k) || set.is_certainly_open(i, k, at)) continue;
       set.for_slices(i, k, at, 0.0, [&](const contact::PocketSlice& slice, double load, double) {
         if (load > 0.0 && slice.gap < 0.0) add(slice.m, (10.0 / 9.0) * load / -slice.gap);
       });
     }
-    set.for_ends(i, at, [&](const contact::EndTouch& touch, double load, double) {
+    set.for_ends(i, at, [&](const contact::RollerEndContact& touch, double load, double) {
       add(touch.out, 1.5 * load / -touch.gap);
     });
   }
@@ -300,7 +301,7 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
   std::optional<RollerPocketSet> set_;
   std::optional<RollerPocketSet> last_halves_;  ///< of segments that are cut through their pockets
   std::array<std::optional<RollerPocketForces>, 2> forces_;  ///< ADRX3 of both sets
-  std::array<KeptValues, 2> kept_;                           ///< likewise, by pocket and surface
+  std::array<LastContactValues, 2> kept_;                    ///< likewise, by pocket and surface
   std::optional<RollerPocketOil> oil_;                       ///< kPocHydro
   RollerPocketDamping damping_;
   HeatByPart heat_, film_heat_;  ///< now, of the pocket of each roller

@@ -71,7 +71,7 @@ RaceContactSnapshot contact_of(const RollerRaceModel& model, const contact::Roll
     if (model.traction) out.load_slip += Q * row.slip[k];
     out.half_major += 0.5 * row.width[k];
     if (film) {
-      const tribology::FilmHere<double> here =
+      const tribology::LocalFilm<double> here =
           model.law.film({Q / row.width[k], row.peak[k], 0.0, row.half_width[k], row.speed[k],
                           row.slip[k], row.curvature[k]});
       least_film = std::min(least_film, here.thinnest);
@@ -110,9 +110,9 @@ std::vector<RaceContactSnapshot> roller_race_report(const RollerRaceModel& model
   SliceRows rows;
   for (std::size_t i = 0; i < rollers.count(); ++i) {
     const contact::RollerPose& at = rollers.poses()[i];
-    const contact::RaceSlices& slices = rollers.view(i);
+    const contact::RaceSlicesView& slices = rollers.view(i);
     statics::RollerSliceRows row{};
-    const contact::RaceSlope* slope = rollers.slopes() ? rollers.slopes() + i : nullptr;
+    const contact::RaceAzimuthSlope* slope = rollers.slopes() ? rollers.slopes() + i : nullptr;
     if (!at.open) kernel({&slices, &at, slope, row = rows.fresh(slices.count)});
     out.push_back(contact_of(model, at, model.of(i), row));
     out.back().heat = e.heat[static_cast<std::size_t>(model.race)][i];

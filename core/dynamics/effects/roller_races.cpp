@@ -37,7 +37,8 @@ RollerPlace place_of(const Evaluation& e, std::size_t i, double mass_offset) {
 
 /// ω of a roller less that of its orbit about the bearing axis, in its meridian frame.
 contact::Triple<double> spin_of(const Evaluation& e, std::size_t i, const RollerPlace& roller,
-                                const contact::RacePose& pose, const contact::MeridianTurn& turn) {
+                                const contact::RacePose& pose,
+                                const contact::MeridianRotation& turn) {
   const Vec3 spin = pose.direction(roller.motion.omega - Vec3(e.elements.theta_dot[i], 0.0, 0.0));
   return turn.into({spin[0], spin[1], spin[2]});
 }
@@ -49,14 +50,14 @@ std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
   if (options.contact != statics::RollerContact::Sliced ||
       options.kinematics != statics::RollerKinematics::Exact)
     throw InputError(
-        "a motion of rollers needs sliced contacts with exact kinematics; point contacts and "
-        "linear kinematics are only for the quasi-static solution (mode = -1)");
+        "the motion of rollers needs sliced contacts with exact kinematics. Point contacts and "
+        "linear kinematics are available only in the quasi-static solution (mode = -1)");
   const statics::RollerModel model = statics::make_roller_model(scene.bearing, options);
   std::array<RollerRaceModel, 2> out;
   for (std::size_t j = 0; j < 2; ++j) {
     RollerRaceModel& of = out[j];
     of.race = static_cast<bearing::Race>(j);
-    for (const statics::RollerBody& body : model.bodies)
+    for (const statics::RollerContactGeometry& body : model.bodies)
       of.slices.push_back(contact::roller_race_slices(
           model.race[j], body.slices, model.slicing.width, model.law[j], model.E_star[j]));
     const contact::DampingLaw<> damping =
@@ -73,20 +74,20 @@ std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
       for (const auto& lobe : scene.options.user->out_of_round) {
         of.lobes.emplace_back();
         if (lobe)
-          of.lobes.back() =
-              lobe_race(*lobe, j, model.race[j], model.rollers.race_radius(static_cast<int>(j)),
-                        model.rollers.crown_radius);
+          of.lobes.back() = lobe_as_race_error(*lobe, j, model.race[j],
+                                               model.rollers.race_radius(static_cast<int>(j)),
+                                               model.rollers.crown_radius);
       }
     of.mass_offset = scene.bearing.roller_mass_offset;
     const double radius = 0.5 * scene.bearing.element_diameter();
     of.load_limit = contact::slice_load(model.law[j], model.slicing.effective_length, radius).load;
     of.traction = scene.plan.has(Effect::RaceTraction);
-    const tribology::FilmSurface surface =
+    const tribology::RaceFilmInputs surface =
         statics::roller_film_surface(scene.bearing, j, model.E_star[j], scene.options.single_films);
     if (scene.plan.has(Effect::RollingResistance))
       of.rolling = tribology::rolling_resistance(
           tribology::lubricant_of(*scene.bearing.lubrication), *scene.bearing.lubrication, surface);
-    const tribology::UserTraction* routine =
+    const tribology::UserTractionRoutine* routine =
         scene.options.user ? scene.options.user->traction_of(tribology::TractionKind::ElementRace)
                            : nullptr;
     of.law = routine != nullptr
@@ -94,18 +95,18 @@ std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
                                           static_cast<int>(j))
                  : statics::roller_race_law(scene.bearing, surface);
     if (routine == nullptr && scene.bearing.lubrication)
-      of.stated = tribology::strips_of(tribology::lubricant_of(*scene.bearing.lubrication),
-                                       *scene.bearing.lubrication, surface);
+      of.approximation_note = tribology::describe_film_evaluation(
+          tribology::lubricant_of(*scene.bearing.lubrication), *scene.bearing.lubrication, surface);
   }
   return out;
 }
 
-contact::WavyRace lobe_race(const bearing::GivenRace& lobe, std::size_t j,
-                            const contact::RaceSurface& race, double race_radius,
-                            double crown_radius) {
+contact::WavyRace lobe_as_race_error(const bearing::SurfaceSeries& lobe, std::size_t j,
+                                     const contact::RaceSurface& race, double race_radius,
+                                     double crown_radius) {
   const double sign =
       j == 0 ? -1.0 : 1.0;  // a larger roller is a smaller outer, a larger inner race
-  auto as_race = std::make_shared<bearing::GivenRace>(lobe);
+  auto as_race = std::make_shared<bearing::SurfaceSeries>(lobe);
   const double growth = statics::race_growth(race);
   for (const auto& [series, factor] :
        {std::pair{&as_race->radius, sign * growth}, {&as_race->taper, sign}}) {
@@ -137,27 +138,27 @@ double line_stiffness(const RollerRaceModel& model, double load) noexcept {
 
 RollersOnRace::RollersOnRace(const RollerRaceModel& model, std::size_t rollers)
     : model_(model),
-      reads_spin_(model.law.has_film() || model.law.is_of_user()),
+      reads_spin_(model.law.has_film() || model.law.is_user_law()),
       poses_(rollers),
       turns_(rollers),
       table_(bearing::table_of(model.surface.get())) {
   for (const contact::RollerRaceSlices& slices : model.slices)
     views_.push_back(contact::view_of(slices));
   if (!model.lobes.empty()) {
-    own_slopes_.resize(rollers);
+    lobe_slopes_.resize(rollers);
     axes_.resize(rollers, Vec3::UnitX());
   }
   if (model.wavy || table_ != nullptr) slopes_.resize(rollers);
-  if (slopes_.empty() && own_slopes_.empty()) return;
+  if (slopes_.empty() && lobe_slopes_.empty()) return;
   while (views_.size() < rollers) views_.push_back(views_.front());  // each with a race of its own
   if (table_ == nullptr) return;
   const std::size_t slices = views_.front().count;
   radius_.resize(rollers * slices);
-  rise_.resize(rollers * slices);
+  approach_slopes_.resize(rollers * slices);
   const double nearer = contact::nearest(*table_);
   for (std::size_t i = 0; i < rollers; ++i) {
     views_[i].radius = radius_.data() + i * slices;
-    slopes_[i].rise = rise_.data() + i * slices;
+    slopes_[i].rise = approach_slopes_.data() + i * slices;
     for (double& around : views_[i].around) around += nearer;
   }
 }
@@ -167,19 +168,20 @@ void RollersOnRace::form_table(const RaceBody& race) noexcept {
   const std::size_t slices = views_.front().count;
   for (std::size_t i = 0; i < turns_.size(); ++i) {
     const contact::AzimuthDirection<double> at =
-        contact::azimuth_in_turned(turns_[i], cosine, sine);
+        contact::azimuth_in_rotated_race(turns_[i], cosine, sine);
     const std::vector<double>& ideal = model_.of(i).radius;
     std::copy(ideal.begin(), ideal.end(),
               radius_.begin() + static_cast<std::ptrdiff_t>(i * slices));
-    contact::recede_slices(*table_, std::atan2(at.sine, at.cosine), radius_.data() + i * slices,
-                           rise_.data() + i * slices);
+    contact::apply_table_to_slices(*table_, std::atan2(at.sine, at.cosine),
+                                   radius_.data() + i * slices,
+                                   approach_slopes_.data() + i * slices);
   }
 }
 
 void RollersOnRace::form_race(const RaceBody& race) noexcept {
   const double cosine = std::cos(race.turn_beyond), sine = std::sin(race.turn_beyond);
   for (std::size_t i = 0; i < slopes_.size(); ++i) {
-    const auto here = model_.wavy->at(contact::azimuth_in_turned(turns_[i], cosine, sine));
+    const auto here = model_.wavy->at(contact::azimuth_in_rotated_race(turns_[i], cosine, sine));
     views_[i].race = here.surface;
     slopes_[i] = here.slope;
   }
@@ -187,17 +189,17 @@ void RollersOnRace::form_race(const RaceBody& race) noexcept {
 
 void RollersOnRace::form_lobes(const Evaluation& e) noexcept {
   const auto j = static_cast<std::size_t>(model_.race);
-  for (std::size_t i = 0; i < own_slopes_.size(); ++i) {
+  for (std::size_t i = 0; i < lobe_slopes_.size(); ++i) {
     if (!model_.wavy) views_[i].race = model_.of(i).race;
     if (!model_.lobes[i]) continue;
     const contact::Triple<double> of_race = turns_[i].back({0.0, 0.0, 1.0});
-    const Vec3 up = pose_.direction_back({of_race.x, of_race.y, of_race.z});
+    const Vec3 up = race_pose_.direction_from_race({of_race.x, of_race.y, of_race.z});
     contact::WavyRace lobe = *model_.lobes[i];
     lobe.ideal = views_[i].race;
     const auto here = lobe.at(azimuth_in_roller(e.attitude[i], up, j));
     views_[i].race = here.surface;
-    own_slopes_[i] = here.slope;
-    const Vec3 axis = pose_.direction(e.attitude[i].col(0));
+    lobe_slopes_[i] = here.slope;
+    const Vec3 axis = race_pose_.direction(e.attitude[i].col(0));
     const contact::Triple<double> a = turns_[i].into({axis[0], axis[1], axis[2]});
     axes_[i] = {a.x, a.y, a.z};
   }
@@ -205,13 +207,13 @@ void RollersOnRace::form_lobes(const Evaluation& e) noexcept {
 
 void RollersOnRace::place(const Evaluation& e) noexcept {
   const RaceBody& race = e.race[static_cast<std::size_t>(model_.race)];
-  pose_ = pose_of(race);
+  race_pose_ = pose_of(race);
   const contact::RigidMotion motion = motion_of(race);
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     const RollerPlace roller = place_of(e, i, model_.mass_offset);
     contact::RollerInMeridian in =
-        contact::roller_in_meridian(pose_, motion, roller.centre, roller.axis, roller.motion);
-    if (reads_spin_) in.roller.spin = spin_of(e, i, roller, pose_, in.turn);
+        contact::roller_in_meridian(race_pose_, motion, roller.centre, roller.axis, roller.motion);
+    if (reads_spin_) in.roller.spin = spin_of(e, i, roller, race_pose_, in.turn);
     poses_[i] = in.roller;
     turns_[i] = in.turn;
   }
@@ -219,19 +221,19 @@ void RollersOnRace::place(const Evaluation& e) noexcept {
     form_table(race);
   else if (!slopes_.empty())
     form_race(race);
-  if (!own_slopes_.empty()) form_lobes(e);
+  if (!lobe_slopes_.empty()) form_lobes(e);
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     contact::RollerPose& at = poses_[i];
-    at.open = contact::surely_open(views_[views_.size() == 1 ? 0 : i], at.x, at.r, at.axes.a);
+    at.open = contact::is_certainly_open(views_[views_.size() == 1 ? 0 : i], at.x, at.r, at.axes.a);
   }
 }
 
-void RollersOnRace::act(Evaluation& e, std::size_t i, const double (&force_on)[3],
-                        const double (&moment_on)[3]) const noexcept {
+void RollersOnRace::apply_roller_action(Evaluation& e, std::size_t i, const double (&force_on)[3],
+                                        const double (&moment_on)[3]) const noexcept {
   RaceBody& race = e.race[static_cast<std::size_t>(model_.race)];
   const contact::RollerInMeridian in{{}, turns_[i]};
-  const Vec3 force = in.back(pose_, {force_on[0], force_on[1], force_on[2]});
-  const Vec3 moment = in.back(pose_, {moment_on[0], moment_on[1], moment_on[2]});
+  const Vec3 force = in.back(race_pose_, {force_on[0], force_on[1], force_on[2]});
+  const Vec3 moment = in.back(race_pose_, {moment_on[0], moment_on[1], moment_on[2]});
   const Vec3 from_mass_centre = -model_.mass_offset * e.attitude[i].col(0);
   const Vec3 C = e.element_centre(i) + from_mass_centre;
   e.add_force(i, e.to_cylindrical(i, force));
@@ -251,7 +253,7 @@ void RollersOnRace::largest_slips(double* slip) const noexcept {
 }
 
 RollerRaceBlock::RollerRaceBlock(const RollerRaceModel& model, RollersOnRace& rollers,
-                                 bool load_slip, bool rolls, RaceAccount& sums,
+                                 bool load_slip, bool rolls, RaceContactTotals& sums,
                                  std::vector<double>& fastest)
     : model_(model),
       load_slip_(load_slip),
@@ -260,29 +262,30 @@ RollerRaceBlock::RollerRaceBlock(const RollerRaceModel& model, RollersOnRace& ro
       kernel_(statics::roller_kernel()),
       rollers_(rollers),
       actions_(rollers.count()),
-      of_lobes_(rollers.own_slopes() != nullptr ? rollers.count() : 0),
-      rolled_(rolls ? rollers.count() : 0) {
+      lobe_actions_(rollers.lobe_slopes() != nullptr ? rollers.count() : 0),
+      rolling_actions_(rolls ? rollers.count() : 0) {
   sums_.damping_of.assign(rollers.count(), 0.0);
   if (rolls) sums_.rolling_of.assign(rollers.count(), 0.0);
   std::size_t slices = 0;
   for (const contact::RollerRaceSlices& one : model.slices) slices = std::max(slices, one.count);
-  if (model.law.is_of_user()) user_.emplace(rollers.count(), slices);
+  if (model.law.is_user_law()) user_scratch_.emplace(rollers.count(), slices);
 }
 
 /// Growing ψ is -y of the meridian frame.
-void RollerRaceBlock::lean() noexcept {
+void RollerRaceBlock::add_race_error_forces() noexcept {
   for (std::size_t i = 0; i < actions_.size(); ++i)
     actions_[i].force[1] += actions_[i].turning / rollers_.poses()[i].r;
 }
 
-void RollerRaceBlock::turn_lobes() noexcept {
-  kernel_({rollers_.views(), rollers_.alike(), rollers_.count(), rollers_.poses().data(),
-           rollers_.own_slopes(), of_lobes_.data(), false, model_.law.index(), model_.law.address(),
-           model_.law.slip_floor(), nullptr, nullptr, nullptr});
+void RollerRaceBlock::add_lobe_forces() noexcept {
+  kernel_({rollers_.views(), rollers_.are_rollers_identical(), rollers_.count(),
+           rollers_.poses().data(), rollers_.lobe_slopes(), lobe_actions_.data(), false,
+           model_.law.index(), model_.law.address(), model_.law.regularization_slip_squared(),
+           nullptr, nullptr, nullptr});
   for (std::size_t i = 0; i < actions_.size(); ++i) {
     if (!model_.lobes[i] || !(actions_[i].energy > 0.0)) continue;
     const Vec3& a = rollers_.axes()[i];
-    const double turning = of_lobes_[i].turning / (a[0] * a[0] + a[1] * a[1]);
+    const double turning = lobe_actions_[i].turning / (a[0] * a[0] + a[1] * a[1]);
     actions_[i].force[1] += turning * a[0] / rollers_.poses()[i].r;
     actions_[i].moment[0] += turning * a[0];
     actions_[i].moment[1] += turning * a[1];
@@ -292,14 +295,15 @@ void RollerRaceBlock::turn_lobes() noexcept {
 void RollerRaceBlock::apply(Evaluation& e) noexcept {
   const auto j = static_cast<std::size_t>(model_.race);
   rollers_.place(e);
-  kernel_({rollers_.views(), rollers_.alike(), rollers_.count(), rollers_.poses().data(),
-           rollers_.slopes(), actions_.data(), model_.traction, model_.law.index(),
-           model_.law.address(), model_.law.slip_floor(), user_ ? user_->view() : nullptr,
-           rolled_.empty() ? nullptr : &model_.rolling, rolled_.data()});
-  if (rollers_.slopes() != nullptr) lean();
-  if (rollers_.own_slopes() != nullptr) turn_lobes();
+  kernel_({rollers_.views(), rollers_.are_rollers_identical(), rollers_.count(),
+           rollers_.poses().data(), rollers_.slopes(), actions_.data(), model_.traction,
+           model_.law.index(), model_.law.address(), model_.law.regularization_slip_squared(),
+           user_scratch_ ? user_scratch_->view() : nullptr,
+           rolling_actions_.empty() ? nullptr : &model_.rolling, rolling_actions_.data()});
+  if (rollers_.slopes() != nullptr) add_race_error_forces();
+  if (rollers_.lobe_slopes() != nullptr) add_lobe_forces();
   sums_.heat = sums_.load_slip = sums_.damping = 0.0;
-  if (!rolled_.empty()) sums_.rolling = 0.0;
+  if (!rolling_actions_.empty()) sums_.rolling = 0.0;
   for (std::size_t i = 0; i < actions_.size(); ++i) {
     const statics::RollerKernelAction& a = actions_[i];
     e.load[j][i] = a.load;
@@ -310,13 +314,13 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
     e.elastic += a.energy;
     sums_.damping += a.damping;
     sums_.damping_of[i] = a.damping;
-    if (!rolled_.empty()) sums_.rolling_of[i] = 0.0;
+    if (!rolling_actions_.empty()) sums_.rolling_of[i] = 0.0;
     if (!(a.energy > 0.0)) continue;
-    rollers_.act(e, i, a.force, a.moment);
-    if (!rolled_.empty()) {
-      rollers_.act(e, i, rolled_[i].force, rolled_[i].moment);
-      sums_.rolling += rolled_[i].heat;
-      sums_.rolling_of[i] = rolled_[i].heat;
+    rollers_.apply_roller_action(e, i, a.force, a.moment);
+    if (!rolling_actions_.empty()) {
+      rollers_.apply_roller_action(e, i, rolling_actions_[i].force, rolling_actions_[i].moment);
+      sums_.rolling += rolling_actions_[i].heat;
+      sums_.rolling_of[i] = rolling_actions_[i].heat;
     }
     sums_.heat += a.heat;
     sums_.load_slip += a.load_slip;
@@ -325,10 +329,10 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
 }
 
 RollerRaceRolling::RollerRaceRolling(const RollerRaceModel& model, std::size_t rollers,
-                                     RaceAccount& sums)
+                                     RaceContactTotals& sums)
     : model_(model),
       sums_(sums),
-      kernel_(statics::roller_rolling_kernel()),
+      kernel_(statics::rolling_resistance_kernel()),
       rollers_(model, rollers),
       actions_(rollers) {
   sums_.rolling_of.assign(rollers, 0.0);
@@ -336,13 +340,13 @@ RollerRaceRolling::RollerRaceRolling(const RollerRaceModel& model, std::size_t r
 
 void RollerRaceRolling::apply(Evaluation& e) noexcept {
   rollers_.place(e);
-  kernel_({rollers_.views(), rollers_.alike(), rollers_.count(), rollers_.poses().data(),
-           actions_.data(), &model_.rolling});
+  kernel_({rollers_.views(), rollers_.are_rollers_identical(), rollers_.count(),
+           rollers_.poses().data(), actions_.data(), &model_.rolling});
   sums_.rolling = 0.0;
   for (std::size_t i = 0; i < actions_.size(); ++i) {
     sums_.rolling_of[i] = 0.0;
     if (rollers_.poses()[i].open) continue;
-    rollers_.act(e, i, actions_[i].force, actions_[i].moment);
+    rollers_.apply_roller_action(e, i, actions_[i].force, actions_[i].moment);
     sums_.rolling += actions_[i].heat;
     sums_.rolling_of[i] = actions_[i].heat;
   }

@@ -41,19 +41,19 @@ namespace adore::dynamics {
 /// Constants of the contacts of all rollers with one race.
 struct RollerRaceModel {
   bearing::Race race = bearing::kOuter;
-  std::vector<contact::RollerRaceSlices> slices;        ///< one for all, or one by roller
-  std::optional<contact::WavyRace> wavy;                ///< errors of the race
-  std::shared_ptr<const bearing::GivenRace> surface;    ///< a table in their place; else null
-  std::vector<std::optional<contact::WavyRace>> lobes;  ///< by roller, out of round; empty: none
-  double mass_offset = 0.0;                             ///< s_G [m]
-  double load_limit = 0.0;                              ///< [N]
+  std::vector<contact::RollerRaceSlices> slices;          ///< one for all, or one by roller
+  std::optional<contact::WavyRace> wavy;                  ///< errors of the race
+  std::shared_ptr<const bearing::SurfaceSeries> surface;  ///< a table in their place; else null
+  std::vector<std::optional<contact::WavyRace>> lobes;    ///< by roller, out of round; empty: none
+  double mass_offset = 0.0;                               ///< s_G [m]
+  double load_limit = 0.0;                                ///< [N]
   bool traction = true;
   tribology::TractionLaw law;
-  std::string stated;                    ///< SceneEffect::stated of its films
+  std::string approximation_note;        ///< of its films, as SceneEffect::approximation_note
   tribology::RollingResistance rolling;  ///< of the oil, where the scene has it
 
   /// Is the rolling resistance of the oil that of the films of the traction?
-  [[nodiscard]] bool rolls_in_film() const { return traction && law.has_film(); }
+  [[nodiscard]] bool rolling_uses_traction_film() const { return traction && law.has_film(); }
   [[nodiscard]] const contact::RollerRaceSlices& of(std::size_t roller) const {
     return slices[slices.size() == 1 ? 0 : roller];
   }
@@ -72,27 +72,27 @@ class RollersOnRace {
   /// Poses of this evaluation, and the race as each roller meets it.
   void place(const Evaluation& e) noexcept;
   /// Adds force and moment of a kernel on roller i to it, and what is opposite to the race.
-  void act(Evaluation& e, std::size_t i, const double (&force)[3],
-           const double (&moment)[3]) const noexcept;
+  void apply_roller_action(Evaluation& e, std::size_t i, const double (&force)[3],
+                           const double (&moment)[3]) const noexcept;
 
   [[nodiscard]] std::size_t count() const noexcept { return poses_.size(); }
-  [[nodiscard]] bool alike() const noexcept { return views_.size() == 1; }
-  [[nodiscard]] const contact::RaceSlices* views() const noexcept { return views_.data(); }
+  [[nodiscard]] bool are_rollers_identical() const noexcept { return views_.size() == 1; }
+  [[nodiscard]] const contact::RaceSlicesView* views() const noexcept { return views_.data(); }
   [[nodiscard]] const std::vector<contact::RollerPose>& poses() const noexcept { return poses_; }
   /// Of roller i.
-  [[nodiscard]] const contact::RaceSlices& view(std::size_t i) const noexcept {
-    return views_[alike() ? 0 : i];
+  [[nodiscard]] const contact::RaceSlicesView& view(std::size_t i) const noexcept {
+    return views_[are_rollers_identical() ? 0 : i];
   }
   /// Largest slip speed of each roller's slices that press, of the poses placed last [m/s]: of
   /// kernels without traction, which do not form it.
   void largest_slips(double* slip) const noexcept;
   /// By roller where the race has errors, else null.
-  [[nodiscard]] const contact::RaceSlope* slopes() const noexcept {
+  [[nodiscard]] const contact::RaceAzimuthSlope* slopes() const noexcept {
     return slopes_.empty() ? nullptr : slopes_.data();
   }
   /// By roller where rollers are out of round, else null.
-  [[nodiscard]] const contact::RaceSlope* own_slopes() const noexcept {
-    return own_slopes_.empty() ? nullptr : own_slopes_.data();
+  [[nodiscard]] const contact::RaceAzimuthSlope* lobe_slopes() const noexcept {
+    return lobe_slopes_.empty() ? nullptr : lobe_slopes_.data();
   }
   /// Axis of each roller in its meridian frame, where rollers are out of round.
   [[nodiscard]] const std::vector<Vec3>& axes() const noexcept { return axes_; }
@@ -104,20 +104,21 @@ class RollersOnRace {
 
   const RollerRaceModel& model_;
   bool reads_spin_;  ///< a film does, and a routine of the user may
-  contact::RacePose pose_;
-  std::vector<contact::RaceSlices> views_;
+  contact::RacePose race_pose_;
+  std::vector<contact::RaceSlicesView> views_;
   std::vector<contact::RollerPose> poses_;
-  std::vector<contact::MeridianTurn> turns_;
-  std::vector<contact::RaceSlope> slopes_, own_slopes_;
+  std::vector<contact::MeridianRotation> turns_;
+  std::vector<contact::RaceAzimuthSlope> slopes_, lobe_slopes_;
   std::vector<Vec3> axes_;
   const bearing::SurfaceTable* table_ = nullptr;
-  std::vector<double> radius_, rise_;  ///< of tables: slices of one roller after the other
+  std::vector<double> radius_,
+      approach_slopes_;  ///< of tables: slices of one roller after the other
 };
 
 /// The lobe of one roller as an error of race j, by the roller's azimuth.
-[[nodiscard]] contact::WavyRace lobe_race(const bearing::GivenRace& lobe, std::size_t j,
-                                          const contact::RaceSurface& race, double race_radius,
-                                          double crown_radius);
+[[nodiscard]] contact::WavyRace lobe_as_race_error(const bearing::SurfaceSeries& lobe,
+                                                   std::size_t j, const contact::RaceSurface& race,
+                                                   double race_radius, double crown_radius);
 /// Azimuth in the roller's frame of the direction to race j. @param axes its body axes and `up` the
 /// unit vector from the race axis to it, both in one frame
 [[nodiscard]] contact::AzimuthDirection<double> azimuth_in_roller(const Mat3& axes, const Vec3& up,
@@ -136,38 +137,38 @@ class RollerRaceBlock final : public EffectBlock {
   /// @param fastest statics::RollerKernelAction::fastest of each roller, of the evaluation made
   /// last
   RollerRaceBlock(const RollerRaceModel& model, RollersOnRace& rollers, bool load_slip, bool rolls,
-                  RaceAccount& sums, std::vector<double>& fastest);
+                  RaceContactTotals& sums, std::vector<double>& fastest);
   void apply(Evaluation& e) noexcept override;
 
  private:
-  void lean() noexcept;
+  void add_race_error_forces() noexcept;
   /// Adds the force and moment of lobes of rollers to the actions (F_y and M_C above).
-  void turn_lobes() noexcept;
+  void add_lobe_forces() noexcept;
 
   const RollerRaceModel& model_;
   bool load_slip_;
   std::vector<double>& fastest_;
-  RaceAccount& sums_;
+  RaceContactTotals& sums_;
   statics::RollerKernel kernel_;
   RollersOnRace& rollers_;
-  std::vector<statics::RollerKernelAction> actions_, of_lobes_;
-  std::vector<statics::RollerRaceAddition> rolled_;  ///< with rolling resistance
-  std::optional<SliceScratch> user_;                 ///< of a law of the user
+  std::vector<statics::RollerKernelAction> actions_, lobe_actions_;
+  std::vector<statics::RollerResistanceLoad> rolling_actions_;  ///< with rolling resistance
+  std::optional<SliceScratch> user_scratch_;                    ///< of a law of the user
 };
 
 /// Rolling resistance of the same contacts (rolling_resistance.cpp) where the traction has no film.
 class RollerRaceRolling final : public EffectBlock {
  public:
   /// @param sums its `rolling` is the sum
-  RollerRaceRolling(const RollerRaceModel& model, std::size_t rollers, RaceAccount& sums);
+  RollerRaceRolling(const RollerRaceModel& model, std::size_t rollers, RaceContactTotals& sums);
   void apply(Evaluation& e) noexcept override;
 
  private:
   const RollerRaceModel& model_;
-  RaceAccount& sums_;
-  statics::RollerRollingKernel kernel_;
+  RaceContactTotals& sums_;
+  statics::RollingResistanceKernel kernel_;
   RollersOnRace rollers_;
-  std::vector<statics::RollerRaceAddition> actions_;
+  std::vector<statics::RollerResistanceLoad> actions_;
 };
 
 }  // namespace adore::dynamics

@@ -35,7 +35,8 @@ class BallRolling final : public EffectBlock {
       : model_(model), second_(second), law_(law), heat_(heat), scratch_(balls) {}
   void apply(Evaluation& e) noexcept override {
     RaceBody& race = e.race[static_cast<std::size_t>(model_.race)];
-    const ElementForces out = forces_in(e.actions, scratch_.data(), scratch_.data(), nullptr);
+    const ElementForces out =
+        element_force_targets(e.actions, scratch_.data(), scratch_.data(), nullptr);
     const RaceSums sums = evaluate_race_rolling(model_, law_, e.elements, race.motion(), out);
     race.force += sums.force;
     race.moment += sums.moment;
@@ -67,7 +68,8 @@ class Rolling final : public SceneEffect {
       const double* heat = &heat_[j];
       if (races.roller_contacts() != nullptr) {
         heat = &races.account(j).rolling;
-        if (!(*races.roller_contacts())[j].rolls_in_film())  // else in the kernel of the traction
+        if (!(*races.roller_contacts())[j]
+                 .rolling_uses_traction_film())  // else in the kernel of the traction
           scene.block<RollerRaceRolling>(Phase::Force, kCost, race, (*races.roller_contacts())[j],
                                          elements, races.account(j));
       } else

@@ -22,15 +22,15 @@ namespace adore::dynamics {
                                                         tribology::TractionKind kind,
                                                         const bearing::TractionCurve& curve) {
   if (scene.options.user)
-    if (const tribology::UserTraction* routine = scene.options.user->traction_of(kind))
+    if (const tribology::UserTractionRoutine* routine = scene.options.user->traction_of(kind))
       return {*routine, kind};
   return curve;
 }
 
 /// Sets the heat of a kind of contacts to zero before the blocks that add to it.
-class NoHeatYet final : public EffectBlock {
+class ResetHeat final : public EffectBlock {
  public:
-  explicit NoHeatYet(double& heat) : heat_(heat) {}
+  explicit ResetHeat(double& heat) : heat_(heat) {}
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation&) noexcept override { heat_ = 0.0; }
 

@@ -38,7 +38,7 @@ class SuppressedElements final : public SceneEffect {
     else
       slices_ = scene.find<RigidElements>()->slices();
     masses_ = ElementMasses(scene.bearing);
-    others_ = scene.find<HoldsElements>();
+    others_ = scene.find<QuasiStaticEffect>();
     scene.block<Hold>(Phase::Motion, "suppressed motions", {}, *this);
     scene.energy("held elements.work", kWork, &power_);
     if (!scene.plan.has(Effect::MomentumLedger)) return;
@@ -63,7 +63,7 @@ class SuppressedElements final : public SceneEffect {
     force_.setZero();
     moment_.setZero();
     for (std::size_t i = 0; i < slices_.elements(); ++i) {
-      if (masses_[i].off_centre) {
+      if (masses_[i].has_eccentric_mass) {
         hold_off_centre(e, i);
         continue;
       }
@@ -93,11 +93,11 @@ class SuppressedElements final : public SceneEffect {
   /// All rates anew: what is held changes the others too.
   void hold_off_centre(Evaluation& e, std::size_t i) noexcept {
     using enum Quantity;
-    ElementHold hold{axial_, rest_, rest_, rest_, tilt_};
-    const bool held = others_ != nullptr && others_->is_held(i);
+    ElementConstraints hold{axial_, rest_, rest_, rest_, tilt_};
+    const bool held = others_ != nullptr && others_->is_quasi_static(i);
     if (held) {  // reactions of a balance belong to it (held_elements.hpp), with the same rates
       hold.r = true;
-      hold.x = hold.x || others_->holds_x();
+      hold.x = hold.x || others_->is_x_quasi_static();
     }
     ElementRates found = constrained_element(e, i, masses_[i], hold);
     if (held) found.force[1] = 0.0;
@@ -134,7 +134,7 @@ class SuppressedElements final : public SceneEffect {
   ElementSlices slices_;
   bool axial_ = false, tilt_ = false, rest_ = false;
   ElementMasses masses_;
-  const HoldsElements* others_ = nullptr;              ///< an effect that holds elements, too
+  const QuasiStaticEffect* others_ = nullptr;          ///< an effect that holds elements, too
   double power_ = 0.0;                                 ///< now [W]
   Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();  ///< now, about the base origin [N, N m]
   int impulse_ = -1, angular_impulse_ = -1;            ///< in the state
@@ -142,10 +142,10 @@ class SuppressedElements final : public SceneEffect {
 
 }  // namespace
 
-std::unique_ptr<SceneEffect> make_suppressed_elements(const ScenePlan& plan) {
+std::unique_ptr<SceneEffect> make_suppressed_accelerations(const ScenePlan& plan) {
   if (!plan.suppressed.of_elements()) return nullptr;
   return std::make_unique<SuppressedElements>();
 }
-std::span<const LedgerTerm* const> suppressed_element_terms() { return kTerms; }
+std::span<const LedgerTerm* const> suppressed_acceleration_terms() { return kTerms; }
 
 }  // namespace adore::dynamics

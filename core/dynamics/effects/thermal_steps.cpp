@@ -21,12 +21,12 @@ constexpr const LedgerTerm* kTerms[] = {&kEnergy};
 }  // namespace
 
 void ThermalSteps::declare(SceneBuilder& scene) {
-  scene.energy(energy_, "thermal.jump", kEnergy, nullptr);
+  scene.energy(energy_index_, "thermal.jump", kEnergy, nullptr);
   if (!scene.plan.has(Effect::MomentumLedger)) return;
   using Momentum = SceneBuilder::Momentum;
-  scene.momentum(impulse_, "thermal.impulse", Momentum::Linear, kMomentum, nullptr);
-  scene.momentum(angular_impulse_, "thermal.angular_impulse", Momentum::Angular, kAngularMomentum,
-                 nullptr);
+  scene.momentum(impulse_index_, "thermal.impulse", Momentum::Linear, kMomentum, nullptr);
+  scene.momentum(angular_impulse_index_, "thermal.angular_impulse", Momentum::Angular,
+                 kAngularMomentum, nullptr);
 }
 
 std::unique_ptr<SceneEffect> make_thermal_steps(const ScenePlan& plan) {

@@ -14,7 +14,7 @@ class ThermalSteps final : public SceneEffect {
   void declare(SceneBuilder& scene) override;
 
  private:
-  int energy_ = -1, impulse_ = -1, angular_impulse_ = -1;  ///< in the state
+  int energy_index_ = -1, impulse_index_ = -1, angular_impulse_index_ = -1;  ///< in the state
 };
 
 }  // namespace adore::dynamics

@@ -49,7 +49,7 @@ class TurningFrame final : public SceneEffect {
       stored += potential(masses_[i].mass, mass_centre(e, i));
     for (std::size_t i = 0; i < e.attitude.size(); ++i)
       stored += of_turn(e.attitude[i], masses_[i].inertia);
-    e.for_integrated([&](const BodyState& body) {
+    e.for_integrated_bodies([&](const BodyState& body) {
       stored += potential(share_of(e, body) * body.mass, body.centre_of_mass()) +
                 of_turn(body.to_base, body.inertia);
     });
@@ -68,7 +68,7 @@ class TurningFrame final : public SceneEffect {
 
   [[nodiscard]] Vec3 mass_centre(const Evaluation& e, std::size_t i) const noexcept {
     Vec3 out = e.element_centre(i);
-    if (masses_[i].off_centre) out += e.attitude[i] * masses_[i].arm;
+    if (masses_[i].has_eccentric_mass) out += e.attitude[i] * masses_[i].arm;
     return out;
   }
   /// Zero in the base origin: on a wide orbit the energy of its radius would drown the rest.
@@ -112,7 +112,7 @@ class TurningFrame final : public SceneEffect {
       const Vec3 centre = mass_centre(e, i), omega = e.element_omega(i);
       Vec3 velocity = e.element_velocity(i);
       const Vec3 arm = centre - e.element_centre(i);
-      if (body.off_centre) velocity += omega.cross(arm);
+      if (body.has_eccentric_mass) velocity += omega.cross(arm);
       const Vec3 force = frame_.inertial_force(body.mass, centre, velocity);
       const Vec3 moment = e.attitude.empty() ? Vec3(-body.inertia(0, 0) * frame.cross(omega))
                                              : of_tensor(e.attitude[i], body.inertia, omega, frame);
@@ -120,7 +120,7 @@ class TurningFrame final : public SceneEffect {
       e.add_moment(i, e.to_cylindrical(i, moment + arm.cross(force)));
       book(force, moment, centre);
     }
-    e.for_integrated([&](BodyState& body) {
+    e.for_integrated_bodies([&](BodyState& body) {
       const Vec3 centre = body.centre_of_mass();
       const Vec3 force =
           frame_.inertial_force(share_of(e, body) * body.mass, centre, body.velocity_at(centre));
@@ -144,6 +144,6 @@ std::unique_ptr<SceneEffect> make_turning_frame(const ScenePlan& plan) {
   if (!plan.race_motions.frame) return nullptr;
   return std::make_unique<TurningFrame>();
 }
-std::span<const LedgerTerm* const> turning_frame_terms() { return kTerms; }
+std::span<const LedgerTerm* const> rotating_frame_ledger_terms() { return kTerms; }
 
 }  // namespace adore::dynamics

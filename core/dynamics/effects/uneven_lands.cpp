@@ -21,7 +21,7 @@ namespace {
 
 /// Position of a slice of a segment in the axes of its race.
 struct PlacedSlice {
-  SliceAt at;
+  LandSlicePosition at;
   contact::UnevenLand::Place place;
 };
 
@@ -36,7 +36,7 @@ PlacedSlice place_slice(double x, const BodyState& segment, const RaceBody& race
 }
 
 /// g of the file comment.
-Vec3 turning_gradient(const BodyState& segment, const RaceBody& race) noexcept {
+Vec3 rotation_gradient(const BodyState& segment, const RaceBody& race) noexcept {
   const Vec3 a = race.axis(), c = segment.to_base.col(2);
   const double along = c.dot(a);
   return a - along / (1.0 - along * along) * (c - along * a);
@@ -53,16 +53,16 @@ void UnevenLandBlock<Traction>::apply_to([[maybe_unused]] const Friction& fricti
   BodyState& segment = e.segments[piece];
   const double middle = middle_[piece];
   RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
-  const Vec3 g = turning_gradient(segment, race);
+  const Vec3 g = rotation_gradient(segment, race);
   for (const double x : land.slice_x) {
-    if (land.uneven->out_of_reach(locate(x, segment, race).eccentricity.squaredNorm())) continue;
+    if (land.uneven->is_out_of_reach(locate(x, segment, race).eccentricity.squaredNorm())) continue;
     const PlacedSlice slice = place_slice(x, segment, race, middle);
     double ratio = 1.0;
     if (contact::is_damped(land.damping)) {
       double power = 0.0, load = 0.0, energy = 0.0;
       const Vec3 apart = segment.velocity_at(slice.at.centre) - race.velocity_at(slice.at.centre);
       const double turns = g.dot(segment.omega - race.omega);
-      land.uneven->visit(slice.place, [&](const contact::UnevenPiece& part) {
+      land.uneven->visit(slice.place, [&](const contact::ContactSpotSection& part) {
         power -= (race.to_base * Vec3(0.0, part.force[0], part.force[1])).dot(apart) +
                  part.turning * turns;
         load += part.load;
@@ -76,7 +76,7 @@ void UnevenLandBlock<Traction>::apply_to([[maybe_unused]] const Friction& fricti
     }
     Vec3 force = Vec3::Zero();
     double turning = 0.0;
-    land.uneven->visit(slice.place, [&](const contact::UnevenPiece& part) {
+    land.uneven->visit(slice.place, [&](const contact::ContactSpotSection& part) {
       const Vec3 elastic = race.to_base * Vec3(0.0, part.force[0], part.force[1]);
       const double N = ratio * part.load;
       if constexpr (!kOnlyNotes<Friction>) {
@@ -110,8 +110,8 @@ void UnevenLandBlock<Traction>::apply_to([[maybe_unused]] const Friction& fricti
 
 template <bool Traction>
 void UnevenLandBlock<Traction>::apply(Evaluation& e) noexcept {
-  law_.visit_rounded([&](const auto& friction_per_slip) {
-    in_passes(
+  law_.visit_regularized([&](const auto& friction_per_slip) {
+    run_friction_passes(
         asked_, friction_per_slip,
         [&](const auto& law) {
           for (std::size_t k = 0; k < e.segments.size(); ++k)
@@ -125,15 +125,15 @@ void UnevenLandBlock<Traction>::apply(Evaluation& e) noexcept {
 template class UnevenLandBlock<false>;
 template class UnevenLandBlock<true>;
 
-scene::LandSnapshot report_of_uneven(const LandModel& land, const Evaluation& e,
-                                     const BodyState& segment, double middle, const Vec3& force) {
+scene::LandSnapshot report_uneven_land(const LandModel& land, const Evaluation& e,
+                                       const BodyState& segment, double middle, const Vec3& force) {
   scene::LandSnapshot result;
   const RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
   result.force = force.norm();
   result.gap = std::numeric_limits<double>::infinity();
   for (const double x : land.slice_x) {
     const PlacedSlice slice = place_slice(x, segment, race, middle);
-    const auto least = land.uneven->least_gap(slice.place);
+    const auto least = land.uneven->minimum_gap(slice.place);
     if (least.gap >= result.gap) continue;
     result.gap = least.gap;
     result.angle = least.s < 0.0 ? least.s + 2.0 * std::numbers::pi : least.s;

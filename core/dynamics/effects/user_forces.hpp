@@ -35,7 +35,7 @@ struct DampedContact {
 }
 
 /// Changes that a routine makes at a contact.
-struct UserDifference {
+struct UserForceDifference {
   double ratio = 0.0;    ///< (P(F) - P(N))/N
   double force = 0.0;    ///< P(F) - P(N) [N]
   double heat = 0.0;     ///< (N - F) d(gap)/dt [W]
@@ -46,16 +46,16 @@ template <class Touch>
 class UserForces {
  public:
   /// @param most contacts there can be
-  UserForces(scene::UserForce& routine, std::size_t most) : routine_(routine) {
+  UserForces(scene::UserContactForce& routine, std::size_t most) : routine_(routine) {
     touches_.reserve(most);
-    damped_.reserve(most);
+    damped_contacts_.reserve(most);
     for (auto* values : {&gap_, &rate_, &built_in_, &force_}) values->reserve(most);
     element_.reserve(most);
     surface_.reserve(most);
   }
   void clear() noexcept {
     touches_.clear();
-    damped_.clear();
+    damped_contacts_.clear();
     for (auto* values : {&gap_, &rate_, &built_in_, &force_}) values->clear();
     element_.clear();
     surface_.clear();
@@ -64,7 +64,7 @@ class UserForces {
   void collect(const Touch& touch, std::size_t element, std::size_t surface, double gap,
                double rate, double load, const DampedContact& damped) {
     touches_.push_back(touch);
-    damped_.push_back(damped);
+    damped_contacts_.push_back(damped);
     element_.push_back(static_cast<int>(element));
     surface_.push_back(static_cast<int>(surface));
     gap_.push_back(gap);
@@ -72,7 +72,7 @@ class UserForces {
     built_in_.push_back(load);
     force_.push_back(load);
   }
-  /// act(touch, UserDifference) of what is not as built in. False: no valid state.
+  /// act(touch, UserForceDifference) of what is not as built in. False: no valid state.
   template <class Act>
   bool ask(double t, const Act& act) noexcept {
     if (touches_.empty()) return true;
@@ -82,20 +82,20 @@ class UserForces {
     for (std::size_t k = 0; k < touches_.size(); ++k) {
       const double N = built_in_[k], F = force_[k], rate = rate_[k];
       if (F == N) continue;
-      const DampedContact& built_in = damped_[k];
+      const DampedContact& built_in = damped_contacts_[k];
       const double total =
           contact::damped_load(built_in.law, F, built_in.stiffness, -gap_[k], -rate);
       const double difference = total - built_in.load;
-      act(touches_[k], UserDifference{difference / N, difference, (N - F) * rate,
-                                      (built_in.load - N - (total - F)) * rate});
+      act(touches_[k], UserForceDifference{difference / N, difference, (N - F) * rate,
+                                           (built_in.load - N - (total - F)) * rate});
     }
     return true;
   }
 
  private:
-  scene::UserForce& routine_;
+  scene::UserContactForce& routine_;
   std::vector<Touch> touches_;
-  std::vector<DampedContact> damped_;
+  std::vector<DampedContact> damped_contacts_;
   std::vector<int> element_, surface_;
   std::vector<double> gap_, rate_, built_in_, force_;
 };

@@ -43,17 +43,17 @@ Vec3 frame_moment(const Mat3& I, const Vec3& omega, const Vec3& frame, const Vec
 
 }  // namespace
 
-class UserMotion::Ask final : public EffectBlock {
+class UserMotion::CallRoutine final : public EffectBlock {
  public:
-  explicit Ask(UserMotion& of) : of_(of) {}
+  explicit CallRoutine(UserMotion& of) : of_(of) {}
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation& e) noexcept override {
     std::array<scene::UserMotion::Race, 2> races;
     for (std::size_t j = 0; j < 2; ++j)
-      races[j] = {e.race[j].position - of_.free_centre_[j], e.race[j].velocity, e.race[j].omega,
-                  e.race[j].angle};
+      races[j] = {e.race[j].position - of_.unloaded_race_centers_[j], e.race[j].velocity,
+                  e.race[j].omega, e.race[j].angle};
     e.valid = of_.routine_->evaluate(e.t, races, of_.actions_) && e.valid;
-    if (!of_.balanced_) return;
+    if (!of_.has_balanced_race_) return;
     // The balance moves with its load: its rate by a difference, of a race that stays.
     constexpr double kStep = 1e-7;  // [s]
     scene::UserMotion::Actions later;
@@ -68,13 +68,13 @@ class UserMotion::Ask final : public EffectBlock {
 class UserMotion::FrameForces final : public EffectBlock {
  public:
   explicit FrameForces(UserMotion& of) : of_(of) {}
-  void apply(Evaluation& e) noexcept override { of_.act_by_frame(e); }
+  void apply(Evaluation& e) noexcept override { of_.apply_frame_forces(e); }
 
  private:
   UserMotion& of_;
 };
 
-void UserMotion::act_by_frame(Evaluation& e) noexcept {
+void UserMotion::apply_frame_forces(Evaluation& e) noexcept {
   frame_power_ = 0.0;
   frame_force_.setZero();
   frame_moment_.setZero();
@@ -96,7 +96,7 @@ void UserMotion::act_by_frame(Evaluation& e) noexcept {
     Vec3 centre = e.element_centre(i), velocity = e.element_velocity(i);
     const Vec3 omega = e.element_omega(i);
     Vec3 arm = Vec3::Zero(), moment = Vec3::Zero();
-    if (body.off_centre) {
+    if (body.has_eccentric_mass) {
       arm = e.attitude[i] * body.arm;
       centre += arm;
       velocity += omega.cross(arm);
@@ -108,11 +108,11 @@ void UserMotion::act_by_frame(Evaluation& e) noexcept {
       moment = frame_moment(I, omega, Omega, turn);
     }
     e.add_force(i, e.to_cylindrical(i, force));
-    if (turns || body.off_centre)
+    if (turns || body.has_eccentric_mass)
       e.add_moment(i, e.to_cylindrical(i, Vec3(moment + arm.cross(force))));
     book(force, moment, centre, velocity, omega);
   }
-  e.for_integrated([&](BodyState& body) {
+  e.for_integrated_bodies([&](BodyState& body) {
     const Vec3 centre = body.centre_of_mass(), velocity = body.velocity_at(centre);
     const Vec3 force = force_on(body.mass, centre, velocity);
     Vec3 moment = Vec3::Zero();
@@ -126,29 +126,29 @@ void UserMotion::act_by_frame(Evaluation& e) noexcept {
   });
 }
 
-Vec3 UserMotion::held_force(const Evaluation& e, std::size_t j) const noexcept {
+Vec3 UserMotion::supported_force(const Evaluation& e, std::size_t j) const noexcept {
   if (e.race[j].moves == Moves::Integrated) return Vec3::Zero();
-  if (!balanced_ || j == 0) return actions_.force[j];
-  return actions_.force[j].cwiseProduct(Vec3::Ones() - placed_);
+  if (!has_balanced_race_ || j == 0) return actions_.force[j];
+  return actions_.force[j].cwiseProduct(Vec3::Ones() - balanced_directions_);
 }
-Vec3 UserMotion::held_moment(const Evaluation& e, std::size_t j) const noexcept {
+Vec3 UserMotion::supported_moment(const Evaluation& e, std::size_t j) const noexcept {
   return e.race[j].moves == Moves::Integrated ? Vec3(Vec3::Zero()) : actions_.moment[j];
 }
 
 /// Loads that supports carry act on the race, too: what holds it is the opposite of all.
-class UserMotion::HeldLoads final : public EffectBlock {
+class UserMotion::SupportedLoads final : public EffectBlock {
  public:
-  explicit HeldLoads(UserMotion& of) : of_(of) {}
+  explicit SupportedLoads(UserMotion& of) : of_(of) {}
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation& e) noexcept override {
-    of_.held_force_.setZero();
-    of_.held_moment_.setZero();
+    of_.supported_force_.setZero();
+    of_.supported_moment_.setZero();
     for (std::size_t j = 0; j < 2; ++j) {
-      const Vec3 force = of_.held_force(e, j), moment = of_.held_moment(e, j);
+      const Vec3 force = of_.supported_force(e, j), moment = of_.supported_moment(e, j);
       e.race[j].force += force;
       e.race[j].moment += moment;
-      of_.held_force_ += force;
-      of_.held_moment_ += moment + e.race[j].position.cross(force);
+      of_.supported_force_ += force;
+      of_.supported_moment_ += moment + e.race[j].position.cross(force);
     }
   }
 
@@ -156,16 +156,16 @@ class UserMotion::HeldLoads final : public EffectBlock {
   UserMotion& of_;
 };
 
-class UserMotion::HeldWork final : public EffectBlock {
+class UserMotion::SupportedLoadWork final : public EffectBlock {
  public:
-  explicit HeldWork(UserMotion& of) : of_(of) {}
+  explicit SupportedLoadWork(UserMotion& of) : of_(of) {}
   void apply(Evaluation& e) noexcept override {
-    of_.held_power_ = 0.0;
+    of_.supported_load_power_ = 0.0;
     for (std::size_t j = 0; j < 2; ++j) {
       const RaceBody& race = e.race[j];
-      const Vec3 moment = of_.held_moment(e, j);
-      of_.held_power_ += of_.held_force(e, j).dot(race.velocity) +
-                         race.speed * moment.dot(race.axis()) + moment.dot(race.tilt);
+      const Vec3 moment = of_.supported_moment(e, j);
+      of_.supported_load_power_ += of_.supported_force(e, j).dot(race.velocity) +
+                                   race.speed * moment.dot(race.axis()) + moment.dot(race.tilt);
     }
   }
 
@@ -174,9 +174,9 @@ class UserMotion::HeldWork final : public EffectBlock {
 };
 
 /// An inner race that its load places and ADRX1 drives.
-class UserMotion::Driven final : public EffectBlock {
+class UserMotion::DrivenRaceMotion final : public EffectBlock {
  public:
-  explicit Driven(const UserMotion& of) : of_(of) {}
+  explicit DrivenRaceMotion(const UserMotion& of) : of_(of) {}
   void apply(Evaluation& e) noexcept override {
     RaceBody& race = e.race[1];
     race.position += vector_at(e.y, of_.place_);
@@ -190,11 +190,11 @@ class UserMotion::Driven final : public EffectBlock {
  private:
   const UserMotion& of_;
 };
-class UserMotion::DrivenRates final : public EffectBlock {
+class UserMotion::DrivenRaceRates final : public EffectBlock {
  public:
-  explicit DrivenRates(const UserMotion& of) : of_(of) {}
+  explicit DrivenRaceRates(const UserMotion& of) : of_(of) {}
   void apply(Evaluation& e) noexcept override {
-    const Vec3 held = Vec3::Ones() - of_.placed_;
+    const Vec3 held = Vec3::Ones() - of_.balanced_directions_;
     store_at(e.dydt, of_.place_, vector_at(e.y, of_.velocity_));
     store_at(e.dydt, of_.velocity_, Vec3(of_.actions_.acceleration[1].cwiseProduct(held)));
     e.dydt[of_.spin_.first] = of_.actions_.angular_acceleration[1][0];
@@ -211,51 +211,53 @@ void UserMotion::declare(SceneBuilder& scene) {
   routine_ = scene.options.user->motion;
   const ScenePlan& plan = scene.plan;
   const Races& races = *scene.find<Races>();
-  free_centre_ = races.free_centres();
-  balanced_ = plan.has(Effect::RaceBalance);
-  if (balanced_)
+  unloaded_race_centers_ = races.unloaded_race_centers();
+  has_balanced_race_ = plan.has(Effect::RaceBalance);
+  if (has_balanced_race_)
     for (std::size_t k = 0; k < 3; ++k)
-      placed_[static_cast<int>(k)] = scene.bearing.constraints.displacement_given[k] ? 0.0 : 1.0;
-  if (balanced_ && promise().drives[1]) {
+      balanced_directions_[static_cast<int>(k)] =
+          scene.bearing.constraints.displacement_given[k] ? 0.0 : 1.0;
+  if (has_balanced_race_ && motion_declaration().drives[1]) {
     place_ = scene.state("inner race.driven_place", "m", 3, ScaleKind::Length, kBorder);
     velocity_ = scene.state("inner race.driven_velocity", "m/s", 3, ScaleKind::Velocity, kBorder);
     spin_ = scene.state("inner race.driven_speed", "rad/s", 1, ScaleKind::Rate, kBorder);
     (void)scene.state("inner race.driven_turn", "rad", 1, ScaleKind::Angle, kBorder);
     // No block has this partner: the elements act on the center of the race (race_balance.hpp).
-    scene.border_body({BodyId::Kind::Race, 2}, no_share_, {place_.first, 8});
-    scene.block<Driven>(Phase::Races, kMotionCost, {}, *this);
-    scene.block<DrivenRates>(Phase::Motion, kMotionCost, {}, *this);
+    scene.add_border_body({BodyId::Kind::Race, 2}, no_element_coupling_, {place_.first, 8});
+    scene.block<DrivenRaceMotion>(Phase::Races, kMotionCost, {}, *this);
+    scene.block<DrivenRaceRates>(Phase::Motion, kMotionCost, {}, *this);
   }
-  scene.block<Ask>(Phase::Kinematics, kCost, {}, *this);
+  scene.block<CallRoutine>(Phase::Kinematics, kCost, {}, *this);
   using Momentum = SceneBuilder::Momentum;
   const bool momentum = plan.has(Effect::MomentumLedger);
-  if (promise().moves_frame) {
+  if (motion_declaration().moves_frame) {
     masses_ = ElementMasses(scene.bearing);
     scene.block<FrameForces>(Phase::Force, kCost, {}, *this);
     scene.energy("frame.work", kFrameWork, &frame_power_);
     if (momentum) {
-      scene.momentum(frame_impulse_, "frame.impulse", Momentum::Linear, kFrameImpulse,
+      scene.momentum(frame_impulse_index_, "frame.impulse", Momentum::Linear, kFrameImpulse,
                      frame_force_.data());
-      scene.momentum(frame_angular_impulse_, "frame.angular_impulse", Momentum::Angular,
+      scene.momentum(frame_angular_impulse_index_, "frame.angular_impulse", Momentum::Angular,
                      kFrameAngularImpulse, frame_moment_.data());
     }
   }
   if (plan.race_motions.free[0] && plan.race_motions.free[1]) return;
-  scene.block<HeldLoads>(Phase::Force, kCost, {}, *this);
-  scene.block<HeldWork>(Phase::Account, kCost, {}, *this);
-  scene.energy("user loads.work", kHeldWork, &held_power_);
+  scene.block<SupportedLoads>(Phase::Force, kCost, {}, *this);
+  scene.block<SupportedLoadWork>(Phase::Account, kCost, {}, *this);
+  scene.energy("user loads.work", kHeldWork, &supported_load_power_);
   if (!momentum) return;
-  scene.momentum(held_impulse_, "user loads.impulse", Momentum::Linear, kHeldImpulse,
-                 held_force_.data());
-  scene.momentum(held_angular_impulse_, "user loads.angular_impulse", Momentum::Angular,
-                 kHeldAngularImpulse, held_moment_.data());
+  scene.momentum(supported_impulse_index_, "user loads.impulse", Momentum::Linear, kHeldImpulse,
+                 supported_force_.data());
+  scene.momentum(supported_angular_impulse_index_, "user loads.angular_impulse", Momentum::Angular,
+                 kHeldAngularImpulse, supported_moment_.data());
 }
 
 void UserMotion::start(std::span<double> y) const {
   if (place_.count == 0) return;
   store_at(y.data(), velocity_,
-           Vec3(promise().start_velocity[1].cwiseProduct(Vec3::Ones() - placed_)));
-  y[static_cast<std::size_t>(spin_.first)] = promise().start_spin[1];
+           Vec3(motion_declaration().start_velocity[1].cwiseProduct(Vec3::Ones() -
+                                                                    balanced_directions_)));
+  y[static_cast<std::size_t>(spin_.first)] = motion_declaration().start_spin[1];
 }
 
 bool UserMotion::moves_races() const noexcept { return place_.count > 0; }
@@ -263,16 +265,17 @@ bool UserMotion::moves_races() const noexcept { return place_.count > 0; }
 void UserMotion::report(const Evaluation& e, Snapshot& snapshot) const {
   for (std::size_t j = 0; j < 2; ++j) {
     RaceSnapshot& race = snapshot.races[j];
-    race.carried_force += held_force(e, j);
+    race.carried_force += supported_force(e, j);
   }
   if (place_.count > 0)
-    snapshot.races[1].acceleration += actions_.acceleration[1].cwiseProduct(Vec3::Ones() - placed_);
+    snapshot.races[1].acceleration +=
+        actions_.acceleration[1].cwiseProduct(Vec3::Ones() - balanced_directions_);
 }
 
 double UserMotion::longest_step(double t) const {
   double longest = std::numeric_limits<double>::infinity();
-  if (promise().longest_step > 0.0) longest = promise().longest_step;
-  for (const double kink : promise().kinks)
+  if (motion_declaration().longest_step > 0.0) longest = motion_declaration().longest_step;
+  for (const double kink : motion_declaration().kinks)
     if (kink > t) longest = std::min(longest, kink - t);
   return longest;
 }

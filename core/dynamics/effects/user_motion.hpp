@@ -43,8 +43,8 @@ class UserMotion final : public SceneEffect {
   /// As the routine promised: part of its shortest period, never beyond its next kink.
   [[nodiscard]] double longest_step(double t) const override;
 
-  [[nodiscard]] const scene::UserMotion::Promise& promise() const noexcept {
-    return routine_->promise();
+  [[nodiscard]] const scene::UserMotion::MotionDeclaration& motion_declaration() const noexcept {
+    return routine_->motion_declaration();
   }
   /// Of this evaluation, from Phase::Kinematics on.
   [[nodiscard]] const scene::UserMotion::Actions& actions() const noexcept { return actions_; }
@@ -52,38 +52,38 @@ class UserMotion final : public SceneEffect {
   [[nodiscard]] const Vec3& load_rate() const noexcept { return load_rate_; }
 
  private:
-  class Ask;
+  class CallRoutine;
   class FrameForces;
-  class HeldLoads;
-  class HeldWork;
-  class Driven;
-  class DrivenRates;
+  class SupportedLoads;
+  class SupportedLoadWork;
+  class DrivenRaceMotion;
+  class DrivenRaceRates;
   /// Elements do not act on the states of a driven inner race in mode 2.
-  struct NoShare final : BorderBody {
-    void add_share(const Evaluation&, std::size_t, const Vec3&, const Vec3&,
-                   double*) const noexcept override {}
+  struct NoElementCoupling final : BorderBody {
+    void add_rate_contribution(const Evaluation&, std::size_t, const Vec3&, const Vec3&,
+                               double*) const noexcept override {}
   };
 
-  void act_by_frame(Evaluation& e) noexcept;
+  void apply_frame_forces(Evaluation& e) noexcept;
   /// Of the load of race j what its support carries: force and moment.
-  [[nodiscard]] Vec3 held_force(const Evaluation& e, std::size_t j) const noexcept;
-  [[nodiscard]] Vec3 held_moment(const Evaluation& e, std::size_t j) const noexcept;
+  [[nodiscard]] Vec3 supported_force(const Evaluation& e, std::size_t j) const noexcept;
+  [[nodiscard]] Vec3 supported_moment(const Evaluation& e, std::size_t j) const noexcept;
 
   scene::UserMotion* routine_ = nullptr;
   scene::UserMotion::Actions actions_{};
   Vec3 load_rate_ = Vec3::Zero();
-  std::array<Vec3, 2> free_centre_;
-  bool balanced_ = false;       ///< mode 2
-  Vec3 placed_ = Vec3::Zero();  ///< there: 1 along directions in balance
+  std::array<Vec3, 2> unloaded_race_centers_;
+  bool has_balanced_race_ = false;           ///< mode 2
+  Vec3 balanced_directions_ = Vec3::Zero();  ///< there: 1 along directions in balance
   ElementMasses masses_;
   // Now: of the frame on all bodies, and of loads on held races; about the base origin [N, N m].
-  double frame_power_ = 0.0, held_power_ = 0.0;  ///< [W]
+  double frame_power_ = 0.0, supported_load_power_ = 0.0;  ///< [W]
   Vec3 frame_force_ = Vec3::Zero(), frame_moment_ = Vec3::Zero();
-  Vec3 held_force_ = Vec3::Zero(), held_moment_ = Vec3::Zero();
-  NoShare no_share_;
+  Vec3 supported_force_ = Vec3::Zero(), supported_moment_ = Vec3::Zero();
+  NoElementCoupling no_element_coupling_;
   Slice place_, velocity_, spin_;  ///< of a driven inner race in mode 2; spin and turn
-  int frame_impulse_ = -1, frame_angular_impulse_ = -1, held_impulse_ = -1,
-      held_angular_impulse_ = -1;  ///< in the state
+  int frame_impulse_index_ = -1, frame_angular_impulse_index_ = -1, supported_impulse_index_ = -1,
+      supported_angular_impulse_index_ = -1;  ///< in the state
 };
 
 }  // namespace adore::dynamics

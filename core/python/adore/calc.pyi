@@ -73,7 +73,7 @@ class _BearingFit(Calculator):
         temps: Mapping[str, Any] = ...,
         materials: Mapping[str, Any] = ...,
     ) -> Result:
-        """interference by tolerance classes; clearance after mounting and in operation"""
+        """interference from tolerance classes; clearance after mounting and in operation"""
 
 class _CageInertia(Calculator):
     def __call__(  # type: ignore[override]
@@ -486,7 +486,7 @@ class _Life(Calculator):
         nu: float = ...,
         z_over_b: float = ...,
     ) -> Result:
-        """life of races, rolling elements and bearing from contact loads, with the selected life model"""
+        """life of races, rolling elements and bearing from contact loads, with a selectable life model"""
 
 class _LifeFactors(Calculator):
     def __call__(  # type: ignore[override]
@@ -595,7 +595,7 @@ class _MinimumLoad(Calculator):
         C0: float = ...,
         A: float = ...,
     ) -> Result:
-        """least load for rolling without sliding, by a maker's rules"""
+        """minimum load for rolling without sliding (formulas of a bearing manufacturer)"""
 
 class _OscillatingLife(Calculator):
     def __call__(  # type: ignore[override]
@@ -623,7 +623,7 @@ class _PocketFilm(Calculator):
         R: float = ...,
         hRate: float = ...,
     ) -> Result:
-        """forces of the wedge film and the squeeze film in a cage pocket"""
+        """wedge film and squeeze film forces in a cage pocket"""
 
 class _PocketFrame(Calculator):
     def __call__(  # type: ignore[override]
@@ -785,7 +785,7 @@ class _SizeLimits(Calculator):
         bore: float = ...,
         od: float = ...,
     ) -> Result:
-        """limits of a shaft or bore by its class (ISO 286) and of bearing rings (ISO 492)"""
+        """limits of size of shafts and bores (ISO 286) and of bearing rings (ISO 492)"""
 
 class _SliceLoad(Calculator):
     def __call__(  # type: ignore[override]

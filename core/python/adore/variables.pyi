@@ -1008,9 +1008,9 @@ class DeckVariables:
     rotLoadFrac2: float
     """Record 9.3A. Orbit radius of the inner race divided by the radial deflection between the races."""
     rotLoadRpm1: float
-    """Record 9.3A [rpm]. Rotational speed of the load that the orbit of the outer race produces."""
+    """Record 9.3A [rpm]. Rotational speed of the load due to the orbit of the outer race."""
     rotLoadRpm2: float
-    """Record 9.3A [rpm]. Rotational speed of the load that the orbit of the inner race produces."""
+    """Record 9.3A [rpm]. Rotational speed of the load due to the orbit of the inner race."""
     raceVibAmp11: float
     """Record 9.3B [m]. Outer race: amplitude A of the motion A sin(2 pi f t) along x."""
     raceVibAmp21: float
@@ -1139,7 +1139,8 @@ class DeckVariables:
     """Record 10.2A. Coefficient D (value at large slip) of the traction coefficient (A + B u) exp(-C u) + D at slip
     speed u, roller to flange."""
     reRaceFilm: float
-    """Record 10.3 [m]. Film thickness below which the hypothetical curve replaces the lubricant model."""
+    """Record 10.3 [m]. Film thickness below which the hypothetical traction curve replaces the traction model of the
+    lubricant."""
     strParam: float
     """Record 10.3. Distance of the oil meniscus from the contact edge divided by the contact half width. The contact
     is flooded at 10 or more, and heavily starved at 1 or less."""

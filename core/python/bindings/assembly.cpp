@@ -61,7 +61,7 @@ void bind_assembly(py::module_& module) {
       "solve_assembly",
       [](const std::string& folder, const Texts& sets, const Texts& options) {
         const assembly::AssemblyRequest request = request_of(folder, sets, options);
-        return to_dict(interruptible([&](std::stop_token stop) {
+        return to_dict(run_interruptible([&](std::stop_token stop) {
           return assembly::solve_assembly(request, std::move(stop));
         }));
       },
@@ -71,7 +71,7 @@ void bind_assembly(py::module_& module) {
       "check_assembly",
       [](const std::string& folder, const Texts& sets, const Texts& options) {
         const assembly::AssemblyRequest request = request_of(folder, sets, options);
-        return interruptible([&](std::stop_token stop) {
+        return run_interruptible([&](std::stop_token stop) {
                  return assembly::check_assembly(request, std::move(stop));
                })
             .issues;
@@ -85,7 +85,7 @@ void bind_assembly(py::module_& module) {
         assembly::AssemblyRunRequest request = request_of(folder, sets, options);
         if (!out.empty()) request.out = out;
         request.overwrite = overwrite;
-        const assembly::AssemblyOutcome outcome = interruptible(
+        const assembly::AssemblyOutcome outcome = run_interruptible(
             [&](std::stop_token stop) { return assembly::run_assembly(request, std::move(stop)); });
         return outcome.folder.string();
       },
@@ -95,12 +95,13 @@ void bind_assembly(py::module_& module) {
       "new_assembly",
       [](const std::string& folder, const std::string& arrangement,
          const std::vector<std::string>& decks, const std::string& members) {
-        assembly::Assembly set = assembly::named_assembly(arrangement);
+        assembly::Assembly set = assembly::assembly_from_arrangement(arrangement);
         auto json = parse_json<nlohmann::ordered_json>(assembly::assembly_text(set), "set");
         json.update(parse_json<nlohmann::ordered_json>(members, "members"));
         set = assembly::read_assembly(dump_json(json), assembly::kFileName);
-        std::vector<assembly::RowText> rows;
-        for (const std::string& deck : decks) rows.push_back({assembly::row_deck(deck, {}), {}});
+        std::vector<assembly::RowDeckText> rows;
+        for (const std::string& deck : decks)
+          rows.push_back({assembly::make_row_deck(deck, {}), {}});
         if (rows.size() == 1) rows.resize(set.rows.size(), rows.front());
         if (rows.size() != set.rows.size())
           throw InputError("decks: give one deck, or one for each row");

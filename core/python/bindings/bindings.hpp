@@ -28,7 +28,7 @@ namespace py = pybind11;
 
 void bind_errors(py::module_& module);
 void bind_deck(py::module_& module);
-void bind_work(py::module_& module);
+void bind_runs(py::module_& module);
 void bind_find(py::module_& module);
 void bind_assembly(py::module_& module);
 void bind_results(py::module_& module);
@@ -86,7 +86,7 @@ struct Background {
 /// lock, and twenty times a second takes it to look for signals and to call `tick`. Whatever they
 /// raise asks the work to stop; it is waited for.
 template <class Work>
-auto in_background(Work&& work, const std::function<void()>& tick = {})
+auto run_in_background(Work&& work, const std::function<void()>& tick = {})
     -> Background<decltype(work(std::stop_token{}))> {
   Background<decltype(work(std::stop_token{}))> out;
   std::mutex mutex;
@@ -127,8 +127,8 @@ auto in_background(Work&& work, const std::function<void()>& tick = {})
 
 /// The same where nothing is left of a call that was stopped.
 template <class Work>
-auto interruptible(Work&& work) {
-  auto done = in_background(std::forward<Work>(work));
+auto run_interruptible(Work&& work) {
+  auto done = run_in_background(std::forward<Work>(work));
   if (done.raised) std::rethrow_exception(done.raised);
   if (done.error) std::rethrow_exception(done.error);
   return std::move(*done.value);

@@ -4,9 +4,9 @@
 #include "base/json_text.hpp"
 #include "bindings.hpp"
 #include "deck/catalogue.hpp"
+#include "deck/deck_text_with_comments.hpp"
 #include "deck/defaults.hpp"
 #include "deck/difference.hpp"
-#include "deck/keep_text.hpp"
 #include "deck/lookup.hpp"
 #include "deck/monitored_bodies.hpp"
 #include "deck/templates.hpp"
@@ -63,7 +63,7 @@ std::string text_of(const DeckObject& self) {
   if (self.deck == self.original) return self.text;
   try {
     const Sets sets = changes(self.original, self.deck);
-    deck::KeptText kept = deck::with_values(self.text, sets);
+    deck::DeckTextWithComments kept = deck::with_values(self.text, sets);
     const deck::ReadResult again = deck::read_deck_text(kept.text, self.deck.file);
     if (kept.kept && again.deck == self.deck) return std::move(kept.text);
   } catch (const InputError&) {  // a value that no set can give: the writer can
@@ -106,7 +106,7 @@ py::list values_of(const deck::RecordData& record) {
 }
 
 const deck::VariableRef present(const DeckObject& self, const std::string& name) {
-  return deck::find_present(self.deck, name);
+  return deck::find_present_variable(self.deck, name);
 }
 
 }  // namespace
@@ -184,7 +184,7 @@ void bind_deck(py::module_& module) {
           [](const std::string& facts, int choose) {
             const design::CandidateReport report =
                 design::find_candidates(design::read_facts(facts, "facts"));
-            const deck::CatalogueBearing bearing = design::chosen_candidate(report, choose);
+            const deck::CatalogueBearing bearing = design::candidate_bearing(report, choose);
             return from_text(deck::catalogue_deck(bearing), bearing.designation);
           },
           py::arg("facts"), py::arg("choose"), "The deck of a candidate of facts (JSON).")
@@ -245,7 +245,7 @@ void bind_deck(py::module_& module) {
           "set_all",
           [](DeckObject& self, const Sets& sets) {
             const deck::Deck before = self.deck;
-            std::vector<Issue> notes = deck::set_all_and_follow(self.deck, sets);
+            std::vector<Issue> notes = deck::set_all_and_renumber(self.deck, sets);
             for (Issue& issue : deck::added_defaults(before, self.deck))
               notes.push_back(std::move(issue));
             return notes;

@@ -21,7 +21,7 @@ Question question_of(const std::string& unknown, double first, double last,
                      const std::string& target, const std::string& question) {
   Question out;
   if (!question.empty()) {
-    const design::AskedQuestion asked = design::parse_question(question);
+    const design::ParsedFindQuestion asked = design::parse_question(question);
     out = {asked.unknown, asked.target, asked.question};
   }
   if (!unknown.empty()) out.unknown.name = unknown;
@@ -32,7 +32,7 @@ Question question_of(const std::string& unknown, double first, double last,
 }
 
 py::tuple to_tuple(const FindReport& report) {
-  return py::make_tuple(dump_json(find_json(report)), answer_lines(report));
+  return py::make_tuple(dump_json(find_report_json(report)), answer_lines(report));
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ void bind_find(py::module_& module) {
         request.target = asked.target;
         request.points = points;
         if (asked.named != nullptr) design::add_sets(*asked.named, request);
-        return to_tuple(interruptible(
+        return to_tuple(run_interruptible(
             [&](std::stop_token stop) { return design::find_in_deck(request, std::move(stop)); }));
       },
       py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user"), py::arg("unknown"),

@@ -124,7 +124,7 @@ PYBIND11_MODULE(_core, module) {
   python::bind_errors(module);
   python::bind_deck(module);
   python::bind_routines(module);
-  python::bind_work(module);
+  python::bind_runs(module);
   python::bind_find(module);
   python::bind_assembly(module);
   python::bind_results(module);

@@ -187,7 +187,7 @@ void bind_run(py::module_& module) {
                                                      integrator, tolerance, go_on, overwrite);
         ProgressDesk desk(progress);
         const runs::ProgressSink sink = desk.sink();
-        auto done = in_background(
+        auto done = run_in_background(
             [&](std::stop_token stop) { return runs::run(request, sink, std::move(stop)); },
             [&] { desk.deliver(); });
         const auto [raised, stopped] = raised_of(done.raised);
@@ -214,7 +214,7 @@ void bind_run(py::module_& module) {
         request.sets.emplace_back(variable, range);
         ProgressDesk desk(progress);
         const runs::ProgressSink sink = desk.sink();
-        auto done = in_background(
+        auto done = run_in_background(
             [&](std::stop_token stop) {
               return studies::run_sweep(request, threads, sink, std::move(stop));
             },
@@ -234,13 +234,13 @@ void bind_run(py::module_& module) {
 
 }  // namespace
 
-void bind_work(py::module_& module) {
+void bind_runs(py::module_& module) {
   module.def(
       "check",
       [](const std::string& text, const std::string& name, const Options& options,
          const py::object& user) {
         const runs::DeckRequest request = deck_request(text, name, options, user);
-        return interruptible(
+        return run_interruptible(
             [&](const std::stop_token& stop) { return runs::check(request, stop).issues; });
       },
       py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user") = py::none(),
@@ -254,7 +254,7 @@ void bind_work(py::module_& module) {
       [](const std::string& text, const std::string& name, const Options& options,
          const py::object& user) {
         const runs::DeckRequest request = deck_request(text, name, options, user);
-        const runs::PlanReport report = interruptible(
+        const runs::PlanReport report = run_interruptible(
             [&](std::stop_token stop) { return runs::plan(request, std::move(stop)); });
         return py::make_tuple(report.text, dump_json(report.json), report.remarks);
       },
@@ -265,7 +265,7 @@ void bind_work(py::module_& module) {
       [](const std::string& text, const std::string& name, const Options& options,
          const py::object& user) {
         const runs::DeckRequest request = deck_request(text, name, options, user);
-        runs::Equilibrium solution = interruptible([&](std::stop_token stop) {
+        runs::Equilibrium solution = run_interruptible([&](std::stop_token stop) {
           return runs::solve_equilibrium(request, std::move(stop));
         });
         std::vector<double> stiffness;

@@ -9,8 +9,8 @@ namespace adore::tribology {
 struct ExponentialLaw {
   double A = 0.0, B = 0.0, C = 0.0, D = 0.0;
 
-  static constexpr bool kOfPressure = false;
-  static constexpr bool kOfSlipAlone = true;
+  static constexpr bool kDependsOnPressure = false;
+  static constexpr bool kDependsOnlyOnSlip = true;
 
   template <class T>
   struct Here {
@@ -20,7 +20,7 @@ struct ExponentialLaw {
     }
   };
   template <class T>
-  [[gnu::always_inline]] Here<T> at(const ContactPoint<T>&) const {
+  [[gnu::always_inline]] Here<T> at(const ContactConditions<T>&) const {
     return {T(A), T(B), T(C), T(D)};
   }
   [[nodiscard]] double kink() const { return 0.0; }

@@ -12,7 +12,7 @@
 namespace adore::tribology {
 
 template <class T>
-struct FilmHere {
+struct LocalFilm {
   T thickness;  ///< in the middle [m]
   T thinnest;   ///< [m]
   T share;      ///< w of the film in the traction, the rest is metal: 0 to 1
@@ -21,7 +21,7 @@ struct FilmHere {
 
 /// Logarithms of what enters a contact: its film and the rolling resistance of its inlet read them.
 template <class T>
-struct InletLogs {
+struct InletLogarithms {
   T curve;                           ///< 1/R [1/m]
   T speed2;                          ///< u² and what keeps it above 0 [m²/s²]
   T log_speed, log_curve, log_load;  ///< ln u, ln 1/R, ln W
@@ -29,9 +29,9 @@ struct InletLogs {
 
 /// A contact in single precision, twice in each vector.
 template <class T>
-[[gnu::always_inline]] inline ContactPoint<typename SingleOf<T>::Type> floats_of(
-    const ContactPoint<T>& c) {
-  using To = SingleOf<T>;
+[[gnu::always_inline]] inline ContactConditions<typename SinglePrecisionOf<T>::Type>
+to_single_precision(const ContactConditions<T>& c) {
+  using To = SinglePrecisionOf<T>;
   return {To::both(c.load),       To::both(c.peak_pressure), To::both(c.half_major),
           To::both(c.half_minor), To::both(c.entrainment),   To::both(c.slip),
           To::both(c.curvature)};
@@ -39,7 +39,7 @@ template <class T>
 
 /// Constants of the films of one race at the temperature of its inlets, which stays for the run.
 /// SI. Set by film_law.hpp.
-struct FilmOfContact {
+struct ContactFilmModel {
   bool line = false;
   double log_central = 0.0, log_minimum = 0.0;  ///< ln of c G^m (μ0/E')^s of the regressions
   double inverse_modulus = 0.0;                 ///< 1/E' [1/Pa]
@@ -50,7 +50,7 @@ struct FilmOfContact {
   double critical = 0.0;                        ///< reRaceFilm [m]
 
   template <class T>
-  [[gnu::always_inline]] InletLogs<T> logs(const ContactPoint<T>& c) const {
+  [[gnu::always_inline]] InletLogarithms<T> inlet_logarithms(const ContactConditions<T>& c) const {
     using M = ScalarMath<T>;
     using Log = ScalarLog<T>;
     const T curve = M::pick(c.curvature > 0.0, c.curvature, T(curvature));
@@ -60,15 +60,15 @@ struct FilmOfContact {
             Log::log(M::max(c.load * inverse_modulus * area, T(kLeastLoadGroup)))};
   }
   template <class T>
-  [[gnu::always_inline]] FilmHere<T> at(const ContactPoint<T>& c) const {
-    return at(c, logs(c));
+  [[gnu::always_inline]] LocalFilm<T> at(const ContactConditions<T>& c) const {
+    return at(c, inlet_logarithms(c));
   }
   /// The same by floats: to some 1e-6.
   template <class T>
-  [[gnu::always_inline]] FilmHere<T> by_floats(const ContactPoint<T>& c) const {
-    using To = SingleOf<T>;
-    const auto here = at(floats_of(c));
-    FilmHere<T> out;
+  [[gnu::always_inline]] LocalFilm<T> by_floats(const ContactConditions<T>& c) const {
+    using To = SinglePrecisionOf<T>;
+    const auto here = at(to_single_precision(c));
+    LocalFilm<T> out;
     T twice;
     To::unpack(here.thickness, out.thickness, twice);
     To::unpack(here.thinnest, out.thinnest, twice);
@@ -77,7 +77,8 @@ struct FilmOfContact {
     return out;
   }
   template <class T>
-  [[gnu::always_inline]] FilmHere<T> at(const ContactPoint<T>& c, const InletLogs<T>& inlet) const {
+  [[gnu::always_inline]] LocalFilm<T> at(const ContactConditions<T>& c,
+                                         const InletLogarithms<T>& inlet) const {
     using M = ScalarMath<T>;
     using Log = ScalarLog<T>;
     const FilmRegression& central = line ? kLineCentral : kPointCentral;
@@ -109,7 +110,7 @@ struct FilmOfContact {
     const T near = M::min(log_psi, T(kFlooded));
     const T log_dry = -1.68005 * M::exp(0.8315 * near) + 0.260137 * M::exp(1.558 * near) -
                       0.016146 * M::exp(2.296 * near);
-    const T factor = thermal * M::max(wet(log_dry), T(0.0));
+    const T factor = thermal * M::max(one_minus_exp(log_dry), T(0.0));
     const T thinnest = factor * shape_least * M::exp(log_least);
     const T s =
         M::min(M::max((thinnest - 0.95 * critical) / (0.1 * critical + 1e-15), T(0.0)), T(1.0));
@@ -119,10 +120,10 @@ struct FilmOfContact {
  private:
   /// 1 - e^x; floats would lose what little is left of a starved film.
   template <class T>
-  [[gnu::always_inline]] static T wet(const T& x) {
+  [[gnu::always_inline]] static T one_minus_exp(const T& x) {
     using M = ScalarMath<T>;
     const T plain = 1.0 - M::exp(x);
-    if constexpr (IsSingle<T>::value) {
+    if constexpr (IsSinglePrecision<T>::value) {
       const T y = 0.0 - x;
       const T series =
           y * (1.0 - y * (0.5 - y * (1.0 / 6.0 - y * (1.0 / 24.0 - y * (1.0 / 120.0)))));

@@ -18,20 +18,20 @@ struct HeatedFilm {
   double viscosity = 0.0;   ///< μ* at the walls' temperature [Pa s]
   double half_alpha = 0.0;  ///< α*/2 [1/Pa]
   double heating = 0.0;     ///< √(β* μ*/(8 K)) [s/m]
-  LimitedTraction limit;
+  TractionLimiter limit;
   double single_until = -1.0;  ///< film_law_of.hpp
 
-  static constexpr bool kOfStrip = false;
+  static constexpr bool kIsStripLaw = false;
 
   template <class T>
   struct Here {
     T stress_scale;  ///< μ*/(h √(β* μ*/(8 K))) [Pa]
     double heating, half_alpha;
-    LimitedTraction limit;
+    TractionLimiter limit;
 
     [[gnu::always_inline]] auto single() const requires kHasSingle<T> {
-      return Here<typename SingleOf<T>::Type>{SingleOf<T>::both(stress_scale), heating, half_alpha,
-                                              limit};
+      return Here<typename SinglePrecisionOf<T>::Type>{SinglePrecisionOf<T>::both(stress_scale),
+                                                       heating, half_alpha, limit};
     }
     [[gnu::always_inline]] T operator()(const T& slip, const T& pressure) const {
       T kappa[1];
@@ -54,7 +54,7 @@ struct HeatedFilm {
         const T S = heating * slip[i] * root_viscosity[i % P];
         const T S2 = S * S;
         T inverse;
-        const T root = M::root_and_inverse(1.0 + S2, inverse);
+        const T root = M::sqrt_and_inverse(1.0 + S2, inverse);
         const T asinh = ScalarAsinh<T>::of(S, S2, root, inverse);
         kappa[i] = limit.of(scale[i % P] * asinh * inverse);
       }
@@ -62,7 +62,7 @@ struct HeatedFilm {
   };
 
   template <class T>
-  [[gnu::always_inline]] Here<T> at(const ContactPoint<T>&, const T& thickness) const {
+  [[gnu::always_inline]] Here<T> at(const ContactConditions<T>&, const T& thickness) const {
     return {viscosity / (heating * thickness), heating, half_alpha, limit};
   }
 };

@@ -10,10 +10,10 @@ namespace adore::tribology {
 /// κ <= Λ always; κ_law is changed by 2 % at 0.8 Λ and by 0.05 % at 0.5 Λ (order: [choice], so that
 /// laws keep their values where they were measured). Λ: resources/lubricants.json,
 /// "limitingStress".
-struct LimitedTraction {
+struct TractionLimiter {
   double inverse2 = 0.0;  ///< 1/Λ²; 0: no limit
 
-  static LimitedTraction at(double ratio) { return {ratio > 0.0 ? 1.0 / (ratio * ratio) : 0.0}; }
+  static TractionLimiter at(double ratio) { return {ratio > 0.0 ? 1.0 / (ratio * ratio) : 0.0}; }
 
   template <class T>
   [[gnu::always_inline]] T of(T kappa) const {

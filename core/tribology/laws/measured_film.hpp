@@ -14,21 +14,22 @@ namespace adore::tribology {
 /// and temperature (kTrac 10): τ by newton_film.hpp with μ1(p) and β(p) = -∂ln μ/∂T at the
 /// temperature of the walls, and a limiting stress. Right for rises up to some 20 K through the
 /// film, where β may be held. SI.
-struct MeasuredFilm {
-  PressureFit log_viscosity;  ///< ln μ1 [Pa s]
-  PressureFit log_heating;    ///< ln √(β μ1/(8 K)) [s/m]
-  LimitedTraction limit;
+struct MeasuredViscosityFilm {
+  PressurePolynomial log_viscosity;  ///< ln μ1 [Pa s]
+  PressurePolynomial log_heating;    ///< ln √(β μ1/(8 K)) [s/m]
+  TractionLimiter limit;
   double single_until = -1.0;  ///< film_law_of.hpp
 
-  static constexpr bool kOfStrip = false;
+  static constexpr bool kIsStripLaw = false;
 
   template <class T>
   struct Here {
-    const MeasuredFilm* film;
+    const MeasuredViscosityFilm* film;
     T inverse_thickness;
 
     [[gnu::always_inline]] auto single() const requires kHasSingle<T> {
-      return Here<typename SingleOf<T>::Type>{film, SingleOf<T>::both(inverse_thickness)};
+      return Here<typename SinglePrecisionOf<T>::Type>{
+          film, SinglePrecisionOf<T>::both(inverse_thickness)};
     }
     [[gnu::always_inline]] T operator()(const T& slip, const T& pressure) const {
       T kappa[1];
@@ -40,7 +41,8 @@ struct MeasuredFilm {
     [[gnu::always_inline]] void several(const T* slip, const T* pressure, T* kappa) const {
       using M = ScalarMath<T>;
       T viscosity[P], heating[P];
-      fits_at<P>(film->log_viscosity, film->log_heating, pressure, viscosity, heating);
+      evaluate_polynomial_pair<P>(film->log_viscosity, film->log_heating, pressure, viscosity,
+                                  heating);
 #pragma GCC unroll 8
       for (int k = 0; k < P; ++k) {
         heating[k] = M::exp(heating[k]);
@@ -53,14 +55,14 @@ struct MeasuredFilm {
         const T S = slip[i] * heating[i % P];
         const T S2 = S * S;
         T inverse;
-        const T root = M::root_and_inverse(1.0 + S2, inverse);
+        const T root = M::sqrt_and_inverse(1.0 + S2, inverse);
         kappa[i] =
             film->limit.of(viscosity[i % P] * ScalarAsinh<T>::of(S, S2, root, inverse) * inverse);
       }
     }
   };
   template <class T>
-  [[gnu::always_inline]] Here<T> at(const ContactPoint<T>&, const T& thickness) const {
+  [[gnu::always_inline]] Here<T> at(const ContactConditions<T>&, const T& thickness) const {
     return {this, 1.0 / thickness};
   }
 };

@@ -26,7 +26,7 @@ struct MetalLaw {
     }
   };
   template <class T>
-  [[gnu::always_inline]] Here<T> at(const ContactPoint<T>& c) const {
+  [[gnu::always_inline]] Here<T> at(const ContactConditions<T>& c) const {
     return {slopes, two_slope.at(c), exponential.at(c)};
   }
   [[nodiscard]] double kink() const { return slopes ? two_slope.kink() : exponential.kink(); }

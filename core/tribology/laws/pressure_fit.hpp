@@ -9,7 +9,7 @@ namespace adore::tribology {
 /// `end`, the pressure where the lubricant is a glass or the last one that a run can meet, its
 /// value there. Made by pressure_fits.hpp, which measures its error. Powers, of a Chebyshev sum
 /// whose terms fall: rounding of 24 of them stays below 1e-10, at a third of the operations.
-struct PressureFit {
+struct PressurePolynomial {
   static constexpr int kMost = 24;
   int terms = 1;
   double scale = 0.0;  ///< 2/end [1/Pa]; 0: constant
@@ -18,7 +18,7 @@ struct PressureFit {
 
   template <class T>
   [[gnu::always_inline]] auto power(int k) const {
-    if constexpr (IsSingle<T>::value)
+    if constexpr (IsSinglePrecision<T>::value)
       return single[k];
     else
       return c[k];
@@ -39,8 +39,10 @@ struct PressureFit {
 
 /// Two fits at N pressures at once: their chains of dependent sums overlap.
 template <int N, class T>
-[[gnu::always_inline]] inline void fits_at(const PressureFit& first, const PressureFit& second,
-                                           const T* pressure, T* of_first, T* of_second) {
+[[gnu::always_inline]] inline void evaluate_polynomial_pair(const PressurePolynomial& first,
+                                                            const PressurePolynomial& second,
+                                                            const T* pressure, T* of_first,
+                                                            T* of_second) {
   T x[N], y[N];
 #pragma GCC unroll 4
   for (int i = 0; i < N; ++i) {

@@ -40,7 +40,7 @@ namespace adore::tribology {
 
 /// Of the contacts with one race; set by film_law.hpp.
 struct RollingResistance {
-  FilmOfContact film;         ///< says whether contacts are lines, too
+  ContactFilmModel film;      ///< says whether contacts are lines, too
   double log_speed = 0.0;     ///< ln(μ0/E') [s]
   double log_material = 0.0;  ///< ln G
   double modulus = 0.0;       ///< E' [Pa]
@@ -48,61 +48,62 @@ struct RollingResistance {
 
   /// F with the sign of the entrainment [N]; of lines per length [N/m].
   template <class T>
-  [[gnu::always_inline]] T force(const ContactPoint<T>& c) const {
+  [[gnu::always_inline]] T force(const ContactConditions<T>& c) const {
     if constexpr (kHasSingle<T>) {
       if (single) {
         T F, twice;
-        SingleOf<T>::unpack(force_of(floats_of(c)), F, twice);
+        SinglePrecisionOf<T>::unpack(evaluate_force(to_single_precision(c)), F, twice);
         return F;
       }
     }
-    return force_of(c);
+    return evaluate_force(c);
   }
   /// The same where the film of the contact is known. @param factor φT φS
   template <class T>
-  [[gnu::always_inline]] T force(const ContactPoint<T>& c, const InletLogs<T>& inlet,
+  [[gnu::always_inline]] T force(const ContactConditions<T>& c, const InletLogarithms<T>& inlet,
                                  const T& factor) const {
     using M = ScalarMath<T>;
     const T log_U = log_speed + inlet.log_speed + inlet.log_curve;
     const T area = film.line ? inlet.curve : inlet.curve * inlet.curve;
-    const T size = film.line ? of_line(log_U, inlet.log_load) : of_point(c, log_U, inlet.log_load);
+    const T size = film.line ? dimensionless_line_force(log_U, inlet.log_load)
+                             : dimensionless_point_force(c, log_U, inlet.log_load);
     const T load = M::max(c.load, T(1e-30));
-    const T ratio = LimitedTraction::at(kMostOfLoad).of(size * modulus / area * factor / load);
+    const T ratio = TractionLimiter::at(kMostOfLoad).of(size * modulus / area * factor / load);
     return M::pick(c.load > 0.0, ratio * load * c.entrainment * M::inverse_sqrt(inlet.speed2),
                    T(0.0));
   }
 
  private:
   template <class T>
-  [[gnu::always_inline]] T force_of(const ContactPoint<T>& c) const {
-    const InletLogs<T> inlet = film.logs(c);
+  [[gnu::always_inline]] T evaluate_force(const ContactConditions<T>& c) const {
+    const InletLogarithms<T> inlet = film.inlet_logarithms(c);
     return force(c, inlet, film.at(c, inlet).factor);
   }
   static constexpr double kMostOfLoad = 0.11;
   static constexpr double kLogRound = 0.029558802241544403;  ///< ln 1.03
 
   template <class T>
-  [[gnu::always_inline]] static T exp_of(double factor, const T& x) {
+  [[gnu::always_inline]] static T scaled_exp(double factor, const T& x) {
     return factor * ScalarMath<T>::exp(x);
   }
   /// Over E' R².
   template <class T>
-  [[gnu::always_inline]] T of_point(const ContactPoint<T>& c, const T& log_U,
-                                    const T& log_W) const {
+  [[gnu::always_inline]] T dimensionless_point_force(const ContactConditions<T>& c, const T& log_U,
+                                                     const T& log_W) const {
     using M = ScalarMath<T>;
     const T k = M::max(c.half_major / M::max(c.half_minor, T(1e-30)), T(1e-3));
     const T log_r = (ScalarLog<T>::log(k) - kLogRound) * (1.0 / 0.64);
     const T third = (1.0 / 3.0) * log_W;
-    const T rigid = exp_of(2.9766, 0.3316 * log_r + (2.0 / 3.0) * log_U + third);
-    const T elastic = exp_of(7.5826, 0.4055 * log_r + 0.75 * log_U + third);
-    const T inverse_M = exp_of(6.6 / 0.5549, 0.75 * log_U + 0.6029 * log_r - log_W);
+    const T rigid = scaled_exp(2.9766, 0.3316 * log_r + (2.0 / 3.0) * log_U + third);
+    const T elastic = scaled_exp(7.5826, 0.4055 * log_r + 0.75 * log_U + third);
+    const T inverse_M = scaled_exp(6.6 / 0.5549, 0.75 * log_U + 0.6029 * log_r - log_W);
     return rigid + (elastic - rigid) / (1.0 + inverse_M);
   }
   /// Over E' R.
   template <class T>
-  [[gnu::always_inline]] T of_line(const T& log_U, const T& log_W) const {
-    const T elastic = exp_of(4.318, 0.658 * log_U - 0.342 * log_material + 0.0126 * log_W);
-    const T rigid = exp_of(2.0796, 0.5 * (log_U + log_W));
+  [[gnu::always_inline]] T dimensionless_line_force(const T& log_U, const T& log_W) const {
+    const T elastic = scaled_exp(4.318, 0.658 * log_U - 0.342 * log_material + 0.0126 * log_W);
+    const T rigid = scaled_exp(2.0796, 0.5 * (log_U + log_W));
     const T ratio = elastic / rigid, ratio2 = ratio * ratio;
     return elastic * InverseRoots<T>::fourth(1.0 + ratio2 * ratio2);
   }

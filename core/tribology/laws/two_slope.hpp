@@ -9,8 +9,8 @@ namespace adore::tribology {
 struct TwoSlopeLaw {
   double A = 0.0, B = 0.0, C = 0.0, u0 = 0.0;
 
-  static constexpr bool kOfPressure = false;
-  static constexpr bool kOfSlipAlone = true;
+  static constexpr bool kDependsOnPressure = false;
+  static constexpr bool kDependsOnlyOnSlip = true;
 
   template <class T>
   struct Here {
@@ -21,7 +21,7 @@ struct TwoSlopeLaw {
     }
   };
   template <class T>
-  [[gnu::always_inline]] Here<T> at(const ContactPoint<T>&) const {
+  [[gnu::always_inline]] Here<T> at(const ContactConditions<T>&) const {
     return {T(A), T(B), T(C), T(u0)};
   }
   [[nodiscard]] double kink() const { return u0; }

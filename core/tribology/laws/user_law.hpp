@@ -18,7 +18,7 @@ enum class TractionKind : unsigned char {
 
 /// Input of a routine: contacts in parallel, point k of contact i at [k * stride + i]. SI;
 /// members as in user/adore_user.h.
-struct TractionPoints {
+struct UserTractionInput {
   int kind = 0, race = -1;
   long n = 0, points = 0, stride = 0;
   const double* slip = nullptr;
@@ -30,26 +30,26 @@ struct TractionPoints {
 };
 
 /// The routine. ask() fills κ, with zeros once the routine has failed; it does not throw.
-struct UserTraction {
+struct UserTractionRoutine {
   void* routine = nullptr;
-  void (*ask)(void* routine, const TractionPoints& in) = nullptr;
+  void (*ask)(void* routine, const UserTractionInput& in) = nullptr;
   double slip_scale = 0.0;  ///< slip over which κ rises from 0 [m/s]; 0: none
   double at_rest = 0.0;     ///< κ(0)
   bool wants_pressure = true;
 };
 
-struct UserLaw {
-  const UserTraction* of = nullptr;
+struct UserTractionLaw {
+  const UserTractionRoutine* of = nullptr;
   int kind = 0, race = -1;
 
-  static constexpr bool kOfPressure = true;
+  static constexpr bool kDependsOnPressure = true;
 
   /// One contact, or one a lane: asks for them at once.
   template <class T>
   struct Here {
-    const UserTraction* of;
+    const UserTractionRoutine* of;
     int kind, race;
-    ContactPoint<T> contact;
+    ContactConditions<T> contact;
     T operator()(const T& slip, const T& pressure) const {
       using Lanes = ScalarLanes<T>;
       constexpr int n = Lanes::kCount;
@@ -71,7 +71,7 @@ struct UserLaw {
     }
   };
   template <class T>
-  Here<T> at(const ContactPoint<T>& contact) const {
+  Here<T> at(const ContactConditions<T>& contact) const {
     return {of, kind, race, contact};
   }
   [[nodiscard]] double kink() const { return 0.0; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/constants.hpp"
 #include "base/scalar_lanes.hpp"
 #include "base/scalar_log.hpp"
 #include "base/scalar_math.hpp"
@@ -53,7 +54,7 @@ struct ViscoElasticFilm {
   /// κ of one strip: peak pressure, γ [1/s], b/u [s].
   double (*integral)(const ViscoElasticLiquid&, double, double, double) noexcept = nullptr;
 
-  struct Heating {
+  struct WallHeating {
     bool on = false;
     double conductivity[2] = {};         ///< k of both bodies [W/(m K)]
     double inverse_diffusivity[2] = {};  ///< ρc/(2k) [s/m²]
@@ -61,9 +62,9 @@ struct ViscoElasticFilm {
     /// -ln m = ΔT/(inverse[0] + inverse[1] ΔT); α falls by ΔT/(alpha[0] + alpha[1] ΔT).
     double inverse[2] = {1.0, 0.0}, alpha[2] = {1e30, 0.0};
   };
-  Heating heating;
+  WallHeating heating;
 
-  static constexpr bool kOfStrip = true;
+  static constexpr bool kIsStripLaw = true;
 
   using Four = double __attribute__((vector_size(4 * sizeof(double))));
   [[gnu::always_inline]] static void add(double weight, const double* four, Four& sum) {
@@ -93,7 +94,7 @@ struct ViscoElasticFilm {
     double weight[16][ScalarLanes<T>::kCount];
 
     /// At the temperature of the walls.
-    [[gnu::always_inline]] T cool(const T& slip) const {
+    [[gnu::always_inline]] T isothermal_coefficient(const T& slip) const {
       using M = ScalarMath<T>;
       using Lanes = ScalarLanes<T>;
       const ViscoElasticFilm* film = at->film;
@@ -129,15 +130,15 @@ struct ViscoElasticFilm {
     }
 
     [[gnu::always_inline]] T operator()(const T& slip) const {
-      const T kappa = cool(slip);
-      return at->film->heating.on ? heated(slip, kappa) : kappa;
+      const T kappa = isothermal_coefficient(slip);
+      return at->film->heating.on ? heated_coefficient(slip, kappa) : kappa;
     }
 
    private:
-    [[gnu::always_inline]] T heated(const T& slip, const T& cold) const {
+    [[gnu::always_inline]] T heated_coefficient(const T& slip, const T& cold) const {
       using M = ScalarMath<T>;
-      const Heating& heat = at->film->heating;
-      constexpr double kPi = 3.14159265358979, kMostRise = 400.0;
+      const WallHeating& heat = at->film->heating;
+      constexpr double kMostRise = 400.0;
       const T width = M::max(at->width_over_pressure * peak, T(1e-12));
       T conductance = 0.0;
       for (int i = 0; i < 2; ++i)
@@ -145,26 +146,26 @@ struct ViscoElasticFilm {
                        M::root(kPi * (1.273 + at->speed * width * heat.inverse_diffusivity[i]));
       conductance = 0.75 * conductance / width;
       const T mean = 0.25 * kPi * peak, per_kappa = mean * slip / conductance;
-      const auto warm = [&](const T& rise) {
+      const auto coefficient_at_rise = [&](const T& rise) {
         const T log_soft = -heat.softening * rise;
         const T log_rho = -rise / (heat.inverse[0] + heat.inverse[1] * rise) - log_soft -
                           mean * rise / (heat.alpha[0] + heat.alpha[1] * rise);
         Place<T> place = *at;
         place.log_thickness -= log_rho;
         place.log_transit -= log_rho;
-        return M::exp(log_soft) * row_at(place, peak).cool(slip);
+        return M::exp(log_soft) * make_strip_row(place, peak).isothermal_coefficient(slip);
       };
       const auto chord = [&](const T& rise, const T& kappa) {  // from no rise
         return cold / (1.0 + per_kappa * (cold - kappa) / M::max(rise, T(1e-30)));
       };
       const T first = M::min(per_kappa * cold, T(kMostRise));
-      const T second = M::min(per_kappa * chord(first, warm(first)), T(kMostRise));
-      return chord(second, warm(second));
+      const T second = M::min(per_kappa * chord(first, coefficient_at_rise(first)), T(kMostRise));
+      return chord(second, coefficient_at_rise(second));
     }
   };
 
   template <class T>
-  [[gnu::always_inline]] static Row<T> row_at(const Place<T>& place, const T& peak) {
+  [[gnu::always_inline]] static Row<T> make_strip_row(const Place<T>& place, const T& peak) {
     using M = ScalarMath<T>;
     using Lanes = ScalarLanes<T>;
     constexpr double kFourOverPi = 1.2732395447351628;
@@ -217,9 +218,9 @@ struct ViscoElasticFilm {
   template <class T>
   struct Here {
     Place<T> place;
-    [[gnu::always_inline]] Row<T> row(const T& peak) const { return row_at(place, peak); }
+    [[gnu::always_inline]] Row<T> row(const T& peak) const { return make_strip_row(place, peak); }
     [[gnu::always_inline]] auto single() const requires kHasSingle<T> {
-      using To = SingleOf<T>;
+      using To = SinglePrecisionOf<T>;
       return Here<typename To::Type>{
           {place.film, To::both(place.log_thickness), To::both(place.log_transit),
            To::both(place.width_over_pressure), To::both(place.speed), To::both(place.wanted)}};
@@ -228,14 +229,14 @@ struct ViscoElasticFilm {
     template <int N, int P>
     [[gnu::always_inline]] void several(const T* slip, const T* peak, T* kappa) const {
       for (int k = 0; k < P; ++k) {
-        const Row<T> strip = row_at(place, peak[k]);
+        const Row<T> strip = make_strip_row(place, peak[k]);
         for (int i = k; i < N; i += P) kappa[i] = strip(slip[i]);
       }
     }
     /// The same in single precision, from the tiles; false where they do not reach. Walls without
     /// flash.
     template <int N, int P>
-    [[gnu::always_inline]] bool several_if(const T* slip, const T* peak, T* kappa) const {
+    [[gnu::always_inline]] bool try_several(const T* slip, const T* peak, T* kappa) const {
       using M = ScalarMath<T>;
       using Tiles = ScalarTiles<T>;
       constexpr double kFourOverPi = 1.2732395447351628;
@@ -269,8 +270,8 @@ struct ViscoElasticFilm {
         for (int i = k; i < N; i += P) {
           const T w = ScalarLog<T>::log(M::max(slip[i], T(1e-30))) - log_corner;
           const auto rate = film->log_rate.cell(w);
-          const T value = Tiles::mean_at(film->tiles, rate.cell * transits + first, pressure.inside,
-                                         rate.inside, weight);
+          const T value = Tiles::weighted_mean_at(film->tiles, rate.cell * transits + first,
+                                                  pressure.inside, rate.inside, weight);
           kappa[i] = ceiling * M::exp(value + M::min(w - film->log_rate.from, T(0.0)));
         }
       }
@@ -285,7 +286,7 @@ struct ViscoElasticFilm {
   };
 
   template <class T>
-  [[gnu::always_inline]] Here<T> at(const ContactPoint<T>& c, const T& thickness) const {
+  [[gnu::always_inline]] Here<T> at(const ContactConditions<T>& c, const T& thickness) const {
     using M = ScalarMath<T>;
     using Log = ScalarLog<T>;
     Here<T> out;

@@ -15,9 +15,11 @@ struct DoubleExponentialViscosity {
     const double inner = std::exp(c1 * std::log(T) + c2);
     // ln(e^x - c3) without overflow.
     return liquid(std::log(c0) + inner + std::log1p(-c3 * std::exp(-inner)) +
-                  pressure_slope(T) * p);
+                  pressure_viscosity_coefficient(T) * p);
   }
-  [[nodiscard]] double pressure_slope(double T) const { return T > p2 ? p0 + p1 / (T - p2) : 1.0; }
+  [[nodiscard]] double pressure_viscosity_coefficient(double T) const {
+    return T > p2 ? p0 + p1 / (T - p2) : 1.0;
+  }
 };
 
 }  // namespace adore::tribology

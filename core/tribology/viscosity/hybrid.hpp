@@ -16,7 +16,7 @@ struct HybridViscosity {
          pInfT = 0.0, TR = 0.0;
 
   [[nodiscard]] double log_viscosity(double p, double T) const {
-    const double limit = pole(T);
+    const double limit = divergence_pressure(T);
     if (!(T > Tinf) || !(limit > 0.0)) return kLogGlassViscosity;
     const double inside = std::min(p, 0.9 * limit), a = slope(T);
     const double thick = q * std::log1p(a * inside / q) + CF * inside / (limit - inside);
@@ -24,11 +24,13 @@ struct HybridViscosity {
     const double rise = a / (1.0 + a * inside / q) + CF * limit / (gap * gap);
     return liquid(std::log(A) + B / (T - Tinf) + thick + rise * (p - inside));
   }
-  [[nodiscard]] double pressure_slope(double T) const { return slope(T) + CF / pole(T); }
+  [[nodiscard]] double pressure_viscosity_coefficient(double T) const {
+    return slope(T) + CF / divergence_pressure(T);
+  }
 
  private:
   [[nodiscard]] double slope(double T) const { return a1 * std::exp(-aT * (T - TR)); }
-  [[nodiscard]] double pole(double T) const { return pInf + pInfT * (T - TR); }
+  [[nodiscard]] double divergence_pressure(double T) const { return pInf + pInfT * (T - TR); }
 };
 
 }  // namespace adore::tribology

@@ -13,14 +13,14 @@ struct QuadraticExponentialViscosity {
   double m = 0.0, Tr = 0.0, b1 = 0.0, b2 = 0.0, e1 = 0.0, e0 = 0.0;
 
   [[nodiscard]] double log_viscosity(double p, double T) const {
-    return liquid(thin(T) + pressure_slope(T) * p);
+    return liquid(log_base_viscosity(T) + pressure_viscosity_coefficient(T) * p);
   }
-  [[nodiscard]] double pressure_slope(double T) const {
-    return std::exp((e1 - 1.0) * thin(T) - e0);
+  [[nodiscard]] double pressure_viscosity_coefficient(double T) const {
+    return std::exp((e1 - 1.0) * log_base_viscosity(T) - e0);
   }
 
  private:
-  [[nodiscard]] double thin(double T) const {
+  [[nodiscard]] double log_base_viscosity(double T) const {
     const double d = 1.0 / T - 1.0 / Tr;
     return std::log(m) + (b1 + b2 * d) * d;
   }

@@ -16,7 +16,7 @@ struct RoelandsViscosity {
     const double H = std::log(muR / kMu), heat = std::pow((T - kPole) / (TR - kPole), -S0);
     return liquid(std::log(muR) + H * (std::pow(1.0 + p / kPressure, Z) * heat - 1.0));
   }
-  [[nodiscard]] double pressure_slope(double T) const {
+  [[nodiscard]] double pressure_viscosity_coefficient(double T) const {
     return std::log(muR / kMu) * Z / kPressure * std::pow((T - kPole) / (TR - kPole), -S0);
   }
 

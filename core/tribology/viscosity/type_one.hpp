@@ -13,7 +13,7 @@ struct TypeOneViscosity {
   [[nodiscard]] double log_viscosity(double p, double T) const {
     return liquid(std::log(mu0) + alpha * p + beta * (T0 - T));
   }
-  [[nodiscard]] double pressure_slope(double) const { return alpha; }
+  [[nodiscard]] double pressure_viscosity_coefficient(double) const { return alpha; }
 };
 
 }  // namespace adore::tribology

@@ -13,7 +13,7 @@ struct TypeTwoViscosity {
   [[nodiscard]] double log_viscosity(double p, double T) const {
     return liquid(std::log(mu0) + alpha * p + beta * (1.0 / T - 1.0 / T0));
   }
-  [[nodiscard]] double pressure_slope(double) const { return alpha; }
+  [[nodiscard]] double pressure_viscosity_coefficient(double) const { return alpha; }
 };
 
 }  // namespace adore::tribology

@@ -29,7 +29,7 @@ struct VogelScalingViscosity {
     const double above = phi(p, T) - phiInf;
     return above > 0.0 ? liquid(std::log(muInf) + BF * phiInf / above) : kLogGlassViscosity;
   }
-  [[nodiscard]] double pressure_slope(double T) const {
+  [[nodiscard]] double pressure_viscosity_coefficient(double T) const {
     const double here = phi(0.0, T), above = here - phiInf;
     return above > 0.0 ? BF * phiInf * here * g / (volume.bulk_modulus(T) * above * above) : 0.0;
   }

@@ -17,9 +17,9 @@ struct WaltherViscosity {
     const double outer = std::log(10.0) * std::pow(10.0, m * std::log10(T) + n);
     const double density = 1e-3 * (d0 + d1 * (422.2222 - T));
     return liquid(std::log(density) + outer + std::log1p(-0.8 * std::exp(-outer)) +
-                  pressure_slope(T) * p);
+                  pressure_viscosity_coefficient(T) * p);
   }
-  [[nodiscard]] double pressure_slope(double T) const {
+  [[nodiscard]] double pressure_viscosity_coefficient(double T) const {
     return alpha0 * std::exp(-gamma * (T - 277.78));
   }
 };

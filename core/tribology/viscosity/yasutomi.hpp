@@ -18,7 +18,7 @@ struct YasutomiViscosity {
     const double drop = X > 0.0 ? std::log(10.0) * C1 * X / (C2 + X) : 0.0;
     return liquid(std::log(mug) - drop);
   }
-  [[nodiscard]] double pressure_slope(double T) const {
+  [[nodiscard]] double pressure_viscosity_coefficient(double T) const {
     const double above = T - Tg0, bottom = C2 + above;
     if (!(above > 0.0)) return 0.0;
     return std::log(10.0) * C1 * C2 / (bottom * bottom) * (A1 * A2 - above * b1 * b2);

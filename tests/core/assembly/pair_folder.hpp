@@ -19,7 +19,7 @@ using Sets = std::vector<std::pair<std::string, std::string>>;
 
 /// The deck of experiment TIMKEN-DUPLEX with these values.
 inline std::string timken_deck(const Sets& sets = {}) {
-  return assembly::row_deck(
+  return assembly::make_row_deck(
       read_text_file(source_dir() / "resources" / "experiments" / "timken-210.txt"), sets);
 }
 
@@ -36,7 +36,7 @@ inline Sets b7012c() {
 /// A temporary folder with an assembly, removed at the end.
 class AssemblyFolder {
  public:
-  AssemblyFolder(const assembly::Assembly& set, std::vector<assembly::RowText> rows)
+  AssemblyFolder(const assembly::Assembly& set, std::vector<assembly::RowDeckText> rows)
       : path_(make_temporary_folder("adore-assembly-")) {
     if (rows.size() == 1) rows.resize(set.rows.size(), rows.front());
     assembly::write_assembly(path_, set, rows);
@@ -58,7 +58,7 @@ class AssemblyFolder {
 
 /// Rows of an arrangement 40 mm apart, the middle at X = 0.
 inline assembly::Assembly spaced(const std::string& arrangement, double distance = 0.04) {
-  assembly::Assembly out = assembly::named_assembly(arrangement);
+  assembly::Assembly out = assembly::assembly_from_arrangement(arrangement);
   const double middle = 0.5 * static_cast<double>(out.rows.size() - 1);
   for (std::size_t k = 0; k < out.rows.size(); ++k)
     out.rows[k].position = distance * (static_cast<double>(k) - middle);

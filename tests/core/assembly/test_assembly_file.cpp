@@ -83,7 +83,7 @@ TEST_CASE("read_assembly(): wrong members → error with member and cause", "[un
   CHECK(has(error_of("\"name\"", "\"nome\""), "unknown member \"nome\""));
   CHECK(has(error_of("\"offset\"", "\"ofset\""), "row 1: unknown member \"ofset\""));
   CHECK(has(error_of("\"2 µm\"", "\"2 N\""), "row 1: offset = \"2 N\""));
-  CHECK(has(error_of("\"2 µm\"", "true"), "offset must be a number [m] or a text with a unit"));
+  CHECK(has(error_of("\"2 µm\"", "true"), "offset must be a number [m] or a string with a unit"));
   CHECK(has(error_of("\"2 µm\"", "\"20 mm\""), "offset = 0.02 m: out of range"));
   CHECK(has(error_of("\"row-1\"", "\"../secret\""), "not inside the folder of the assembly"));
   CHECK(has(error_of("\"row-1\"", "\"/etc\""), "not inside the folder of the assembly"));
@@ -106,7 +106,7 @@ TEST_CASE("read_assembly(): wrong members → error with member and cause", "[un
 TEST_CASE("positions(): rows without positions → side by side about the middle",
           "[unit][assembly]") {
   Assembly set = read_assembly(kPair, "ASSEMBLY.json");
-  for (RowPlace& row : set.rows) row.position.reset();
+  for (RowPlacement& row : set.rows) row.position.reset();
   const std::vector<double> at = positions(set, {0.018, 0.018});
   CHECK(at[1] - at[0] == Approx(0.018 + 0.020005));
   CHECK(at[0] + at[1] == Approx(0.0).margin(1e-15));

@@ -204,7 +204,7 @@ TEST_CASE("unloading of a pair: the other row carries the whole force", "[physic
       AssemblyFolder(preloaded("DB", 220.0), {{resting_deck(), ""}}).solve();
   REQUIRE(pair.unloading.size() == 2);
   REQUIRE(pair.curve.size() == static_cast<std::size_t>(kCurvePoints));
-  for (const CurvePoint& point : pair.curve)
+  for (const AxialCurvePoint& point : pair.curve)
     CHECK(point.row_load[0] - point.row_load[1] == Approx(point.force).margin(1e-5));
   // Beyond the unloading force one row is left.
   CHECK(pair.curve.back().row_load[1] == Approx(0.0).margin(1e-6));
@@ -316,13 +316,13 @@ TEST_CASE("duplex_pair() → the set of the same rows in a folder", "[unit][asse
   CHECK(pair.offset == Approx(folder.offset).epsilon(1e-8));
   CHECK(pair.axial == Approx(result(folder.set, "stiffness_x_N_per_m")).epsilon(1e-6));
   CHECK(pair.radial == Approx(result(folder.set, "stiffness_z_N_per_m")).epsilon(1e-6));
-  CHECK(duplex_unloading(row, 560.0).value() ==
+  CHECK(duplex_unloading_force(row, 560.0).value() ==
         Approx(result(folder.set, "unloading_force_plus_N")).epsilon(1e-6));
 }
 
 TEST_CASE("rollers: pair of tapered bearings under combined load", "[physics][assembly]") {
   const std::string deck =
-      row_deck(read_text_file(source_dir() / "resources" / "decks" / "tapered.txt"), {});
+      make_row_deck(read_text_file(source_dir() / "resources" / "decks" / "tapered.txt"), {});
   Assembly set = preloaded("DB", 2000.0, 0.06);
   set.load = {1000.0, 0.0, 4000.0, 0.0, 0.0};
   const AssemblyResult pair = AssemblyFolder(set, {{deck, ""}}).solve();
@@ -332,13 +332,13 @@ TEST_CASE("rollers: pair of tapered bearings under combined load", "[physics][as
   CHECK(result(pair.set, "life_iso16281_hours") < result(pair.rows[1].of, "life_iso16281_hours"));
 }
 
-TEST_CASE("row_deck(): loads of the deck → 0, so that rows have no warning of unused loads",
+TEST_CASE("make_row_deck(): loads of the deck → 0, so that rows have no warning of unused loads",
           "[unit][assembly]") {
   const std::string loaded =
       read_text_file(source_dir() / "resources" / "experiments" / "timken-210.txt");
   CHECK(single(loaded, {}).input.deck.si("appLoadX") == 220.0);
-  CHECK(single(row_deck(loaded, {}), {{"kFS1", "1"}}).input.deck.si("appLoadX") == 0.0);
-  CHECK_THROWS_WITH(row_deck(loaded, {{"appLoadX", "5"}}),
+  CHECK(single(make_row_deck(loaded, {}), {{"kFS1", "1"}}).input.deck.si("appLoadX") == 0.0);
+  CHECK_THROWS_WITH(make_row_deck(loaded, {{"appLoadX", "5"}}),
                     Catch::Contains("loads belong to the set"));
   const auto unused = [](const AssemblyResult& result) {
     return std::any_of(result.findings.begin(), result.findings.end(), [](const Finding& one) {
@@ -346,7 +346,7 @@ TEST_CASE("row_deck(): loads of the deck → 0, so that rows have no warning of 
     });
   };
   const Assembly set = preloaded("DB", 220.0);
-  CHECK_FALSE(unused(AssemblyFolder(set, {{row_deck(loaded, {}), ""}}).solve()));
+  CHECK_FALSE(unused(AssemblyFolder(set, {{make_row_deck(loaded, {}), ""}}).solve()));
   // A load that a user enters is reported.
   CHECK(unused(AssemblyFolder(set, {{loaded, ""}}).solve({{"kStif", "0"}})));
 }

@@ -40,7 +40,7 @@ TEST_CASE("find_values(): monotonic function → one solution with its tolerance
     return std::pow(x, 1.5);
   });
   REQUIRE(out.answer == FindAnswer::One);
-  CHECK(out.solutions[0].kind == FindKind::Crossing);
+  CHECK(out.solutions[0].kind == FindSolutionKind::Crossing);
   CHECK(out.solutions[0].x == Approx(std::pow(7.0, 2.0 / 3.0)).epsilon(1e-9));
   CHECK(out.solutions[0].width < 2e-8);
   CHECK(out.monotonic);
@@ -72,7 +72,7 @@ TEST_CASE("find_values(): function that touches the target → one solution, not
   const FindOutcome out =
       find_values(between(0.0, 10.0, 1.0), [](double x) { return 1.0 + (x - 3.3) * (x - 3.3); });
   REQUIRE(out.answer == FindAnswer::NotMonotonic);
-  CHECK(out.solutions[0].kind == FindKind::Touch);
+  CHECK(out.solutions[0].kind == FindSolutionKind::Touch);
   CHECK(out.solutions[0].x == Approx(3.3).epsilon(1e-4));
   REQUIRE(out.turns.size() == 1);
   CHECK(out.turns[0] == Approx(3.3).margin(0.01));
@@ -88,7 +88,7 @@ TEST_CASE("find_values(): target out of reach → none, with the best value and 
   REQUIRE(lines.size() == 2);
   CHECK(lines[0] == "No solution for x from 1 to 10 N.");
   CHECK(lines[1] == "Best value: y = 20 m at x = 10 N, the upper bound.");
-  const nlohmann::ordered_json json = find_json(report);
+  const nlohmann::ordered_json json = find_report_json(report);
   CHECK(json.at("best").at("at_bound") == true);
   CHECK_FALSE(json.contains("solution"));
   CHECK_FALSE(json.contains("solutions"));
@@ -99,7 +99,7 @@ TEST_CASE("find_values(): constant part on the target → its edge", "[unit][fin
   const FindReport report = report_of(between(1.0, 10.0, 0.0), clipped);
   REQUIRE(report.outcome.answer == FindAnswer::One);
   const FindSolution& one = report.outcome.solutions[0];
-  CHECK(one.kind == FindKind::Range);
+  CHECK(one.kind == FindSolutionKind::Range);
   CHECK(one.x == Approx(3.7).epsilon(1e-8));
   CHECK(one.from_bound);
   CHECK_FALSE(one.to_bound);
@@ -131,7 +131,7 @@ TEST_CASE("find_values(): exact hit at a scan point or a bound → one solution"
     const FindOutcome out =
         find_values(between(0.0, 10.0, 0.0), [hit](double x) { return x - hit; });
     REQUIRE(out.answer == FindAnswer::One);
-    CHECK(out.solutions[0].kind == FindKind::Crossing);
+    CHECK(out.solutions[0].kind == FindSolutionKind::Crossing);
     CHECK(out.solutions[0].x == Approx(hit).margin(1e-7));
   }
 }

@@ -14,10 +14,10 @@ using namespace adore;
 TEST_CASE("own_files: first bytes → type of the file; name and version → own file", "[unit]") {
   struct Case {
     std::string bytes;
-    FileSort sort;
+    AdoreFileType sort;
     bool own;
   };
-  using S = FileSort;
+  using S = AdoreFileType;
   const std::string hdf5 = "\x89HDF\r\n\x1a\n";
   const std::vector<Case> cases{
       {"'Rec 1', 2, 1\n", S::Deck, false},
@@ -48,12 +48,12 @@ TEST_CASE("own_files: first bytes → type of the file; name and version → own
   for (const Case& one : cases) {
     std::ofstream(path, std::ios::binary | std::ios::trunc) << one.bytes;
     INFO(one.bytes.substr(0, 60));
-    CHECK(sort_of_file(path) == one.sort);
-    CHECK(is_own_file(path) == one.own);
-    CHECK(sort_name(one.sort).empty() == (one.sort == S::Unknown));
-    CHECK(sort_use(one.sort).empty() == (one.sort == S::Unknown));
+    CHECK(read_file_type(path) == one.sort);
+    CHECK(is_written_by_adore(path) == one.own);
+    CHECK(describe_file_type(one.sort).empty() == (one.sort == S::Unknown));
+    CHECK(file_type_usage_hint(one.sort).empty() == (one.sort == S::Unknown));
   }
   std::filesystem::remove(path);
-  CHECK_FALSE(is_own_file(path));
-  CHECK_FALSE(is_own_file(std::filesystem::temp_directory_path()));
+  CHECK_FALSE(is_written_by_adore(path));
+  CHECK_FALSE(is_written_by_adore(std::filesystem::temp_directory_path()));
 }

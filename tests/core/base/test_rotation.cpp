@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "base/rotation.hpp"
 
 #include <catch2/catch.hpp>
@@ -8,8 +9,6 @@
 using namespace adore;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 double off(const Vec3& angles, const Mat3& wanted) {
   return (passive_matrix(angles) - wanted).cwiseAbs().maxCoeff();

@@ -12,7 +12,7 @@ using namespace adore;
 namespace {
 
 using V = SimdReal;
-using Single = SimdSingle<V>;
+using Single = SimdSinglePrecision<V>;
 using Math = ScalarMath<Single>;
 constexpr std::size_t kLanes = V::size();
 
@@ -50,7 +50,7 @@ TEST_CASE("single precision: functions are right to a few 1e-7 over the range of
             0.5, 2.0, Math::log, [](double x) { return std::log(x); }, false) < 2e-7);
   const auto asinh = [](const Single& S) {
     Single inverse;
-    const Single square = S * S, root = Math::root_and_inverse(1.0 + square, inverse);
+    const Single square = S * S, root = Math::sqrt_and_inverse(1.0 + square, inverse);
     return ScalarAsinh<Single>::of(S, square, root, inverse);
   };
   CHECK(largest_error(1e-15, 1e15, asinh, [](double x) { return std::asinh(x); }) < 1e-6);
@@ -60,9 +60,9 @@ TEST_CASE("single precision: two vectors of doubles → packed and unpacked in o
           "[unit][simd]") {
   const V a([](auto i) { return 1.0 + static_cast<double>(i); });
   const V b([](auto i) { return -0.5 - static_cast<double>(i); });
-  const Single both = SingleOf<V>::pack(a, b);
+  const Single both = SinglePrecisionOf<V>::pack(a, b);
   V first, second;
-  SingleOf<V>::unpack(both, first, second);
+  SinglePrecisionOf<V>::unpack(both, first, second);
   for (std::size_t i = 0; i < kLanes; ++i) {
     CHECK(first[i] == a[i]);
     CHECK(second[i] == b[i]);
@@ -100,7 +100,7 @@ TEST_CASE("single precision: each lane reads the polynomial of its own tile", "[
     for (std::size_t j = 0; j < 4; ++j)
       weight[j].v[l] = 0.1F * static_cast<float>(j + 1) - 0.02F * static_cast<float>(l);
   }
-  const Single mean = ScalarTiles<Single>::mean_at(tiles.data(), place, f, g, weight);
+  const Single mean = ScalarTiles<Single>::weighted_mean_at(tiles.data(), place, f, g, weight);
   for (std::size_t l = 0; l < 2 * kLanes; ++l) {
     double sum = 0.0;
     for (int j = 0; j < 4; ++j)

@@ -190,21 +190,21 @@ TEST_CASE("InputFile and read_text_file(): pipes and devices → refused, links 
   CHECK_FALSE(adore::InputFile(folder.path));
 }
 
-TEST_CASE("terminal_text(): control characters → visible, letters and line ends → kept",
+TEST_CASE("escape_for_terminal(): control characters → visible, letters and line ends → kept",
           "[unit][base]") {
-  using adore::terminal_text;
-  CHECK(terminal_text("\x1b[31mred\x07\b\x7f") == "\\x1b[31mred\\x07\\x08\xef\xbf\xbd");
-  CHECK(terminal_text("a\r\nb\tc\rd") == "a\r\nb\tc\\x0dd");
-  CHECK(terminal_text("\xc2\x9b"
-                      "31m") ==
+  using adore::escape_for_terminal;
+  CHECK(escape_for_terminal("\x1b[31mred\x07\b\x7f") == "\\x1b[31mred\\x07\\x08\xef\xbf\xbd");
+  CHECK(escape_for_terminal("a\r\nb\tc\rd") == "a\r\nb\tc\\x0dd");
+  CHECK(escape_for_terminal("\xc2\x9b"
+                            "31m") ==
         "\xef\xbf\xbd"
         "31m");
-  CHECK(terminal_text("\x9b"
-                      "31m") ==
+  CHECK(escape_for_terminal("\x9b"
+                            "31m") ==
         "\xef\xbf\xbd"
         "31m");
   for (const char* kept : {"\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80 µm °C", "n\xff", ""})
-    CHECK(terminal_text(kept) == kept);
+    CHECK(escape_for_terminal(kept) == kept);
 }
 
 TEST_CASE("atomic write: failure → message with path, reason and remedy", "[unit][base]") {
@@ -235,12 +235,12 @@ TEST_CASE("atomic write: failure → message with path, reason and remedy", "[un
 TEST_CASE("kept copy: earlier copies are never replaced, equal text is kept once", "[unit][base]") {
   const Folder folder;
   const fs::path file = folder.path / "DATA.txt";
-  CHECK(adore::keep_copy(file, "first") == folder.path / "DATA.txt.bak");
-  CHECK(adore::keep_copy(file, "second") == folder.path / "DATA.txt.bak2");
-  CHECK(adore::keep_copy(file, "first") == folder.path / "DATA.txt.bak");
+  CHECK(adore::write_backup_copy(file, "first") == folder.path / "DATA.txt.bak");
+  CHECK(adore::write_backup_copy(file, "second") == folder.path / "DATA.txt.bak2");
+  CHECK(adore::write_backup_copy(file, "first") == folder.path / "DATA.txt.bak");
   fs::create_directory(folder.path / "DATA.txt.bak3");
   fs::create_symlink(folder.path / "nowhere", folder.path / "DATA.txt.bak4");
-  CHECK(adore::keep_copy(file, "") == folder.path / "DATA.txt.bak5");
+  CHECK(adore::write_backup_copy(file, "") == folder.path / "DATA.txt.bak5");
   CHECK(content_of(folder.path / "DATA.txt.bak") == "first");
   CHECK(content_of(folder.path / "DATA.txt.bak2") == "second");
   CHECK(content_of(folder.path / "DATA.txt.bak5").empty());

@@ -15,7 +15,7 @@ TEST_CASE("kPocType: converted to a cage and back → unchanged", "[unit][bearin
     cage.pocket = pocket_shape(code, false);
     CHECK(pocket_code(cage, false) == code);
     CHECK(pocket_surfaces(cage, false) == (code == 3 ? 4 : 1));
-    CHECK(pocket_shape_of(name_of(cage.pocket)) == cage.pocket);
+    CHECK(parse_pocket_shape(name_of(cage.pocket)) == cage.pocket);
   }
   for (int code = -1; code <= 3; ++code) {
     Cage cage;
@@ -32,6 +32,6 @@ TEST_CASE("pocket codes and names: invalid ones are distinguished", "[unit][bear
   std::set<std::string_view> names;
   for (int code = 0; code <= 4; ++code) names.insert(name_of(pocket_shape(code, false)));
   CHECK(names.size() == 5);
-  CHECK_FALSE(pocket_shape_of("round").has_value());
-  CHECK_FALSE(pocket_shape_of("").has_value());
+  CHECK_FALSE(parse_pocket_shape("round").has_value());
+  CHECK_FALSE(parse_pocket_shape("").has_value());
 }

@@ -90,9 +90,9 @@ using Visit = std::function<void(const CalculatorInfo&, const SchemaKind&, const
 
 void for_each_kind(const Visit& visit) {
   for (const CalculatorInfo& info : calculator_list()) {
-    const SchemaFamily* family = schema_of(info.family);
+    const SchemaFamily* family = family_schema(info.family);
     REQUIRE(family != nullptr);
-    const auto kinds = kinds_of(*family, info.kind);
+    const auto kinds = calculation_kinds(*family, info.kind);
     CHECK_FALSE(kinds.empty());
     for (const SchemaKind* kind : kinds) {
       CAPTURE(info.name, kind->name);
@@ -241,7 +241,7 @@ TEST_CASE("calculator gate: a required input left out → named, an unknown or u
     changed["no_such_input"] = 1.0;
     const Trial unknown = try_inputs(info, kind, changed);
     CHECK(unknown.text.find("no_such_input = 1.0: there is no such input") != std::string::npos);
-    for (const SchemaInput& other : schema_of(info.family)->inputs) {
+    for (const SchemaInput& other : family_schema(info.family)->inputs) {
       if (kind.find(other.name) != nullptr || other.name.find_first_of(".[") != std::string::npos)
         continue;
       changed = example;
@@ -344,7 +344,7 @@ TEST_CASE("calculator kinds: older names stay, other names are rejected with the
 }
 
 TEST_CASE("calculator schema: codes of tables are those of the tables", "[unit][calc]") {
-  const SchemaFamily& factors = *schema_of("life_factors");
+  const SchemaFamily& factors = *family_schema("life_factors");
   const auto codes = [](const SchemaFamily& family, const char* name) -> std::set<std::string> {
     for (const SchemaInput& input : family.inputs)
       if (input.name == name) return {input.codes.begin(), input.codes.end()};
@@ -362,7 +362,7 @@ TEST_CASE("calculator schema: codes of tables are those of the tables", "[unit][
   classes.erase("grease_slight_large");  // chosen by the pitch diameter
   classes.erase("grease_slight_small");
   classes.insert("grease_slight");
-  CHECK(codes(*schema_of("life_iso281"), "code") == classes);
+  CHECK(codes(*family_schema("life_iso281"), "code") == classes);
 }
 
 TEST_CASE("reference cases: texts, quotes and equivalent loads of the calculators",

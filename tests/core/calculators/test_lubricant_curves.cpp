@@ -11,7 +11,7 @@
 
 using namespace adore;
 using calculators::LubricantContact;
-using calculators::LubricatedPoint;
+using calculators::LubricantContactResult;
 
 namespace {
 
@@ -35,7 +35,7 @@ TEST_CASE("traction of lubricants: odd in slip, 0 at zero slip, decreasing with 
     std::vector<double> hottest;
     for (const double T : {340.0, 370.0, 400.0}) {
       c.temperature = T;
-      const LubricatedPoint p = calculators::lubricated_point(c, slips);
+      const LubricantContactResult p = calculators::solve_lubricant_contact(c, slips);
       CHECK(p.traction[0] == 0.0);
       for (std::size_t i = 1; i < 4; ++i) {
         CHECK(p.traction[i] > 0.0);
@@ -57,7 +57,7 @@ TEST_CASE("film: increases with speed; cold, cryogenic and 4 GPa → finite numb
     double before = 0.0;
     for (const double speed : {0.0, 0.01, 0.1, 1.0, 10.0, 100.0}) {
       c.speed = speed;
-      const LubricatedPoint p = calculators::lubricated_point(c, {});
+      const LubricantContactResult p = calculators::solve_lubricant_contact(c, {});
       if (speed == 0.0) {
         CHECK(p.central == 0.0);
         continue;
@@ -72,7 +72,7 @@ TEST_CASE("film: increases with speed; cold, cryogenic and 4 GPa → finite numb
       for (const double pressure : {1e6, 4e9}) {
         c.temperature = T;
         c.pressure = pressure;
-        const LubricatedPoint p = calculators::lubricated_point(c, {1e-6, 0.5, 50.0});
+        const LubricantContactResult p = calculators::solve_lubricant_contact(c, {1e-6, 0.5, 50.0});
         CAPTURE(T, pressure);
         for (const double kappa : p.traction) CHECK(std::isfinite(kappa));
       }

@@ -28,7 +28,7 @@ std::vector<double> coefficients(LubricantContact contact, double celsius, doubl
   contact.critical_film = 0.0;
   std::vector<double> slips;
   for (const double ratio : kSlipRatio) slips.push_back(ratio * contact.speed);
-  return calculators::lubricated_point(contact, slips).traction;
+  return calculators::solve_lubricant_contact(contact, slips).traction;
 }
 double largest(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());

@@ -9,7 +9,7 @@
 #include <cmath>
 
 using namespace adore;
-using contact::AngleLaw;
+using contact::HertzAngleLaw;
 
 namespace {
 
@@ -26,7 +26,7 @@ bearing::BallGeometry balls(double D, double pitch, double f = 0.52) {
 
 /// Largest relative error of K, a/√δ and b/√δ over all contact angles.
 double largest_error(const bearing::BallGeometry& b, int race) {
-  const AngleLaw law = contact::make_angle_law(b, race, kE);
+  const HertzAngleLaw law = contact::make_angle_law(b, race, kE);
   double worst = 0.0;
   for (double alpha = 0.0; alpha <= 3.14159; alpha += 0.01) {
     const auto h = contact::hertz_constants(contact::race_curvature(b, race, alpha), kE);
@@ -52,10 +52,10 @@ TEST_CASE("Hertz constants over the contact angle are held by a short series",
 }
 
 TEST_CASE("slopes of the angle law are its derivatives", "[unit][contact][hertz]") {
-  const AngleLaw law = contact::make_angle_law(balls(0.0127, 0.0463), 1, kE);
+  const HertzAngleLaw law = contact::make_angle_law(balls(0.0127, 0.0463), 1, kE);
   for (double u = -0.95; u < 1.0; u += 0.1) {
     const double h = 1e-4;
-    const auto at = contact::angle_stiffness(law, u);
+    const auto at = contact::hertz_constant_at_angle(law, u);
     const auto pair = contact::polynomial_with_slope(law.K, u);
     const double up = contact::polynomial(law.K, u + h), down = contact::polynomial(law.K, u - h);
     CAPTURE(u);
@@ -69,6 +69,6 @@ TEST_CASE("slopes of the angle law are its derivatives", "[unit][contact][hertz]
 
 TEST_CASE("a race of infinite pitch has constants that do not follow the angle",
           "[unit][contact][hertz]") {
-  const AngleLaw law = contact::make_angle_law(balls(0.0127, 1e6), 0, kE);
+  const HertzAngleLaw law = contact::make_angle_law(balls(0.0127, 1e6), 0, kE);
   CHECK(contact::polynomial(law.K, 1.0) == Approx(contact::polynomial(law.K, 0.3)).epsilon(1e-7));
 }

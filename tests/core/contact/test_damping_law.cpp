@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "bearing/contact_losses.hpp"
 #include "contact/damping_law.hpp"
 #include "contact/film_squeeze.hpp"
@@ -10,13 +11,13 @@
 #include <random>
 
 /// Energy loss of normal contacts (contact/damping_law.hpp, contact/film_squeeze.hpp).
+using adore::kPi;
 using namespace adore::contact;
 using adore::bearing::material_from_table;
 using adore::bearing::Part;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kRadius = 6.35e-3, kMass = 8.37e-3, kHertz = 1.1e10;  // half inch, steel
 
 DampingLaw<> law_of(double alpha, double eta, double mass) {

@@ -41,7 +41,7 @@ struct Scene {
   Pose pose;
 
   [[nodiscard]] FlangeContact at(const Pose& p) const {
-    return flange_overlap(face, end, p.centre, p.axis);
+    return flange_contact_for_forces(face, end, p.centre, p.axis);
   }
 };
 

@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "contact/elliptic.hpp"
 #include "contact/groove.hpp"
@@ -13,8 +14,6 @@ using namespace adore;
 using namespace adore::contact;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// ∫ f over 0..π/2 by the trapezoidal rule, which converges exponentially for these periodic
 /// integrands.
@@ -257,13 +256,13 @@ TEST_CASE("the free state follows angle, clearance and shims", "[unit][groove]")
   const double D = 0.0127;
   const std::array<double, 2> f{0.52, 0.515};
   const double play = 2 * D * (f[0] + f[1] - 1);
-  const auto given = free_state(D, f, {0, 0}, 0.5, 123.0);
+  const auto given = free_angle_and_clearance(D, f, {0, 0}, 0.5, 123.0);
   CHECK(given.contact_angle == 0.5);
   CHECK(given.clearance == Approx(play * (1 - std::cos(0.5))).epsilon(1e-14));
-  const auto back = free_state(D, f, {0, 0}, 0.0, given.clearance);
+  const auto back = free_angle_and_clearance(D, f, {0, 0}, 0.0, given.clearance);
   CHECK(back.contact_angle == Approx(0.5).epsilon(1e-13));
-  CHECK(free_state(D, f, {0, 0}, 0.0, -1e-5).contact_angle == 0.0);
-  CHECK(free_state(D, f, {0, 0}, 0.0, 1e-12).contact_angle ==
+  CHECK(free_angle_and_clearance(D, f, {0, 0}, 0.0, -1e-5).contact_angle == 0.0);
+  CHECK(free_angle_and_clearance(D, f, {0, 0}, 0.0, 1e-12).contact_angle ==
         Approx(std::sqrt(2e-12 / play)).epsilon(1e-9));
 
   // Split inner ring ground with a shim: pushed together, the arches stand g/2 off center, and a
@@ -272,9 +271,10 @@ TEST_CASE("the free state follows angle, clearance and shims", "[unit][groove]")
   const double g = 2e-4;
   const double offset = (f[1] - 0.5) * D;
   const double lifted = offset - std::sqrt(offset * offset - 0.25 * g * g);
-  const auto split = free_state(D, f, {0, g}, 0.0, 2e-5);
+  const auto split = free_angle_and_clearance(D, f, {0, g}, 0.0, 2e-5);
   CHECK(split.clearance == Approx(2e-5 + 2 * lifted).epsilon(1e-12));
-  CHECK_THROWS_WITH(free_state(D, f, {0, 2.1 * offset}, 0.0, 0.0),
+  CHECK_THROWS_WITH(free_angle_and_clearance(D, f, {0, 2.1 * offset}, 0.0, 0.0),
                     Catch::Contains("shim of the inner race"));
-  CHECK_THROWS_WITH(free_state(D, f, {0, 0}, 0.0, 1.01 * play), Catch::Contains("90 degrees"));
+  CHECK_THROWS_WITH(free_angle_and_clearance(D, f, {0, 0}, 0.0, 1.01 * play),
+                    Catch::Contains("90 degrees"));
 }

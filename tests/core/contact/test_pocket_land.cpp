@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "contact/ball_pocket.hpp"
 #include "contact/cage_inertia.hpp"
@@ -15,7 +16,6 @@ using bearing::PocketShape;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kBall = 0.0079375;
 
 BallPocket pocket_of(PocketShape shape) {
@@ -132,9 +132,9 @@ TEST_CASE("On the pocket's axis the normal fades out and the gap stays right", "
 TEST_CASE("A half pocket ends at the cut", "[unit][pocket]") {
   const CylindricalPocket pocket{0.5 * (kBall + 2e-4), -1e-3, 1e-3};
   const Vec3 q(1e-5, 8e-5, 0.0);
-  const WallPoint there = nearest_wall_half(pocket, q, 0.5 * kBall, 1, 4e-4);
+  const WallPoint there = nearest_half_pocket_wall(pocket, q, 0.5 * kBall, 1, 4e-4);
   CHECK(there.gap == nearest_wall(pocket, q, 0.5 * kBall).gap);
-  const WallPoint other = nearest_wall_half(pocket, q, 0.5 * kBall, -1, 4e-4);
+  const WallPoint other = nearest_half_pocket_wall(pocket, q, 0.5 * kBall, -1, 4e-4);
   CHECK(other.w[1] == Approx(-4e-4));
   CHECK(std::hypot(other.w[0], other.w[1]) == Approx(pocket.wall_radius));
   CHECK(other.gap > there.gap);
@@ -184,14 +184,14 @@ TEST_CASE("The land law has its potential, its limits, and no jump", "[physics][
     CHECK((land_energy_per_length(law, e + h) - land_energy_per_length(law, e - h)) / (2 * h) ==
           Approx(land_load_per_length(law, e)).epsilon(2e-6));
     CHECK((land_load_per_length(law, e + h) - land_load_per_length(law, e - h)) / (2 * h) ==
-          Approx(land_slope_per_length(law, e)).epsilon(2e-6));
+          Approx(land_stiffness_per_length(law, e)).epsilon(2e-6));
   }
   // Small loads: F/L = (π/2) E* δ √(δ/(2(ΔR+δ))).
   const double d = 1e-9;
   CHECK(
       land_load_per_length(law, law.clearance + d) ==
       Approx(0.5 * kPi * law.E_star * d * std::sqrt(d / (2 * (law.clearance + d)))).epsilon(1e-4));
-  CHECK(land_slope_per_length(law, 1.0) < 3 * kPi * kPi / 32 * law.E_star);
+  CHECK(land_stiffness_per_length(law, 1.0) < 3 * kPi * kPi / 32 * law.E_star);
   // Interference: contact all around has the stiffness k_w R π.
   const LandLaw tight{7.6e10, -1e-5};
   CHECK(land_load_per_length(tight, 5e-6) == Approx(3 * kPi * kPi / 16 * tight.E_star * 5e-6));
@@ -236,7 +236,7 @@ TEST_CASE("The land integral is the closed form where the land is circular and a
   CHECK(sum.force.dot(g) < 0.0);
   CHECK(sum.energy == Approx(land.width * land_energy_per_length(law, e)).epsilon(0.03));
   CHECK(sum.moment[0] == Approx(0.0).margin(1e-12 * sum.force.norm()));
-  CHECK(least_land_gap(land, 0.0, g, Mat3::Identity()).gap ==
+  CHECK(min_land_gap(land, 0.0, g, Mat3::Identity()).gap ==
         Approx(law.clearance - e).margin(1e-15));
 }
 

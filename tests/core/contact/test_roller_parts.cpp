@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "contact/roller_flange.hpp"
 #include "contact/roller_inertia.hpp"
@@ -18,8 +19,6 @@ using bearing::kInner;
 using bearing::kOuter;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 RollerProfile roller(double end_radius, double corner = 3e-4, double half_angle = 0.0) {
   RollerProfile p;
@@ -78,7 +77,7 @@ Flange plain_flange(int side, int at, double layback = 7e-3, double height = 0.0
   f.at = at;
   f.layback = layback;
   f.height = height;
-  f.root_x = at * flat_root_distance(0.012, 3e-4, layback, 8e-5);
+  f.root_x = at * flat_end_root_distance(0.012, 3e-4, layback, 8e-5);
   f.root_r = side == kInner ? 0.0275 : 0.0375;
   return f;
 }
@@ -243,7 +242,7 @@ TEST_CASE("Flanges are placed by their end play", "[physics][rollers]") {
         f.height = 0.0022;
         f = placed_flange(f, end, Vec3(0, 0, 0.0325), Vec3::UnitX(), {end.sign * 0.006, R}, 4e-5);
         CHECK(end.sign * f.root_x ==
-              Approx(flat_root_distance(0.012, 3e-4, layback, 8e-5)).epsilon(1e-12));
+              Approx(flat_end_root_distance(0.012, 3e-4, layback, 8e-5)).epsilon(1e-12));
         const Vec3 moved(end.sign * 4e-5, 0.0, 0.0325);
         CHECK(flange_contact(flange_face(f), end, moved, Vec3::UnitX()).gap ==
               Approx(0.0).margin(1e-16));
@@ -261,7 +260,7 @@ TEST_CASE("Rib contact of a tapered roller lies where the closed form says", "[p
   // Polar angle of the contact on the sphere: ν + γ.
   CHECK(c.from_axis ==
         Approx(rib.end.end_radius * std::sin(rib.g.half_angle + rib.flange.layback)).epsilon(1e-9));
-  CHECK(dome_centre_radius(rib.end, rib.C, rib.axis(0, 0)) > 0.0);
+  CHECK(dome_center_axis_distance(rib.end, rib.C, rib.axis(0, 0)) > 0.0);
   const FlangeContact pressed =
       flange_contact(rib.face, rib.end, rib.C - Vec3(3e-6, 0, 0), rib.axis(0, 0));
   const double E_star = 206e9 / (2 * 0.91);
@@ -310,7 +309,7 @@ TEST_CASE("Tapered geometry says how it degenerates", "[unit][rollers]") {
   };
   CHECK_THAT(message(0.2, 0.2), Catch::Contains("infinity"));
   CHECK_THAT(message(0.19, 0.2), Catch::Contains("infinity"));
-  CHECK_THAT(message(0.2002, 0.2), Catch::Contains("are so close that the common apex"));
+  CHECK_THAT(message(0.2002, 0.2), Catch::Contains("are nearly equal: the common apex"));
   CHECK_THAT(message(0.2, 1e-5), Catch::Contains("too small"));
   CHECK_THAT(message(1.7, 0.2), Catch::Contains("between 0 and"));
   CHECK(message(0.23, 0.2).empty());

@@ -37,8 +37,8 @@ TEST_CASE("a slice that leans in a round pocket is pushed along the gradient of 
   const Vec3 u = Vec3(1.0, 0.02, -0.07).normalized();
   for (const double azimuth : {0.1, 0.4, -0.3, 2.9, 3.5}) {
     const Vec3 p(2e-3, 1.3e-4 * std::cos(azimuth), 1.3e-4 * std::sin(azimuth));
-    const Gradients g =
-        compare(p, [&](const Vec3& at) { return contact::slice_in_round(pocket, at, u, kRadius); });
+    const Gradients g = compare(
+        p, [&](const Vec3& at) { return contact::slice_in_round_pocket(pocket, at, u, kRadius); });
     CAPTURE(azimuth, g.error, g.of_normal);
     CHECK(g.error < 1e-6);
     CHECK(g.of_normal > 1e-3);
@@ -48,8 +48,9 @@ TEST_CASE("a slice that leans in a round pocket is pushed along the gradient of 
       pocket.half = half;
       pocket.cut = half == 0 ? 0.0 : 2e-3;
       const Vec3 p(1e-3, half == 0 ? 2e-5 : -1.5e-4, 1.6e-4);
-      const Gradients g = compare(
-          p, [&](const Vec3& at) { return contact::slice_in_round(pocket, at, u, kRadius); });
+      const Gradients g = compare(p, [&](const Vec3& at) {
+        return contact::slice_in_round_pocket(pocket, at, u, kRadius);
+      });
       CAPTURE(half, g.error, g.of_normal);
       CHECK(g.error < 1e-5);  // the edge of a tapered wall is slightly curved, which is left out
       CHECK(g.of_normal > 5e-4);
@@ -123,7 +124,7 @@ TEST_CASE("what is surely open in a pocket is open, and a slice's gap by itself 
     for (int k = 0; k < 2; ++k) {
       const contact::RollerEnd end = contact::roller_end(profile, k);
       const double wall = 0.5 * profile.length + 1e-4 * std::abs(unit(numbers));
-      const double gap = contact::end_at_wall(end, wall, q, u).gap;
+      const double gap = contact::end_contact_at_wall(end, wall, q, u).gap;
       const double bound = contact::end_gap_bound(end, wall, q, u);
       REQUIRE(bound <= gap);
       if (gap > 0.0 && bound > 0.0) ++near;

@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "contact/line_contact.hpp"
 #include "contact/race_errors.hpp"
@@ -19,8 +20,6 @@ using bearing::kInner;
 using bearing::kOuter;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 RollerProfile straight(double half_angle = 0.0) {
   RollerProfile p;
@@ -152,8 +151,8 @@ TEST_CASE("Slices fill the effective length and lands cut them continuously", "[
   const double edge = 0.0045;
   CHECK(overlap_width(edge + 1e-12, 4e-4, 3e-4, 8.4e-3) ==
         Approx(overlap_width(edge - 1e-12, 4e-4, 3e-4, 8.4e-3)).margin(3e-12));
-  CHECK(suggested_slices(straight(), 1e-5) == 20);
-  CHECK(suggested_slices(barrel(0.9), 1e-6) > 40);
+  CHECK(suggested_slice_count(straight(), 1e-5) == 20);
+  CHECK(suggested_slice_count(barrel(0.9), 1e-6) > 40);
   CHECK_THROWS_AS(slicing(crowned(), 0), InputError);
 }
 
@@ -208,7 +207,7 @@ TEST_CASE("Penetration derivatives follow from the contact point and normal alon
   for (const Scene& scene : scenes()) {
     RacePose pose;
     pose.centre = Vec3(2e-5, -3e-5, 7e-6);
-    pose.axes = passive_y(6e-4).transpose() * passive_z(-9e-4).transpose();
+    pose.axes = passive_rotation_y(6e-4).transpose() * passive_rotation_z(-9e-4).transpose();
     const Vec3 C(8e-5, 0.0, scene.r), a = roller_axis(scene.tilt + 3e-4, -2e-3);
     const RollerSlice slice = roller_slices(scene.roller, slicing(scene.roller, 5))[1];
     const auto contact = [&](const RacePose& p, const Vec3& centre, const Vec3& axis) {
@@ -217,7 +216,7 @@ TEST_CASE("Penetration derivatives follow from the contact point and normal alon
       return c;
     };
     const SliceContact at = contact(pose, C, a);
-    const Vec3 turn = turning_gradient(at, C), race_turn = turning_gradient(at, pose.centre);
+    const Vec3 turn = rotation_gradient(at, C), race_turn = rotation_gradient(at, pose.centre);
     const double h = 1e-6;
     for (int i = 0; i < 3; ++i) {
       const Vec3 d = h * Vec3::Unit(i);
@@ -260,7 +259,7 @@ TEST_CASE("Sliced load converges with the square of the slice width", "[physics]
   const RollerProfile p = crowned();
   const double delta0 = 2e-5, slope = 7e-4;  // every slice loaded
   const SlicedLine reference = sliced_line(p, 1, kLineConstantSteel);
-  const auto depth = [&](double x) { return delta0 + slope * x - roller_drop(p, x); };
+  const auto depth = [&](double x) { return delta0 + slope * x - profile_drop(p, x); };
   const ContinuumResultant whole =
       continuum_resultant(reference.law, -0.0057, 0.00564, depth, {-0.0036, 0.0036});
   std::array<double, 3> load_error{}, moment_error{};

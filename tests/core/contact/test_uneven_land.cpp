@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "contact/uneven_land.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,7 +12,6 @@ using namespace adore::contact;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kModulus = 1.1e11;
 
 UnevenLand::Shape circle(bool outer, double half_angle = kPi) {
@@ -43,7 +43,7 @@ struct Sum {
 
 Sum sum_at(const UnevenLand& land, const UnevenLand::Place& at) {
   Sum sum;
-  land.visit(at, [&](const UnevenPiece& piece) {
+  land.visit(at, [&](const ContactSpotSection& piece) {
     sum.y += piece.force[0];
     sum.z += piece.force[1];
     sum.turning += piece.turning;
@@ -131,7 +131,7 @@ TEST_CASE("the least gap of an uneven land is where it touches first", "[unit][l
     for (int n = 0; n < 12; ++n) {
       const UnevenLand::Place at{
           {2e-5 * std::cos(n), 3e-5 * std::sin(2.0 * n)}, 0.6 * n, 0.1 * n, 0.0};
-      const auto least = open.least_gap(at);
+      const auto least = open.minimum_gap(at);
       // With so much less clearance it just touches, with a little more it does not.
       for (const double more : {-1e-9, 1e-9}) {
         shape = waves(true, half_angle);
@@ -140,7 +140,7 @@ TEST_CASE("the least gap of an uneven land is where it touches first", "[unit][l
         CHECK((sum_at(UnevenLand(shape), at).energy > 0.0) == (more < 0.0));
       }
       CHECK(std::abs(least.s) <= half_angle);
-      if (open.out_of_reach(at.e[0] * at.e[0] + at.e[1] * at.e[1])) CHECK(least.gap > 0.0);
+      if (open.is_out_of_reach(at.e[0] * at.e[0] + at.e[1] * at.e[1])) CHECK(least.gap > 0.0);
     }
   }
 }

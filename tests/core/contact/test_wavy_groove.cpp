@@ -45,7 +45,7 @@ TEST_CASE("race errors: by cosine and sine of the azimuth they are those of its 
   oval.roundness = RaceErrors::Roundness::Elliptical;
   oval.variation = {5e-6, -3e-6, 0.6};
   for (const RaceErrors& errors : {waves(0.0), waves(1.0), waves(-7.0), waves(64.0), oval}) {
-    const RaceForm form = race_form(errors, R);
+    const RaceErrorModel form = make_race_error_model(errors, R);
     for (const double psi : {-2.0, 0.0, 0.3, 2.2, 5.9}) {
       const LocalRaceError angle = race_error_at(errors, R, psi);
       const LocalRaceError direction =
@@ -83,8 +83,9 @@ TEST_CASE("wavy groove: Hertz's constants follow the curvature factor", "[unit][
     errors.curvature_factor = {amplitude, 1.0, 0.0};
     const WavyGroove groove = make_wavy_groove(balls(), 1, errors, angle);
     const auto at = [&](double psi) {
-      return wavy_touch(groove, groove.ratios,
-                        AzimuthDirection<double>{std::cos(psi), std::sin(psi)}, 1e-4, 2e-4, 2.5e-4);
+      return wavy_groove_contact(groove, groove.ratios,
+                                 AzimuthDirection<double>{std::cos(psi), std::sin(psi)}, 1e-4, 2e-4,
+                                 2.5e-4);
     };
     for (int i = 0; i <= 40; ++i) {
       const double psi = -std::numbers::pi + i * 0.05 * std::numbers::pi;
@@ -109,12 +110,12 @@ TEST_CASE("wavy groove: the force is minus the gradient of one potential",
     };
     constexpr double K = 1e10;
     const auto contact_at = [&](double xi, double R, double psi) {
-      const WavyTouch<double> at =
-          wavy_touch(groove, groove.ratios, AzimuthDirection<double>{std::cos(psi), std::sin(psi)},
-                     xi, R - g.centre_radius[j], g.offset[j]);
+      const WavyGrooveContact<double> at = wavy_groove_contact(
+          groove, groove.ratios, AzimuthDirection<double>{std::cos(psi), std::sin(psi)}, xi,
+          R - g.centre_radius[j], g.offset[j]);
       const double load = hertz_load(K * at.stiffness, at.touch.approach);
-      return At{point_energy(load, at.touch.approach), load, at.touch.n_k, at.touch.n_e,
-                wavy_push(at, load, 0.0, at.touch.approach, R)};
+      return At{point_contact_energy(load, at.touch.approach), load, at.touch.n_k, at.touch.n_e,
+                wavy_tangential_force(at, load, 0.0, at.touch.approach, R)};
     };
     const double sign = race == 0 ? 1.0 : -1.0, depth = g.offset[j] + 3e-5;
     const double xi = sign * depth * std::sin(0.45);

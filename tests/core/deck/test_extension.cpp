@@ -1,6 +1,6 @@
 #include "deck/deck.hpp"
+#include "deck/deck_text_with_comments.hpp"
 #include "deck/difference.hpp"
-#include "deck/keep_text.hpp"
 #include "deck/lookup.hpp"
 #include "deck/templates.hpp"
 #include "deck/unit_change.hpp"
@@ -74,7 +74,7 @@ TEST_CASE("records X: kept when options change, before the lines of user routine
   read.deck.set_all(std::vector<std::pair<std::string, std::string>>{{"mode", "-1"}});
   CHECK(read.deck.real("matEM", 1, 3) == 2.06e11);
   CHECK(read.deck.records.back().id == "X3");
-  const KeptText kept = with_deck(text, read.deck);
+  const DeckTextWithComments kept = with_deck(text, read.deck);
   CHECK(read_deck_text(kept.text, "x").deck == read.deck);
   CHECK_FALSE(read_deck_text(text + "'X1', 1e4 /\n", "x").deck.user_lines.empty());
   CHECK_FALSE(

@@ -1,5 +1,5 @@
 #include "deck/catalogue.hpp"
-#include "deck/keep_text.hpp"
+#include "deck/deck_text_with_comments.hpp"
 #include "deck/templates.hpp"
 #include "deck/unit_change.hpp"
 
@@ -28,7 +28,8 @@ std::vector<std::string> lines(const std::string& text) {
 
 TEST_CASE("keep_text(): changed value → rest of the text unchanged", "[unit][deck]") {
   const std::string before = example();
-  const deck::KeptText after = deck::with_values(before, Sets{{"tol", "1e-4"}, {"intMet", "3"}});
+  const deck::DeckTextWithComments after =
+      deck::with_values(before, Sets{{"tol", "1e-4"}, {"intMet", "3"}});
   REQUIRE(after.kept);
   const auto a = lines(before), b = lines(after.text);
   REQUIRE(a.size() == b.size());
@@ -51,7 +52,7 @@ TEST_CASE("keep_text(): byte-order mark, line ends and foreign letters → kept"
         CAPTURE(text.size(), before, behind);
         deck::Deck deck = deck::read_deck_text(file, "before").deck;
         deck.set_all(Sets{{"tol", "1e-4"}});
-        for (const deck::KeptText& after :
+        for (const deck::DeckTextWithComments& after :
              {deck::with_values(file, Sets{{"tol", "1e-4"}}), deck::with_deck(file, deck)}) {
           REQUIRE(after.kept);
           CHECK(lines(after.text).size() == lines(file).size());
@@ -72,7 +73,7 @@ TEST_CASE("keep_text(): every number of a deck can be changed in place", "[unit]
   for (const char* name : {"stpMax", "appLoadX", "pocClsII", "rpm2", "qFac", "temp[2]"}) {
     CAPTURE(name);
     if (!deck.has(std::string(name).substr(0, std::string(name).find('[')))) continue;
-    const deck::KeptText after = deck::with_values(before, Sets{{name, "0.125"}});
+    const deck::DeckTextWithComments after = deck::with_values(before, Sets{{name, "0.125"}});
     CHECK(after.kept);
     deck::Deck expected = deck;
     expected.set_all(Sets{{name, "0.125"}});
@@ -86,9 +87,9 @@ TEST_CASE("keep_text(): value that shares a word with others → text written an
   REQUIRE(at != std::string::npos);
   text.replace(at, 14, "2*1.0e-7");
   const deck::Deck deck = deck::read_deck_text(text, "repeated").deck;
-  const deck::KeptText same = deck::with_values(text, Sets{{"tol", "1e-4"}});
+  const deck::DeckTextWithComments same = deck::with_values(text, Sets{{"tol", "1e-4"}});
   CHECK(same.kept);
-  const deck::KeptText other = deck::with_values(text, Sets{{"rmsAspHt1", "2e-7"}});
+  const deck::DeckTextWithComments other = deck::with_values(text, Sets{{"rmsAspHt1", "2e-7"}});
   CHECK_FALSE(other.kept);
   deck::Deck expected = deck;
   expected.set_all(Sets{{"rmsAspHt1", "2e-7"}});
@@ -101,7 +102,7 @@ TEST_CASE("keep_text(): records added, removed or enlarged → remarks kept", "[
   const auto with = [&](const Sets& sets) {
     deck::Deck after = deck;
     after.set_all(sets);
-    const deck::KeptText text = deck::with_deck(before, after);
+    const deck::DeckTextWithComments text = deck::with_deck(before, after);
     CHECK(text.kept);
     CHECK(deck::read_deck_text(text.text, "after").deck == after);
     return text.text;
@@ -123,7 +124,7 @@ TEST_CASE("keep_text(): record written anew → remark after it kept", "[unit][d
   text.replace(at, 14, "2*1.0e-7");
   deck::Deck after = deck::read_deck_text(text, "repeated").deck;
   after.set("rmsAspHt1", "2e-7");
-  const deck::KeptText kept = deck::with_deck(text, after);
+  const deck::DeckTextWithComments kept = deck::with_deck(text, after);
   CHECK(kept.kept);
   CHECK(deck::read_deck_text(kept.text, "after").deck == after);
   const auto a = lines(text), b = lines(kept.text);
@@ -143,11 +144,11 @@ TEST_CASE("keep_text(): lines of user routines and line ends → kept", "[unit][
   deck::Deck after = deck::read_deck_text(dos, "dos").deck;
   REQUIRE(after.user_lines.size() == 2);
   after.set("tol", "1e-4");
-  const deck::KeptText kept = deck::with_deck(dos, after);
+  const deck::DeckTextWithComments kept = deck::with_deck(dos, after);
   CHECK(kept.kept);
   CHECK(kept.text.find("my routine\r\n\r\n3 4\r\n") != std::string::npos);
   after.user_lines = {"7 8"};
-  const deck::KeptText other = deck::with_deck(dos, after);
+  const deck::DeckTextWithComments other = deck::with_deck(dos, after);
   CHECK(other.kept);
   CHECK(other.text.find("stpInit stpMin") != std::string::npos);
   CHECK(deck::read_deck_text(other.text, "after").deck == after);
@@ -203,7 +204,7 @@ TEST_CASE("keep_text(): change of units in every example → units in remarks fo
     const bool si = deck.units() == deck::UnitSystem::SI;
     CAPTURE(text.substr(0, 400));
     const deck::Deck other = deck::in_units(deck, deck::other_system(deck.units()));
-    const deck::KeptText there = deck::with_deck(text, other);
+    const deck::DeckTextWithComments there = deck::with_deck(text, other);
     REQUIRE(there.kept);
     CHECK(there.doubtful_units.empty());
     CHECK(deck::read_deck_text(there.text, "there").deck == other);
@@ -222,7 +223,7 @@ TEST_CASE("keep_text(): change of units in every example → units in remarks fo
         CHECK(is[e] == english.at(was[e]));
       }
     }
-    const deck::KeptText back = deck::with_deck(there.text, deck);
+    const deck::DeckTextWithComments back = deck::with_deck(there.text, deck);
     REQUIRE(back.kept);
     CHECK(back.doubtful_units.empty());
     CHECK(remark_words(back.text) == remark_words(text));
@@ -258,7 +259,7 @@ TEST_CASE("keep_text(): change of units → foreign remarks kept and listed", "[
     const std::string file = with_remark("4", remark.words);
     REQUIRE(file.find(remark.words) != std::string::npos);
     const deck::Deck deck = deck::read_deck_text(file, "file").deck;
-    const deck::KeptText after =
+    const deck::DeckTextWithComments after =
         deck::with_deck(file, deck::in_units(deck, deck::UnitSystem::English));
     REQUIRE(after.kept);
     CHECK(after.text.find(remark.words) != std::string::npos);
@@ -266,7 +267,7 @@ TEST_CASE("keep_text(): change of units → foreign remarks kept and listed", "[
           (remark.speaks_of_si ? std::vector<std::string>{"4"} : std::vector<std::string>{}));
   }
   // Numbers that are kept are in the new units as well; so are the units that are named.
-  const deck::KeptText kept = deck::with_values(text, Sets{{"kUnit", "2"}});
+  const deck::DeckTextWithComments kept = deck::with_values(text, Sets{{"kUnit", "2"}});
   REQUIRE(kept.kept);
   CHECK(kept.text.find("displacements [lbf, in]") != std::string::npos);
 }

@@ -38,7 +38,7 @@ std::string all(const std::vector<Issue>& issues) {
 
 }  // namespace
 
-TEST_CASE("check_likely: probable slips → warning with the probable meaning", "[unit]") {
+TEST_CASE("check_likely_mistakes: probable slips → warning with the probable meaning", "[unit]") {
   const Severity warning = Severity::Warning;
   const std::vector<Slip> slips = {
       {"ball", {{"roomTemp", "20"}}, warning, "roomTemp", "for 20 deg C write 293.15 K"},
@@ -75,7 +75,7 @@ TEST_CASE("check_likely: probable slips → warning with the probable meaning", 
   }
 }
 
-TEST_CASE("check_likely: example decks in both unit systems → no warning", "[unit]") {
+TEST_CASE("check_likely_mistakes: example decks in both unit systems → no warning", "[unit]") {
   for (const deck::TemplateInfo& info : deck::templates()) {
     deck::Deck deck = deck::new_deck(info.name);
     INFO(info.name << "\n" << all(deck::check_deck(deck)));
@@ -86,7 +86,7 @@ TEST_CASE("check_likely: example decks in both unit systems → no warning", "[u
   }
 }
 
-TEST_CASE("check_likely: bearing loaded by displacement → no warning", "[unit]") {
+TEST_CASE("check_likely_mistakes: bearing loaded by displacement → no warning", "[unit]") {
   const std::vector<std::vector<std::pair<const char*, const char*>>> loaded = {
       {{"kFS1", "1"}, {"appDispX", "1e-5"}},
       {{"kFS4", "0"}, {"appMomY", "2"}},

@@ -31,7 +31,7 @@ Deck watched(std::string_view type) {
   if (segments > 0) bodies.push_back(elements + 1);
   bodies.push_back(elements + segments + 1);
   bodies.push_back(elements + segments + 2);
-  monitor(deck, bodies);
+  set_monitored_bodies(deck, bodies);
   return deck;
 }
 
@@ -43,7 +43,7 @@ bool said(const std::vector<Issue>& notes, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("set_all_and_follow(): changed counts → same monitored bodies, with a note",
+TEST_CASE("set_all_and_renumber(): changed counts → same monitored bodies, with a note",
           "[unit][deck]") {
   int decks = 0;
   for (const TemplateInfo& info : templates()) {
@@ -57,7 +57,7 @@ TEST_CASE("set_all_and_follow(): changed counts → same monitored bodies, with 
         INFO(info.name << ": " << variable << " = " << count);
         Deck deck = before;
         const std::vector<Issue> notes =
-            set_all_and_follow(deck, Sets{{variable, fmt::format("{}", count)}});
+            set_all_and_renumber(deck, Sets{{variable, fmt::format("{}", count)}});
         const std::vector<std::string> names = names_of(deck);
         REQUIRE(names.size() >= 4);
         CHECK(names.front() == "rolling element 1");
@@ -75,33 +75,33 @@ TEST_CASE("set_all_and_follow(): changed counts → same monitored bodies, with 
   CHECK(decks >= 5);
 }
 
-TEST_CASE("set_all_and_follow(): monitored bodies set with the counts → those that were set",
+TEST_CASE("set_all_and_renumber(): monitored bodies set with the counts → those that were set",
           "[unit][deck]") {
   Deck deck = watched("ball");
   const long long count = deck.integer("nRe") + 2;
-  CHECK(set_all_and_follow(
+  CHECK(set_all_and_renumber(
             deck,
             Sets{{"nRe", fmt::format("{}", count)}, {"kNumPltElem", "2"}, {"kPltElemInd", "2,3"}})
             .empty());
   CHECK(monitored_bodies(deck) == std::vector<long long>{2, 3});
   // What is set is no count: nothing to follow, nothing to say.
-  CHECK(set_all_and_follow(deck, Sets{{"appLoadZ", "1200"}}).empty());
+  CHECK(set_all_and_renumber(deck, Sets{{"appLoadZ", "1200"}}).empty());
 }
 
-TEST_CASE("set_all_and_follow(): invalid number → all others still follow", "[unit][deck]") {
+TEST_CASE("set_all_and_renumber(): invalid number → all others still follow", "[unit][deck]") {
   Deck deck = new_deck("ball");
   const long long elements = deck.integer("nRe"), bodies = elements + deck.integer("nCseg") + 2;
-  monitor(deck, {1, bodies - 1, bodies + 1});
+  set_monitored_bodies(deck, {1, bodies - 1, bodies + 1});
   const Deck before = deck;
   deck.set("nRe", fmt::format("{}", elements + 1));
   deck.complete();
-  const std::vector<Issue> notes = follow_bodies(deck, before);
+  const std::vector<Issue> notes = renumber_monitored_bodies(deck, before);
   CHECK(body_name(deck, monitored_bodies(deck)[1]) == "outer race");
   CHECK(said(notes, fmt::format("{} was not the number of a body before; it is now the inner race",
                                 bodies + 1)));
   // A count that is none says nothing of bodies.
   Deck none = before;
   none.set("nRe", "0");
-  CHECK(follow_bodies(none, before).empty());
+  CHECK(renumber_monitored_bodies(none, before).empty());
   CHECK(monitored_bodies(none) == monitored_bodies(before));
 }

@@ -80,13 +80,13 @@ TEST_CASE("parse quantity: value displayed in another unit → reproduced", "[un
     for (const std::string_view name : deck::usual_units(pair))
       for (const double value : {0.0127, 40.0, 293.15, 1.0 / 3.0, 123456.789, 6.4e-7})
         for (const UnitSystem system : {UnitSystem::SI, UnitSystem::English}) {
-          const std::string text = deck::number_in(value, pair, system, name);
+          const std::string text = deck::number_in_unit(value, pair, system, name);
           INFO(text << " " << name);
           CHECK(taken((text + " " + std::string(name)).c_str(), pair, system) ==
                 Approx(value).epsilon(2e-15).margin(pair.si == "K" ? 1e-12 : 0.0));
         }
-  CHECK(deck::number_in(0.0127, unit::kLength, UnitSystem::SI, "mm") == "12.7");
-  CHECK(deck::number_in(353.15, unit::kTemperature, UnitSystem::SI, "°C") == "80");
-  CHECK(deck::number_in(0.5, unit::kLength, UnitSystem::English, "mm") == "12.7");
+  CHECK(deck::number_in_unit(0.0127, unit::kLength, UnitSystem::SI, "mm") == "12.7");
+  CHECK(deck::number_in_unit(353.15, unit::kTemperature, UnitSystem::SI, "°C") == "80");
+  CHECK(deck::number_in_unit(0.5, unit::kLength, UnitSystem::English, "mm") == "12.7");
   CHECK(deck::usual_units(unit::kPure).empty());
 }

@@ -197,7 +197,7 @@ TEST_CASE("conditions: syntax error → InternalError", "[unit][schema]") {
   for (const char* broken : {"", "kBrg", "kBrg ==", "kBrg == 1 &&", "(kBrg == 1", "kBrg == 1)",
                              "kBrg in 1", "kBrg in (1", "max(", "kBrg = 1", "== 1"})
     CHECK_THROWS_AS(evaluate(broken, scope), adore::InternalError);
-  CHECK(names_in("kBrg in (1,2) && max(iCageGuide) > 0 || user() > 0 && kBrg == 1") ==
+  CHECK(variable_names_in("kBrg in (1,2) && max(iCageGuide) > 0 || user() > 0 && kBrg == 1") ==
         std::vector<std::string_view>{"kBrg", "iCageGuide"});
 }
 

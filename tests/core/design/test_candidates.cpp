@@ -45,14 +45,14 @@ TEST_CASE("candidates: size and both ratings of a 6203 → 8 balls of 6.747 mm f
   CHECK(first.BSF == Approx(1.9937).epsilon(1e-3));
   CHECK(first.C == Approx(9600).epsilon(0.03));
   CHECK(first.C0 == Approx(4800).epsilon(0.03));
-  const deck::CatalogueBearing chosen = chosen_candidate(report, 1);
+  const deck::CatalogueBearing chosen = candidate_bearing(report, 1);
   const deck::Deck made = deck::read_deck_text(deck::catalogue_deck(chosen), "chosen").deck;
   CHECK(made.integer("nRe") == 8);
   CHECK(made.real("bReDia") == Approx(first.diameter));
   CHECK(made.real("freeIntCls") == Approx(18e-6));  // 11 to 25 um
   for (const Issue& issue : check_model(made)) CHECK(issue.severity != Severity::Error);
-  CHECK_THROWS_AS(chosen_candidate(report, 0), InputError);
-  CHECK_THROWS_AS(chosen_candidate(report, 100), InputError);
+  CHECK_THROWS_AS(candidate_bearing(report, 0), InputError);
+  CHECK_THROWS_AS(candidate_bearing(report, 100), InputError);
 }
 
 TEST_CASE("candidates: fault factors → pitch diameter and count", "[unit][candidates]") {

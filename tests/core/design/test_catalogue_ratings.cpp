@@ -37,7 +37,8 @@ TEST_CASE("rated bearings: designation → printed size and estimated ratings", 
     CHECK(bearing->envelope.width == Approx(1e-3 * p.width));
     CHECK(r.C == Approx(1e3 * p.C).epsilon(p.limit));
     CHECK(r.C0 == Approx(1e3 * p.C0).epsilon(p.limit));
-    CHECK(design::ratings_story(*bearing).back().find("cannot be simulated") != std::string::npos);
+    CHECK(design::describe_ratings(*bearing).back().find("cannot be simulated") !=
+          std::string::npos);
   }
 }
 

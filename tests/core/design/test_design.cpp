@@ -38,7 +38,7 @@ double value(const design::DesignSummary& summary, const char* id) {
 
 deck::Deck moving(const deck::Deck& deck) {
   deck::Deck out = deck;
-  out.set_all(design::moving_deck(deck).sets);
+  out.set_all(design::propose_dynamic_deck(deck).sets);
   return out;
 }
 
@@ -179,45 +179,45 @@ TEST_CASE("design oils: a grade → record X2 and nothing of the oil before it",
   const auto take = [&](const char* name) {
     deck.set_all(design::design_oils(deck)[oil(name)].sets);
   };
-  CHECK(design::design_oil_of(deck) == oil("dry"));
+  CHECK(design::design_oil_index(deck) == oil("dry"));
   take("VG 68");
   CHECK(deck.integer("kTrac") == 21);
   CHECK(deck.integer("oilGrade") == 68);
   CHECK(deck.real("strParam") == 10.0);
-  CHECK(design::design_oil_of(deck) == oil("VG 68"));
+  CHECK(design::design_oil_index(deck) == oil("VG 68"));
   // Another oil of this record is none of the page, and a choice replaces all of it.
   deck.set_all(std::vector<std::pair<std::string, std::string>>{
       {"oilGrade", ""}, {"oilVisc1", "110"}, {"oilVisc2", "14"}, {"kOilBase", "2"}});
-  CHECK_FALSE(design::design_oil_of(deck));
-  CHECK(design::with_bearing(deck, "6205", true).real("oilVisc2") == 14.0);
+  CHECK_FALSE(design::design_oil_index(deck));
+  CHECK(design::replace_bearing(deck, "6205", true).real("oilVisc2") == 14.0);
   take("VG 220");
-  CHECK(design::design_oil_of(deck) == oil("VG 220"));
+  CHECK(design::design_oil_index(deck) == oil("VG 220"));
   CHECK_FALSE(deck.has("oilVisc1"));
   CHECK_FALSE(deck.has("kOilBase"));
   const design::DesignSummary thick = design::design_summary(deck);
   take("VG 32");
   CHECK(value(thick, "film_inner") > 1.5 * value(design::design_summary(deck), "film_inner"));
   take("MIL-L-23699, Newtonian");
-  CHECK(design::design_oil_of(deck) == oil("MIL-L-23699, Newtonian"));
+  CHECK(design::design_oil_index(deck) == oil("MIL-L-23699, Newtonian"));
   CHECK_FALSE(deck.has("oilGrade"));
   take("dry");
   CHECK(deck.integer("kTrac") == 0);
 }
 
-TEST_CASE("with_bearing: another designation → the operation of the user stays",
+TEST_CASE("replace_bearing: another designation → the operation of the user stays",
           "[unit][design][design]") {
   deck::Deck deck = catalogue("7208");
   deck.set("rpm2", "7777");
   deck.set_all(design::design_oils(deck).at(4).sets);
-  const deck::Deck next = design::with_bearing(deck, "6205", true);
+  const deck::Deck next = design::replace_bearing(deck, "6205", true);
   CHECK(next.text("runID") == "6205");
   CHECK(next.real("rpm2") == 7777.0);
   CHECK(next.integer("kTrac") == deck.integer("kTrac"));
   CHECK(next.real("strParam") == deck.real("strParam"));
   // The load that the catalog proposed for the 7208 is not the user's.
   CHECK(next.real("appLoadZ") == catalogue("6205").real("appLoadZ"));
-  CHECK(design::with_bearing(deck, "6205", false) == catalogue("6205"));
-  CHECK_THROWS_AS(design::with_bearing(deck, "no bearing", true), InputError);
+  CHECK(design::replace_bearing(deck, "6205", false) == catalogue("6205"));
+  CHECK_THROWS_AS(design::replace_bearing(deck, "no bearing", true), InputError);
 }
 
 TEST_CASE("moving deck: each type of the catalog → `adore check` accepts it and a run starts",
@@ -264,7 +264,7 @@ TEST_CASE("moving deck: own cage, gravity → kept; no speed → rejected", "[un
   CHECK(again.real("bPocCls1") == 0.0005);
   CHECK(again.real("gravityVecZ") == -1.62);
   deck.set("rpm2", "0");
-  CHECK_THROWS_AS(design::moving_deck(deck), InputError);
+  CHECK_THROWS_AS(design::propose_dynamic_deck(deck), InputError);
 }
 
 // With a folder in ADORE_MOVING it keeps decks and results there.

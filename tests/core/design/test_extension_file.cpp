@@ -1,7 +1,7 @@
 #include "base/errors.hpp"
 #include "core/runs/deck_runs.hpp"
 #include "deck/catalogue.hpp"
-#include "deck/keep_text.hpp"
+#include "deck/deck_text_with_comments.hpp"
 #include "deck/lookup.hpp"
 #include "deck/templates.hpp"
 #include "design/calculator_inputs.hpp"
@@ -261,8 +261,8 @@ TEST_CASE("start angle: azimuth of element 1; a whole pitch changes nothing",
 TEST_CASE("passing frequencies: nominal from the geometry, computed from the orbital speed",
           "[physics][extension]") {
   const runs::Prepared made = prepared(bearing_6309());
-  const runs::FaultFrequencies nominal = runs::nominal_frequencies(made),
-                               computed = runs::static_frequencies(made);
+  const runs::FaultFrequencies nominal = runs::nominal_fault_frequencies(made),
+                               computed = runs::equilibrium_fault_frequencies(made);
   const bearing::BallGeometry& balls = made.as_built.balls();
   const double turns = 1800.0 / 60.0;
   const double gamma = balls.diameter / balls.pitch_diameter * std::cos(balls.contact_angle);
@@ -280,10 +280,10 @@ TEST_CASE("passing frequencies: nominal from the geometry, computed from the orb
     deck.set_all(Sets{{"mode", "-1"}});
     const runs::Prepared rollers = prepared(deck);
     INFO(type);
-    CHECK(runs::static_frequencies(rollers).outer ==
-          Approx(runs::nominal_frequencies(rollers).outer).epsilon(0.05));
-    CHECK(runs::static_frequencies(rollers).spin.value() ==
-          Approx(runs::nominal_frequencies(rollers).spin.value()).epsilon(0.05));
+    CHECK(runs::equilibrium_fault_frequencies(rollers).outer ==
+          Approx(runs::nominal_fault_frequencies(rollers).outer).epsilon(0.05));
+    CHECK(runs::equilibrium_fault_frequencies(rollers).spin.value() ==
+          Approx(runs::nominal_fault_frequencies(rollers).spin.value()).epsilon(0.05));
   }
 }
 

@@ -59,7 +59,7 @@ TEST_CASE("find: least thrust that keeps all balls loaded, angular contact → e
   const FindReport report = find_in_deck(request);
   REQUIRE(report.outcome.answer == FindAnswer::One);
   const FindSolution& one = report.outcome.solutions[0];
-  CHECK(one.kind == FindKind::Range);
+  CHECK(one.kind == FindSolutionKind::Range);
   CHECK(report.unknown.unit == "N");
   // Just below a ball is unloaded, just above all are loaded.
   const auto least = [&](double x) {
@@ -237,5 +237,5 @@ TEST_CASE("find questions: each names a known result and variable", "[unit][find
   const auto meaning = std::find_if(results.begin(), results.end(),
                                     [](const auto& one) { return one.id == "gyroscopic_ratio"; });
   REQUIRE(meaning != results.end());
-  CHECK(meaning->meaning.find("above 1 the ball pivots") != std::string::npos);
+  CHECK(meaning->meaning.find("above 1 a ball pivots") != std::string::npos);
 }

@@ -155,9 +155,10 @@ TEST_CASE("outline: section of a ball deck → sizes of the deck", "[unit][outli
 TEST_CASE("outline: side view → all elements on the pitch circle", "[unit][outline]") {
   for (const char* name : {"ball", "tapered"}) {
     const deck::Deck deck = deck::new_deck(name);
-    const Drawing side = draw(View::SideView, deck);
-    const double pitch =
-        deck.integer("kBrg") == 1 ? deck.si("pitchDia") : setup::build_rollers(deck).pitch_diameter;
+    const Drawing side = draw(View::AdditionalView, deck);
+    const double pitch = deck.integer("kBrg") == 1
+                             ? deck.si("pitchDia")
+                             : setup::build_roller_geometry(deck).pitch_diameter;
     int elements = 0;
     for (const Shape& shape : side.panes[0].shapes) {
       if (shape.part != Part::Element) continue;
@@ -210,7 +211,7 @@ TEST_CASE("outline: tapered rollers → between their cones, which meet in the a
 
 TEST_CASE("outline: English deck → same drawing as in SI", "[unit][outline]") {
   const deck::Deck si = deck::new_deck("ball"), english = deck::new_deck("ball-english");
-  for (const View view : {View::CrossSection, View::SideView, View::Element, View::Pocket,
+  for (const View view : {View::CrossSection, View::AdditionalView, View::Element, View::Pocket,
                           View::Lands, View::Traction}) {
     INFO(title_of(view));
     // The English numbers are the SI ones rounded to 16 digits.
@@ -302,7 +303,7 @@ TEST_CASE("outline: traction curves → those of the law", "[unit][outline]") {
 TEST_CASE("outline: arrows → directions of the loads", "[unit][outline]") {
   deck::Deck deck = deck::new_deck("ball");
   deck.set("appLoadY", "-300");
-  const Drawing side = draw(View::SideView, deck);
+  const Drawing side = draw(View::AdditionalView, deck);
   const auto arrow = [&](const std::string& name) {
     for (const Arrow& a : side.panes[0].arrows)
       if (a.variable == name) return a;
@@ -321,7 +322,7 @@ TEST_CASE("outline: arrows → directions of the loads", "[unit][outline]") {
   CHECK(area > 0.0);
   deck.set("kFS3", "1");
   deck.complete();
-  const Drawing held = draw(View::SideView, deck);
+  const Drawing held = draw(View::AdditionalView, deck);
   CHECK(std::any_of(held.panes[0].arrows.begin(), held.panes[0].arrows.end(),
                     [](const Arrow& a) { return a.variable == "appDispZ"; }));
 }
@@ -385,14 +386,14 @@ TEST_CASE("outline: any value of any number → drawing or reason", "[unit][outl
 
 TEST_CASE("outline: every variable of the schema belongs to a view or to the default",
           "[unit][outline]") {
-  CHECK(view_for("5A", "pitchDia") == View::CrossSection);
-  CHECK(view_for("5D.1", "bReCrn") == View::Element);
-  CHECK(view_for("7.1", "bPocCls1") == View::Pocket);
-  CHECK(view_for("7.2.i", "cageGsCls") == View::Lands);
-  CHECK(view_for("5F", "flngHt11") == View::Flange);
-  CHECK(view_for("10.5.2D", "cageRaceTC2") == View::Traction);
-  CHECK(view_for("9.1.1", "appLoadX") == View::Loads);
-  CHECK(view_for("1", "mode") == View::CrossSection);
+  CHECK(view_of_variable("5A", "pitchDia") == View::CrossSection);
+  CHECK(view_of_variable("5D.1", "bReCrn") == View::Element);
+  CHECK(view_of_variable("7.1", "bPocCls1") == View::Pocket);
+  CHECK(view_of_variable("7.2.i", "cageGsCls") == View::Lands);
+  CHECK(view_of_variable("5F", "flngHt11") == View::Flange);
+  CHECK(view_of_variable("10.5.2D", "cageRaceTC2") == View::Traction);
+  CHECK(view_of_variable("9.1.1", "appLoadX") == View::Loads);
+  CHECK(view_of_variable("1", "mode") == View::CrossSection);
   CHECK(parts_of("8.3", "shftEM") == std::vector<Part>{Part::Shaft});
   CHECK(parts_of("9.1.3", "raceTemp2") == std::vector<Part>{Part::InnerRing});
   // What a record of geometry asks for can be seen in the view of the variable: a measure, an
@@ -405,7 +406,7 @@ TEST_CASE("outline: every variable of the schema belongs to a view or to the def
       if (id[0] != '4' && id[0] != '5' && id != "7.1" && id != "7.2.i" && id != "9.1.1") continue;
       for (const deck::VariableSpec& variable : deck::find_record(id)->variables) {
         if (variable.name == "recID") continue;
-        View view = view_for(id, variable.name);
+        View view = view_of_variable(id, variable.name);
         if (std::find(views.begin(), views.end(), view) == views.end()) view = View::CrossSection;
         const Drawing drawing = draw(view, deck);
         bool seen = !parts_of(id, variable.name).empty();

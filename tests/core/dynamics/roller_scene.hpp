@@ -63,7 +63,7 @@ inline scene::ScenePlan races_only() {
 /// A solved bearing, ready to move.
 struct Scene {
   Bearing bearing;
-  std::shared_ptr<const dynamics::RollerScene> rollers;
+  std::shared_ptr<const dynamics::RollerStaticResult> rollers;
   dynamics::System system;
 };
 
@@ -74,7 +74,7 @@ inline Scene scene_of(Bearing b, scene::ScenePlan plan, int slices = 15, double 
       if (effect.effect == scene::Effect::FlangeContact ||
           effect.effect == scene::Effect::FlangeTraction)
         effect.on = false;
-  auto rollers = std::make_shared<dynamics::RollerScene>();
+  auto rollers = std::make_shared<dynamics::RollerStaticResult>();
   rollers->options.slices = slices;
   rollers->options.first_azimuth = first_azimuth;
   rollers->options.guide = guide;

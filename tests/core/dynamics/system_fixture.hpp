@@ -89,7 +89,7 @@ inline scene::ScenePlan full_plan() {
 inline statics::StaticSolution statics_of(const bearing::Bearing& b, double fixed_angle,
                                           statics::Control control = statics::Control::FromBearing,
                                           double first_azimuth = 0.0) {
-  statics::StaticsOptions options;
+  statics::BallStaticsOptions options;
   options.curvature = statics::Curvature::Potential;
   options.fixed_angle = {fixed_angle, fixed_angle};
   options.control = control;
@@ -98,8 +98,8 @@ inline statics::StaticSolution statics_of(const bearing::Bearing& b, double fixe
 }
 
 /// Hertz constants over the contact angle, as the motion has them.
-inline std::array<contact::AngleLaw, 2> angle_laws(const bearing::Bearing& b) {
-  std::array<contact::AngleLaw, 2> laws;
+inline std::array<contact::HertzAngleLaw, 2> angle_laws(const bearing::Bearing& b) {
+  std::array<contact::HertzAngleLaw, 2> laws;
   for (std::size_t j = 0; j < 2; ++j)
     laws[j] =
         contact::make_angle_law(b.balls(), static_cast<int>(j),

@@ -208,7 +208,7 @@ struct Places {
 Loads solve_at(const bearing::Bearing& b, const statics::RollerOptions& options,
                const Places& places) {
   statics::RollerModel model = statics::make_roller_model(b, options);
-  const statics::RaceTask task = statics::race_task(b.constraints);
+  const statics::RaceLoadCase task = statics::race_load_case(b.constraints);
   statics::set_load_floors(model, statics::force_scale(statics::race_scales(model), task, 0.0));
   const statics::RollerSolution near = statics::solve_roller_statics(b, options);
   model.azimuth = places.azimuth;
@@ -223,7 +223,7 @@ Loads solve_at(const bearing::Bearing& b, const statics::RollerOptions& options,
     roller.skew_cos = std::cos(places.skew[i]);
     state.elements.push_back(roller);
   }
-  REQUIRE(statics::solve_race_surely(model, task, state).converged);
+  REQUIRE(statics::solve_race_with_fallback(model, task, state).converged);
   Loads loads;
   for (const statics::RollerState& roller : state.elements) {
     const statics::StaticRoller at = statics::report_roller(model, state.q, roller);

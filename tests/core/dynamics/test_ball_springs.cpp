@@ -48,7 +48,7 @@ TEST_CASE("springs of held balls: equal to those of each ball alone", "[unit][dy
     for (const bool follows : {false, true})
       for (const std::size_t n : {1U, 2U, 3U, 7U, 8U, 19U})
         for (std::size_t j = 0; j < 2; ++j) {
-          std::array<contact::AngleLaw, 2> law{};
+          std::array<contact::HertzAngleLaw, 2> law{};
           if (follows)
             for (int race = 0; race < 2; ++race)
               law[static_cast<std::size_t>(race)] = contact::make_angle_law(balls, race, 1.1e11);

@@ -54,7 +54,7 @@ class TwoBodies final : public SceneEffect {
                        {0.5, {5e-4, 4e-4, 3e-4}, {-1e-3, -2e-3, 3e-3}, {0.2, -0.1, 0.3}});
     for (FreeBody& body : bodies_)
       scene.block<BodyKinematics>(Phase::Kinematics, "bodies", {}, body);
-    scene.block<Tethers>(Phase::Force, "ties", Partners(each), each, 2e4);
+    scene.block<Tethers>(Phase::Force, "ties", CoupledBodies(each), each, 2e4);
     scene.block<Tethers>(Phase::Force, "ties", second.front(), second, 3e3);
     for (FreeBody& body : bodies_) scene.block<BodyMotion>(Phase::Motion, "bodies", {}, body);
   }
@@ -195,7 +195,7 @@ TEST_CASE("Jacobian: several bodies in the border → dense difference",
   const std::vector<double> y = disturbed(system, 1e-5);
   std::vector<double> f(y.size()), plain(y.size()), shares(9 * 42);
   REQUIRE(system.rhs(0.0, y.data(), plain.data()) == RhsStatus::Ok);
-  REQUIRE(system.rhs_with_shares(0.0, y.data(), f.data(), shares.data()) == RhsStatus::Ok);
+  REQUIRE(system.rhs_with_contributions(0.0, y.data(), f.data(), shares.data()) == RhsStatus::Ok);
   CHECK(f == plain);
   const auto slice = [&](std::string_view name) {
     for (const auto& group : system.layout().groups())

@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "core/dynamics/system_fixture.hpp"
 #include "dynamics/effect.hpp"
 #include "tribology/journal_film.hpp"
@@ -12,8 +13,6 @@ using namespace adore::dynamics;
 using namespace adore::fixture;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 bearing::Bearing in_oil(bool lands, bool pockets) {
   bearing::Bearing b = angular_contact();

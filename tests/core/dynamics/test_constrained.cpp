@@ -36,8 +36,8 @@ const ConstrainedBall& following_ball() {
     b.diameter = kDiameter;
     b.pitch_diameter = 0.035;
     b.groove_factor = {0.52, 0.515};
-    const std::array<contact::AngleLaw, 2> law{contact::make_angle_law(b, 0, 1.1e11),
-                                               contact::make_angle_law(b, 1, 1.1e11)};
+    const std::array<contact::HertzAngleLaw, 2> law{contact::make_angle_law(b, 0, 1.1e11),
+                                                    contact::make_angle_law(b, 1, 1.1e11)};
     return ConstrainedBall(groove(), {1.0, 1.0}, kMass, law);
   }();
   return ball;
@@ -213,11 +213,11 @@ TEST_CASE("motion: loads of statics at the positions of statics", "[physics][con
 
 TEST_CASE("light-load balance: hysteresis of the switches, and kDOF by code",
           "[unit][constrained]") {
-  CHECK(held_next(false, 10.0, 10.0));
-  CHECK_FALSE(held_next(false, 10.5, 10.0));
-  CHECK(held_next(true, 10.5, 10.0));
-  CHECK_FALSE(held_next(true, 11.1, 10.0));
-  CHECK_FALSE(held_next(true, 0.0, 0.0));
+  CHECK(is_quasi_static_next(false, 10.0, 10.0));
+  CHECK_FALSE(is_quasi_static_next(false, 10.5, 10.0));
+  CHECK(is_quasi_static_next(true, 10.5, 10.0));
+  CHECK_FALSE(is_quasi_static_next(true, 11.1, 10.0));
+  CHECK_FALSE(is_quasi_static_next(true, 0.0, 0.0));
   std::array<double, 6> element{1, 2, 3, 4, 5, 6}, cage = element;
   suppress_accelerations(3, element, cage);
   CHECK(element == std::array<double, 6>{0, 2, 3, 4, 5, 6});
@@ -239,13 +239,13 @@ TEST_CASE("prescribed motions: consistent in time", "[physics][excitations]") {
   }
   const SpeedRamp ramp{2e4, 0.01, 0.03};
   for (const double t : {0.005, 0.02, 0.05}) {
-    CHECK((ramped_turn(600.0, ramp, t + h).angle - ramped_turn(600.0, ramp, t - h).angle) /
+    CHECK((ramped_rotation(600.0, ramp, t + h).angle - ramped_rotation(600.0, ramp, t - h).angle) /
               (2 * h) ==
-          Approx(ramped_turn(600.0, ramp, t).speed));
-    CHECK((varying_turn(600.0, 60.0, 25.0, t + h).angle -
-           varying_turn(600.0, 60.0, 25.0, t - h).angle) /
+          Approx(ramped_rotation(600.0, ramp, t).speed));
+    CHECK((varying_rotation(600.0, 60.0, 25.0, t + h).angle -
+           varying_rotation(600.0, 60.0, 25.0, t - h).angle) /
               (2 * h) ==
-          Approx(varying_turn(600.0, 60.0, 25.0, t).speed));
+          Approx(varying_rotation(600.0, 60.0, 25.0, t).speed));
   }
 }
 

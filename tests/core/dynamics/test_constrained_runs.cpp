@@ -107,7 +107,8 @@ TEST_CASE("mode 2: rotating fraction of the load, and vibration along given dire
   constexpr double kEnd = 2e-3;
   SECTION("load") {
     ScenePlan plan = mode_plan(2, plan_with({Effect::RaceContact}));
-    plan.race_motions.turning_load = bearing::TurningLoad{{0.0, 0.4}, {0.0, 400.0}};
+    plan.race_motions.rotating_load_parameters =
+        bearing::RotatingLoadParameters{{0.0, 0.4}, {0.0, 400.0}};
     const Snapshot now = end_of(b, plan, kEnd);
     const double angle = 400.0 * kEnd;
     const Vec3 asked(1500.0, -0.4 * 500.0 * std::sin(angle), 500.0 * (0.6 + 0.4 * std::cos(angle)));

@@ -124,7 +124,7 @@ TEST_CASE("contact damping: roller rebounds from a race as a ball does",
   b.constraints.displacement_given = {true, true, true, true, true};
   scene::ScenePlan plan = roller_scene::races_only();
   plan.effects.push_back({Effect::ContactDamping, "", true, "test"});
-  auto rollers = std::make_shared<RollerScene>();
+  auto rollers = std::make_shared<RollerStaticResult>();
   rollers->options.slices = 9;
   rollers->solution = statics::solve_roller_statics(b, rollers->options);
   for (const double speed : {0.1, 1.0}) {
@@ -148,7 +148,7 @@ TEST_CASE("a loaded roller: small radial vibration -> decay of both losses of it
   const bearing::Bearing b = roller_bearings::cylindrical(3000.0);
   scene::ScenePlan plan = roller_scene::races_only();
   plan.effects.push_back({Effect::ContactDamping, "", true, "test"});
-  auto rollers = std::make_shared<RollerScene>();
+  auto rollers = std::make_shared<RollerStaticResult>();
   rollers->options.slices = 9;
   rollers->solution = statics::solve_roller_statics(b, rollers->options);
   const auto losses = bearing::contact_losses(b.element_material, b.race_material[0]);
@@ -206,7 +206,7 @@ TEST_CASE("a free race on its balls vibrates and decays as the linearized equati
   SystemOptions options = damped(0.1);
   options.moving_angle = false;
   const double angle = b.balls().contact_angle, d = 1.5 * options.damping.impact_loss;
-  statics::StaticsOptions frozen;
+  statics::BallStaticsOptions frozen;
   frozen.curvature = statics::Curvature::Fixed;
   frozen.fixed_angle = {angle, angle};
   const auto solution = statics::solve_ball_statics(b, frozen);
@@ -315,7 +315,7 @@ TEST_CASE("contact damping of rollers: energy is in the ledger, on perfect and o
       scene::ScenePlan plan = roller_scene::races_only();
       plan.effects.push_back({Effect::ContactDamping, "", true, "test"});
       if (!b.rollers()->has_flange(0) && !b.rollers()->has_flange(1)) plan.effects[1].on = false;
-      auto rollers = std::make_shared<RollerScene>();
+      auto rollers = std::make_shared<RollerStaticResult>();
       rollers->options.slices = 9;
       rollers->solution = statics::solve_roller_statics(b, rollers->options);
       System system(b, plan, static_start(*rollers, b), {}, damped(0.3), {}, rollers);
@@ -460,7 +460,7 @@ TEST_CASE("contact damping: energy in pockets, at lands and flanges is in the le
     roller_scene::add_cage(b);
     scene::ScenePlan plan = roller_scene::frictionless();
     plan.effects.push_back({Effect::ContactDamping, "", true, "test"});
-    auto rollers = std::make_shared<RollerScene>();
+    auto rollers = std::make_shared<RollerStaticResult>();
     rollers->options.slices = 9;
     rollers->solution = statics::solve_roller_statics(b, rollers->options);
     System system(b, plan, static_start(*rollers, b), {}, damped(0.3), {}, rollers);

@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "core/dynamics/roller_scene.hpp"
 #include "core/dynamics/system_fixture.hpp"
 #include "dynamics/effect.hpp"
@@ -16,8 +17,6 @@ using namespace adore::fixture;
 using tribology::BearingDrag;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 bearing::Bearing in_medium(double density, double viscosity) {
   bearing::Bearing b = angular_contact();
@@ -49,19 +48,21 @@ TEST_CASE("drag: sphere without the part behind the cage; none at rest",
     const double C = 24.0 / Re * (1.0 + 0.15 * std::pow(Re, 0.681)) + 0.407 / (1.0 + 8710.0 / Re);
     return C * 0.5 * 800.0 * V * V * 0.25 * kPi * D * D;
   };
-  CHECK(drag.exposed() == 1.0);
+  CHECK(drag.exposed_area_fraction() == 1.0);
   for (const double V : {1e-3, 1.0, 40.0}) {
-    CHECK(drag.element_force(V) * V == Approx(sphere_force(V)).epsilon(0.1));
-    CHECK(with_cage.element_force(V) ==
-          Approx(with_cage.exposed() * drag.element_force(V)).epsilon(1e-12));
+    CHECK(drag.element_force_per_speed(V) * V == Approx(sphere_force(V)).epsilon(0.1));
+    CHECK(
+        with_cage.element_force_per_speed(V) ==
+        Approx(with_cage.exposed_area_fraction() * drag.element_force_per_speed(V)).epsilon(1e-12));
   }
   // The wall of 4.5 mm (95 mm + 5, - 4) covers z = -2 to 2.5 mm of a disc of 6.35 mm.
   const auto below = [R](double z) {
     return std::asin(z / R) + z / R * std::sqrt(1.0 - z * z / R / R);
   };
-  CHECK(with_cage.exposed() == Approx(1.0 - (below(0.0025) - below(-0.002)) / kPi).epsilon(1e-12));
+  CHECK(with_cage.exposed_area_fraction() ==
+        Approx(1.0 - (below(0.0025) - below(-0.002)) / kPi).epsilon(1e-12));
   // Power falls to nothing with the speed, and force over speed stays finite.
-  CHECK(std::isfinite(drag.element_force(0.0)));
+  CHECK(std::isfinite(drag.element_force_per_speed(0.0)));
   CHECK(drag.element_spin(0.0) == Approx(8.0 * kPi * 0.01 * R * R * R).epsilon(1e-9));
   b.speed = {0.0, 0.0};
   const tribology::DragPower none = tribology::drag_power(drag, b, 0.0, 0.0, 0.0);
@@ -123,7 +124,7 @@ TEST_CASE("drag: slows balls and cage, with all of its work in the ledger",
     double expected = 0.0;
     for (const ElementSnapshot& ball : snapshot.elements) {
       const double V = std::hypot(ball.vx, ball.vr, ball.r * ball.theta_dot), w = ball.omega.norm();
-      expected += law.element_force(V) * V * V + law.element_spin(w) * w * w;
+      expected += law.element_force_per_speed(V) * V * V + law.element_spin(w) * w * w;
     }
     CHECK(elements == Approx(expected).epsilon(1e-12));
     CHECK(cage > 0.0);

@@ -109,7 +109,7 @@ TEST_CASE("effect catalogue: added effect → acts, closes the energy ledger, is
 
 TEST_CASE("effect catalogue: each effect and each item of the ledger once", "[unit][dynamics]") {
   std::set<std::string_view> names, ids;
-  for (const CatalogueLine& line : effect_catalogue()) {
+  for (const EffectCatalogEntry& line : effect_catalogue()) {
     CHECK(names.insert(line.name).second);
     CHECK_FALSE(line.help.empty());
     CHECK(line.make != nullptr);
@@ -123,7 +123,7 @@ TEST_CASE("effect catalogue: each effect and each item of the ledger once", "[un
   // A scene makes what its plan asks for and nothing else.
   const ScenePlan bare = plan_with({Effect::RaceContact});
   std::set<std::string_view> made;
-  for (const CatalogueLine& line : effect_catalogue())
+  for (const EffectCatalogEntry& line : effect_catalogue())
     if (line.make(bare) != nullptr) made.insert(line.name);
   CHECK(made == std::set<std::string_view>{"balls", "races"});
 }

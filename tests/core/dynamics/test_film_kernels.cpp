@@ -27,7 +27,7 @@ test::ThrustScene oiled(int code, const tribology::EllipseRule& rule, bool direc
   lubrication.critical_film = 1e-9;
   lubrication.meniscus = 10.0;
   lubrication.direct_strips = direct;
-  tribology::FilmSurface surface;
+  tribology::RaceFilmInputs surface;
   surface.radius = 0.005;
   surface.modulus = 2.26e11;
   surface.wall_temperature = temperature;
@@ -77,7 +77,7 @@ TEST_CASE("films: all instruction sets and the scalar rule give the same heat an
           CAPTURE(code, major, minor, split, race);
           const test::Outputs base = by(InstructionSet::Baseline, scene, race);
           for (const InstructionSet set : {InstructionSet::Avx2, InstructionSet::Avx512})
-            if (dynamics::instruction_set_available(set))
+            if (dynamics::is_instruction_set_available(set))
               CHECK(difference(by(set, scene, race), base) < 1e-9);
           const dynamics::RaceContactModel& model = scene.model[race];
           test::Outputs scalar(scene.n);
@@ -128,7 +128,7 @@ TEST_CASE("films by floats: every instruction set has the heat and forces of dou
       for (std::size_t race = 0; race < 2; ++race)
         for (const InstructionSet set :
              {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512}) {
-          if (!dynamics::instruction_set_available(set)) continue;
+          if (!dynamics::is_instruction_set_available(set)) continue;
           CAPTURE(code, major, minor, race, set);
           const double miss = difference(by(set, floats, race), by(set, numbers, race));
           // 5.5e-6 of kTrac 18, whose viscosity rises the steepest; of strips a third variable.
@@ -145,7 +145,7 @@ TEST_CASE("films of balls: nothing without slip or load, odd in slip, bounded, l
   for (const int code : kAllCodes)
     for (const bool single : {false, true})
       for (const InstructionSet set : {InstructionSet::Baseline, InstructionSet::Avx512}) {
-        if (!dynamics::instruction_set_available(set)) continue;
+        if (!dynamics::is_instruction_set_available(set)) continue;
         CAPTURE(code, single, set);
         constexpr std::size_t kAlong = 2, kHeat = 7;
         test::ThrustScene scene = oiled(code, rule, false, single);
@@ -213,7 +213,7 @@ TEST_CASE(
       lubrication.code = code;
       lubrication.critical_film = 1e-9;
       lubrication.meniscus = 10.0;
-      tribology::FilmSurface surface;
+      tribology::RaceFilmInputs surface;
       surface.line = true;
       surface.radius = 0.005;
       surface.modulus = 2.26e11;
@@ -223,7 +223,7 @@ TEST_CASE(
       return tribology::film_law(bearing::TractionCurve{}, oil, lubrication, surface);
     };
     const auto contact_of = [](double load, double speed) {
-      tribology::ContactPoint<double> at;
+      tribology::ContactConditions<double> at;
       at.load = load;  // [N/m]
       at.half_minor = std::sqrt(8.0 * load * 0.005 / (std::numbers::pi * 2.26e11));
       at.peak_pressure = load > 0.0 ? 2.0 * load / (std::numbers::pi * at.half_minor) : 0.0;
@@ -232,7 +232,7 @@ TEST_CASE(
       return at;
     };
     const auto traction = [](const tribology::TractionLaw& law,
-                             const tribology::ContactPoint<double>& at, double slip) {
+                             const tribology::ContactConditions<double>& at, double slip) {
       return law.visit([&](const auto& one) {
         if constexpr (tribology::kHasFilm<std::decay_t<decltype(one)>>)
           return one.at(at).strip(at.peak_pressure)(slip);
@@ -280,7 +280,7 @@ TEST_CASE("films by floats: balls that turn back have the opposite traction and 
     const tribology::EllipseRule rule = tribology::make_run_rule(tribology::kFilmNodes);
     for (const InstructionSet set :
          {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512}) {
-      if (!dynamics::instruction_set_available(set)) continue;
+      if (!dynamics::is_instruction_set_available(set)) continue;
       CAPTURE(code, set);
       test::ThrustScene scene = oiled(code, rule, false, true);
       const test::Outputs forward = by(set, scene, 1);

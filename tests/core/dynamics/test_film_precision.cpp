@@ -52,7 +52,7 @@ Ran ran(System system, double end, double tolerance) {
 }
 
 Ran ran(const bearing::Bearing& b, bool single, double end, double tolerance) {
-  const tribology::EllipseSize size =
+  const tribology::EllipseNodeCounts size =
       b.lubrication->code == 8 ? tribology::kStripNodes : tribology::kFilmNodes;
   SystemOptions options;
   options.ellipse_major = size.major;

@@ -92,7 +92,7 @@ TEST_CASE(
   SECTION("only its spin is free: its axis stands") { free.rotation_held = {false, true, true}; }
   SECTION("its speed follows a ramp") {
     free.rotation_held = {true, true, true};
-    plan.race_motions.ramp[1] = bearing::Ramp{4e5, 2e-4, 7e-4};
+    plan.race_motions.ramp[1] = bearing::SpeedRampParameters{4e5, 2e-4, 7e-4};
   }
   SECTION("it vibrates and tilts freely") {
     free.rotation_held = {true, false, false};
@@ -110,7 +110,7 @@ TEST_CASE(
   CHECK((after.position - before.position - way).norm() < 1e-11);
   const Vec3 axis = rotation_matrix(before.orientation).col(0);
   if (free.rotation_held[1]) {
-    CHECK((rotation_matrix(normalise(after.orientation)).col(0) - axis).norm() < 1e-9);
+    CHECK((rotation_matrix(normalize_quaternion(after.orientation)).col(0) - axis).norm() < 1e-9);
     if (plan.race_motions.ramp[1])
       CHECK(after.omega.dot(axis) == Approx(b.speed[1] + 4e5 * 5e-4));
     else
@@ -202,9 +202,9 @@ TEST_CASE("races excited by laws of time: follow the laws, energy ledger closes"
   ScenePlan plan = full_plan();
   bearing::RaceMotions& motions = plan.race_motions;
   const double pi = std::numbers::pi, t = 4e-4;
-  motions.turning_load = bearing::TurningLoad{{0.0, 0.6}, {0.0, 900.0}};
+  motions.rotating_load_parameters = bearing::RotatingLoadParameters{{0.0, 0.6}, {0.0, 900.0}};
   motions.vibration[0] = bearing::Vibration{{1e-6, 0.0, 2e-6}, 800.0};
-  motions.ramp[1] = bearing::Ramp{5e4, 1e-4, 3e-4};
+  motions.ramp[1] = bearing::SpeedRampParameters{5e4, 1e-4, 3e-4};
   motions.variation[0] = bearing::SpeedVariation{20.0, 500.0};
   System system = make_system(b, plan);
   // A part of the shortest period, then the kinks of the ramp.
@@ -283,7 +283,7 @@ TEST_CASE("rotating base frame: free bodies move straight in space",
   }
   // The cage, with three different moments of inertia, keeps its angular momentum in space.
   const auto momentum_of = [&](const Snapshot& s, double time) {
-    const Mat3 R = rotation_matrix(normalise(s.cages[0].orientation));
+    const Mat3 R = rotation_matrix(normalize_quaternion(s.cages[0].orientation));
     const Vec3 whole = R.transpose() * (s.cages[0].omega + Omega);
     return rotated(R * b.cage->inertia.moments.cwiseProduct(whole), time);
   };

@@ -96,7 +96,7 @@ std::vector<double> pressed(System& system, double ahead, const Vec3& aside) {
 
 void cut(bearing::Bearing& b, int pieces, bool through_pockets) {
   b.cage->segments = {pieces, through_pockets, 0, std::numbers::pi / 180.0};
-  b.cage->later_starts.assign(static_cast<std::size_t>(pieces - 1), *b.cage);
+  b.cage->later_segment_starts.assign(static_cast<std::size_t>(pieces - 1), *b.cage);
   b.cage->inertia = contact::cage_inertia(b);
 }
 
@@ -106,7 +106,7 @@ scene::ScenePlan cage_plan() {
 }
 
 /// ADRX3 and ADRX4 that give a quarter more than what is built in.
-struct Stiffer final : scene::UserForce, scene::UserLaws {
+struct Stiffer final : scene::UserContactForce, scene::UserLaws {
   static constexpr double kMore = 1.25;
   Stiffer() { pocket = land = this; }
   bool forces(double, const Contacts& c) noexcept override {

@@ -78,8 +78,8 @@ TEST_CASE("held rollers: springs are the derivatives of the normal forces, turni
     Scene s = roller_scene::scene_of(b, roller_scene::races_only(), 9);
     const std::size_t i = 1;
     const ElementPose pose = start_poses(*s.rollers, s.bearing)[i];
-    HeldRollers held(statics::make_roller_model(s.bearing, s.rollers->options),
-                     s.bearing.imperfections, ElementMasses(s.bearing));
+    QuasiStaticRollers held(statics::make_roller_model(s.bearing, s.rollers->options),
+                            s.bearing.imperfections, ElementMasses(s.bearing));
     // The start, moved a little so that nothing is symmetric.
     struct Place {
       Vec3 G;
@@ -125,14 +125,14 @@ TEST_CASE("held rollers: springs are the derivatives of the normal forces, turni
     };
     put(at);
     const std::vector<std::size_t> list{i};
-    std::vector<HeldSprings> springs(1);
+    std::vector<ContactLinearization> springs(1);
     held.springs(e, list, springs);
     REQUIRE(springs[0].normal.norm() > 1.0);
     CHECK((held.normal_force(e, i) - springs[0].normal.head<2>()).norm() <
           1e-12 * springs[0].normal.norm());
     const auto force_at = [&](const Place& where) {
       put(where);
-      std::vector<HeldSprings> out(1);
+      std::vector<ContactLinearization> out(1);
       held.springs(e, list, out);
       return out[0].normal;
     };

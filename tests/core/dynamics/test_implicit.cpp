@@ -99,14 +99,15 @@ TEST_CASE("arrow: elements are coupled only through the cage, with complete shar
   std::vector<double> f0(y0.size()), f(y0.size()), plain(y0.size());
   std::vector<double> shares0(12 * border.size()), shares(shares0.size());
   REQUIRE(system.rhs(0.0, y0.data(), plain.data()) == RhsStatus::Ok);
-  REQUIRE(system.rhs_with_shares(0.0, y0.data(), f0.data(), shares0.data()) == RhsStatus::Ok);
+  REQUIRE(system.rhs_with_contributions(0.0, y0.data(), f0.data(), shares0.data()) ==
+          RhsStatus::Ok);
   CHECK(f0 == plain);
   int pushed = 0;
   for (int k = 0; k < system.layout().controlled_size(); ++k) {
     if (element_of[k] < 0) continue;
     std::vector<double> y = y0;
     y[k] += 1e-4 * system.layout().scales()[k];
-    REQUIRE(system.rhs_with_shares(0.0, y.data(), f.data(), shares.data()) == RhsStatus::Ok);
+    REQUIRE(system.rhs_with_contributions(0.0, y.data(), f.data(), shares.data()) == RhsStatus::Ok);
     INFO("moved " << system.layout().component_name(k));
     for (int i = 0; i < system.layout().controlled_size(); ++i) {
       if (element_of[i] < 0 || element_of[i] == element_of[k]) continue;

@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "core/dynamics/roller_scene.hpp"
 #include "core/dynamics/system_fixture.hpp"
 
@@ -16,7 +17,6 @@ using scene::Snapshot;
 namespace {
 
 using enum scene::Effect;
-constexpr double kPi = std::numbers::pi;
 
 /// The ball's bearing with spheres that are taken for barrels: arcs of its radius, its grooves, its
 /// mass and moments of inertia.

@@ -179,13 +179,13 @@ TEST_CASE("odd balls in balance: energy and momentum close in modes 1 and 2",
 
 TEST_CASE("odd balls in balance carry their own centrifugal force and their unbalance",
           "[physics][dynamics][constrained]") {
-  for (const bool off_centre : {false, true})
+  for (const bool has_eccentric_mass : {false, true})
     for (const bool unequal : {false, true}) {
       bearing::Bearing b = angular_contact(9, 0.07);
       b.cage.reset();
       bearing::Inertia heavy = b.element_inertia;
       heavy.mass *= 2.0;
-      if (off_centre) heavy.geometric_centre = {0.0, 0.0, 3e-4};
+      if (has_eccentric_mass) heavy.geometric_centre = {0.0, 0.0, 3e-4};
       b.first_inertia = heavy;
       if (unequal) b.imperfections.ball_diameter = {0, 3e-6, 0, 0, -4e-6, 0, 0, 0, 1e-6};
       scene::ScenePlan plan = mode_plan(1, plan_with({Effect::RaceContact}));
@@ -200,7 +200,8 @@ TEST_CASE("odd balls in balance carry their own centrifugal force and their unba
         for (std::size_t j = 0; j < 2; ++j)
           outward += (j == 0 ? 1.0 : -1.0) * ball.race[j].load * std::cos(ball.race[j].angle);
         const double centrifugal = m * ball.r * ball.theta_dot * ball.theta_dot;
-        const double unbalance = m * (i == 0 && off_centre ? 3e-4 : 0.0) * ball.omega.squaredNorm();
+        const double unbalance =
+            m * (i == 0 && has_eccentric_mass ? 3e-4 : 0.0) * ball.omega.squaredNorm();
         INFO("ball " << i << ": races take " << outward << " N of " << centrifugal << " N");
         if (unbalance > 0.0) {
           CHECK(unbalance > 0.05 * centrifugal);

@@ -76,7 +76,7 @@ TEST_CASE("race contacts: every instruction set agrees with vector algebra and t
           "[unit]") {
   for (const char* id : {kTwoSlopeCase, kExponentialCase, kFlatCase}) {
     for (InstructionSet set : kSets) {
-      if (!dynamics::instruction_set_available(set)) {
+      if (!dynamics::is_instruction_set_available(set)) {
         WARN(dynamics::instruction_set_name(set) << " is not available here and was not compared");
         continue;
       }
@@ -133,7 +133,7 @@ TEST_CASE("race contacts: every instruction set finds the largest slip that a re
           "[unit][step-band]") {
   for (const char* id : {kTwoSlopeCase, kExponentialCase, kFlatCase})
     for (const InstructionSet set : kSets) {
-      if (!dynamics::instruction_set_available(set)) continue;
+      if (!dynamics::is_instruction_set_available(set)) continue;
       for (const std::size_t n : {1U, 3U, 8U, 18U, 41U}) {
         const ThrustScene scene = scene_of(id, n, 1.0, n % 2 == 1);
         for (std::size_t j = 0; j < 2; ++j) {
@@ -186,7 +186,7 @@ TEST_CASE("race contacts: the instruction sets agree with each other to 1e-12 of
       dynamics::evaluate_race_contacts(InstructionSet::Baseline, scene.model[j], scene.arrays(),
                                        scene.race[j], base.forces());
       for (InstructionSet set : {InstructionSet::Avx2, InstructionSet::Avx512}) {
-        if (!dynamics::instruction_set_available(set)) continue;
+        if (!dynamics::is_instruction_set_available(set)) continue;
         Outputs out(19);
         dynamics::evaluate_race_contacts(set, scene.model[j], scene.arrays(), scene.race[j],
                                          out.forces());
@@ -206,7 +206,7 @@ TEST_CASE("race contacts: traction takes exactly as much power as it heats", "[p
   for (const char* id : {kTwoSlopeCase, kExponentialCase}) {
     const ThrustScene scene = scene_of(id, 18, 1.0, id == kTwoSlopeCase);
     for (InstructionSet set : kSets) {
-      if (!dynamics::instruction_set_available(set)) continue;
+      if (!dynamics::is_instruction_set_available(set)) continue;
       for (std::size_t j = 0; j < 2; ++j) {
         const RaceMotion race = tilted(scene.race[j]);
         RaceContactModel smooth = scene.model[j];
@@ -367,7 +367,7 @@ TEST_CASE("race contacts: tilting race and balls together changes nothing but th
 TEST_CASE("race contacts: open contacts give exactly nothing, at any place in the vector",
           "[unit]") {
   for (InstructionSet set : kSets) {
-    if (!dynamics::instruction_set_available(set)) continue;
+    if (!dynamics::is_instruction_set_available(set)) continue;
     ThrustScene scene = scene_of(kTwoSlopeCase, 11);
     for (std::size_t i = 0; i < 11; ++i) {
       if (i != 4)
@@ -394,7 +394,7 @@ TEST_CASE("race contacts: open contacts give exactly nothing, at any place in th
 TEST_CASE("race contacts: nothing is written beyond the arrays and a null load-slip is left alone",
           "[unit]") {
   for (InstructionSet set : kSets) {
-    if (!dynamics::instruction_set_available(set)) continue;
+    if (!dynamics::is_instruction_set_available(set)) continue;
     const ThrustScene scene = scene_of(kTwoSlopeCase, 13);
     Outputs out(20);
     for (auto& values : out.value) std::fill(values.begin() + 13, values.end(), 77.0);
@@ -553,5 +553,5 @@ TEST_CASE("ADORE_ISA: unknown names are refused by name, known and available one
   unsetenv("ADORE_ISA");
   CHECK_NOTHROW(dynamics::check_instruction_set_request());
   if (old != nullptr) setenv("ADORE_ISA", kept.c_str(), 1);
-  CHECK(dynamics::instruction_set_available(InstructionSet::Baseline));
+  CHECK(dynamics::is_instruction_set_available(InstructionSet::Baseline));
 }

@@ -82,7 +82,7 @@ TEST_CASE("a race vibrates on its bearing at the eigenfrequencies of the static 
     const auto place = [&](double t) {
       const Snapshot now = system.snapshot(t, run(system, y0, t, 1e-7, "rkf7").y);
       const RaceSnapshot& race = now.races[1];
-      const Vec3 axis = rotation_matrix(normalise(race.orientation)).col(0);
+      const Vec3 axis = rotation_matrix(normalize_quaternion(race.orientation)).col(0);
       Vec5 out;
       // A small turn ξ about y moves the tip of the axis by -ξ along z, a turn λ about z by λ along
       // y.
@@ -112,7 +112,8 @@ TEST_CASE("a load that turns with the observer's frame is a fixed load",
   bearing::Bearing turning = still;
   turning.speed = {-w, still.speed[1] - w};
   ScenePlan with_load = full_plan(), in_frame = full_plan();
-  with_load.race_motions.turning_load = bearing::TurningLoad{{0.0, 1.0}, {0.0, w}};
+  with_load.race_motions.rotating_load_parameters =
+      bearing::RotatingLoadParameters{{0.0, 1.0}, {0.0, w}};
   in_frame.race_motions.frame = bearing::FrameMotion{w, 0.0, 0.0};
   System a = make_system(still, with_load), b = make_system(turning, in_frame);
   const std::vector<double> y0 = a.initial_state();

@@ -23,8 +23,9 @@ constexpr InstructionSet kSets[] = {InstructionSet::Baseline, InstructionSet::Av
                                     InstructionSet::Avx512};
 
 /// Forces and moments go to the arrays of both races, load and heat to those of each.
-std::array<dynamics::ElementForces, 2> forces_in(Outputs& shared, std::array<Outputs, 2>& own,
-                                                 bool load_slip) {
+std::array<dynamics::ElementForces, 2> element_force_targets(Outputs& shared,
+                                                             std::array<Outputs, 2>& own,
+                                                             bool load_slip) {
   std::array<dynamics::ElementForces, 2> out{shared.forces(), shared.forces()};
   for (std::size_t j = 0; j < 2; ++j) {
     out[j].load = own[j].value[6].data();
@@ -52,8 +53,8 @@ std::string differences(InstructionSet set, const ThrustScene& scene, bool load_
   for (auto* one : {&shared, &shared_apart})
     for (auto& values : one->value)
       for (std::size_t i = 0; i < values.size(); ++i) values[i] = 0.1 * static_cast<double>(i);
-  const auto out = forces_in(shared, own, load_slip);
-  const auto apart = forces_in(shared_apart, own_apart, load_slip);
+  const auto out = element_force_targets(shared, own, load_slip);
+  const auto apart = element_force_targets(shared_apart, own_apart, load_slip);
   const auto sums =
       dynamics::evaluate_both_races(set, scene.model, scene.arrays(), scene.race, out);
   std::string wrong;
@@ -81,7 +82,7 @@ TEST_CASE("both races at once are one after the other, to rounding", "[unit]") {
   for (const char* id :
        {"dyn3_40_30k_twoslope_curved", "dyn3_40_30k_exp_curved", "dyn3_40_60k_exp_flat"})
     for (const InstructionSet set : kSets) {
-      if (!dynamics::instruction_set_available(set)) continue;
+      if (!dynamics::is_instruction_set_available(set)) continue;
       for (std::size_t n = 1; n <= 20; ++n)
         for (int kind = 0; kind < 16; ++kind) {
           ThrustScene scene =
@@ -102,7 +103,7 @@ TEST_CASE("both races at once are one after the other, to rounding", "[unit]") {
           }
           if (n > 2) scene.ball[1][n - 2] -= 4e-5;  // clear of the outer race
           if (n > 5) scene.ball[0][n - 5] += 1e-4;
-          REQUIRE(dynamics::share_vectors(scene.model));
+          REQUIRE(dynamics::can_share_vectors(scene.model));
           INFO(id << ' ' << dynamics::instruction_set_name(set) << " n = " << n << " kind "
                   << kind);
           CHECK(differences(set, scene, slip) == "");
@@ -136,24 +137,24 @@ TEST_CASE("scenes evaluate both races at once where nothing needs them apart", "
 TEST_CASE("races share vectors where their balls are alike, round and dry", "[unit]") {
   const ThrustScene scene = test::thrust_scene("dyn3_40_30k_exp_curved", 4,
                                                tribology::make_split_ellipse_rule(7, 2), 1.0);
-  CHECK(dynamics::share_vectors(scene.model));
+  CHECK(dynamics::can_share_vectors(scene.model));
   auto other = scene.model;
   other[1].law = tribology::TractionLaw(
       test::law_of({{"type", "two_slope"}, {"A", 0.0}, {"B", 0.05}, {"C", 0.04}, {"um", 1.0}}));
-  CHECK_FALSE(dynamics::share_vectors(other));
+  CHECK_FALSE(dynamics::can_share_vectors(other));
   other = scene.model;
-  other[0].own = std::make_shared<dynamics::OwnBalls>();
-  CHECK_FALSE(dynamics::share_vectors(other));
+  other[0].own = std::make_shared<dynamics::UnequalBallModels>();
+  CHECK_FALSE(dynamics::can_share_vectors(other));
   other = scene.model;
   other[0].traction = false;
-  CHECK_FALSE(dynamics::share_vectors(other));
+  CHECK_FALSE(dynamics::can_share_vectors(other));
   other = scene.model;
   other[1].wavy = std::make_shared<const contact::WavyGroove>();
-  CHECK_FALSE(dynamics::share_vectors(other));
+  CHECK_FALSE(dynamics::can_share_vectors(other));
   other = scene.model;
   other[1].angle.follows = true;
-  CHECK_FALSE(dynamics::share_vectors(other));
+  CHECK_FALSE(dynamics::can_share_vectors(other));
   other = scene.model;
   other[1].surface = tribology::ContactSurface::FlatUndeformed;
-  CHECK_FALSE(dynamics::share_vectors(other));
+  CHECK_FALSE(dynamics::can_share_vectors(other));
 }

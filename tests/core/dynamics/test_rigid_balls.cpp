@@ -87,7 +87,7 @@ TEST_CASE("a spinning ball under a small moment turns its axis at M/(I omega), r
   const int q = first_of(system, "element1.quaternion");
   const auto at = static_cast<std::size_t>(q);
   const Quat attitude{result.y[at], result.y[at + 1], result.y[at + 2], result.y[at + 3]};
-  const Vec3 axis = rotation_matrix(normalise(attitude)).col(0);
+  const Vec3 axis = rotation_matrix(normalize_quaternion(attitude)).col(0);
   INFO("turned " << axis.z() << " of " << rate * end);
   CHECK(axis.z() == Approx(rate * end).epsilon(1e-6));
   CHECK(std::abs(axis.y()) < 1e-6 * rate * end);

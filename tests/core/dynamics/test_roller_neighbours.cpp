@@ -74,13 +74,13 @@ TEST_CASE("a slice of one roller against another pushes along the gradient of it
   constexpr double kStiffness = 1e9, kHalf = 4e-4, kRadius = 5e-3;
   const Vec3 a = Vec3(1.0, 0.02, -0.03).normalized(), C(1e-4, -2e-4, 3e-4);
   const auto energy = [&](const Vec3& p) {
-    const contact::PairSlice c = contact::pair_slice(p, kRadius, kHalf, side, C, a);
+    const contact::RollerPairSlice c = contact::roller_pair_slice(p, kRadius, kHalf, side, C, a);
     return c.overlap > 0.0 ? 0.5 * kStiffness * c.fraction * c.overlap * c.overlap : 0.0;
   };
   int partly = 0;
   for (const double x : {-5.3e-3, -1e-3, 3e-3, 5.2e-3}) {
     const Vec3 p(x, 9.78e-3 - 0.01 * x, 4e-4);
-    const contact::PairSlice c = contact::pair_slice(p, kRadius, kHalf, side, C, a);
+    const contact::RollerPairSlice c = contact::roller_pair_slice(p, kRadius, kHalf, side, C, a);
     REQUIRE(c.overlap > 1e-6);
     partly += c.fraction < 1.0 ? 1 : 0;
     const double q = kStiffness * c.overlap, e = 0.5 * q * c.overlap;

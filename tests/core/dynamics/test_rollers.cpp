@@ -213,7 +213,7 @@ TEST_CASE("rollers: what each does to the cage is its share of the rates", "[uni
   std::vector<double> rates(y.size()), same(y.size()),
       shares(static_cast<std::size_t>(border) * 17, 0.0);
   REQUIRE(s.system.rhs(0.0, y.data(), rates.data()) == dynamics::RhsStatus::Ok);
-  REQUIRE(s.system.rhs_with_shares(0.0, y.data(), same.data(), shares.data()) ==
+  REQUIRE(s.system.rhs_with_contributions(0.0, y.data(), same.data(), shares.data()) ==
           dynamics::RhsStatus::Ok);
   CHECK(rates == same);
   // The shares of all rollers make the cage's rates: no land touches.
@@ -305,10 +305,10 @@ TEST_CASE("rigid elements: a ball under a small moment turns its axis at M/(I om
   bearing::Bearing b = roller_bearings::cylindrical(3000.0);
   const double I = b.element_inertia.moments[0];
   b.element_inertia.moments.setConstant(I);  // of a ball
-  dynamics::RollerScene rollers;
+  dynamics::RollerStaticResult rollers;
   rollers.options.slices = 3;
   rollers.solution = statics::solve_roller_statics(b, rollers.options);
-  const auto start = std::make_shared<const dynamics::RollerScene>(rollers);
+  const auto start = std::make_shared<const dynamics::RollerStaticResult>(rollers);
   const double omega = rollers.solution.orbital_speed + rollers.solution.spin_speed;
   const double end = 2e-3, M = 1e-3 * I * std::abs(omega) / end;  // turns by a milliradian
   const dynamics::EffectMaker moment = [&](const scene::ScenePlan&) {
@@ -328,10 +328,10 @@ TEST_CASE("rigid elements: a ball under a small moment turns its axis at M/(I om
 
 TEST_CASE("rigid elements: a roller free of forces precesses as Euler says", "[physics][rollers]") {
   bearing::Bearing b = roller_bearings::cylindrical(0.0);
-  dynamics::RollerScene rollers;
+  dynamics::RollerStaticResult rollers;
   rollers.options.slices = 3;
   rollers.solution = statics::solve_roller_statics(b, rollers.options);
-  const auto start = std::make_shared<const dynamics::RollerScene>(rollers);
+  const auto start = std::make_shared<const dynamics::RollerStaticResult>(rollers);
   dynamics::System system(b, roller_scene::plan_of({}), dynamics::static_start(rollers, b), {}, {},
                           {}, start);
   std::vector<double> y = system.initial_state();
@@ -401,7 +401,7 @@ TEST_CASE("rollers: a race vibrates on them at the eigenfrequencies of the stati
         const scene::RaceSnapshot race = after(s, t, 1e-8, "rkf7").races[1];
         if (!tilts) return (race.position[k] - rest.displacement[axis]) / size;
         // A small turn about y moves the tip of the axis against z, one about z along y.
-        const Vec3 tip = rotation_matrix(adore::normalise(race.orientation)).col(0);
+        const Vec3 tip = rotation_matrix(adore::normalize_quaternion(race.orientation)).col(0);
         return ((k == 3 ? -tip[2] : tip[1]) - rest.displacement[axis]) / size;
       };
       const double late = place(4.5 * period), quarter = place(4.25 * period);

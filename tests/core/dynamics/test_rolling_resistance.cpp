@@ -31,7 +31,7 @@ bearing::Lubrication oil() {
 }
 
 tribology::RollingResistance law_of() {
-  tribology::FilmSurface surface;
+  tribology::RaceFilmInputs surface;
   surface.radius = 0.005;
   surface.modulus = 2.26e11;
   surface.wall_temperature = 360.0;
@@ -94,7 +94,7 @@ TEST_CASE("rolling resistance: what balls get the race gives, its power is 2 F u
         CHECK(all.balls.value[6][i] == 0.0);  // loads are not written
         const RaceContactState at =
             race_contact_state(scene.model[j], scene.arrays(), i, scene.race[j]);
-        tribology::ContactPoint<double> point;
+        tribology::ContactConditions<double> point;
         point.load = at.ellipse.Q;
         point.half_major = at.ellipse.a;
         point.half_minor = at.ellipse.b;
@@ -120,7 +120,7 @@ TEST_CASE("rolling resistance: what balls get the race gives, its power is 2 F u
           CHECK(other.balls.value[k][i] == Approx(-all.balls.value[k][i]).margin(1e-12 * size));
       CHECK(other.race.heat == Approx(all.race.heat).epsilon(1e-12));
       for (const InstructionSet set : {InstructionSet::Avx2, InstructionSet::Avx512}) {
-        if (!instruction_set_available(set)) continue;
+        if (!is_instruction_set_available(set)) continue;
         const Rolled wide = roll(set, scene, j);
         CHECK(wide.race.heat == Approx(all.race.heat).epsilon(1e-9));
         for (std::size_t k = 0; k < 6; ++k)

@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "contact/ball_pocket.hpp"
 #include "contact/cage_pieces.hpp"
 #include "core/dynamics/roller_scene.hpp"
@@ -18,12 +19,11 @@ using namespace adore::fixture;
 namespace {
 
 using enum scene::Effect;
-constexpr double kPi = std::numbers::pi;
 
 /// A cage in `pieces` segments, 1 degree cut out between them.
 void cut(bearing::Bearing& b, int pieces, bool through_pockets, int first = 0) {
   b.cage->segments = {pieces, through_pockets, first, kPi / 180.0};
-  b.cage->later_starts.assign(static_cast<std::size_t>(pieces - 1), *b.cage);
+  b.cage->later_segment_starts.assign(static_cast<std::size_t>(pieces - 1), *b.cage);
   b.cage->inertia = contact::cage_inertia(b);
 }
 
@@ -44,7 +44,7 @@ scene::ScenePlan segment_plan(bool friction = true) {
                    {RaceContact, PocketContact, LandContact, CageMotion, Effect::MomentumLedger});
 }
 
-Mat3 about_x(double angle) { return passive_x(angle).transpose(); }
+Mat3 about_x(double angle) { return passive_rotation_x(angle).transpose(); }
 
 }  // namespace
 
@@ -57,7 +57,7 @@ TEST_CASE("pieces of a cage: every pocket once, halves at both ends of a cut", "
   CHECK(bars.half_angle == Approx(kPi / 3.0 - 0.01));
   CHECK(bars.last_halves.empty());
   for (std::size_t i = 0; i < 12; ++i) {
-    const contact::PlacedPocket& pocket = bars.pockets[i];
+    const contact::SegmentPocket& pocket = bars.pockets[i];
     CHECK(pocket.element == i);
     CHECK(pocket.piece == static_cast<int>(((i + 10) % 12) / 4));
     CHECK(pocket.half == 0);
@@ -69,8 +69,8 @@ TEST_CASE("pieces of a cage: every pocket once, halves at both ends of a cut", "
   cage.segments.through_pockets = true;
   const contact::CagePieces pockets = contact::cage_pieces(cage, azimuths);
   REQUIRE(pockets.last_halves.size() == 3);
-  for (const contact::PlacedPocket& half : pockets.last_halves) {
-    const contact::PlacedPocket& start = pockets.pockets[half.element];
+  for (const contact::SegmentPocket& half : pockets.last_halves) {
+    const contact::SegmentPocket& start = pockets.pockets[half.element];
     CHECK(half.half == 1);
     CHECK(start.half == -1);
     CHECK(start.piece == (half.piece + 1) % 3);
@@ -102,7 +102,7 @@ TEST_CASE("half pockets push along the gradient of their gap", "[unit][cage][jac
         PocketShape::Rectangular, PocketShape::Conical})
     for (const int half : {-1, 1}) {
       const contact::BallPocket pocket{shape, 0.0127, 3e-4, 5e-4, -2e-3, 2.5e-3, half, 3e-4};
-      CHECK(contact::half_opening(pocket) > 0.5 * 0.0127);
+      CHECK(contact::cut_opening_half_width(pocket) > 0.5 * 0.0127);
       int edges = 0;
       for (const double x : {-1.3e-4, 4e-5, 1.1e-4})
         for (const double y : {-9e-4, -2e-4, -3e-5, 6e-5, 2e-4, 8e-4})
@@ -163,9 +163,9 @@ TEST_CASE("segments conserve energy and momentum through their collisions",
       bearing::Bearing b = axisymmetric(through);
       // Thrown outwards, inwards and along the axis: lands and pockets all meet.
       b.cage->start_offset = {2e-5, 0.0, 9e-5};
-      b.cage->later_starts[0].start_offset = {-3e-5, 8e-5, 2e-5};
-      b.cage->later_starts[1].start_angles = {0.0, 5e-4, -3e-4};
-      b.cage->later_starts[1].speed_ratio = 1.03;
+      b.cage->later_segment_starts[0].start_offset = {-3e-5, 8e-5, 2e-5};
+      b.cage->later_segment_starts[1].start_angles = {0.0, 5e-4, -3e-4};
+      b.cage->later_segment_starts[1].speed_ratio = 1.03;
       double previous = 1e300;
       for (const double tolerance : {1e-6, 1e-11}) {
         System system = make_system(b, segment_plan(friction));
@@ -207,12 +207,12 @@ TEST_CASE("renumbered segments move as before", "[physics][cage][symmetry]") {
     b.constraints.load[2] = 500.0;
     b.gravity = {0.0, 0.0, -9.81};
     b.cage->start_offset = {1e-5, 3e-5, -4e-5};
-    b.cage->later_starts[1].start_angles = {0.0, 4e-4, 0.0};
+    b.cage->later_segment_starts[1].start_angles = {0.0, 4e-4, 0.0};
     bearing::Bearing renumbered = axisymmetric(through, 3);
     renumbered.constraints.load = b.constraints.load;
     renumbered.gravity = b.gravity;
-    static_cast<bearing::PieceStart&>(*renumbered.cage) = b.cage->start_of(1);
-    renumbered.cage->later_starts = {b.cage->start_of(2), b.cage->start_of(0)};
+    static_cast<bearing::CageStartState&>(*renumbered.cage) = b.cage->start_of(1);
+    renumbered.cage->later_segment_starts = {b.cage->start_of(2), b.cage->start_of(0)};
     scene::ScenePlan plan = segment_plan();
     plan.effects.push_back({Gravity, "", true, "test"});
     System one = make_system(b, plan), two = make_system(renumbered, plan);
@@ -271,16 +271,17 @@ TEST_CASE("segments mirrored about X with load and speed give mirrored results",
     b.constraints.load[2] = 500.0;
     b.gravity = {0.1, -2.0, -9.0};
     b.cage->start_offset = {1e-5, 3e-5, -4e-5};
-    b.cage->later_starts[0].start_angles = {2e-4, 4e-4, -1e-4};
+    b.cage->later_segment_starts[0].start_angles = {2e-4, 4e-4, -1e-4};
     mirrored.constraints.load = {b.constraints.load[0], -200.0, 500.0, 0.0, 0.0};
     mirrored.gravity = mirror(b.gravity);
     mirrored.speed = {-b.speed[0], -b.speed[1]};
     // Piece k of the one is piece (3 - k) % 3 of the other.
     for (std::size_t k = 0; k < 3; ++k) {
-      const bearing::PieceStart& from = b.cage->start_of(k);
+      const bearing::CageStartState& from = b.cage->start_of(k);
       const std::size_t to = (3 - k) % 3;
-      bearing::PieceStart& start = to == 0 ? static_cast<bearing::PieceStart&>(*mirrored.cage)
-                                           : mirrored.cage->later_starts[to - 1];
+      bearing::CageStartState& start = to == 0
+                                           ? static_cast<bearing::CageStartState&>(*mirrored.cage)
+                                           : mirrored.cage->later_segment_starts[to - 1];
       start = from;
       start.start_offset = mirror(from.start_offset);
       start.start_angles = {-from.start_angles[0], from.start_angles[1], -from.start_angles[2]};
@@ -314,12 +315,12 @@ TEST_CASE("rollers in segmented cages keep energy and momentum", "[physics][cage
       roller_scene::add_cage(b);
       roller_scene::add_friction(b);
       b.cage->segments = {2, through, 0, kPi / 180.0};
-      b.cage->later_starts.assign(1, *b.cage);
+      b.cage->later_segment_starts.assign(1, *b.cage);
       // A conical cage is cut by a formula of one piece only: take a share of it.
       b.cage->inertia.mass *= 0.45;
       b.cage->inertia.moments *= 0.4;
       b.cage->inertia.geometric_centre = {0.0, 0.0, -0.3 * b.pitch_diameter()};
-      b.cage->later_starts[0].start_offset = {0.0, 6e-5, 2e-5};
+      b.cage->later_segment_starts[0].start_offset = {0.0, 6e-5, 2e-5};
       roller_scene::Scene s = roller_scene::scene_of(b, roller_scene::with_friction(), 9);
       const double end = 1e-3;
       const RunResult result = fixture::run(s.system, s.system.initial_state(), end, 1e-9);
@@ -354,7 +355,7 @@ TEST_CASE("each segment stands in the border with the shares of its own elements
         y[static_cast<std::size_t>(group.slice.first + i)] += i % 2 == 0 ? 2.5e-3 : -2.5e-3;
   std::vector<double> f(y.size()), plain(y.size()), shares(9 * 42);
   REQUIRE(system.rhs(0.0, y.data(), plain.data()) == RhsStatus::Ok);
-  REQUIRE(system.rhs_with_shares(0.0, y.data(), f.data(), shares.data()) == RhsStatus::Ok);
+  REQUIRE(system.rhs_with_contributions(0.0, y.data(), f.data(), shares.data()) == RhsStatus::Ok);
   CHECK(f == plain);
   const int border = static_cast<int>(std::find(owner.begin(), owner.end(), -1) - owner.begin());
   int loaded = 0;

@@ -38,7 +38,7 @@ std::array<dynamics::RaceContactModel, 2> halves_of(const bearing::Bearing& b, s
                                                     bool follows) {
   std::array<dynamics::RaceContactModel, 2> out;
   const contact::GrooveGeometry groove = contact::groove_geometry(b.balls());
-  const auto half = contact::split_halves(b.balls(), groove, static_cast<int>(j));
+  const auto half = contact::split_race_halves(b.balls(), groove, static_cast<int>(j));
   for (std::size_t h = 0; h < 2; ++h) {
     dynamics::RaceContactModel& model = out[h];
     model.race = static_cast<bearing::Race>(j);
@@ -51,8 +51,8 @@ std::array<dynamics::RaceContactModel, 2> halves_of(const bearing::Bearing& b, s
     model.law = b.race_traction;
     model.rule = tribology::make_split_ellipse_rule(4, 4);
     model.half = half[h];
-    dynamics::set_own_balls(model, b.balls(), {}, {}, b.balls().contact_angle,
-                            static_cast<std::size_t>(b.element_count()));
+    dynamics::set_unequal_balls(model, b.balls(), {}, {}, b.balls().contact_angle,
+                                static_cast<std::size_t>(b.element_count()));
   }
   return out;
 }
@@ -110,7 +110,7 @@ TEST_CASE("split race, kernels: forces are the gradient of the energy, reactions
     const std::size_t n = balls.value[0].size();
     for (const InstructionSet set :
          {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512}) {
-      if (!dynamics::instruction_set_available(set)) continue;
+      if (!dynamics::is_instruction_set_available(set)) continue;
       for (auto& model : half) model.traction = false;
       const auto energy = [&] {
         double sum = 0.0;
@@ -213,7 +213,7 @@ TEST_CASE("split race: all instruction sets and the report agree", "[unit][dynam
     dynamics::evaluate_race_contacts(InstructionSet::Baseline, model, balls.views(), race,
                                      base.forces());
     for (const InstructionSet set : {InstructionSet::Avx2, InstructionSet::Avx512}) {
-      if (!dynamics::instruction_set_available(set)) continue;
+      if (!dynamics::is_instruction_set_available(set)) continue;
       test::Outputs out(n);
       dynamics::evaluate_race_contacts(set, model, balls.views(), race, out.forces());
       for (std::size_t k = 0; k < 9; ++k)
@@ -238,7 +238,7 @@ TEST_CASE("split race: a ball in balance has the forces of the kernel and exact 
   race.centre = Vec3(half[0].groove.centre_x[1], 0.0, 0.0);
   const auto law = angle_laws(b);
   dynamics::ConstrainedBall ball(half[0].groove, {half[0].hertz.K, half[0].hertz.K}, 0.01, law);
-  ball.set_split({std::array<contact::SplitHalf, 2>{}, {half[0].half, half[1].half}});
+  ball.set_split_halves({std::array<contact::SplitRaceHalf, 2>{}, {half[0].half, half[1].half}});
   test::Outputs out(balls.value[0].size());
   for (auto& model : half) {
     model.traction = false;

@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "bearing/given_surface.hpp"
 #include "contact/wavy_groove_model.hpp"
 #include "core/dynamics/system_fixture.hpp"
@@ -21,12 +22,11 @@ using dynamics::RaceMotion;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 using Surface = std::function<double(double x, double psi)>;
 
 bearing::RaceErrors table_errors(const bearing::Bearing& b, std::size_t race, const Surface& radius,
                                  const Surface& factor = {}) {
-  const std::vector<double> places = setup::table_places(b, race, 0);
+  const std::vector<double> places = setup::surface_table_axial_positions(b, race, 0);
   std::vector<double> of_radius, of_factor;
   for (const double x : places)
     for (int k = 0; k < setup::kTableAround; ++k) {
@@ -34,8 +34,8 @@ bearing::RaceErrors table_errors(const bearing::Bearing& b, std::size_t race, co
       of_radius.push_back(radius(x, psi));
       if (factor) of_factor.push_back(factor(x, psi));
     }
-  auto given = std::make_shared<bearing::GivenSurface>(
-      setup::surface_table(b, race, places, of_radius, of_factor));
+  auto given = std::make_shared<bearing::TabulatedSurface>(
+      setup::build_surface_table(b, race, places, of_radius, of_factor));
   if (factor) {
     const auto [low, high] = std::minmax_element(of_factor.begin(), of_factor.end());
     given->curvature_factor.least = *low;
@@ -48,17 +48,17 @@ bearing::RaceErrors table_errors(const bearing::Bearing& b, std::size_t race, co
 
 double height_at(const bearing::RaceErrors& errors, double psi, double phi) {
   const bearing::SurfaceTable& t = *bearing::table_of(errors.given.get());
-  const contact::RaceTable table{t.height.data(), nullptr, t.around, t.across,
-                                 t.first,         t.step,  1.0};
+  const contact::SurfaceDeviationTable table{t.height.data(), nullptr, t.around, t.across,
+                                             t.first,         t.step,  1.0};
   return contact::table_value(table, table.height, psi, phi).value;
 }
 
 /// Ball forms of one shape: h = a (u_x² + 0.5 u_y u_z), in a spline over azimuth and latitude.
 struct Lobed {
   std::vector<double> height;
-  std::vector<contact::RaceTable> of_ball;
+  std::vector<contact::SurfaceDeviationTable> of_ball;
   std::vector<Mat3> attitude;
-  contact::BallForms forms;
+  contact::BallFormErrors forms;
 
   Lobed(std::size_t balls, double a) {
     constexpr int kAround = 256, kAcross = 129;
@@ -70,7 +70,7 @@ struct Lobed {
                      z = std::cos(latitude) * std::cos(psi);
         height.push_back(a * (std::pow(std::sin(latitude), 2) + 0.5 * y * z));
       }
-    setup::spline_table(height, kAround, true);
+    setup::convert_to_spline_coefficients(height, kAround, true);
     of_ball.assign(balls, {height.data(), nullptr, kAround, kAcross, -0.5 * kPi, step, 1.0});
     for (std::size_t i = 0; i < balls; ++i) {
       const Vec3 axis = Vec3(0.3, 1.0, 0.2 * static_cast<double>(i)).normalized();
@@ -96,11 +96,11 @@ TEST_CASE(
   for (std::size_t k = 150; k < 171; ++k)
     spall[k] = 100.0;  // 20 steps between its edges and 2 more
   for (std::size_t k = 150; k < 171; ++k) bump[k] = -1.0;
-  const std::vector<double> sunk = setup::rolled_over(spall, cost, true, nullptr);
+  const std::vector<double> sunk = setup::moreau_envelope(spall, cost, true, nullptr);
   CHECK(*std::max_element(sunk.begin(), sunk.end()) == Approx(cost * 11.0 * 11.0));
   CHECK(sunk[149] == 0.0);
   CHECK(sunk[152] == Approx(cost * 9.0));
-  const std::vector<double> shallow = setup::rolled_over(
+  const std::vector<double> shallow = setup::moreau_envelope(
       [&] {
         std::vector<double> out = spall;
         for (double& one : out) one *= 0.01;
@@ -108,14 +108,14 @@ TEST_CASE(
       }(),
       cost, true, nullptr);
   CHECK(*std::max_element(shallow.begin(), shallow.end()) == 1.0);
-  const std::vector<double> lifted = setup::rolled_over(bump, cost, true, nullptr);
+  const std::vector<double> lifted = setup::moreau_envelope(bump, cost, true, nullptr);
   CHECK(lifted[160] == -1.0);
   CHECK(lifted[147] == Approx(-1.0 + cost * 9.0));
   CHECK(lifted[100] == 0.0);
   // Smooth waves are lowered by the square of their slope, between places, too.
   std::vector<double> wave;
   for (int k = 0; k < 400; ++k) wave.push_back(0.5 * std::sin(2.0 * kPi * k / 400.0));
-  const std::vector<double> rolled = setup::rolled_over(wave, cost, true, nullptr);
+  const std::vector<double> rolled = setup::moreau_envelope(wave, cost, true, nullptr);
   const double slope = 0.5 * 2.0 * kPi / 400.0;
   CHECK(rolled[0] - wave[0] == Approx(-slope * slope / (4.0 * cost)).epsilon(1e-3));
 }
@@ -167,7 +167,7 @@ TEST_CASE("tables and balls that are not round: forces and moments are the gradi
       };
       for (const InstructionSet set :
            {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512}) {
-        if (!dynamics::instruction_set_available(set)) continue;
+        if (!dynamics::is_instruction_set_available(set)) continue;
         INFO("race " << j << ' ' << dynamics::instruction_set_name(set));
         test::Outputs out(n);
         const auto sums =
@@ -215,7 +215,7 @@ TEST_CASE("tables and balls that are not round: forces and moments are the gradi
       for (std::size_t i = 0; i < n; ++i) {
         dynamics::ConstrainedBall ball(model.groove, {model.hertz.K, model.hertz.K}, 1.0,
                                        {model.angle, model.angle});
-        ball.set_wavy({model.wavy.get(), model.wavy.get()}, i);
+        ball.set_wavy_grooves({model.wavy.get(), model.wavy.get()}, i);
         const double s = scene.ball[2][i], c = scene.ball[3][i];
         Mat3 frame;
         frame << 1, 0, 0, 0, -s, c, 0, -c, -s;

@@ -74,7 +74,7 @@ MomentumRates momentum_rates(System& system, const std::vector<double>& y) {
       return Vec3(v[k], v[k + 1], v[k + 2]);
     };
     const std::size_t q = first_of(system, "cage.quaternion");
-    const Mat3 R = rotation_matrix(normalise({y[q], y[q + 1], y[q + 2], y[q + 3]}));
+    const Mat3 R = rotation_matrix(normalize_quaternion({y[q], y[q + 1], y[q + 2], y[q + 3]}));
     const Vec3 w = vec(y, "cage.omega"), I = b.cage->inertia.moments;
     const Vec3 force = b.cage->inertia.mass * vec(d, "cage.velocity");
     const Vec3 torque = R * (I.cwiseProduct(vec(d, "cage.omega")) + w.cross(I.cwiseProduct(w)));
@@ -419,7 +419,7 @@ TEST_CASE("state judged by its energy: checked and reported as evaluated", "[uni
   y[first_of(system, "element.r") + 1] += 1e-6;
   const Snapshot expected = fresh.snapshot(1e-5, y);
   REQUIRE(system.rhs(1e-5, y.data(), d.data()) == RhsStatus::Ok);
-  (void)system.energy_account();
+  (void)system.energy_balance();
   std::fill(d.begin(), d.end(), std::nan(""));  // what a method does with its rates is its own
   CHECK_NOTHROW(system.check_state(1e-5, y.data()));
   const Snapshot s = system.snapshot(1e-5, y);

@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "bearing/element_inertia.hpp"
 #include "contact/wavy_groove_model.hpp"
 #include "core/dynamics/allocation_counter.hpp"
@@ -21,8 +22,6 @@ using scene::Snapshot;
 using scene::Vec3;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// Deviations of some micrometres, none like another.
 std::vector<double> deviations(std::size_t balls, double size = 3e-6) {
@@ -106,8 +105,8 @@ std::array<dynamics::RaceContactModel, 2> models(const bearing::Bearing& b, bool
           contact::make_wavy_groove(b.balls(), race, errors, angle));
     model.law = b.race_traction;
     model.rule = tribology::make_split_ellipse_rule(4, 4);
-    dynamics::set_own_balls(model, b.balls(), errors, b.imperfections.ball_diameter, angle,
-                            b.imperfections.ball_diameter.size());
+    dynamics::set_unequal_balls(model, b.balls(), errors, b.imperfections.ball_diameter, angle,
+                                b.imperfections.ball_diameter.size());
   }
   return out;
 }
@@ -133,7 +132,7 @@ TEST_CASE("unequal balls: every instruction set does with all of them what it do
           race.turn = 1.1;
           for (const InstructionSet set :
                {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512}) {
-            if (!dynamics::instruction_set_available(set)) continue;
+            if (!dynamics::is_instruction_set_available(set)) continue;
             const auto count = static_cast<std::size_t>(n);
             test::Outputs all(count);
             const auto sums = dynamics::evaluate_race_contacts(set, model[j], balls.views(0, count),
@@ -170,7 +169,7 @@ TEST_CASE("unequal balls: every instruction set does with all of them what it do
 TEST_CASE("unequal balls: deviations of zero change no bit", "[unit][dynamics][imperfections]") {
   bearing::Bearing b = angular_contact();
   System alike = make_system(b, full_plan());
-  b.imperfections.elements = bearing::ElementErrors::Listed;
+  b.imperfections.elements = bearing::ElementErrorSource::Listed;
   b.imperfections.ball_diameter.assign(18, 0.0);
   System zero = make_system(b, full_plan());
   CHECK(run(alike, alike.initial_state(), 1e-4, 1e-6).y ==

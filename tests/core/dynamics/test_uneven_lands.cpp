@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "contact/cage_inertia.hpp"
 #include "core/dynamics/roller_scene.hpp"
 #include "core/dynamics/system_fixture.hpp"
@@ -17,7 +18,6 @@ using scene::Snapshot;
 namespace {
 
 using enum scene::Effect;
-constexpr double kPi = std::numbers::pi;
 
 LandErrors wave(double amplitude, double waves, double phase = 0.3) {
   return {RaceErrors::Roundness::Sinusoidal, {amplitude, waves, phase}};
@@ -45,7 +45,7 @@ bearing::Bearing uneven(bool inner, double size = 1.0) {
 
 void cut(bearing::Bearing& b, int pieces) {
   b.cage->segments = {pieces, false, 0, kPi / 180.0};
-  b.cage->later_starts.assign(static_cast<std::size_t>(pieces - 1), *b.cage);
+  b.cage->later_segment_starts.assign(static_cast<std::size_t>(pieces - 1), *b.cage);
   b.cage->inertia = contact::cage_inertia(b);
 }
 
@@ -71,8 +71,8 @@ TEST_CASE("uneven guide lands keep energy and momentum, whole cages and segments
         b.cage->whirl_ratio = 20.0;
         if (pieces > 1) {
           cut(b, pieces);
-          b.cage->later_starts[0].start_offset = {-3e-5, 8e-5, 2e-5};
-          b.cage->later_starts[1].start_angles = {0.0, 5e-4, -3e-4};
+          b.cage->later_segment_starts[0].start_offset = {-3e-5, 8e-5, 2e-5};
+          b.cage->later_segment_starts[1].start_angles = {0.0, 5e-4, -3e-4};
         }
         double previous = 1e300;
         for (const double tolerance : {1e-6, 1e-9}) {
@@ -160,12 +160,12 @@ TEST_CASE("out-of-round lands turned with everything give turned results",
   b.cage->lands[0].of_cage = b.cage->lands[1].of_cage = wave(2e-5, 9, 0.2);
   b.cage->lands[0].of_race = b.cage->lands[1].of_race = wave(2e-5, 9, 1.1);
   bearing::Bearing turned = b;  // nine waves: a pitch turns them into themselves
-  turned.cage->start_offset = passive_x(pitch).transpose() * b.cage->start_offset;
+  turned.cage->start_offset = passive_rotation_x(pitch).transpose() * b.cage->start_offset;
   const double end = 1e-3;
   dynamics::System one = make_system(b, plan(true)), two = make_system(turned, plan(true));
   const Snapshot p = one.snapshot(end, run(one, one.initial_state(), end, 1e-10).y);
   const Snapshot q = two.snapshot(end, run(two, two.initial_state(), end, 1e-10).y);
   REQUIRE(p.energy.value("land_heat") > 1e-6);
-  CHECK((passive_x(pitch).transpose() * p.cages[0].position - q.cages[0].position).norm() <
+  CHECK((passive_rotation_x(pitch).transpose() * p.cages[0].position - q.cages[0].position).norm() <
         2e-8);  // of 0.1 mm
 }

@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "contact/race_errors.hpp"
 #include "contact/wavy_groove_model.hpp"
 #include "core/dynamics/allocation_counter.hpp"
@@ -29,8 +30,6 @@ using wave_record::record_of;
 using wave_record::rms;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 RaceErrors wave(double amplitude, double order, double phase = 0.0) {
   RaceErrors e;
@@ -75,7 +74,7 @@ TEST_CASE("wavy races: every instruction set does what dual numbers say of the n
       model.traction = false;
       RaceErrors errors = everything();
       contact::WavyGroove wavy;
-      wavy.form = contact::race_form(errors, 0.03);
+      wavy.form = contact::make_race_error_model(errors, 0.03);
       wavy.curvature_diameter = 2.0 * model.groove.ball_radius;
       wavy.normal_x = 0.6;
       wavy.normal_r = 0.8;
@@ -91,10 +90,10 @@ TEST_CASE("wavy races: every instruction set does what dual numbers say of the n
       race.turn = 1.1;
       dynamics::ConstrainedBall ball(model.groove, {model.hertz.K, model.hertz.K}, 1.0,
                                      {model.angle, model.angle});
-      ball.set_wavy({&wavy, &wavy});
+      ball.set_wavy_grooves({&wavy, &wavy});
       for (const InstructionSet set :
            {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512}) {
-        if (!dynamics::instruction_set_available(set)) continue;
+        if (!dynamics::is_instruction_set_available(set)) continue;
         test::Outputs out(n);
         const auto sums =
             dynamics::evaluate_race_contacts(set, model, scene.arrays(), race, out.forces());
@@ -128,7 +127,7 @@ TEST_CASE("wavy races: stiffness and change with the race's turn are those of di
   for (int j = 0; j < 2; ++j) {
     const contact::WavyGroove wavy = contact::make_wavy_groove(b.balls(), j, everything(), 0.436);
     dynamics::ConstrainedBall ball(groove, {9e9, 9e9}, 0.008, angle_laws(b));
-    ball.set_wavy({&wavy, &wavy});
+    ball.set_wavy_grooves({&wavy, &wavy});
     const double depth =
         (j == 0 ? 1.0 : -1.0) * (groove.offset[static_cast<std::size_t>(j)] + 2e-5);
     Vec3 per_turn = Vec3::Zero();

@@ -56,11 +56,11 @@ class Carrier final : public OdeSystem {
   }
   [[nodiscard]] bool blocks_form_ring() const noexcept override { return told_ && ring_; }
   EvalStatus rhs(double t, const double* y, double* f) noexcept override {
-    return rhs_with_shares(RhsPart::Whole, t, y, f, nullptr);
+    return rhs_with_contributions(RhsPart::Whole, t, y, f, nullptr);
   }
-  EvalStatus rhs_with_shares(RhsPart part, double t, const double* y, double* f,
-                             double* shares) noexcept override {
-    if (part == RhsPart::Stiff) return OdeSystem::rhs_with_shares(part, t, y, f, shares);
+  EvalStatus rhs_with_contributions(RhsPart part, double t, const double* y, double* f,
+                                    double* shares) noexcept override {
+    if (part == RhsPart::Stiff) return OdeSystem::rhs_with_contributions(part, t, y, f, shares);
     ++calls;
     const double* v = y + n_;
     const double X = y[2 * n_], V = y[2 * n_ + 1];

@@ -115,8 +115,8 @@ TEST_CASE("Classical method: order 4 exactly, estimate of order 3", "[unit][inte
   CHECK(defect(tableau.b, 5, tableau, trees, phi) > 1e-3);
   for (int n = 1; n <= 3; ++n) CHECK(defect(tableau.b_high, n, tableau, trees, phi) < 1e-15);
   CHECK(defect(tableau.b_high, 4, tableau, trees, phi) > 1e-3);
-  CHECK(tableau.power_of_error() == 4);
-  CHECK(fehlberg(4).power_of_error() == 5);
+  CHECK(tableau.error_order() == 4);
+  CHECK(fehlberg(4).error_order() == 5);
   for (int i = 0; i < tableau.stages; ++i) {
     CHECK(tableau.a[tableau.stages - 1][i] == tableau.b[i]);
     double sum = 0.0;

@@ -26,7 +26,7 @@ namespace {
 
 life::BearingLife life_of(const deck::Deck& deck, const bearing::LifeChoices& choices = {}) {
   const bearing::Bearing bearing = setup::build_bearing(deck);
-  return life::ball_bearing_life(bearing, setup::build_life(deck, choices),
+  return life::ball_bearing_life(bearing, setup::build_life_inputs(deck, choices),
                                  statics::solve_ball_statics(bearing));
 }
 
@@ -146,7 +146,8 @@ TEST_CASE("life: factors of materials given in the deck → all used", "[physics
 TEST_CASE("life: multiplier of zero → error with record and variable", "[unit][life]") {
   deck::Deck deck = with_constants(deck::new_deck("ball"));
   deck.set("fcGZ2", "0");
-  CHECK_THROWS_WITH(setup::build_life(deck), Catch::Contains("8.6.2") && Catch::Contains("fcGZ2"));
+  CHECK_THROWS_WITH(setup::build_life_inputs(deck),
+                    Catch::Contains("8.6.2") && Catch::Contains("fcGZ2"));
   CHECK(setup::build_run_options({{"sol7Life", "ih-tallian"}}).life.stored_modification ==
         bearing::LifeModification::Tallian);
   CHECK_THROWS_WITH(setup::build_run_options({{"sol7Life", "best"}}),
@@ -271,7 +272,7 @@ TEST_CASE(
   const auto hot_life = [&](const char* laws) {
     deck.set("kMatPropMod", laws);
     const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
-    return life::ball_bearing_life(bearing, setup::build_life(deck),
+    return life::ball_bearing_life(bearing, setup::build_life_inputs(deck),
                                    statics::solve_ball_statics(bearing));
   };
   const life::BearingLife cold = hot_life("0"), hot = hot_life("1");
@@ -341,7 +342,7 @@ TEST_CASE("ISO: rating of the nominal bearing, independent of growth in operatio
       deck.set("reTemp", ball);
       deck.set("raceTemp2", race);
       const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
-      const auto life = life::ball_bearing_life(bearing, setup::build_life(deck, {}),
+      const auto life = life::ball_bearing_life(bearing, setup::build_life_inputs(deck, {}),
                                                 statics::solve_ball_statics(bearing));
       REQUIRE(life.iso);
       REQUIRE(life.iso->equivalent);
@@ -350,7 +351,7 @@ TEST_CASE("ISO: rating of the nominal bearing, independent of growth in operatio
     const life::IsoReport made = iso_of("100.0", "293.15", "293.15");
     // Not as it is made: only with a note.
     const auto told = std::count_if(made.notes.begin(), made.notes.end(), [](const auto& note) {
-      return note.find("is rated as a deep-groove bearing (angle 0)") != std::string::npos;
+      return note.message.find("is rated as a deep-groove bearing (angle 0)") != std::string::npos;
     });
     CHECK(told == (degrees < 15.0 ? 1 : 0));
     for (const auto& [rpm, ball, race] :

@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
@@ -12,7 +13,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -23,8 +23,6 @@ using bearing::LifeInputs;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSteelEstar = 207.5e9 / (2.0 * 0.91);
 
 bearing::Material steel() {
@@ -404,9 +402,8 @@ TEST_CASE("damage: restored completely, or error with the missing value", "[unit
     DamageSum again;
     CHECK_THROWS_WITH(again.restore(part), Catch::Matchers::Contains("'" + name + "' is missing"));
   }
-  for (const double life : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
-    CHECK_THROWS_AS(check_life(life), InputError);
-  CHECK_NOTHROW(check_life(std::numeric_limits<double>::infinity()));
+  for (const double life : {0.0, -1.0, kNaN}) CHECK_THROWS_AS(check_life(life), InputError);
+  CHECK_NOTHROW(check_life(kInfinity));
 }
 
 TEST_CASE("damage: constant conditions → life of the instant; standstill → none", "[unit][life]") {

@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "deck/templates.hpp"
 #include "life/load_damage.hpp"
 #include "setup/build_bearing.hpp"
@@ -18,8 +19,6 @@ using namespace adore::life;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 struct Subject {
   bearing::Bearing bearing;
   BearingContacts contacts;
@@ -30,7 +29,7 @@ Subject subject_of(const char* type, bearing::LifeChoices choices) {
   const deck::Deck deck = deck::new_deck(type);
   bearing::Bearing bearing = setup::build_bearing(deck);
   const bool rollers = bearing.rollers() != nullptr;
-  const bearing::LifeInputs inputs = setup::build_life(deck, choices);
+  const bearing::LifeInputs inputs = setup::build_life_inputs(deck, choices);
   BearingContacts contacts = rollers
                                  ? life_contacts(statics::solve_roller_statics(bearing), bearing)
                                  : life_contacts(statics::solve_ball_statics(bearing), bearing);
@@ -56,7 +55,7 @@ double hours_of(Subject& subject, const Factor& factor, long every, long offset)
   const auto& choices = subject.calculator.parameters().choices;
   LoadDamage damage(subject.calculator, subject.contacts);
   const std::array<std::vector<double>, 2> nominal = loads_of(subject.contacts);
-  DamageOfSteps run(damage);
+  StepDamageAccumulator run(damage);
   const double speed = 2.0 * kPi * 100.0;
   const auto rate_of = [&](double f) {  // the full model, whatever it is: a contact law of its own
     BearingContacts now = subject.contacts;
@@ -189,7 +188,7 @@ TEST_CASE("damage of steps: continued from MASTER → same as without a break", 
   const LoadDamage table(subject.calculator, subject.contacts);
   const auto nominal = loads_of(subject.contacts);
   const DamageRate rate = damage_rate(600.0, {70.0, 30.0, std::numeric_limits<double>::infinity()});
-  const auto advance = [&](DamageOfSteps& run, long from, long to) {
+  const auto advance = [&](StepDamageAccumulator& run, long from, long to) {
     for (long k = from; k < to; ++k) {
       auto loads = nominal;
       for (auto& race : loads)
@@ -199,7 +198,7 @@ TEST_CASE("damage of steps: continued from MASTER → same as without a break", 
       run.step(t + 1e-6, loads[0], loads[1]);
     }
   };
-  DamageOfSteps whole(table), first(table), second(table);
+  StepDamageAccumulator whole(table), first(table), second(table);
   advance(whole, 0, 1000);
   advance(first, 0, 333);
   std::map<std::string, double> state;
@@ -211,7 +210,7 @@ TEST_CASE("damage of steps: continued from MASTER → same as without a break", 
   CHECK(second.evaluations() == whole.evaluations());
   // Other loads or another model: its table is another one, and the full model is asked at once.
   state["life.steps.table"] += 1.0;
-  DamageOfSteps other(table);
+  StepDamageAccumulator other(table);
   other.restore(state);
   CHECK(other.due());
   CHECK(other.damage().damage() == first.damage().damage());

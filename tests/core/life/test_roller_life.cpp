@@ -235,6 +235,6 @@ TEST_CASE("thrust roller bearings: C and L10 of ISO 281; unavailable results are
   CHECK_FALSE(life.iso->reference);
   CHECK_FALSE(life.iso->C_u);
   std::string notes;
-  for (const std::string& note : life.iso->notes) notes += note;
+  for (const adore::Finding& note : life.iso->notes) notes += note.message;
   CHECK_THAT(notes, Catch::Contains("thrust roller") && Catch::Contains("L10r are not computed"));
 }

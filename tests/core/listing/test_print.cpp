@@ -62,7 +62,8 @@ statics::StaticSolution make_solution() {
     solution.balls.push_back(ball);
   }
   solution.max_load = 102.0;
-  solution.notes = {"ball 3 touches the outer race only"};
+  solution.notes = {
+      adore::make_finding("statics.outer_only", "ball 3 touches the outer race only")};
   return solution;
 }
 
@@ -182,7 +183,7 @@ TEST_CASE("PRINT: kPrtOpt → sections of a printed step", "[unit][print]") {
   const auto print = [&](int kPrtOpt) {
     Report report(bearing.run_id, UnitSystem::SI);
     print_step(report, snapshot, record, bearing, averages.averages(), kPrtOpt, {},
-               RaceFriction::Film);
+               RaceFrictionModel::Film);
     const std::string text = report.take();
     check_pages(text);
     return text;
@@ -239,7 +240,7 @@ TEST_CASE("PRINT: time zero → no averages, and no wear without integrals", "[u
     averages.add(snapshot);
     Report report(bearing.run_id, UnitSystem::SI);
     print_step(report, snapshot, recorder.record(snapshot), bearing, averages.averages(), 1, {},
-               RaceFriction::Film);
+               RaceFrictionModel::Film);
     return report.take();
   };
   const std::vector<std::string> ratios{"Orbital velocity ratio", "Cage angular velocity ratio",
@@ -272,7 +273,7 @@ TEST_CASE("PRINT: printed step → half chords of inner contacts, and results th
       contact.centre_chord = 0.00222;
     }
   snapshot.power.life_hours = 1234.0;
-  RaceFriction in_force = RaceFriction::Curve;
+  RaceFrictionModel in_force = RaceFrictionModel::Curve;
   const auto print = [&](std::optional<long> life_step) {
     ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
     Report report(bearing.run_id, UnitSystem::SI);
@@ -293,14 +294,15 @@ TEST_CASE("PRINT: printed step → half chords of inner contacts, and results th
   CHECK_THAT(line_with(print(7), "Fatigue life"), Contains("at the loads of step 7"));
 
   // The law in force says whether there are films, not what they are: at rest all of them are 0.
-  for (const auto& [friction, reason] : {std::pair{RaceFriction::Curve, "hypothetical traction"},
-                                         {RaceFriction::OfUser, "user routine ADRX7"},
-                                         {RaceFriction::None, "no race friction"}}) {
+  for (const auto& [friction, reason] :
+       {std::pair{RaceFrictionModel::Curve, "hypothetical traction"},
+        {RaceFrictionModel::OfUser, "user routine ADRX7"},
+        {RaceFrictionModel::None, "no race friction"}}) {
     in_force = friction;
     CHECK_THAT(line_with(print({}), "Film thickness"), Contains(reason));
     CHECK_THAT(line_with(print({}), "Contact temperature"), Contains(reason));
   }
-  in_force = RaceFriction::Film;
+  in_force = RaceFrictionModel::Film;
   const std::string in_oil = print({});
   CHECK_THAT(in_oil, Contains("rise outer") && Contains(" film ") && Contains("least outer"));
   CHECK(in_oil.find("Film thickness (") == std::string::npos);

@@ -20,12 +20,12 @@ results::StaticTables tables_of(const deck::Deck& deck) {
   if (bearing.rollers()) {
     const auto solution = statics::solve_roller_statics(bearing);
     auto out = listing::static_tables(solution, bearing, deck::UnitSystem::SI);
-    listing::add_cut(out, solution, bearing);
+    listing::add_radial_section(out, solution, bearing);
     return out;
   }
   const auto solution = statics::solve_ball_statics(bearing);
   auto out = listing::static_tables(solution, bearing, deck::UnitSystem::SI);
-  listing::add_cut(out, solution, bearing);
+  listing::add_radial_section(out, solution, bearing);
   return out;
 }
 

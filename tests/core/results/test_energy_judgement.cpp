@@ -47,7 +47,7 @@ TEST_CASE("Energy residual: no motion except step errors → no advice of shorte
   static const adore::scene::LedgerTerm work{LedgerKind::Work, "work", "", {"races", ""}, ""};
   adore::scene::EnergyLedger at_rest;
   at_rest.add(work, 1e-6);
-  const EnergyJudgement stands = judge_energy(at_rest, 1e-2);
+  const EnergyJudgment stands = judge_energy(at_rest, 1e-2);
   CHECK(stands.trust == Trust::None);
   CHECK_THAT(stands.text, Catch::Contains("energy residual of") && Catch::Contains("mode = -1") &&
                               Catch::Contains("kTrac = 0") && !Catch::Contains("--tol"));
@@ -92,7 +92,7 @@ TEST_CASE("Energy residual: warning above 5 % of the heat, for any exchanged ene
     return out;
   };
   CHECK(judge_energy(accelerated(4e-6), 1e6).trust == Trust::Full);
-  const EnergyJudgement judged = judge_energy(accelerated(6e-6), 1e6);
+  const EnergyJudgment judged = judge_energy(accelerated(6e-6), 1e6);
   CHECK(judged.trust == Trust::Warned);
   CHECK(judged.over_heat == Approx(0.06).epsilon(1e-6));
   CHECK_THAT(judged.text, Catch::Contains("6 % of the heat (0.0001 J)"));
@@ -123,7 +123,7 @@ TEST_CASE("Energy residual: above its limit and not returned → not trusted for
 TEST_CASE("Energy residual: NaN → never trusted", "[unit][results]") {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300}) {
-    const EnergyJudgement judgement = judge_energy(run_of(bad), 1.0);
+    const EnergyJudgment judgement = judge_energy(run_of(bad), 1.0);
     CHECK(judgement.trust == Trust::None);
     CHECK_FALSE(judgement.text.empty());
   }

@@ -50,7 +50,7 @@ TEST_CASE("verify_run(): checksum of words or, from earlier versions, of bytes â
     return results::verify_run(folder / "").back().state;
   };
   using State = results::FileCheck::State;
-  CHECK(state_with(results::sum_of_file(folder / "PRINT.txt").sum) == State::Intact);
+  CHECK(state_with(results::file_checksum(folder / "PRINT.txt").sum) == State::Intact);
   CHECK(state_with(checksum(text)) == State::Intact);
   CHECK(state_with(checksum(text) + 1) == State::Damaged);
 }

@@ -149,7 +149,7 @@ TEST_CASE("full_precision: steps after the end of a classic file → from RESULT
     for (const char* name : {"SOL1", "SOL4", "SOL7"}) {
       INFO(name);
       SolFile file = read_sol(folder / name);
-      const FullPrecision told = use_full_precision(file, 1000);
+      const FullPrecisionStatus told = use_full_precision(file, 1000);
       CHECK(told.why_not.empty());
       CHECK(told.exact == 41);
       CHECK(told.from_start);
@@ -182,14 +182,14 @@ TEST_CASE("full_precision: steps after the end of a classic file → from RESULT
   for (const SolStep& step : apart.steps) steps.push_back(step.step);
   CHECK(steps == std::vector<long>{0, 9, 18, 27, 36, 45, 54, 60});
   SolFile few = read_sol(folder / "SOL1");
-  const FullPrecision told = use_full_precision(few, 5);
+  const FullPrecisionStatus told = use_full_precision(few, 5);
   CHECK(told.added == 5);
   CHECK(told.more);
   CHECK(few.steps.back().step == 45);
   // The file's end is the later one: nothing is added, and where all digits end is told.
   write_run(folder, UnitSystem::SI, "synthetic run 7", 0, 20);
   SolFile longer = read_sol(folder / "SOL1");
-  const FullPrecision part = use_full_precision(longer, 1000);
+  const FullPrecisionStatus part = use_full_precision(longer, 1000);
   CHECK(part.added == 0);
   CHECK(part.exact == 21);
   CHECK(part.from_start);

@@ -160,12 +160,13 @@ TEST_CASE("Mean load: rotating load → not compared; free race → not describe
   CHECK(cause.find("record 9.3B makes a race vibrate") != std::string::npos);
   CHECK(cause.find("inner race is fixed") == std::string::npos);
   CHECK(cause.find("enter about") == std::string::npos);
-  plan.race_motions.turning_load = bearing::TurningLoad{{0.0, 1.0}, {0.0, 100.0}};
+  plan.race_motions.rotating_load_parameters =
+      bearing::RotatingLoadParameters{{0.0, 1.0}, {0.0, 100.0}};
   const MeanLoad turning = mean_load(averages.averages(), bearing, plan);
   CHECK(turning.given[0]);
   CHECK_FALSE(turning.given[1]);
   CHECK_FALSE(turning.given[2]);
-  plan.race_motions.turning_load->fraction[1] = 0.0;
+  plan.race_motions.rotating_load_parameters->fraction[1] = 0.0;
   CHECK(mean_load(averages.averages(), bearing, plan).given[2]);
 }
 

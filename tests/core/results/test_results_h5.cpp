@@ -155,7 +155,7 @@ TEST_CASE("RESULTS.h5: file left open by an older version → read and continued
   const std::string whole = read_bytes(path);
   // The library's own driver leaves its mark.
   const int status = in_child([&]() -> int {
-    const h5::Handle access = h5::access_list();
+    const h5::Handle access = h5::file_access_properties();
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, access);
     if (file < 0 || H5Fstart_swmr_write(file) < 0) return 1;
     ::kill(::getpid(), SIGKILL);
@@ -189,7 +189,7 @@ TEST_CASE("RESULTS.h5: any flipped bit → continuation rejected, or no harm", "
       CHECK_THAT(error.what(), Contains("RESULTS.h5"));
       CHECK(read_bytes(path) == damaged);
     }
-    CHECK_FALSE(std::filesystem::exists(H5Writer::unfinished(path)));
+    CHECK_FALSE(std::filesystem::exists(H5Writer::unfinished_path(path)));
   }
   CHECK(refused > 0);
 }

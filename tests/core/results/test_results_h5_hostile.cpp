@@ -144,11 +144,11 @@ TEST_CASE("RESULTS.h5: reader process does not respond → message", "[unit][h5]
   TemporaryFolder folder;
   const auto path = folder / "RESULTS.h5";
   (void)file_of_steps(bearing, path, 4);
-  h5::Limits limits;
+  h5::ReaderLimits limits;
   limits.silence = std::chrono::seconds(0);
-  CHECK_THAT(message_of([&] { h5::Process process(path, limits); }),
+  CHECK_THAT(message_of([&] { h5::ReaderProcess process(path, limits); }),
              Contains("did not end within 0 s"));
-  CHECK(h5::Process(path).content().steps == 4);
+  CHECK(h5::ReaderProcess(path).content().steps == 4);
 }
 
 TEST_CASE("RESULTS.h5: reader process killed → message that does not blame the file",
@@ -164,7 +164,7 @@ TEST_CASE("RESULTS.h5: reader process killed → message that does not blame the
     return last;
   };
   for (const int signal : {SIGKILL, SIGSEGV}) {
-    h5::Process process(path);
+    h5::ReaderProcess process(path);
     const pid_t child = last_child();
     REQUIRE(child > 0);
     REQUIRE(kill(child, signal) == 0);

@@ -33,7 +33,7 @@ TEST_CASE("run_folder: plot files and animation of a run for any file names", "[
   std::ofstream(folder / "list.txt") << "a listing";
   CHECK(run_folder(folder / "").plots.empty());  // nothing says that they are the run's
   run_json(R"({"files": ["list.txt", "ball.dat", "gone.dat", "moves.dat", 3, "../ball.dat"]})");
-  RunFolder found = run_folder(folder / "");
+  PlottableFiles found = run_folder(folder / "");
   CHECK(found.plots == std::vector{folder / "ball.dat"});
   CHECK(found.animation == folder / "moves.dat");
 

@@ -130,14 +130,14 @@ TEST_CASE("real field: written and read → loses only the hidden digits", "[uni
 }
 
 TEST_CASE("theta and phi of a vector: N101", "[unit]") {
-  CHECK(theta_phi(Vec3(2.0, 0.0, 0.0)).theta == 0.0);
-  CHECK(theta_phi(Vec3(0.0, 0.0, 3.0)).theta == Approx(std::numbers::pi / 2));
-  CHECK(theta_phi(Vec3(-1.0, 0.0, 0.0)).theta == Approx(std::numbers::pi));
-  const Direction d = theta_phi(Vec3(3.0, 5.0, 4.0));
+  CHECK(direction_angles(Vec3(2.0, 0.0, 0.0)).theta == 0.0);
+  CHECK(direction_angles(Vec3(0.0, 0.0, 3.0)).theta == Approx(std::numbers::pi / 2));
+  CHECK(direction_angles(Vec3(-1.0, 0.0, 0.0)).theta == Approx(std::numbers::pi));
+  const DirectionAngles d = direction_angles(Vec3(3.0, 5.0, 4.0));
   CHECK(d.theta == Approx(std::atan2(4.0, 3.0)));
   CHECK(d.phi == Approx(std::asin(5.0 / std::sqrt(50.0))));
-  CHECK(theta_phi(Vec3::Zero()).theta == 0.0);
-  CHECK(theta_phi(Vec3(0.0, 1e-100, 0.0)).phi == Approx(std::numbers::pi / 2));
+  CHECK(direction_angles(Vec3::Zero()).theta == 0.0);
+  CHECK(direction_angles(Vec3(0.0, 1e-100, 0.0)).phi == Approx(std::numbers::pi / 2));
 }
 
 TEST_CASE("orbit motion: uniform circle → no radial motion and no angular acceleration", "[unit]") {
@@ -337,17 +337,17 @@ TEST_CASE("SOL: values of the classic files → numbers, meanings and units of t
 TEST_CASE("SOL: mass center of the cage → normalized by land, pocket or unit of length",
           "[unit][sol]") {
   bearing::Bearing bearing = make_bearing();
-  CHECK(cage_clearance_scale(*bearing.cage, 1.0) == Approx(2e-4));
+  CHECK(cage_scale_length(*bearing.cage, 1.0) == Approx(2e-4));
   bearing.cage->lands[0].guide = bearing::GuideLand::Guide::None;
-  CHECK(cage_clearance_scale(*bearing.cage, 1.0) == Approx(1e-4));
+  CHECK(cage_scale_length(*bearing.cage, 1.0) == Approx(1e-4));
   bearing.cage->lands.clear();
-  CHECK(cage_clearance_scale(*bearing.cage, 1.0) == Approx(2e-4));
+  CHECK(cage_scale_length(*bearing.cage, 1.0) == Approx(2e-4));
   bearing.cage->pocket_clearance_1 = 0.0;
-  CHECK(cage_clearance_scale(*bearing.cage, 0.0254) == 0.0254);
-  CHECK(name_of(cage_scale(*bearing.cage, 1.0).of) == "unit of length");
+  CHECK(cage_scale_length(*bearing.cage, 0.0254) == 0.0254);
+  CHECK(name_of(cage_length_scale(*bearing.cage, 1.0).of) == "unit of length");
   bearing.cage->pocket_clearance_1 = 1e-4;
-  CHECK(name_of(cage_scale(*bearing.cage, 1.0).of) == "pockets");
-  CHECK(name_of(cage_scale(*make_bearing().cage, 1.0).of) == "guide lands");
+  CHECK(name_of(cage_length_scale(*bearing.cage, 1.0).of) == "pockets");
+  CHECK(name_of(cage_length_scale(*make_bearing().cage, 1.0).of) == "guide lands");
 }
 
 TEST_CASE("SOL: angles are continuous between records, and across a continuation", "[unit][sol]") {

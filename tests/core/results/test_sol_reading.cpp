@@ -203,7 +203,10 @@ TEST_CASE("SOL: other files → message", "[unit][sol]") {
   SolWriter::create(folder / "SOL7", make_sol_header(make_bearing(), 0, UnitSystem::SI),
                     UnitSystem::SI);
   CHECK_THAT(message_of([&] { read_sol8(folder / "SOL7"); }), Contains("SOL8"));
-  CHECK_THAT(message_of([&] { read_sol(folder / "SOL7", {0, 1, 1}); }), Contains("at least 1"));
+  CHECK_THAT(message_of([&] {
+               read_sol(folder / "SOL7", {0, 1, 1});
+             }),
+             Contains("first step of 1 or more"));
 }
 
 TEST_CASE("SOL: continued file = file written in one go", "[unit][sol]") {
@@ -285,12 +288,12 @@ TEST_CASE("SOL: folder without write permission or full disk → reported, earli
     std::signal(SIGXFSZ, handler);
     CHECK_THAT(said, Contains("File too large") && Contains("disk"));
   }
-  CHECK_THAT(message_of([&] { GrowingFile::append_after(folder / "missing", 0); }),
+  CHECK_THAT(message_of([&] { GrowingFile::open_for_append(folder / "missing", 0); }),
              Contains("cannot be written") && Contains("No such file"));
   write_bytes(folder / "short", "abc");
-  CHECK_THAT(message_of([&] { GrowingFile::append_after(folder / "short", 10); }),
+  CHECK_THAT(message_of([&] { GrowingFile::open_for_append(folder / "short", 10); }),
              Contains("3 bytes") && Contains("10"));
-  GrowingFile file = GrowingFile::append_after(folder / "short", 2);
+  GrowingFile file = GrowingFile::open_for_append(folder / "short", 2);
   file.append("XY");
   CHECK(file.bytes() == 4);
   CHECK(read_bytes(folder / "short") == "abXY");

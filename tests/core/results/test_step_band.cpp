@@ -11,22 +11,22 @@
 #include <vector>
 
 using namespace adore::results;
+using adore::scene::ExtremeQuantity;
 using adore::scene::Look;
-using adore::scene::Looked;
 
 namespace {
 
 /// Two elements: outer and inner race of the first, then of the second.
 Look loads(std::vector<double> values) {
   Look out;
-  out[Looked::ContactLoad] = std::move(values);
+  out[ExtremeQuantity::ContactLoad] = std::move(values);
   return out;
 }
 
 }  // namespace
 
 TEST_CASE("step band: lowest, highest and mean value of its samples", "[unit][step-band]") {
-  constexpr Looked kLoad = Looked::ContactLoad;
+  constexpr ExtremeQuantity kLoad = ExtremeQuantity::ContactLoad;
   StepBand band;
   CHECK(band.empty());
   band.look(loads({1.0, 3.0, 2.0, 4.0}));
@@ -66,16 +66,16 @@ TEST_CASE("step band: missing parts → 0, no samples → NaN", "[unit][step-ban
   StepBand band;
   band.look(loads({1.0, 2.0}));
   const std::vector<double> land{0.0};
-  band.look(Looked::LandForce, land);
+  band.look(ExtremeQuantity::LandForce, land);
   band.stored();
-  CHECK(band.high(Looked::LandForce, 0) == 0.0);
-  CHECK(std::isnan(band.low(Looked::FlangeForce, 0)));
-  CHECK(std::isnan(band.high(Looked::FlangeForce, 0)));
-  CHECK(std::isnan(band.mean(Looked::ContactLoad, 2)));
+  CHECK(band.high(ExtremeQuantity::LandForce, 0) == 0.0);
+  CHECK(std::isnan(band.low(ExtremeQuantity::FlangeForce, 0)));
+  CHECK(std::isnan(band.high(ExtremeQuantity::FlangeForce, 0)));
+  CHECK(std::isnan(band.mean(ExtremeQuantity::ContactLoad, 2)));
   band.clear();
-  band.look(Looked::LandForce, std::vector<double>{3.0});
+  band.look(ExtremeQuantity::LandForce, std::vector<double>{3.0});
   band.stored();
-  CHECK(band.low(Looked::LandForce, 0) == 3.0);
+  CHECK(band.low(ExtremeQuantity::LandForce, 0) == 3.0);
 }
 
 TEST_CASE("step band: open contact → no influence on the extremes of its slip",
@@ -83,37 +83,37 @@ TEST_CASE("step band: open contact → no influence on the extremes of its slip"
   StepBand band;
   const auto look = [&](double slip) {
     adore::scene::Look at;
-    at[Looked::ContactSlip] = {slip, 0.0};
-    at[Looked::ContactLoad] = {slip > 0.0 ? 5.0 : 0.0, 0.0};
+    at[ExtremeQuantity::ContactSlip] = {slip, 0.0};
+    at[ExtremeQuantity::ContactLoad] = {slip > 0.0 ? 5.0 : 0.0, 0.0};
     band.look(at);
   };
   for (const double slip : {0.0, 0.3, 0.0, 0.1, 0.0}) look(slip);
-  CHECK(band.low(Looked::ContactSlip, 0) == 0.1);
-  CHECK(band.high(Looked::ContactSlip, 0) == 0.3);
-  CHECK(band.mean(Looked::ContactSlip, 0) == Approx(0.2));
-  CHECK(band.high(Looked::ContactSlip, 1) == 0.0);
-  CHECK(band.low(Looked::ContactLoad, 0) == 0.0);  // no load is a load
+  CHECK(band.low(ExtremeQuantity::ContactSlip, 0) == 0.1);
+  CHECK(band.high(ExtremeQuantity::ContactSlip, 0) == 0.3);
+  CHECK(band.mean(ExtremeQuantity::ContactSlip, 0) == Approx(0.2));
+  CHECK(band.high(ExtremeQuantity::ContactSlip, 1) == 0.0);
+  CHECK(band.low(ExtremeQuantity::ContactLoad, 0) == 0.0);  // no load is a load
   std::map<std::string, double> kept;
   band.save(kept);
   StepBand later;
   later.restore(kept);
-  later.look(Looked::ContactSlip, std::vector<double>{0.2, 0.0});
+  later.look(ExtremeQuantity::ContactSlip, std::vector<double>{0.2, 0.0});
   later.stored();
-  CHECK(later.low(Looked::ContactSlip, 0) == 0.1);
-  CHECK(later.mean(Looked::ContactSlip, 0) == Approx(0.2));
+  CHECK(later.low(ExtremeQuantity::ContactSlip, 0) == 0.1);
+  CHECK(later.mean(ExtremeQuantity::ContactSlip, 0) == Approx(0.2));
 }
 
 TEST_CASE("step band: equal samples → mean is that value", "[unit][step-band]") {
   StepBand band;
   for (int k = 0; k < 10; ++k) band.look(loads({0.1}));
-  CHECK(band.mean(Looked::ContactLoad, 0) == 0.1);  // ten times 0.1 is less than 1
+  CHECK(band.mean(ExtremeQuantity::ContactLoad, 0) == 0.1);  // ten times 0.1 is less than 1
 }
 
 TEST_CASE("channel bands: every sampled channel has extremes and mean in its unit",
           "[unit][step-band][output]") {
   const auto all = channels();
-  for (std::size_t k = 0; k < adore::scene::kLooked; ++k) {
-    const std::string id(channel_of(static_cast<Looked>(k)));
+  for (std::size_t k = 0; k < adore::scene::kExtremeQuantityCount; ++k) {
+    const std::string id(channel_of(static_cast<ExtremeQuantity>(k)));
     INFO(id);
     const std::size_t at = channel_index(id);
     REQUIRE(at + 3 < all.size());
@@ -135,8 +135,8 @@ TEST_CASE("channel bands: single record → bands of zero width", "[unit][step-b
   const adore::bearing::Bearing bearing = make_bearing();
   ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
   const StepRecord& record = recorder.record(make_snapshot(bearing, 7));
-  for (std::size_t k = 0; k < adore::scene::kLooked; ++k) {
-    const std::string id(channel_of(static_cast<Looked>(k)));
+  for (std::size_t k = 0; k < adore::scene::kExtremeQuantityCount; ++k) {
+    const std::string id(channel_of(static_cast<ExtremeQuantity>(k)));
     for (const char* suffix : {"_low", "_high", "_mean"}) {
       INFO(id << suffix);
       CHECK(record[id + suffix] == record[id]);

@@ -4,8 +4,8 @@
 #include "runs/check.hpp"
 #include "setup/build_bearing.hpp"
 #include "setup/build_life.hpp"
-#include "setup/no_part.hpp"
 #include "setup/run_control.hpp"
+#include "setup/unused_values.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/roller_statics.hpp"
 #include "thermal/operating.hpp"
@@ -44,8 +44,8 @@ std::vector<deck::NoPart> without_part(deck::Deck deck) {
   deck.reads = std::make_shared<deck::ReadLog>();
   (void)thermal::operating_bearing(setup::build_bearing(deck));
   (void)setup::build_run_control(deck);
-  (void)setup::build_life(deck, {});
-  return setup::values_without_part(deck);
+  (void)setup::build_life_inputs(deck, {});
+  return setup::find_unused_values(deck);
 }
 
 /// Everything that the checks say of a deck.
@@ -112,7 +112,7 @@ TEST_CASE("statics of any deck: values of the motion only → left out and liste
           CHECK(solution(deck) == base);
           ++solved;
           for (const deck::NoPart& idle : without_part(deck)) {
-            if (!setup::asks_for_an_effect(idle)) continue;
+            if (!setup::requests_effect(idle)) continue;
             named.insert(idle.variable);
             CHECK(idle.because != setup::kNoReason);
             CHECK_THAT(remarks(deck), Catch::Contains(idle.variable + " = " + idle.value) &&
@@ -161,10 +161,10 @@ TEST_CASE("statics of any deck: deviations of pocket clearances → clearance of
     CHECK_THAT(remarks(deck), Catch::Contains("bPocCenVar1 = 1.0e-04 ("));
     const auto fits = *thermal::operating_bearing(setup::build_bearing(deck)).operating;
     said = remarks(deck);
-    for (const std::string& warning : fits.warnings) said += warning + "\n";
+    for (const Finding& warning : fits.warnings) said += warning.message + "\n";
     return fits.plays;
   };
-  const auto find = [](const std::vector<bearing::CagePlay>& all, const std::string& start) {
+  const auto find = [](const std::vector<bearing::CageClearance>& all, const std::string& start) {
     const auto at = std::find_if(all.begin(), all.end(),
                                  [&](const auto& play) { return play.name.starts_with(start); });
     REQUIRE(at != all.end());

@@ -114,7 +114,7 @@ TEST_CASE("ball friction in statics: tractions along both ellipses carry the gyr
   const runs::Prepared at = prepared(thrust_deck(-1, {}));
   statics::StaticSolution solution = statics::solve_ball_statics(at.bearing);
   const statics::FrictionBalance found =
-      statics::balance_balls(at.bearing, runs::ball_options(at), solution);
+      statics::solve_ball_friction_balance(at.bearing, runs::ball_statics_options(at), solution);
   REQUIRE(found.left.empty());
   for (const statics::BallMotion& ball : found.balls) {
     REQUIRE(ball.balanced);
@@ -134,7 +134,7 @@ TEST_CASE("ball friction in statics: reported speeds are those of the balance an
     const runs::Prepared at = prepared(thrust_deck(-1, more));
     statics::StaticSolution again = statics::solve_ball_statics(at.bearing);
     const statics::FrictionBalance found =
-        statics::balance_balls(at.bearing, runs::ball_options(at), again);
+        statics::solve_ball_friction_balance(at.bearing, runs::ball_statics_options(at), again);
     const statics::ContactLaws laws(at.bearing);
     const tribology::EllipseRule rule = tribology::make_split_ellipse_rule(30, 8);
     const double gamma = at.bearing.element_diameter() / at.bearing.pitch_diameter();
@@ -150,7 +150,7 @@ TEST_CASE("ball friction in statics: reported speeds are those of the balance an
       double along = 0.0;
       for (const std::size_t j : {0UL, 1UL}) {
         const statics::BallContact contact = statics::ball_contact(at.bearing, laws, ball, j);
-        const auto slip = statics::contact_motion(at.bearing, contact, shown, ball.r, j);
+        const auto slip = statics::contact_kinematics(at.bearing, contact, shown, ball.r, j);
         CHECK(contact.film.speed == Approx(slip.entrainment).epsilon(1e-9));
         const auto traction = tribology::ellipse_traction(contact.law, contact.ellipse, slip, rule);
         const statics::FrictionOfContact& heat = at.friction->race[j][k];
@@ -178,7 +178,7 @@ TEST_CASE("ball friction in statics: stiffness is the slope of the load, tractio
   for (const Sets& more : {Sets{}, Sets{{"appLoadZ", "300"}, {"appLoadX", "1500"}},
                            Sets{{"appLoadZ", "300"}, {"appLoadX", "600"}, {"rpm2", "5000"}}}) {
     const runs::Prepared at = prepared(thrust_deck(-1, more));
-    const statics::StaticsOptions options = runs::ball_options(at);
+    const statics::BallStaticsOptions options = runs::ball_statics_options(at);
     bearing::Bearing held = at.bearing;
     held.constraints.displacement_given.fill(true);
     const double step = 0.01 * at.statics.max_deflection;
@@ -188,7 +188,7 @@ TEST_CASE("ball friction in statics: stiffness is the slope of the load, tractio
         held.constraints.displacement = at.statics.displacement;
         held.constraints.displacement[along] += side == 1 ? step : -step;
         statics::StaticSolution moved = statics::solve_ball_statics(held, options);
-        REQUIRE(statics::balance_balls(held, options, moved).left.empty());
+        REQUIRE(statics::solve_ball_friction_balance(held, options, moved).left.empty());
         load[side] = moved.load[along];
       }
       const auto k = static_cast<Eigen::Index>(along);
@@ -197,10 +197,10 @@ TEST_CASE("ball friction in statics: stiffness is the slope of the load, tractio
       CHECK(at.statics.stiffness(k, k) == Approx(slope).epsilon(1e-3));
     }
     // The table of stiffness over speed: the same by its own differences.
-    statics::StaticsOptions by_difference = options;
+    statics::BallStaticsOptions by_difference = options;
     by_difference.difference_share = 0.01;
     statics::StaticSolution solution = statics::solve_ball_statics(at.bearing, by_difference);
-    REQUIRE(statics::balance_balls(at.bearing, by_difference, solution).left.empty());
+    REQUIRE(statics::solve_ball_friction_balance(at.bearing, by_difference, solution).left.empty());
     REQUIRE(solution.stiffness_by_difference);
     CHECK(statics::stiffness_disagreement(solution.stiffness, *solution.stiffness_by_difference) <
           1e-3);
@@ -281,7 +281,7 @@ TEST_CASE("ball friction in statics: turning spin axes of light balls have the h
   const runs::Prepared at = prepared(thrust_deck(-1, light));
   statics::StaticSolution solution = statics::solve_ball_statics(at.bearing);
   const statics::FrictionBalance found =
-      statics::balance_balls(at.bearing, runs::ball_options(at), solution);
+      statics::solve_ball_friction_balance(at.bearing, runs::ball_statics_options(at), solution);
   INFO(found.turning);
   REQUIRE(found.findings().empty());
   CHECK(found.turning > 0.1);
@@ -309,7 +309,8 @@ TEST_CASE("ball friction in statics: a given spin axis keeps the spin rule", "[p
   const runs::Prepared at = prepared(thrust_deck(-1, {{"kAngVel", "2"}, {"angVelOrient", "30"}}));
   statics::StaticSolution solution = statics::solve_ball_statics(at.bearing);
   const double before = solution.balls[0].Q[0];
-  CHECK(statics::balance_balls(at.bearing, runs::ball_options(at), solution).balls.empty());
+  CHECK(statics::solve_ball_friction_balance(at.bearing, runs::ball_statics_options(at), solution)
+            .balls.empty());
   CHECK(solution.balls[0].Q[0] == before);
 }
 

@@ -249,8 +249,8 @@ TEST_CASE("roller pocket: contact length is that of the guide faces", "[unit][ca
     bearing.cage->pocket_faces.clear();
     for (const double length : lengths)
       bearing.cage->pocket_faces.push_back({{}, {}, 1e-3, length});
-    runs::MotionWatch watch(bearing);
-    watch.look(at);
+    runs::MotionLimitMonitor watch(bearing);
+    watch.check(at);
     for (const Finding& finding : watch.findings(results::UnitSystem::SI))
       if (const auto place = finding.message.find("at a pressure of "); place != std::string::npos)
         return std::stod(finding.message.substr(place + 17));
@@ -280,8 +280,8 @@ TEST_CASE("cage without a guide land: passes through a race → reported", "[phy
     at.cages.resize(1);
     at.races[0].position = at.races[1].position = scene::Vec3(0.0, 1e-3, 0.0);
     at.cages[0].position = scene::Vec3(0.0, 1e-3, -away);
-    runs::MotionWatch watch(bearing);
-    watch.look(at);
+    runs::MotionLimitMonitor watch(bearing);
+    watch.check(at);
     return watch.findings(results::UnitSystem::SI);
   };
   CHECK(reported(1.49e-3).empty());

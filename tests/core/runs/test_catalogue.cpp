@@ -74,7 +74,7 @@ TEST_CASE("catalogue: designs of cylindrical roller bearings → flanges", "[uni
 }
 
 TEST_CASE("catalogue: public test rigs → published geometry", "[unit][catalogue]") {
-  const std::vector<std::string> rigs = deck::rig_names();
+  const std::vector<std::string> rigs = deck::test_rig_names();
   CHECK(rigs.size() >= 12);
   const deck::Deck drive_end = deck_of("cwru-6205-de");
   CHECK(drive_end.integer("nRe") == 9);
@@ -87,7 +87,8 @@ TEST_CASE("catalogue: public test rigs → published geometry", "[unit][catalogu
       CHECK(issue.severity != Severity::Error);
     }
     std::string story;
-    for (const std::string& line : deck::catalogue_story(deck::find_bearing(name))) story += line;
+    for (const std::string& line : deck::describe_catalogue_bearing(deck::find_bearing(name)))
+      story += line;
     CHECK(story.find("Published internal geometry") != std::string::npos);
     CHECK(story.find("assumed: ") != std::string::npos);
   }
@@ -141,14 +142,15 @@ TEST_CASE("catalogue: clearance group in a designation → used, or reported as 
       CHECK(here > before);
       before = here;
       std::string story;
-      for (const std::string& line : deck::catalogue_story(found)) story += line;
+      for (const std::string& line : deck::describe_catalogue_bearing(found)) story += line;
       CHECK(story.find("middle of group " + std::string(group)) != std::string::npos);
       CHECK(story.find("Not in the deck") == std::string::npos);
     }
   }
   for (const char* name : {"6205-2RS", "NU209/C5", "30208 C3", "7208 B/C3", "SKF 6205"}) {
     std::string story;
-    for (const std::string& line : deck::catalogue_story(deck::find_bearing(name))) story += line;
+    for (const std::string& line : deck::describe_catalogue_bearing(deck::find_bearing(name)))
+      story += line;
     INFO(name);
     CHECK(story.find("Not in the deck: " + left(name)) != std::string::npos);
   }
@@ -157,7 +159,7 @@ TEST_CASE("catalogue: clearance group in a designation → used, or reported as 
 TEST_CASE("catalogue: tapered bore → reported, with the type of its clearance groups",
           "[unit][catalogue]") {
   const auto told = [](std::string_view name) {
-    for (const std::string& sentence : deck::catalogue_story(deck::find_bearing(name)))
+    for (const std::string& sentence : deck::describe_catalogue_bearing(deck::find_bearing(name)))
       if (sentence.starts_with("Bearings with a tapered bore (K)")) return true;
     return false;
   };
@@ -205,7 +207,7 @@ TEST_CASE("catalogue: internal geometry for a deck with a cage → includes the 
     deck::Deck moving = deck_of(designation);
     const std::vector<std::pair<std::string, std::string>> motion = {{"mode", "0"}, {"nCseg", "1"}};
     moving.set_all(motion);
-    const deck::InnerGeometry inner = deck::propose_inner(moving);
+    const deck::ProposedInternalGeometry inner = deck::propose_internal_geometry(moving);
     moving.set_all(inner.sets);
     CHECK(moving.real("cageDia1") > moving.real("cageDia2"));
     CHECK(moving.real("cageDia2") > moving.real("brgBore"));
@@ -221,14 +223,15 @@ TEST_CASE("catalogue: internal geometry for a deck with a cage → includes the 
     }
   }
   deck::Deck english = deck::new_deck("ball-english");
-  const deck::InnerGeometry inner = deck::propose_inner(english);
+  const deck::ProposedInternalGeometry inner = deck::propose_internal_geometry(english);
   english.set_all(inner.sets);
   CHECK(english.si("cageWidth") == Approx(deck::new_deck("ball").real("cageWidth")).epsilon(0.2));
 }
 
 TEST_CASE("catalogue: spherical bearing → reported as one row of two", "[unit][catalogue]") {
   std::string story;
-  for (const std::string& line : deck::catalogue_story(deck::find_bearing("22210"))) story += line;
+  for (const std::string& line : deck::describe_catalogue_bearing(deck::find_bearing("22210")))
+    story += line;
   CHECK(story.find("ONE of the two rows") != std::string::npos);
   CHECK(deck::catalogue_deck(deck::find_bearing("22210")).find("half of the radial load") !=
         std::string::npos);
@@ -289,7 +292,7 @@ TEST_CASE("catalogue: remarks mark standard values and estimates", "[unit][catal
   CHECK(text.find("boundary dimensions of 6308: ISO 15") != std::string::npos);
   CHECK(text.find("ESTIMATE of the internal geometry") != std::string::npos);
   CHECK(text.find("size 6205") == std::string::npos);
-  const auto story = deck::catalogue_story(deck::find_bearing("6308"));
+  const auto story = deck::describe_catalogue_bearing(deck::find_bearing("6308"));
   REQUIRE(story.size() >= 2);
   CHECK(story[0].find("bore 40 mm, outside diameter 90 mm, width 23 mm") != std::string::npos);
 }
@@ -306,6 +309,7 @@ TEST_CASE("catalogue: unknown designation → error with the known ones", "[unit
       CHECK(error.issues()[0].remedy.find("6205") != std::string::npos);
     }
   }
-  CHECK_THROWS_AS(deck::propose_inner(deck::BearingType::DeepGroove, {0.05, 0.04, 0.01, 0.01}, 0.0),
-                  InputError);
+  CHECK_THROWS_AS(
+      deck::propose_internal_geometry(deck::BearingType::DeepGroove, {0.05, 0.04, 0.01, 0.01}, 0.0),
+      InputError);
 }

@@ -89,7 +89,7 @@ constexpr Published kPublished[] = {
     {"30208", 40, 80, 18, 0, 0, 16},
 };
 
-double proposed(const deck::InnerGeometry& inner, const std::string& variable) {
+double proposed(const deck::ProposedInternalGeometry& inner, const std::string& variable) {
   for (const auto& [name, value] : inner.sets)
     if (name == variable) return std::stod(value);
   FAIL("nothing proposed for " << variable);
@@ -115,8 +115,8 @@ TEST_CASE("catalogue: load ratings of the estimated geometry are near those of m
   for (const Published& p : kPublished) {
     if (p.C == 0.0) continue;
     const deck::CatalogueBearing bearing = deck::find_bearing(p.designation);
-    const deck::InnerGeometry inner =
-        deck::propose_inner(bearing.type, bearing.envelope, bearing.angle);
+    const deck::ProposedInternalGeometry inner =
+        deck::propose_internal_geometry(bearing.type, bearing.envelope, bearing.angle);
     life::IsoGeometry iso;
     iso.element_diameter = 1e3 * proposed(inner, "bReDia");
     const bool tapered = bearing.type == deck::BearingType::Tapered,

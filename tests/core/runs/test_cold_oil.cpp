@@ -47,7 +47,7 @@ double result(const runs::RunOutcome& run, const char* id) {
 
 bool reports_tolerance(const runs::RunOutcome& run) {
   for (const Issue& issue : run.warnings)
-    if (issue.message.find("films broke down") != std::string::npos) return true;
+    if (issue.message.find("oil films collapsed") != std::string::npos) return true;
   return false;
 }
 

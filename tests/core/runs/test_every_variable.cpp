@@ -3,7 +3,7 @@
 #include "deck/templates.hpp"
 #include "runs/prepare.hpp"
 #include "runs/run.hpp"
-#include "setup/no_part.hpp"
+#include "setup/unused_values.hpp"
 #include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
@@ -265,7 +265,7 @@ std::vector<std::string> alternatives(const Deck& deck, const VariableSpec& vari
       }
     for (const long long other : {3LL, *integer + 1, *integer - 1, *integer + 2, -1LL})
       if ((variable.options.empty() || deck::is_valid_code(variable, other)) &&
-          deck::in_range(variable.range, static_cast<double>(other)) && out.size() < 8)
+          deck::is_in_range(variable.range, static_cast<double>(other)) && out.size() < 8)
         add(fmt::format("{}", other));
     std::erase(out, fmt::format("{}", *integer));
     return out;
@@ -282,7 +282,7 @@ std::vector<std::string> alternatives(const Deck& deck, const VariableSpec& vari
         numbers.push_back(-number);
       }
     for (const double number : numbers)
-      if (deck::in_range(range, number)) add(fmt::format("{}", number));
+      if (deck::is_in_range(range, number)) add(fmt::format("{}", number));
   }
   return out;
 }

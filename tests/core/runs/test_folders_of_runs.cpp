@@ -1,9 +1,9 @@
 #include "core/runs/deck_runs.hpp"
 #include "deck/templates.hpp"
 #include "runs/output_folder.hpp"
-#include "runs/passing_folder.hpp"
 #include "runs/results_folder.hpp"
 #include "runs/run.hpp"
+#include "runs/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -50,7 +50,7 @@ TEST_CASE("run: rejected → leaves no folder", "[unit][folders]") {
   SECTION("an integrator that is not stable") { request.integrator = "rkf1"; }
   SECTION("an end that is none") { request.until = "3parsec"; }
   SECTION("nothing to go on with") { request.go_on = true; }
-  SECTION("a range of a sweep that is refused") { request.sets = {{"nonsense", "3"}}; }
+  SECTION("invalid range of a sweep") { request.sets = {{"nonsense", "3"}}; }
   CHECK_THROWS_AS(run(request), InputError);
   CHECK_FALSE(fs::exists(place / "a"));
 }
@@ -70,7 +70,7 @@ TEST_CASE("temporary folders: of killed processes → removed, of running ones a
     REQUIRE(::waitpid(child, &status, 0) == child);
     REQUIRE(status == 0);
   };
-  in_a_child([] { new PassingFolder; });  // ends without its destructor, as if it were killed
+  in_a_child([] { new TemporaryFolder; });  // ends without its destructor, as if it were killed
   REQUIRE(std::distance(fs::directory_iterator(place / ""), {}) == 1);
   const fs::path left = *fs::directory_iterator(place / "");
   const auto old = fs::file_time_type::clock::now() - std::chrono::hours(1);
@@ -79,33 +79,33 @@ TEST_CASE("temporary folders: of killed processes → removed, of running ones a
     std::ofstream(place / name / FolderLock::kName) << text;
     fs::last_write_time(place / name / FolderLock::kName, old);
   };
-  make("adore-passing-ABCDEF", "my own notes");     // no lock
-  make("adore-passing-ABCDEFG", "process 1 on x");  // not our name
+  make("adore-temporary-ABCDEF", "my own notes");     // no lock
+  make("adore-temporary-ABCDEFG", "process 1 on x");  // not our name
   make("data-ABCDEF", "process 1 on x");
-  fs::create_directory(place / "adore-passing-GHIJKL");  // without a lock
+  fs::create_directory(place / "adore-temporary-GHIJKL");  // without a lock
   // Results of a run that was killed, whatever somebody called their folder.
-  for (const char* name : {"adore-ABCDEF", "adore-passing-MNOPQR"}) {
+  for (const char* name : {"adore-ABCDEF", "adore-temporary-MNOPQR"}) {
     make(name, "process 1 on x");
     std::ofstream(place / name / "MASTER") << "to be continued";
   }
   const auto count = [&] { return std::distance(fs::directory_iterator(place / ""), {}); };
-  in_a_child([] { const PassingFolder folder; });
+  in_a_child([] { const TemporaryFolder folder; });
   CHECK(fs::exists(left));  // its lock is too young to tell
   fs::last_write_time(left / FolderLock::kName, old);
   {
-    fs::create_directory(place / "adore-passing-living");
-    const FolderLock held{WriteFolder(place / "adore-passing-living")};
-    fs::last_write_time(place / "adore-passing-living" / FolderLock::kName, old);
-    in_a_child([] { const PassingFolder folder; });
-    CHECK(fs::exists(place / "adore-passing-living"));
+    fs::create_directory(place / "adore-temporary-living");
+    const FolderLock held{WriteFolder(place / "adore-temporary-living")};
+    fs::last_write_time(place / "adore-temporary-living" / FolderLock::kName, old);
+    in_a_child([] { const TemporaryFolder folder; });
+    CHECK(fs::exists(place / "adore-temporary-living"));
     CHECK_FALSE(fs::exists(left));
   }
   CHECK(count() == 7);
-  std::ofstream(place / "adore-passing-living" / FolderLock::kName) << "process 1 on x";
-  fs::last_write_time(place / "adore-passing-living" / FolderLock::kName, old);
-  in_a_child([] { const PassingFolder folder; });
+  std::ofstream(place / "adore-temporary-living" / FolderLock::kName) << "process 1 on x";
+  fs::last_write_time(place / "adore-temporary-living" / FolderLock::kName, old);
+  in_a_child([] { const TemporaryFolder folder; });
   CHECK(count() == 6);
-  for (const char* name : {"adore-ABCDEF", "adore-passing-MNOPQR"})
+  for (const char* name : {"adore-ABCDEF", "adore-temporary-MNOPQR"})
     CHECK(fs::exists(place / name / "MASTER"));
-  CHECK_FALSE(fs::exists(place / "adore-passing-living"));
+  CHECK_FALSE(fs::exists(place / "adore-temporary-living"));
 }

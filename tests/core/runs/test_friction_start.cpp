@@ -13,6 +13,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,7 +50,8 @@ std::vector<double> skews(const dynamics::System& system, const std::vector<doub
     const auto at =
         static_cast<std::size_t>(slice(system, fmt::format("element{}.quaternion", i + 1)).first);
     const Vec3 axis =
-        rotation_matrix(normalise({y[at], y[at + 1], y[at + 2], y[at + 3]})) * Vec3::UnitX();
+        rotation_matrix(normalize_quaternion({y[at], y[at + 1], y[at + 2], y[at + 3]})) *
+        Vec3::UnitX();
     const double angle = y[static_cast<std::size_t>(theta.first + i)];
     const Vec3 e_theta(0.0, -std::cos(angle), -std::sin(angle));
     out.push_back(-std::asin(axis.dot(e_theta)));
@@ -140,31 +142,38 @@ TEST_CASE("start: an element pressed into its races → excess energy is judged"
     dynamics::System system = runs::make_system(ready);
     std::vector<double> y = runs::start_state(ready, system).y;
     system.set_start(0.0, y);
-    CHECK(runs::judge_start_energy(ready, system, y).text.empty());
+    CHECK_FALSE(runs::judge_start_energy(ready, system, y));
     double& r = y[static_cast<std::size_t>(slice(system, "element.r").first)];
     const double rest = r;
     r = rest + (ready.roller_scene ? 4e-6 : 1e-5);
-    const runs::StartJudgement warned = runs::judge_start_energy(ready, system, y);
-    CHECK(warned.severity == Severity::Warning);
-    CHECK(warned.text.find("start: excess energy") == 0);
+    const std::optional<Finding> warned = runs::judge_start_energy(ready, system, y);
+    REQUIRE(warned);
+    CHECK(warned->code == "run.start_excess");
+    CHECK(warned->severity == Severity::Warning);
+    CHECK(warned->message.starts_with("start: excess energy"));
+    CHECK(warned->measured.value_or(0.0) > warned->limit.value_or(1e9));
     r = rest + 1e-4;
     CHECK_THROWS_WITH(runs::judge_start_energy(ready, system, y),
                       Catch::Contains("start: excess energy"));
   }
 }
 
-TEST_CASE("change_remark(): jumps that the deck specifies → run continues", "[unit][runs]") {
-  dynamics::NewEquilibrium change;
+TEST_CASE("equilibrium_change_finding(): jumps that the deck specifies → run continues",
+          "[unit][runs]") {
+  dynamics::EquilibriumChange change;
   change.moved = true;
   change.elastic = 1.0;
   change.excess = 0.05;
-  CHECK(runs::change_remark(change, "thermal step 2", {}).empty());
+  CHECK_FALSE(runs::equilibrium_change_finding(change, "thermal step 2", {}));
   change.excess = 2.0;
-  CHECK_THROWS_WITH(runs::change_remark(change, "thermal step 2", {}),
+  CHECK_THROWS_WITH(runs::equilibrium_change_finding(change, "thermal step 2", {}),
                     Catch::Contains("thermal step 2: excess energy = 2 J, 200 %"));
-  CHECK_THAT(
-      runs::change_remark(change, "thermal step 2", "routine ADRX1 specifies loads"),
-      Catch::Contains("200 %") && Catch::Contains("ADRX1") && Catch::Contains("the run continues"));
+  const std::optional<Finding> specified =
+      runs::equilibrium_change_finding(change, "thermal step 2", "routine ADRX1 specifies loads");
+  REQUIRE(specified);
+  CHECK(specified->measured == 200.0);
+  CHECK_THAT(specified->message, Catch::Contains("200 %") && Catch::Contains("ADRX1") &&
+                                     Catch::Contains("the run continues"));
 }
 
 TEST_CASE("balance_race(): step that increases the residual → undone", "[physics][runs]") {

@@ -202,7 +202,7 @@ TEST_CASE("continued run: other frequency → jump of its race is reported",
   const auto on = testing::run_deck(ball(with(other, {{"maxStps", "70"}})), run, true);
   CHECK_THAT(warned(on), Catch::Contains("the inner race jumps") &&
                              Catch::Contains("from its last position") &&
-                             Catch::Contains("a changed frequency changes the phase"));
+                             Catch::Contains("a changed frequency also changes the phase"));
 }
 
 TEST_CASE("cage start: outside its elements → rejected with the record that puts it there",

@@ -51,7 +51,8 @@ runs::Prepared equilibrium(const char* name, Sets sets) {
 }  // namespace
 
 // Contact vibration carries next to no heat: elements in balance dissipate what free ones do.
-TEST_CASE("held balls in oil: modes 1 and 2 and qFac → heat of mode 0", "[physics][film][slow]") {
+TEST_CASE("quasi-static balls in oil: modes 1 and 2 and qFac → heat of mode 0",
+          "[physics][film][slow]") {
   const testing::TemporaryFolder folder;
   const auto heat = [&](const char* name, Sets sets) {
     sets.emplace_back("maxStps", "300");

@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "base/rotation.hpp"
 #include "deck/templates.hpp"
 #include "deck/unit_change.hpp"
@@ -24,8 +25,6 @@
 using namespace adore;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// A deck with what of it has a direction kept apart.
 struct RandomDeck {

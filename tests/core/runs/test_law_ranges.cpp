@@ -178,7 +178,7 @@ TEST_CASE("validity: every range of the register has law, unit, source and conse
 
 TEST_CASE("validity watch: values inside → nothing; outside → worst value, body and time",
           "[unit][validity]") {
-  validity::Watch watch;
+  validity::RangeMonitor watch;
   const validity::Range& range = validity::range("film.material");
   const auto offer = [&](double value, double time, const char* body) {
     watch.offer(range, value, time, [&] { return std::string(body); });

@@ -20,7 +20,7 @@ runs::MissedTolerance judged(double tolerance, double mean, long missed = 50) {
   integrators::Counters counters;
   counters.steps = 100;
   counters.at_minimum = missed;
-  return runs::judge_missed(control, counters, 100.0 * mean);
+  return runs::judge_missed_tolerance(control, counters, 100.0 * mean);
 }
 
 runs::RunOutcome run_ball(const std::string& method, double tolerance,

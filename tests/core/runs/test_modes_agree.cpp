@@ -224,7 +224,7 @@ Faults differences_from_same_states(const std::string& type, const Sets& own, in
 
 }  // namespace
 
-TEST_CASE("mode 1 of the ball example has the heat and the cage speed of mode 0 over three turns",
+TEST_CASE("mode 1: ball example, three revolutions → heat and cage speed of mode 0",
           "[physics][runs][constrained][slow]") {
   // From the friction equilibrium loads that differ by 1e-4 spread by 0.3 %, less than the cage
   // heat of mode 1 differs (3 %): cages that start elsewhere.
@@ -340,7 +340,7 @@ TEST_CASE("mode 1 of a preloaded cylindrical bearing has the heat and the cage s
   CHECK(differences_with_spread("cylindrical", {{"freeIntCls", "-1e-5"}}, 2, kLoads) == Faults{});
 }
 
-TEST_CASE("mode 1 of the tapered example has the heat and the cage speed of mode 0 over two turns",
+TEST_CASE("mode 1: tapered example, two revolutions → heat and cage speed of mode 0",
           "[physics][runs][constrained][slow]") {
   // Over the first turn loads that differ by 1e-4 leave the cage its one way to settle, and spread
   // by 0.5 %; cages that start elsewhere spread by 6 %, 18.7 to 22.2 mJ over two turns.
@@ -366,7 +366,7 @@ TEST_CASE("mode 1 of a spherical bearing without skew has the heat and the cage 
 // Rollers with play meet the bars of their pockets about 1.5 times a turn, and each blow of 27 us
 // multiplies their rate of skew by some hundred (decision 264): from rounding they reach the play
 // of their flanges within three turns, and the heat of a turn is 5 to 39 mJ in either mode.
-TEST_CASE("mode 1 of the cylindrical example has the heat of mode 0 from states of its own motion",
+TEST_CASE("mode 1: cylindrical example, states of its motion → heat of mode 0",
           "[physics][runs][constrained][slow][nightly]") {
   // A tilted cage wakes the skew at the first blow. Single windows differ by up to 6 %.
   // All heat over three revolutions: +0.04 +- 0.11 %; -2.1 +- 0.5 % while mode 1 left out the
@@ -375,7 +375,7 @@ TEST_CASE("mode 1 of the cylindrical example has the heat of mode 0 from states 
   CHECK(differences_from_same_states("cylindrical", tilted, 30, 3) == Faults{});
 }
 
-TEST_CASE("mode 1 of the spherical example has the heat of mode 0 from states of its own motion",
+TEST_CASE("mode 1: spherical example, states of its motion → heat of mode 0",
           "[physics][runs][constrained][slow]") {
   // Turn 7 of a run: races 2e-5 and 3e-5, cage 4e-4 of their heat, cage speed 1e-5.
   CHECK(differences_from_same_states("spherical", {}, 1, 1) == Faults{});

@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "core/runs/deck_runs.hpp"
 #include "deck/templates.hpp"
 #include "results/h5_reader.hpp"
@@ -24,7 +25,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::array<const char*, 5> kTypes{"ball", "cylindrical", "spherical", "tapered",
                                             "spherical-tapered"};
 

@@ -67,7 +67,7 @@ std::vector<Issue> rehearsed(const deck::Deck& deck, const fs::path& path, const
   input.deck = deck;
   input.path = path;
   input.option_values = one.options;
-  return runs::refusals_of_run(std::move(input));
+  return runs::dry_run_errors(std::move(input));
 }
 
 void compare(const std::string& type) {

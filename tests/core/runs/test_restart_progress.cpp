@@ -29,21 +29,21 @@ TEST_CASE("ledger of a continued run: continues despite rounding, not under othe
   LedgerStart start;
   start.stored = 50.0;
   start.residual = then.residual();
-  CHECK(start.goes_on(then));
+  CHECK(start.is_continued_by(then));
   // Another processor's vector units: the last bits of what is stored, far above 1e-9 of the 1e-9 J
   // that moved.
-  CHECK(start.goes_on(instant(50.0 + 1e-9 + 7e-15, 1e-9)));
-  CHECK(start.goes_on(instant(50.0 + 1e-9 - 7e-15, 1e-9)));
+  CHECK(start.is_continued_by(instant(50.0 + 1e-9 + 7e-15, 1e-9)));
+  CHECK(start.is_continued_by(instant(50.0 + 1e-9 - 7e-15, 1e-9)));
   // Another load moves the ring by what shows.
-  CHECK_FALSE(start.goes_on(instant(50.0 + 1e-6, 1e-9)));
-  CHECK_FALSE(start.goes_on(instant(50.0 - 1e-6, 1e-9)));
-  CHECK_FALSE(start.goes_on(instant(std::numeric_limits<double>::quiet_NaN(), 1e-9)));
+  CHECK_FALSE(start.is_continued_by(instant(50.0 + 1e-6, 1e-9)));
+  CHECK_FALSE(start.is_continued_by(instant(50.0 - 1e-6, 1e-9)));
+  CHECK_FALSE(start.is_continued_by(instant(std::numeric_limits<double>::quiet_NaN(), 1e-9)));
 
   // Of much that moved a billionth may be lost.
   const scene::EnergyLedger later = instant(50.0, 1000.0);
   start.residual = later.residual();
-  CHECK(start.goes_on(instant(50.0, 1000.0 + 5e-7)));
-  CHECK_FALSE(start.goes_on(instant(50.0, 1000.0 + 5e-6)));
+  CHECK(start.is_continued_by(instant(50.0, 1000.0 + 5e-7)));
+  CHECK_FALSE(start.is_continued_by(instant(50.0, 1000.0 + 5e-6)));
 }
 
 TEST_CASE("MASTER: impossible steps and counters → rejected by name", "[unit][restart]") {

@@ -76,8 +76,8 @@ deck::Deck deck_of(const Case& of, const std::string& plot_every, const std::str
 /// The channels of a file that have a band, and how many values each has.
 std::vector<std::pair<std::string, std::size_t>> banded(const results::H5Reader& file) {
   std::vector<std::pair<std::string, std::size_t>> out;
-  for (std::size_t k = 0; k < scene::kLooked; ++k) {
-    const std::string id(results::channel_of(static_cast<scene::Looked>(k)));
+  for (std::size_t k = 0; k < scene::kExtremeQuantityCount; ++k) {
+    const std::string id(results::channel_of(static_cast<scene::ExtremeQuantity>(k)));
     if (const auto* channel = file.find(id)) out.emplace_back(id, channel->size());
   }
   return out;

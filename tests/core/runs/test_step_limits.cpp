@@ -73,7 +73,7 @@ TEST_CASE(
   for (const std::string_view name : integrators::stepper_names()) {
     const std::string method(name);
     const StepRequest request = request_of(method, 1e-3, 0.7);
-    const StepLimits limits = stable_steps(request);
+    const StepLimits limits = stable_step_limits(request);
     INFO(step_limits_text(request, limits, 1.0 / kOmega));
     CHECK(limits.minimum <= limits.maximum);
     CHECK(limits.growth <= kGrowthPerTurn);
@@ -101,7 +101,7 @@ TEST_CASE("Step limits: damping that a method cannot follow → shorter steps",
     StepRequest request = request_of(method, 1e-3, 1.7);
     request.bands = {{"along", 0.9 * kOmega, kOmega}};
     if (damping > 0.0) request.bands.push_back({"along, damped", 0.9 * kOmega, kOmega, damping});
-    return stable_steps(request);
+    return stable_step_limits(request);
   };
   const double fast = 2.0 + std::sqrt(3.0);
   for (const auto& [method, reach] : {std::pair{"rk4", 2.785}, {"rkf5", 0.0}, {"pece2", 0.0}}) {
@@ -123,7 +123,7 @@ TEST_CASE("Step limits: damping that a method cannot follow → shorter steps",
 
 TEST_CASE("Step limits: methods that damp at the usual step → unchanged", "[unit][runs]") {
   const auto action = [](const char* method) {
-    return stable_steps(request_of(method, 1e-3, 0.7)).action;
+    return stable_step_limits(request_of(method, 1e-3, 0.7)).action;
   };
   for (const char* method : {"rkf2", "rkf5", "rkf6", "rkf7", "rk4", "pece1", "pece2", "arkode-erk",
                              "arkode-dirk", "arkode-imex"}) {
@@ -135,7 +135,7 @@ TEST_CASE("Step limits: methods that damp at the usual step → unchanged", "[un
     CHECK(action(method) == StepAction::Shortened);
   }
   CHECK(action("rkf1") == StepAction::Refused);
-  const StepLimits bdf = stable_steps(request_of("cvode-bdf", 1e-3, 0.7));
+  const StepLimits bdf = stable_step_limits(request_of("cvode-bdf", 1e-3, 0.7));
   CHECK(bdf.action == StepAction::OrderHeld);
   CHECK(bdf.highest_order == 2);
   CHECK(bdf.maximum == 0.7 / kOmega);
@@ -147,14 +147,14 @@ TEST_CASE("Step limits: constant step → nearest stable one, also up into a sta
   StepRequest request = request_of("rkf4", 2.2, 2.2);
   request.bands.pop_back();
   request.bands[0].lowest = 0.98 * kOmega;
-  const StepLimits up = stable_steps(request);
+  const StepLimits up = stable_step_limits(request);
   CHECK(up.action == StepAction::Lengthened);
   CHECK(up.minimum == up.maximum);
   CHECK(up.maximum * kOmega > 2.35);
   CHECK(up.maximum * kOmega < 2.6);
   CHECK(growth_by_stepper("rkf4", up, kOmega) <= kGrowthPerTurn);
   request.minimum = request.maximum = 0.4 / kOmega;
-  const StepLimits down = stable_steps(request);
+  const StepLimits down = stable_step_limits(request);
   CHECK(down.action == StepAction::Shortened);
   CHECK(down.minimum == down.maximum);
   CHECK(down.maximum * kOmega < 0.4);
@@ -163,27 +163,27 @@ TEST_CASE("Step limits: constant step → nearest stable one, also up into a sta
 
 TEST_CASE("Step limits: changes are reported with frequency and factor", "[unit][runs]") {
   const StepRequest request = request_of("rkf4", 1e-3, 0.7);
-  const std::string text = step_limits_text(request, stable_steps(request), 1.0 / kOmega);
+  const std::string text = step_limits_text(request, stable_step_limits(request), 1.0 / kOmega);
   INFO(text);
   CHECK(text.find("rkf4") == 0);
   CHECK(text.find("Hz (along)") != std::string::npos);
   CHECK(text.find("The run uses steps of up to") != std::string::npos);
-  const auto keep = methods_that_keep(request);
+  const auto keep = find_stable_methods(request);
   CHECK(std::find(keep.begin(), keep.end(), "rkf5") != keep.end());
   CHECK(std::find(keep.begin(), keep.end(), "rkf4") == keep.end());
   StepRequest idle = request;
   idle.bands.clear();
-  CHECK(stable_steps(idle).action == StepAction::Kept);
+  CHECK(stable_step_limits(idle).action == StepAction::Kept);
 }
 
 TEST_CASE("Step limits: method without constant steps → never given one", "[unit][runs]") {
   // A least step that is longer than what lets no vibration grow left the two equal.
   for (const std::string_view name : integrators::stepper_names()) {
     const std::string method(name);
-    if (integrators::make_stepper(method)->holds_constant_step()) continue;
+    if (integrators::make_stepper(method)->can_hold_constant_step()) continue;
     for (const double shortest : {1e-3, 0.1, 0.5, 0.9, 3.0, 20.0})
       for (const double longest : {21.0, 100.0, 1000.0}) {
-        const StepLimits limits = stable_steps(request_of(method, shortest, longest));
+        const StepLimits limits = stable_step_limits(request_of(method, shortest, longest));
         CAPTURE(method, shortest, longest);
         if (limits.action == StepAction::Refused) continue;
         CHECK(limits.minimum < limits.maximum);
@@ -197,9 +197,9 @@ TEST_CASE(
     "[physics][runs]") {
   StepRequest request = request_of("rkf5", 1e-3, 0.5);
   request.turn = kCountedPeriods * 2.0 * std::numbers::pi / kOmega;
-  const StepLimits slow = stable_steps(request);
+  const StepLimits slow = stable_step_limits(request);
   request.turn *= 1e6;
-  const StepLimits slower = stable_steps(request);
+  const StepLimits slower = stable_step_limits(request);
   CHECK(slower.action == slow.action);
   CHECK(slower.maximum == slow.maximum);
   CHECK(slower.maximum > 0.1 / kOmega);
@@ -207,12 +207,13 @@ TEST_CASE(
         std::string::npos);
 }
 
-TEST_CASE("stable_steps(): constant steps far below the contact period -> kept", "[unit]") {
+TEST_CASE("stable_step_limits(): constant steps far below the contact period -> kept", "[unit]") {
   for (const std::string_view name : integrators::stepper_names()) {
     // CVODE has no constant steps; methods of order 1 let vibrations grow at any step.
     if (name.starts_with("cvode") || name == "rkf1" || name == "pece1") continue;
     INFO(name);
     for (const double phase : {1e-4, 7e-6, 1e-8})
-      CHECK(stable_steps(request_of(std::string(name), phase, phase)).action == StepAction::Kept);
+      CHECK(stable_step_limits(request_of(std::string(name), phase, phase)).action ==
+            StepAction::Kept);
   }
 }

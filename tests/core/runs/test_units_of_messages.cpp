@@ -29,11 +29,11 @@ std::vector<std::string> all_texts(const Deck& deck) {
     const runs::Prepared p = runs::prepare(std::move(input));
     for (const Issue& issue : p.input.warnings) out.push_back(issue.text());
     for (const Issue& issue : runs::solution_notes(p)) out.push_back(issue.text());
-    out.insert(out.end(), p.life.notes.begin(), p.life.notes.end());
-    if (p.life.iso) out.insert(out.end(), p.life.iso->notes.begin(), p.life.iso->notes.end());
+    for (const Finding& one : p.life.notes) out.push_back(one.message);
+    if (p.life.iso)
+      for (const Finding& one : p.life.iso->notes) out.push_back(one.message);
     if (p.bearing.operating)
-      out.insert(out.end(), p.bearing.operating->warnings.begin(),
-                 p.bearing.operating->warnings.end());
+      for (const Finding& one : p.bearing.operating->warnings) out.push_back(one.message);
   } catch (const InputError& refused) {
     out.emplace_back(refused.what());
   } catch (const SolverError& failed) {

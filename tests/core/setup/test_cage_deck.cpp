@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "deck/templates.hpp"
 #include "listing/print_cage.hpp"
 #include "setup/build_bearing.hpp"
@@ -14,8 +15,6 @@
 using namespace adore;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// A quasi-static deck from one of the examples that have a cage.
 deck::Deck at_rest(const char* name) {

@@ -13,7 +13,7 @@ TEST_CASE("evaluate: formula over two channels → its value at each step", "[un
   const NamedSeries series{{"Fy", {3.0, 0.0, -5.0}}, {"Fz", {4.0, 2.0, 12.0}}};
   CHECK(evaluate("sqrt(Fy^2+Fz^2)", series) == std::vector<double>{5.0, 2.0, 13.0});
   CHECK(evaluate("2*pi*Fz", series)[1] == Approx(4.0 * 3.14159265358979));
-  CHECK(names_in("sqrt(Fy^2 + Fz^2) + abs(Fy)") == std::vector<std::string>{"Fy", "Fz"});
+  CHECK(variable_names_in("sqrt(Fy^2 + Fz^2) + abs(Fy)") == std::vector<std::string>{"Fy", "Fz"});
 }
 
 TEST_CASE("evaluate: missing values and results that are not numbers → missing", "[unit]") {

@@ -90,6 +90,27 @@ TEST_CASE("angle_samples: loss of a tone → (pi / p)^4 of p stored values per p
   }
 }
 
+TEST_CASE("angle_samples: more angles than values → vibration of the slow part not folded",
+          "[unit]") {
+  // From 10 to 50 revolutions per second; 4 kHz is order 400 to 80 and no order below 80.
+  std::vector<double> turns;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const double t = kStep * static_cast<double>(i);
+    turns.push_back(10.0 * t + 25.0 * t * t);
+  }
+  const std::vector<double> y = values([](double t) { return std::sin(kTurn * 4000.0 * t); });
+  const auto largest_below = [&](std::size_t count) {
+    const AngleSamples angles = angle_samples(turns, y, count);
+    const Spectrum orders = amplitude_spectrum(angles.values, angles.step, Window::Hann);
+    double out = 0.0;
+    for (std::size_t k = 0; k < orders.frequency.size() && orders.frequency[k] < 70.0; ++k)
+      out = std::max(out, orders.amplitude[k]);
+    return out;
+  };
+  CHECK(angle_samples(turns, y, 3 * kCount).values.size() == 3 * kCount);
+  CHECK(largest_below(3 * kCount) < 0.2 * largest_below(0));
+}
+
 TEST_CASE("angle_samples: turns that do not increase or missing values → empty", "[unit]") {
   std::vector<double> turns, y;
   for (int i = 0; i < 100; ++i) turns.push_back(0.01 * i), y.push_back(i);
@@ -101,29 +122,29 @@ TEST_CASE("angle_samples: turns that do not increase or missing values → empty
   CHECK(angle_samples(turns, y).values.empty());
 }
 
-TEST_CASE("equal_samples: faults, shorter last step, unequal steps", "[unit]") {
+TEST_CASE("equally_spaced_samples: faults, shorter last step, unequal steps", "[unit]") {
   std::vector<double> t, y;
   for (int i = 0; i < 100; ++i) t.push_back(1e-3 * i), y.push_back(2.0 * i);
-  CHECK(equal_samples({0.0, 1.0}, {0.0, 1.0}).fault == SamplingFault::TooFew);
+  CHECK(equally_spaced_samples({0.0, 1.0}, {0.0, 1.0}).fault == SamplingFault::TooFew);
   std::vector<double> gap = y;
   gap[5] = std::numeric_limits<double>::quiet_NaN();
-  CHECK(equal_samples(t, gap).fault == SamplingFault::MissingValues);
+  CHECK(equally_spaced_samples(t, gap).fault == SamplingFault::MissingValues);
   std::vector<double> back = t;
   back[5] = back[4];
-  CHECK(equal_samples(back, y).fault == SamplingFault::TimesNotIncreasing);
-  const Samples plain = equal_samples(t, y);
+  CHECK(equally_spaced_samples(back, y).fault == SamplingFault::TimesNotIncreasing);
+  const Samples plain = equally_spaced_samples(t, y);
   CHECK_FALSE((plain.resampled || plain.last_dropped));
   CHECK(plain.step == Approx(1e-3));
   std::vector<double> ended = t;
   ended.back() -= 4e-4;
-  const Samples dropped = equal_samples(ended, y);
+  const Samples dropped = equally_spaced_samples(ended, y);
   CHECK(dropped.last_dropped);
   CHECK(dropped.values.size() == 99);
   std::vector<double> uneven = t;
   for (std::size_t i = 1; i + 1 < uneven.size(); i += 2) uneven[i] += 3e-4;
   std::vector<double> line;
   for (const double time : uneven) line.push_back(5.0 * time);
-  const Samples resampled = equal_samples(uneven, line);
+  const Samples resampled = equally_spaced_samples(uneven, line);
   CHECK(resampled.resampled);
   CHECK(resampled.shortest == Approx(7e-4));
   CHECK(resampled.longest == Approx(1.3e-3));

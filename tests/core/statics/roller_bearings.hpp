@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/constants.hpp"
 #include "contact/roller_inertia.hpp"
 #include "contact/roller_shape.hpp"
 #include "contact/tapered_geometry.hpp"
@@ -11,10 +12,9 @@
 /// Roller bearings of the tests and benchmarks: the templates of resources/decks, in SI.
 namespace roller_bearings {
 
+using adore::kDegree;
 using adore::bearing::Bearing;
 using adore::bearing::Type;
-
-inline constexpr double kDegree = std::numbers::pi / 180.0;
 
 inline void finish(Bearing& b, double rpm) {
   for (auto* m : {&b.element_material, &b.race_material[0], &b.race_material[1]}) {

@@ -29,8 +29,9 @@ inline void check_race(const adore::bearing::Bearing& bearing,
 }
 
 inline bool noted(const adore::statics::RaceResult& s, const std::string& text) {
-  return std::any_of(s.notes.begin(), s.notes.end(),
-                     [&](const std::string& n) { return n.find(text) != std::string::npos; });
+  return std::any_of(s.notes.begin(), s.notes.end(), [&](const adore::Finding& n) {
+    return n.message.find(text) != std::string::npos;
+  });
 }
 
 }  // namespace solution_checks

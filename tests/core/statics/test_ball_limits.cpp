@@ -87,8 +87,9 @@ TEST_CASE("contacts over the shoulder are warned of in the deck's units", "[unit
                  !Contains(" N ") && !Contains(" m."));
 }
 
-TEST_CASE("race control says which friction it needs, and warns when the law has less",
-          "[physics][statics]") {
+TEST_CASE(
+    "race control: required friction coefficient → reported, with a warning if the law has less",
+    "[physics][statics]") {
   Bearing bearing = angular_contact_218();
   load(bearing, 17800, 0, 0);
   bearing.spin_rule = bearing::SpinRule::RaceControl;
@@ -120,7 +121,7 @@ TEST_CASE("race control says which friction it needs, and warns when the law has
   CHECK(before == Approx(0.084).epsilon(0.05));  // the textbooks' bearing at 15,000 rpm
 }
 
-TEST_CASE("a contact as long as the ball is refused by its cause, and nothing is NaN before",
+TEST_CASE("ball statics: contact as long as the ball → error with its cause, no NaN at lower loads",
           "[physics][statics]") {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> share(0.0, 1.0);

@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "core/statics/ball_bearings.hpp"
 #include "statics/ball_forces.hpp"
@@ -19,15 +20,13 @@ using namespace ball_bearings;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-std::vector<StaticsOptions> all_options() {
-  std::vector<StaticsOptions> list;
+std::vector<BallStaticsOptions> all_options() {
+  std::vector<BallStaticsOptions> list;
   for (auto kinematics : {RingKinematics::Exact, RingKinematics::Linear})
     for (auto curvature : {Curvature::Actual, Curvature::Free, Curvature::Fixed})
       for (auto control : {Control::Outer, Control::Inner, Control::Equal, Control::None})
         for (auto orbit : {Orbit::PerBall, Orbit::Nominal}) {
-          StaticsOptions o;
+          BallStaticsOptions o;
           o.kinematics = kinematics;
           o.curvature = curvature;
           o.control = control;
@@ -59,7 +58,7 @@ TEST_CASE("ball forces have exact derivatives for every option", "[unit][statics
   for (auto rule : {bearing::SpinRule::RaceControl, bearing::SpinRule::MinimumHeat,
                     bearing::SpinRule::Prescribed}) {
     bearing.spin_rule = rule;
-    for (StaticsOptions options : all_options()) {
+    for (BallStaticsOptions options : all_options()) {
       if (rule != bearing::SpinRule::RaceControl) options.control = Control::FromBearing;
       const BallModel model = make_ball_model(bearing, options);
       BallSite site;
@@ -67,15 +66,16 @@ TEST_CASE("ball forces have exact derivatives for every option", "[unit][statics
       site.cos = std::cos(0.7);
       site.law = first_spin_law(bearing, options);
       const auto evaluate = [&](const std::array<double, 7>& u) {
-        const auto f = ball_forces<double>(
-            model, site, u[0], u[1], inner_pose<double>(model, {u[2], u[3], u[4], u[5], u[6]}));
+        const auto f =
+            ball_forces<double>(model, site, u[0], u[1],
+                                inner_race_pose<double>(model, {u[2], u[3], u[4], u[5], u[6]}));
         return std::array<double, 7>{f.axial,   f.radial,  f.race[0], f.race[1],
                                      f.race[2], f.race[3], f.race[4]};
       };
       std::array<Dual<8>, 7> u;
       for (std::size_t k = 0; k < 7; ++k) u[k] = Dual<8>::variable(at[k], static_cast<int>(k));
       const auto f = ball_forces<Dual<8>>(
-          model, site, u[0], u[1], inner_pose<Dual<8>>(model, {u[2], u[3], u[4], u[5], u[6]}));
+          model, site, u[0], u[1], inner_race_pose<Dual<8>>(model, {u[2], u[3], u[4], u[5], u[6]}));
       REQUIRE(f.contact[0].load.v > 100.0);
       REQUIRE(f.contact[1].load.v > 100.0);
       const std::array<Dual<8>, 7> exact{f.axial,   f.radial,  f.race[0], f.race[1],
@@ -101,7 +101,7 @@ TEST_CASE("ball forces have exact derivatives for every option", "[unit][statics
 TEST_CASE("balls and inner race are in equilibrium for every option", "[physics][statics]") {
   Bearing bearing = angular_contact_218(8000.0);
   load(bearing, 17800, 500, 6000, 20, -10);
-  for (const StaticsOptions& options : all_options()) {
+  for (const BallStaticsOptions& options : all_options()) {
     const auto s = solve_ball_statics(bearing, options);
     const double share_o = options.orbit == Orbit::Nominal || options.control == Control::None ? 0.0
                            : options.control == Control::Outer                                 ? 2.0
@@ -127,7 +127,7 @@ TEST_CASE("the stiffness matrix matches differences of re-solved states", "[phys
     Bearing bearing = spindle(20000.0);
     bearing.spin_rule = rule;
     load(bearing, 900, 50, 300, 2, 1);
-    StaticsOptions options;
+    BallStaticsOptions options;
     if (rule == bearing::SpinRule::RaceControl)
       options.control = Control::Outer;  // no switching between states
     const auto s = solve_ball_statics(bearing, options);
@@ -157,7 +157,7 @@ TEST_CASE("the stiffness matrix matches differences of re-solved states", "[phys
 TEST_CASE("a conservative problem has a symmetric stiffness", "[physics][statics]") {
   Bearing bearing = angular_contact_218(10000.0);
   load(bearing, 17800, 1000, 5000);
-  StaticsOptions options;
+  BallStaticsOptions options;
   options.orbit = Orbit::Nominal;
   options.curvature = Curvature::Free;
   options.kinematics = RingKinematics::Linear;
@@ -177,7 +177,7 @@ TEST_CASE("a conservative problem has a symmetric stiffness", "[physics][statics
 
 TEST_CASE("springs hold a race at rest where its balls hold it", "[physics][statics]") {
   // At rest with constants of the free angle and linear kinematics both problems are the same one.
-  StaticsOptions options;
+  BallStaticsOptions options;
   options.curvature = Curvature::Free;
   options.kinematics = RingKinematics::Linear;
   for (const bool tilted : {false, true})
@@ -190,7 +190,7 @@ TEST_CASE("springs hold a race at rest where its balls hold it", "[physics][stat
       load(bearing, x, y, z, about_y);
       if (tilted) bearing.constraints.outer_misalignment = {3e-4, -2e-4};
       const BallModel model = make_ball_model(bearing, options);
-      const RaceTask task = race_task(bearing.constraints);
+      const RaceLoadCase task = race_load_case(bearing.constraints);
       const Vec5 q = guess_by_springs(model, task, first_guess(model, task, Vec5::Zero()));
       const auto s = solve_ball_statics(bearing, options);
       double reach = 0.0;
@@ -216,7 +216,7 @@ TEST_CASE("springs hold a race at rest where its balls hold it", "[physics][stat
 TEST_CASE("thrust load follows the closed form of one ball", "[physics][statics]") {
   Bearing bearing = angular_contact_218();
   load(bearing, 17800, 0, 0);
-  StaticsOptions options;
+  BallStaticsOptions options;
   options.curvature = Curvature::Free;
   const auto s = solve_ball_statics(bearing, options);
   const auto& b = s.balls[3];
@@ -243,7 +243,7 @@ TEST_CASE("rigid bodies keep the free contact angle", "[physics][statics]") {
 TEST_CASE("many balls under radial load give the radial integral 0.2288", "[physics][statics]") {
   Bearing bearing = make(4000, 0.0005, 1.0, 0.52, 0.52, 0.0, 0.0);
   load(bearing, 0, 0, 100);
-  StaticsOptions options;
+  BallStaticsOptions options;
   options.kinematics = RingKinematics::Linear;
   options.curvature = Curvature::Free;
   hold(hold(hold(bearing, 0, 0.0), 3, 0.0), 4, 0.0);
@@ -265,7 +265,7 @@ TEST_CASE("turning load and balls by one pitch turns the answer", "[physics][sta
     return std::array<double, 5>{v[0], c * v[1] - s * v[2], s * v[1] + c * v[2],
                                  c * v[3] - s * v[4], s * v[3] + c * v[4]};
   };
-  StaticsOptions linear;
+  BallStaticsOptions linear;
   linear.kinematics =
       RingKinematics::Linear;  // tilts as vectors; the exact tilt angles are not vectors
   const auto first = solve_ball_statics(bearing, linear);
@@ -318,7 +318,7 @@ TEST_CASE("linear and exact kinematics agree to the square of the tilt", "[physi
     Bearing bearing = spindle(0.0);
     load(bearing, 500, 0, 100);
     hold(hold(bearing, 3, tilt), 4, 0.0);
-    StaticsOptions linear;
+    BallStaticsOptions linear;
     linear.kinematics = RingKinematics::Linear;
     const auto a = solve_ball_statics(bearing);
     const auto b = solve_ball_statics(bearing, linear);
@@ -404,7 +404,7 @@ TEST_CASE("the start speeds of the balls have no slip at either contact center",
     }
 }
 
-TEST_CASE("the least-heat axis is a minimum and lies between the race-control axes",
+TEST_CASE("least heat: spin axis → minimum of the heat, between both race-control axes",
           "[physics][statics][spin]") {
   const double gamma = 0.18;
   for (double ratio : {0.2, 0.9, 1.5, 6.0}) {
@@ -479,7 +479,7 @@ TEST_CASE("turning both races by the same speed only adds a rotation", "[physics
   Bearing bearing = spindle(10000.0);
   load(bearing, 800, 0, 0);
   bearing.element_inertia = {};  // no inertia: the speeds are pure kinematics
-  StaticsOptions options;
+  BallStaticsOptions options;
   options.control = Control::Outer;
   const auto a = solve_ball_statics(bearing, options);
   const double extra = 250.0;
@@ -514,7 +514,7 @@ TEST_CASE("Newton's iteration ends in few steps from a cold and at once from a w
   const auto cold = solve_ball_statics(bearing);
   CHECK(cold.iterations <= 20);
   bearing.constraints.displacement = cold.displacement;
-  StaticsOptions options;
+  BallStaticsOptions options;
   options.warm_start = true;
   const auto warm = solve_ball_statics(bearing, options);
   CHECK(warm.iterations <=

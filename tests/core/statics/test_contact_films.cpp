@@ -78,9 +78,9 @@ TEST_CASE("films of every lubricant from five kelvin on are known, doubted or re
       bearing.race_temperature = {kelvin, kelvin};
       bearing.element_temperature = kelvin;
       const statics::LubricantFilms films = statics::contact_films(bearing, solution);
-      std::vector<std::string> doubts;
+      std::vector<Finding> doubts;
       try {
-        doubts = statics::film_doubts(films, statics::FilmsOf::Motion);
+        doubts = statics::film_doubts(films, statics::FilmUse::Motion);
       } catch (const statics::DeckFault& error) {
         ++refused;
         CHECK(kelvin < 260.0);
@@ -148,7 +148,7 @@ TEST_CASE("the film parameter of a solution is that of its life", "[physics][fil
   const deck::Deck deck = oiled("ball");
   const bearing::Bearing bearing = setup::build_bearing(deck);
   statics::StaticSolution solution = statics::solve_ball_statics(bearing);
-  const bearing::LifeInputs inputs = setup::build_life(deck);
+  const bearing::LifeInputs inputs = setup::build_life_inputs(deck);
   const auto stle = [&] {
     return life::ball_bearing_life(bearing, inputs, solution)
         .state.of(bearing::LifeModel::Original, bearing::LifeModification::Stle)
@@ -169,12 +169,12 @@ TEST_CASE("the film parameter of a solution is that of its life", "[physics][fil
   bearing::LifeChoices given;
   given.film_parameter = 0.5;
   const life::BearingLife chosen =
-      life::ball_bearing_life(bearing, setup::build_life(deck, given), solution);
+      life::ball_bearing_life(bearing, setup::build_life_inputs(deck, given), solution);
   CHECK(chosen.state.of(bearing::LifeModel::Original, bearing::LifeModification::Stle).L10 ==
         Approx(thin));
 }
 
-TEST_CASE("the page of films says what the lubricant's numbers are worth", "[unit][film]") {
+TEST_CASE("film page: lubricant → certainty of its properties", "[unit][film]") {
   listing::Report report("films", deck::UnitSystem::SI);
   listing::print_films(report, films_of(oiled("ball", "13")), "ball");
   const std::string text = report.take();

@@ -1,10 +1,10 @@
+#include "base/constants.hpp"
 #include "contact/slice_contact.hpp"
 #include "roller_bearings.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 
 /// Raceways of cylindrical and tapered bearings that are crowned (raceCrn, raceCenLen).
 using namespace adore;
@@ -80,7 +80,6 @@ TEST_CASE("the depth in a crowned raceway is the distance to its circle", "[unit
 
 TEST_CASE("a crown of infinite radius, or whose land has no end, is a straight raceway",
           "[unit][rollers]") {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const auto& [radius, land] : {std::pair{kInfinity, 0.0}, {1e10, 0.0}, {0.2, 1.0}}) {
     const RaceSurface straight = cone(1), crowned = contact::crowned_race(straight, radius, land);
     for (const double l : {-0.006, 0.0, 0.005}) {

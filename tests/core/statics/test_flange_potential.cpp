@@ -35,20 +35,21 @@ TEST_CASE("Flanges of every type push rollers along the gradient of their energy
                           roller_bearings::spherical_tapered(0.0)}) {
       const RollerModel model = make_roller_model(flanged(b, height), {});
       REQUIRE_FALSE(model.body(0).flanges.empty());
-      for (const FlangePair& flange : model.body(0).flanges)
+      for (const FlangeEndPair& flange : model.body(0).flanges)
         for (int n = 0; n < 200; ++n) {
           Vec4 p(0.0, 0.5 * model.rollers.pitch_diameter + dice(2e-4),
                  -std::sin(model.rollers.axis_angle) + dice(0.01), dice(0.01));
           const auto energy = [&](const Vec4& at) {
-            const double gap = flange_touch(flange, at).contact.gap;
+            const double gap = flange_contact_load(flange, at).contact.gap;
             return gap < 0.0 ? 0.4 * flange.K * std::pow(-gap, 2.5) : 0.0;
           };
           // Pressed 5 µm deep along the axis.
           for (int k = 0; k < 30; ++k)
-            p(0) -= (flange.side == 0 ? 1.0 : -1.0) * (flange_touch(flange, p).contact.gap + 5e-6);
-          ++met[flange_touch(flange, p).contact.mode];
+            p(0) -= (flange.side == 0 ? 1.0 : -1.0) *
+                    (flange_contact_load(flange, p).contact.gap + 5e-6);
+          ++met[flange_contact_load(flange, p).contact.mode];
           PairPotential sum;
-          add_flange(flange, p, false, sum);
+          add_flange_force(flange, p, false, sum);
           REQUIRE(sum.total > 0.0);
           for (int k = 0; k < 4; ++k) {
             Vec4 step = Vec4::Zero();

@@ -130,15 +130,16 @@ TEST_CASE("the rib slides by its height above the raceway, about which a tapered
   CHECK(statics::friction_estimate(b, solution).flange[1] == Approx(expected).epsilon(0.03));
 }
 
-TEST_CASE("rolling of balls is doubted in thick oil at speed, beside strips that know its pressure",
-          "[physics][statics][film]") {
+TEST_CASE(
+    "rolling resistance of balls: ratio to the line-contact law → grows with viscosity and speed",
+    "[physics][statics][film]") {
   Bearing b = from_deck("deep-groove-6205");
   const auto ratio = [&](double T, double share_of_speed) {
     Bearing at = b;
     at.race_temperature = {T, T};
     at.element_temperature = T;
     for (double& speed : at.speed) speed *= share_of_speed;
-    return statics::rolling_over_strips(at, statics::solve_ball_statics(at));
+    return statics::rolling_point_strip_ratio(at, statics::solve_ball_statics(at));
   };
   CHECK(ratio(350.0, 1.0) == 0.0);  // no oil
   b.lubrication = bearing::Lubrication{1, 1e-8, 10.0, {}};
@@ -151,15 +152,16 @@ TEST_CASE("rolling of balls is doubted in thick oil at speed, beside strips that
   CHECK(ratio(330.0, 1.0) > ratio(380.0, 1.0));
 }
 
-TEST_CASE("the doubt of the rolling law of points bounds what was solved", "[unit][friction]") {
+TEST_CASE("rolling_resistance_excess(): ratios of solved contacts → excess bounds them",
+          "[unit][friction]") {
   // Strips and solution over the law, theory/tribology.md 2a; test "rolling resistance of points is
   // that of Reynolds' equation": a grid of twice the cells lowers the solution by 2 %.
   constexpr std::array<std::array<double, 2>, 6> kSolved{
       {{0.71, 0.97}, {0.59, 0.93}, {0.49, 0.865}, {0.40, 0.76}, {0.45, 0.88}, {0.51, 0.88}}};
   for (const auto& [strips, solution] : kSolved) {
     CAPTURE(strips);
-    CHECK(statics::rolling_excess(1.0 / strips) >= 1.02 / solution);
-    CHECK(statics::rolling_excess(1.0 / strips) < 1.2 / solution);
+    CHECK(statics::rolling_resistance_excess(1.0 / strips) >= 1.02 / solution);
+    CHECK(statics::rolling_resistance_excess(1.0 / strips) < 1.2 / solution);
   }
-  CHECK(statics::rolling_excess(0.5) == 1.0);
+  CHECK(statics::rolling_resistance_excess(0.5) == 1.0);
 }

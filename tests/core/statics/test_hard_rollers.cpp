@@ -116,7 +116,7 @@ TEST_CASE("three million n d_m on rollers", "[physics][statics][rollers][hard]")
   solved(load(cone, 20000, 0, 2000));
 }
 
-TEST_CASE("reversed thrust on cones has no equilibrium, and that is said",
+TEST_CASE("tapered rollers: reversed thrust → no equilibrium, with the cause",
           "[physics][statics][rollers][hard]") {
   Bearing cone = unloaded(roller_bearings::tapered(0.0));
   solved(load(cone, 3000, 0, 0));
@@ -150,7 +150,7 @@ TEST_CASE("a row of barrels that slides out of its grooves is given up soon",
   }
 }
 
-TEST_CASE("cones that turn so fast that they throw the inner race off say what thrust is missing",
+TEST_CASE("tapered rollers: centrifugal force pushes the inner race off → missing thrust",
           "[physics][statics][rollers][hard]") {
   const Bearing fast = roller_bearings::tapered(30000.0);
   try {
@@ -219,7 +219,7 @@ TEST_CASE("the point of a barrel stays on its arc: the deepest of all its slices
   options.contact = RollerContact::Point;
   options.slices = 1000;
   const RollerModel m = make_roller_model(bearing, options);
-  const RollerBody& body = m.body(0);
+  const RollerContactGeometry& body = m.body(0);
   for (std::size_t j = 0; j < 2; ++j) {
     const double sigma = j == 0 ? 1.0 : -1.0;
     const double start = -std::sin(m.rollers.axis_angle);
@@ -231,7 +231,7 @@ TEST_CASE("the point of a barrel stays on its arc: the deepest of all its slices
       std::vector<SliceResult> each(body.slices.size());
       add_slices(m.slices(j, body), p, slices, each);
       SliceResult deepest;
-      add_point(body.point[j], p, point, &deepest);
+      add_point_contact(body.point[j], p, point, &deepest);
       double most = -1.0;
       std::size_t where = 0;
       for (std::size_t k = 0; k < each.size(); ++k)
@@ -246,7 +246,7 @@ TEST_CASE("the point of a barrel stays on its arc: the deepest of all its slices
       const auto energy = [&](double by) {
         PairPotential ignored;
         SliceResult at;
-        add_point(body.point[j], p + Vec4(0.0, 0.0, by, 0.0), ignored, &at);
+        add_point_contact(body.point[j], p + Vec4(0.0, 0.0, by, 0.0), ignored, &at);
         return 0.4 * body.point[j].K * std::pow(at.delta, 2.5);
       };
       const double slope = (energy(1e-7) - energy(-1e-7)) / 2e-7;
@@ -256,13 +256,13 @@ TEST_CASE("the point of a barrel stays on its arc: the deepest of all its slices
     CHECK(at_end);
     // Far apart nothing touches on the far side of the arc's circle.
     PairPotential none;
-    add_point(body.point[j], {0.0, 0.5 * m.rollers.pitch_diameter - sigma * 2e-4, start, 0.0},
-              none);
+    add_point_contact(body.point[j],
+                      {0.0, 0.5 * m.rollers.pitch_diameter - sigma * 2e-4, start, 0.0}, none);
     CHECK(none.total == 0.0);
   }
 }
 
-TEST_CASE("unloaded rollers at speed stand where the rule says, and PRINT says it",
+TEST_CASE("unloaded rollers at speed: position by the rule → the rule in PRINT",
           "[physics][statics][rollers][hard]") {
   const auto printed = [](const Bearing& b, const RollerSolution& s) {
     listing::Report report("test", deck::UnitSystem::SI);
@@ -315,7 +315,7 @@ TEST_CASE("unloaded rollers at speed stand where the rule says, and PRINT says i
   CHECK_THAT(printed(cones, t), Catch::Contains("until a flange stops it"));
 }
 
-TEST_CASE("a barrel row that swivels says so", "[physics][statics][rollers][hard]") {
+TEST_CASE("barrel row: free tilt → error names the swivel", "[physics][statics][rollers][hard]") {
   Bearing bearing = unloaded(roller_bearings::spherical(0.0, 0.0));
   load(bearing, 4000, 300, 5000);
   CHECK_THROWS_WITH(solve_roller_statics(bearing), Catch::Contains("tilting"));

@@ -17,7 +17,7 @@ using namespace solution_checks;
 namespace {
 
 /// Solves and checks what holds for every solution, and that loads and contact states agree.
-StaticSolution solved(const Bearing& bearing, const StaticsOptions& options = {}) {
+StaticSolution solved(const Bearing& bearing, const BallStaticsOptions& options = {}) {
   StaticSolution s = solve_ball_statics(bearing, options);
   check_race(bearing, s);
   for (const StaticBall& b : s.balls) {
@@ -167,7 +167,8 @@ TEST_CASE("an equilibrium past the edge of the grooves is named", "[physics][sta
   CHECK(noted(solved(bearing), "beyond 90 degrees"));
 }
 
-TEST_CASE("displacements prescribed, alone and beside loads", "[physics][statics][hard]") {
+TEST_CASE("ball statics: prescribed displacements, with and without loads → equilibrium",
+          "[physics][statics][hard]") {
   Bearing bearing = spindle(10000.0);
   hold(bearing, 0, 1.5e-5);
   load(bearing, 0, 0, 200);
@@ -226,8 +227,7 @@ TEST_CASE("any pair of race speeds", "[physics][statics][hard]") {
     }
 }
 
-TEST_CASE("loads too small to compute, and nonsense, are refused in a sentence",
-          "[unit][statics][hard]") {
+TEST_CASE("ball statics: loads too small, invalid values → error", "[unit][statics][hard]") {
   Bearing bearing = deep_groove(1.5e-5);
   CHECK_THROWS_WITH(solve_ball_statics(load(bearing, 0, 1e-9, 0)),
                     Catch::Contains("Set this load to zero"));
@@ -261,7 +261,7 @@ TEST_CASE("radial load on a free race with clearance is an inverted pendulum",
   CHECK(a[3] == Approx(-b[3]).epsilon(1e-6));
   CHECK(a[2] == Approx(b[2]).epsilon(1e-6));
   CHECK(std::abs(a[3]) > 1e-4);
-  StaticsOptions warm;
+  BallStaticsOptions warm;
   warm.warm_start = true;
   bearing.constraints.displacement = a;
   const auto tilted = solved(bearing, warm);
@@ -272,9 +272,9 @@ TEST_CASE("radial load on a free race with clearance is an inverted pendulum",
   CHECK_FALSE(noted(solved(hold(hold(bearing, 3, 0.0), 4, 0.0)), "not stable"));
 }
 
-TEST_CASE("an unstable equilibrium is told from a stable one", "[unit][statics][hard]") {
+TEST_CASE("unstable_mode(): negative stiffness → unstable equilibrium", "[unit][statics][hard]") {
   const RaceScales scales{0.03, 1e-5, 1e-3, 0.1, 0.0};
-  RaceTask task;
+  RaceLoadCase task;
   Mat5 K = 1e8 * Mat5::Identity();
   K(3, 3) = K(4, 4) = 1e5;
   CHECK_FALSE(unstable_mode(scales, task, K, 1e8));
@@ -282,8 +282,11 @@ TEST_CASE("an unstable equilibrium is told from a stable one", "[unit][statics][
   CHECK(unstable_mode(scales, task, K, 1e8).stiffness == Approx(-0.5e8));
   K(1, 2) = 0.0;
   K(4, 4) = -1e4;
-  CHECK_THAT(instability_note(unstable_mode(scales, task, K, 1e8), {}),
-             Catch::Contains("mainly about z"));
+  const adore::Finding note = instability_note(unstable_mode(scales, task, K, 1e8), {});
+  CHECK_THAT(note.message, Catch::Contains("mainly about z"));
+  CHECK(note.code == "statics.unstable");
+  CHECK(note.measured.value_or(0.0) < 0.0);
+  CHECK(note.unit == "N.m/rad");
   task.given[4] = true;  // held: harmless
   CHECK_FALSE(unstable_mode(scales, task, K, 1e8));
 }

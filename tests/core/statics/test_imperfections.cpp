@@ -1,3 +1,4 @@
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "base/random_table.hpp"
 #include "contact/groove.hpp"
@@ -17,8 +18,6 @@ using namespace adore::statics;
 using namespace ball_bearings;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 bearing::RaceErrors wave(double amplitude, double waves, double phase) {
   bearing::RaceErrors e;
@@ -106,7 +105,7 @@ TEST_CASE("the mass of a ball follows its diameter", "[physics][statics][imperfe
   CHECK(mass(s.balls[0]) / mass(s.balls[1]) == Approx(1.003).margin(3e-4));
 }
 
-TEST_CASE("an elliptical race loads the balls twice per turn",
+TEST_CASE("elliptical race: one revolution → two load maxima",
           "[physics][statics][imperfections]") {
   Bearing bearing = make(12, 0.0127, 0.07, 0.52, 0.52, 0.0, -2e-5);
   bearing.imperfections.race[0] = ellipse(4e-6, -4e-6, 0.0);
@@ -171,7 +170,7 @@ TEST_CASE("a wavy inner race pushes sideways as its energy asks",
     Bearing bearing = make(8, 0.0127, 0.07, 0.52, 0.52, 0.0, -2e-5);
     bearing.imperfections.race[1] = wave(5e-6, 9, 0.1);
     load(bearing, 0, 300, 500);
-    StaticsOptions options;
+    BallStaticsOptions options;
     options.kinematics = kinematics;
     options.curvature = Curvature::Free;
     const auto s = solve_ball_statics(bearing, options);
@@ -226,14 +225,14 @@ TEST_CASE("the random table is SplitMix64 and normal", "[unit][imperfections]") 
   double sum = 0, square = 0, fourth = 0, columns = 0, rows = 0, seeds = 0, largest = 0;
   for (int k = 0; k < kRows; ++k) {
     const auto row = static_cast<std::uint64_t>(k);
-    const double x = table.normal(row, 0);
-    REQUIRE(x == same.normal(row, 0));
+    const double x = table.standard_normal(row, 0);
+    REQUIRE(x == same.standard_normal(row, 0));
     sum += x;
     square += x * x;
     fourth += x * x * x * x;
-    columns += x * table.normal(row, 1);
-    rows += x * table.normal(row + 1, 0);
-    seeds += x * other.normal(row, 0);
+    columns += x * table.standard_normal(row, 1);
+    rows += x * table.standard_normal(row + 1, 0);
+    seeds += x * other.standard_normal(row, 0);
     largest = std::max(largest, std::abs(x));
   }
   // Four standard errors each: 1/√n, √(2/n), √(96/n).
@@ -254,8 +253,9 @@ TEST_CASE("split race: gap to the other half and dual contact", "[physics][stati
   bearing.balls().shim = {0.0, shim};
   const double s = 0.02 * 0.0127;
   const auto has_note = [](const StaticSolution& solution, const char* text) {
-    return std::any_of(solution.notes.begin(), solution.notes.end(),
-                       [&](const std::string& n) { return n.find(text) != std::string::npos; });
+    return std::any_of(solution.notes.begin(), solution.notes.end(), [&](const adore::Finding& n) {
+      return n.message.find(text) != std::string::npos;
+    });
   };
   // Distance of the ball from the points of the other half, by trying them: an arc about a center
   // the shim further on the side of the contact, as far as the split half way between the centers.

@@ -48,8 +48,7 @@ TEST_CASE("least heat: curve of the deck → no angle near it has less heat", "[
   }
 }
 
-TEST_CASE("least heat: constant coefficient → the axis of spin.hpp, whatever the coefficient",
-          "[statics]") {
+TEST_CASE("least heat: any constant coefficient → the axis of spin.hpp", "[statics]") {
   bearing::TractionCurve curve;
   curve.D = 0.05;
   const Bearing bearing = thrust_bearing(curve);

@@ -25,7 +25,7 @@ using State = RaceState<NoElement>;
 RaceScales race_scales(const LeaningRace&) { return {0.03, 5e-6, 5e-3, 0.06, 24.0}; }
 double reference_stiffness(const LeaningRace&, double) { return 1e8; }
 bool is_conservative(const LeaningRace&) { return true; }
-double first_accuracy(const LeaningRace&) { return 0.0; }
+double initial_accuracy(const LeaningRace&) { return 0.0; }
 bool update_race(const LeaningRace& race, const Vec5& q, State& state, double = 0.0) {
   const double over = std::abs(q(1)) - race.play, side = q(1) < 0.0 ? -1.0 : 1.0;
   state.q = q;
@@ -48,13 +48,13 @@ TEST_CASE(
     "a race without load, held off by forces far below those of its elements, finds its "
     "stable place",
     "[unit][statics]") {
-  RaceTask task;
+  RaceLoadCase task;
   task.given = {true, false, true, true, true};
   for (const double start : {0.0, 1e-6, -1e-6, 4e-6}) {
     const LeaningRace race;
     State state;
     state.q(1) = start;
-    const RaceSolve solve = solve_race_surely(race, task, state);
+    const RaceSolveResult solve = solve_race_with_fallback(race, task, state);
     INFO("from " << start << " after " << solve.iterations << " steps: " << state.q(1));
     REQUIRE(solve.converged);
     CHECK(std::abs(state.load(1)) < 1e-9 * race.own_load);
@@ -64,10 +64,10 @@ TEST_CASE(
 }
 
 TEST_CASE("an iteration that could not begin tells no residual", "[unit][statics]") {
-  RaceSolve solve;
+  RaceSolveResult solve;
   solve.residual = 0.0;  // of no step
-  CHECK(how_far(solve) == "could not start");
+  CHECK(solve_failure_text(solve) == "could not start");
   solve.iterations = 7;
   solve.residual = 0.123;
-  CHECK(how_far(solve) == "stopped with a residual of 0.12 of the load after 7 steps");
+  CHECK(solve_failure_text(solve) == "stopped with a residual of 0.12 of the load after 7 steps");
 }

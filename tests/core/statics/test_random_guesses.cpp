@@ -108,7 +108,7 @@ void thousand_ball_guesses(const Bearing& bearing, unsigned seed) {
   const auto cold = solve_ball_statics(bearing);
   check_race(bearing, cold);
   Tally tally(cold);
-  StaticsOptions warm;
+  BallStaticsOptions warm;
   warm.warm_start = true;
   for (int n = 0; n < kGuesses; ++n) {
     Bearing guessed = bearing;
@@ -213,7 +213,7 @@ TEST_CASE("a ball comes back to its place from a thousand others",
   load(bearing, 5000, 0, 4000);
   const auto cold = solve_ball_statics(bearing);
   const BallModel model = make_ball_model(bearing, {});
-  const auto pose = inner_pose<double>(model, cold.displacement);
+  const auto pose = inner_race_pose<double>(model, cold.displacement);
   Random random(7);
   double worst = 0.0;
   int failed = 0;

@@ -82,7 +82,7 @@ Wrench wrench_on(const bearing::Bearing& b, const RollerSolution& s, std::size_t
     const tribology::TractionLaw law = b.race_traction;
     const auto slices = contact::roller_race_slices(
         model.race[j], model.bodies[0].slices, model.slicing.width, model.law[j], model.E_star[j]);
-    law.visit_rounded([&](const auto& rounded) {
+    law.visit_regularized([&](const auto& rounded) {
       const contact::RollerRaceAction on =
           contact::roller_race_action<double>(slices, pose, race, C, a, motion, rounded);
       out.force += on.force;
@@ -93,7 +93,7 @@ Wrench wrench_on(const bearing::Bearing& b, const RollerSolution& s, std::size_t
     const contact::RollerInMeridian in = contact::roller_in_meridian(pose, race, C, a, motion);
     const auto back = [&](const Vec3& v) { return in.back(pose, {v[0], v[1], v[2]}); };
     const auto& axis = in.roller.axes.a;
-    for (const statics::FlangePair& pair : model.bodies[0].flanges) {
+    for (const statics::FlangeEndPair& pair : model.bodies[0].flanges) {
       if (pair.race != static_cast<int>(j)) continue;
       const contact::FlangeContact touch = contact::flange_contact(
           pair.face, pair.end, Vec3(in.roller.x, 0.0, in.roller.r), Vec3(axis.x, axis.y, axis.z));
@@ -103,7 +103,7 @@ Wrench wrench_on(const bearing::Bearing& b, const RollerSolution& s, std::size_t
       const Vec3 X = pose.centre + back(touch.point), n = back(touch.normal);
       const Vec3 slip = contact::contact_slip(race, motion, X, n);
       const tribology::TractionLaw on_flange = *b.flange_traction;
-      on_flange.visit_rounded(
+      on_flange.visit_regularized(
           [&](const auto& rounded) { contact::add_contact(one, load, X, -n, slip, C, rounded); });
       out.force += one.force;
       out.moment += one.moment;

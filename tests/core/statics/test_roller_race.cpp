@@ -29,7 +29,7 @@ Mat3 turn(double angle, const Vec3& about) {
 
 Scene scene_of(const bearing::Bearing& bearing, std::size_t j, double land = 0.0) {
   const RollerModel m = make_roller_model(bearing, {});
-  const RollerBody& body = m.body(0);
+  const RollerContactGeometry& body = m.body(0);
   contact::RaceSurface race = body.race[j];
   if (land > 0.0) race.land_width = land;
   Scene scene;
@@ -54,7 +54,7 @@ RollerRaceAction action(const Scene& s, const tribology::TractionLaw* law = null
     return roller_race_action<T>(s.slices, s.pose, s.race, s.centre, s.axis, s.roller, traction);
   };
   if (law == nullptr) return with(nullptr);
-  return law->visit_rounded<T>(with);
+  return law->visit_regularized<T>(with);
 }
 
 double power(const Scene& s, const RollerRaceAction& a) {
@@ -252,7 +252,7 @@ TEST_CASE("roller in motion: a crown slips by half its drop, on the roller or on
       g.crown_radius = crowned == 0 ? kCrown : crowned == 2 ? 2.0 * kCrown : 1e10;
       if (crowned != 0) g.race_crown_radius.fill(crowned == 1 ? kCrown : 2.0 * kCrown);
       const RollerModel m = make_roller_model(b, {});
-      const RollerBody& body = m.body(0);
+      const RollerContactGeometry& body = m.body(0);
       const double sigma = j == 0 ? 1.0 : -1.0;
       Scene s;
       s.slices = contact::roller_race_slices(body.race[j], body.slices, m.slicing.width, m.law[j],

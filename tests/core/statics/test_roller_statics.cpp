@@ -48,9 +48,8 @@ double stiffness_error(const bearing::Bearing& b, const RollerSolution& s) {
 
 }  // namespace
 
-TEST_CASE(
-    "slice forces: penetration as of each slice by itself, gradient and Hessian as differences",
-    "[unit][rollers]") {
+TEST_CASE("slice forces: sums → penetrations of single slices, gradient and Hessian as differences",
+          "[unit][rollers]") {
   const auto b = spherical(0.0);
   const auto t = tapered(0.0);
   for (const bearing::Bearing* bearing : {&b, &t}) {
@@ -250,7 +249,7 @@ TEST_CASE("barrels: the point contact and the slices agree within the laws' diff
   CHECK(one.load[2] == Approx(5000.0).epsilon(1e-9));
 }
 
-TEST_CASE("what cannot be in equilibrium is refused in a sentence", "[unit][rollers]") {
+TEST_CASE("roller statics: no equilibrium possible → error with its cause", "[unit][rollers]") {
   auto rib = tapered(0.0);
   rib.rollers()->flange[1][0].reset();
   CHECK_THROWS_WITH(solve_roller_statics(rib), Catch::Contains("kFlngInd12"));

@@ -73,12 +73,12 @@ double imbalance(const Bearing& bearing, const StaticSolution& s, const StaticBa
 
 TEST_CASE("part of an ellipse on one side of a split: exact limits and derivatives",
           "[unit][contact][split]") {
-  const contact::SplitHalf half{1.0, 5e-5, 0.0066, 0.0, 0.3};
+  const contact::SplitRaceHalf half{1.0, 5e-5, 0.0066, 0.0, 0.3};
   const double l = 2.7e-4, delta = 2e-5, K = 1e10;
   const auto at = [&](double angle, double d) {
     const double root = std::sqrt(d);
-    return contact::split_share<double>(half, K * d * root, root, std::sin(angle), std::cos(angle),
-                                        l);
+    return contact::split_load_fractions<double>(half, K * d * root, root, std::sin(angle),
+                                                 std::cos(angle), l);
   };
   const double a = 0.3 * std::sqrt(delta);
   const double first = std::asin((5e-5 + a) / 0.0066), last = std::asin((5e-5 - a) / 0.0066);
@@ -107,7 +107,7 @@ TEST_CASE("part of an ellipse on one side of a split: exact limits and derivativ
         Approx(at(angle, delta).turned).epsilon(1e-7));
 }
 
-TEST_CASE("split races: axial play 2 A sin a - g, reversed thrust is the mirror image",
+TEST_CASE("split races: axial clearance → 2 A sin a - g, reversed thrust is the mirror image",
           "[physics][statics][split]") {
   for (const auto& [outer, inner] :
        {std::pair{0.0, kShim}, std::pair{kShim, 0.0}, std::pair{kShim, 8e-5}})
@@ -181,7 +181,7 @@ TEST_CASE("split races: with small thrust the halves share unequally and balance
   CHECK(axial == Approx(150.0).epsilon(1e-8));
 }
 
-TEST_CASE("split races: a thin shim is no shim", "[physics][statics][split]") {
+TEST_CASE("split races: thin shim → result without shim", "[physics][statics][split]") {
   for (const double rpm : {0.0, 9000.0})
     for (const double thrust : {0.0, 500.0}) {
       CAPTURE(rpm, thrust);
@@ -206,7 +206,7 @@ TEST_CASE("split races: a thin shim is no shim", "[physics][statics][split]") {
 TEST_CASE("split races: ball forces have exact derivatives", "[unit][statics][split]") {
   Bearing bearing = split(kShim, kShim, 9000.0);
   for (const auto curvature : {Curvature::Actual, Curvature::Potential}) {
-    StaticsOptions options;
+    BallStaticsOptions options;
     options.curvature = curvature;
     const BallModel m = make_ball_model(bearing, options);
     BallSite site;
@@ -218,8 +218,8 @@ TEST_CASE("split races: ball forces have exact derivatives", "[unit][statics][sp
       at[4] = 6e-5;
       at[0] = m.groove.centre_x[0] + 0.5 * kShim + aside;
       const auto forces = [&](const std::array<double, 7>& v) {
-        const auto f = ball_forces<double>(m, site, v[0], v[1],
-                                           inner_pose<double>(m, {v[2], v[3], v[4], v[5], v[6]}));
+        const auto f = ball_forces<double>(
+            m, site, v[0], v[1], inner_race_pose<double>(m, {v[2], v[3], v[4], v[5], v[6]}));
         return std::array<double, 7>{f.axial,   f.radial,  f.race[0], f.race[1],
                                      f.race[2], f.race[3], f.race[4]};
       };
@@ -228,7 +228,7 @@ TEST_CASE("split races: ball forces have exact derivatives", "[unit][statics][sp
       for (int k = 0; k < 5; ++k)
         q[static_cast<std::size_t>(k)] = D::variable(at[static_cast<std::size_t>(k) + 2], k + 2);
       const auto f = ball_forces<D>(m, site, D::variable(at[0], 0), D::variable(at[1], 1),
-                                    inner_pose<D>(m, q));
+                                    inner_race_pose<D>(m, q));
       const std::array<D, 7> exact{f.axial,   f.radial,  f.race[0], f.race[1],
                                    f.race[2], f.race[3], f.race[4]};
       for (std::size_t k = 0; k < 7; ++k) {

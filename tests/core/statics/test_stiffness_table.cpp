@@ -23,7 +23,7 @@ bearing::Bearing loaded_218(double rpm) {
 }
 
 double disagreement(double share) {
-  statics::StaticsOptions options;
+  statics::BallStaticsOptions options;
   options.difference_share = share;
   const auto solution = statics::solve_ball_statics(loaded_218(6000.0), options);
   REQUIRE(solution.stiffness_by_difference);
@@ -42,7 +42,7 @@ TEST_CASE("stiffness by differences tends to the linearisation with the square o
 }
 
 TEST_CASE("stiffness differences are left out where no contact is loaded", "[unit]") {
-  statics::StaticsOptions options;
+  statics::BallStaticsOptions options;
   options.difference_share = 0.01;
   const auto solution = statics::solve_ball_statics(deep_groove(20e-6), options);
   CHECK_FALSE(solution.stiffness_by_difference);
@@ -54,7 +54,7 @@ TEST_CASE("every row of a stiffness table is the solution at its own speeds", "[
   const auto rows = statics::stiffness_table(
       request, [&](const std::array<double, 2>& speed, const statics::RaceResult* previous) {
         b.speed = speed;
-        statics::StaticsOptions options;
+        statics::BallStaticsOptions options;
         options.difference_share = request.share;
         b.constraints.displacement = {};
         options.warm_start = previous != nullptr;

@@ -102,7 +102,7 @@ TEST_CASE("accuracy study: includes the deck's own run and recommends the fastes
   }
   // The same settings once more: the front holds no row that another one beats.
   const auto over = [&](const AccuracyRow& row) {
-    return over_limits(row.errors, study.short_reference.noise, study.target);
+    return error_to_limit_ratio(row.errors, study.short_reference.noise, study.target);
   };
   for (const AccuracyRow& row : study.screening)
     for (const AccuracyRow& other : study.screening)
@@ -237,17 +237,17 @@ TEST_CASE("accuracy study: runs under nearby loads → noise, which hides errors
   const auto run = [](double whirl, double heat) {
     return made_up(0.4, 0.4, whirl, 100.0, heat, 1e4);
   };
-  CHECK(noise_of({}).whirl < 0.0);
+  CHECK(estimate_noise({}).whirl < 0.0);
   // Regular: what each method has by itself plays no part, however far the two lie apart.
   const NearbyRuns one{run(0.1, 8.0), run(0.1, 8.000008), run(0.1, 7.999992)},
       other{run(0.2, 9.0), run(0.2, 9.000009), run(0.2, 8.999991)};
-  CHECK(noise_of({one, other}).whirl == 0.0);
-  CHECK(noise_of({one, other}).heat < 2e-6);
-  CHECK(noise_of({one, other}).heat > 1e-7);
+  CHECK(estimate_noise({one, other}).whirl == 0.0);
+  CHECK(estimate_noise({one, other}).heat < 2e-6);
+  CHECK(estimate_noise({one, other}).heat > 1e-7);
   // A life that two runs have not makes no noise and is none.
   const NearbyRuns endless(
       3, made_up(0.4, 0.4, 0.1, 100.0, 8.0, std::numeric_limits<double>::infinity()));
-  CHECK(noise_of({endless}).life < 0.0);
+  CHECK(estimate_noise({endless}).life < 0.0);
   // Irregular: of two methods whose means scatter alike, a third run stands out once in twenty
   // times, whatever the scatter; and with one method only, too.
   for (const std::size_t methods : {1U, 2U}) {
@@ -259,10 +259,10 @@ TEST_CASE("accuracy study: runs under nearby loads → noise, which hides errors
       std::vector<NearbyRuns> all(methods);
       for (NearbyRuns& runs : all)
         for (int n = 0; n < 3; ++n) runs.push_back(run(scatter(random), 8.0));
-      const AccuracyErrors noise = noise_of(all);
+      const AccuracyErrors noise = estimate_noise(all);
       const AccuracyErrors errors =
           compare_results(run(scatter(random), 8.0), run(scatter(random), 8.0));
-      if (standing_out(errors, noise).whirl > 0.0) ++out;
+      if (significant_errors(errors, noise).whirl > 0.0) ++out;
       if (k == 0) CHECK(noise.heat == 0.0);
     }
     CHECK(out > 0.03 * kDraws);

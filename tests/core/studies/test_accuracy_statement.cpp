@@ -24,27 +24,27 @@ TEST_CASE("accuracy statement: part of a target, revolutions by the measured fal
   peak.mean = false;
   statement.quantities = {heat, peak};
   CHECK(statement.keeps());
-  CHECK(statement.needed_turns(0.01) == 0.0);
-  statement.quantities[0].statistical = statement.quantities[0].parted = 0.03;
+  CHECK(statement.required_revolutions(0.01) == 0.0);
+  statement.quantities[0].statistical = statement.quantities[0].diverged_statistical = 0.03;
   CHECK_FALSE(statement.keeps());
-  CHECK(statement.needed_turns(0.01) == Approx(27.0));  // 1.5 · 2 (0.03 / 0.01)²
-  statement.quantities[0].parted = 0.06;
-  CHECK(statement.needed_turns(0.01) == Approx(110.0));  // 1.5 · 2 (0.06 / 0.01)² = 108
-  statement.quantities[0].parted = 0.03;
+  CHECK(statement.required_revolutions(0.01) == Approx(27.0));  // 1.5 · 2 (0.03 / 0.01)²
+  statement.quantities[0].diverged_statistical = 0.06;
+  CHECK(statement.required_revolutions(0.01) == Approx(110.0));  // 1.5 · 2 (0.06 / 0.01)² = 108
+  statement.quantities[0].diverged_statistical = 0.03;
   statement.quantities[0].fall = 0.25;
-  CHECK(statement.needed_turns(0.01) == Approx(250.0));  // 1.5 · 2 · 3⁴ = 243
+  CHECK(statement.required_revolutions(0.01) == Approx(250.0));  // 1.5 · 2 · 3⁴ = 243
   statement.quantities[0].fall = 0.5;
   CHECK(statement.numerical() == 0.004);
   CHECK(statement_text(statement).find(
             "need about 27 revolutions for an accuracy of 1 % (heat 27; this run: 2;") !=
         std::string::npos);
   statement.quantities[0].parting = true;
-  CHECK(statement_text(statement).find("need very roughly") != std::string::npos);
+  CHECK(statement_text(statement).find("need on the order of") != std::string::npos);
   CHECK(statement_json(statement, {}).at("needs_revolutions_rough") == true);
   // A largest load is no mean: no span makes it certain.
   statement.quantities[0].statistical = 0.0;
   statement.quantities[1].statistical = 0.5;
-  CHECK(statement.needed_turns(0.01) == 0.0);
+  CHECK(statement.required_revolutions(0.01) == 0.0);
   CHECK_FALSE(statement.keeps());
 }
 
@@ -56,7 +56,7 @@ TEST_CASE("accuracy statement: covers the span of the run, is stored in its file
   request.out = folder / "out";
   const RunOutcome outcome = run(request);
   REQUIRE(outcome.status == RunStatus::Done);
-  const AccuracyStatement statement = state_accuracy(request, outcome, 0.05, {});
+  const AccuracyStatement statement = make_accuracy_statement(request, outcome, 0.05, {});
   CHECK(statement.turns == Approx(0.3).epsilon(1e-3));
   REQUIRE(statement.quantities.size() >= 10);
   CHECK(statement.twin_failure.empty());
@@ -92,14 +92,14 @@ TEST_CASE("chosen settings: no run of their study is longer than the run itself"
   RunRequest request;
   request.text = std::string(deck::template_text("ball"));
   request.until = "0.25rev";
-  CHECK(asked_turns(request) == Approx(0.25).epsilon(1e-6));
+  CHECK(requested_revolutions(request) == Approx(0.25).epsilon(1e-6));
   ChosenSettings chosen;
   chosen.tolerance = 1e-5;
   chosen.integrator = "rkf5";
   chosen.options = {{"ellipseMajor", "10"}, {"ellipseMinor", "1"}};
   RunOutcome outcome;
   outcome.longest_step = 2e-6;
-  tighten(chosen, request, outcome);
+  tighten_settings(chosen, request, outcome);
   CHECK(chosen.tolerance == Approx(1e-6));
   CHECK(chosen.options == std::vector<std::pair<std::string, std::string>>{{"ellipseMajor", "20"},
                                                                            {"ellipseMinor", "2"}});

@@ -17,7 +17,7 @@ namespace {
 DeckRequest example(const char* name) {
   DeckRequest request;
   request.text = std::string(deck::template_text(name));
-  // The example of balls is irregular with damped contacts: no error of 15 % can be told of it.
+  // The example of balls is irregular with damped contacts: errors of 15 % are below its scatter.
   request.options = {{"contactDamping", "0"}};
   return request;
 }
@@ -31,9 +31,9 @@ void check_rows(const ChosenSettings& chosen, double target) {
   const double limit = target - std::min(chosen.steps.largest(), 0.75 * target);
   for (std::size_t k = row; k < chosen.rows.size(); ++k) {
     CHECK(chosen.rows[k].failure.empty());
-    CHECK(chosen.rows[k].told.largest() <= limit);
+    CHECK(chosen.rows[k].significant.largest() <= limit);
   }
-  if (row > 0) CHECK_FALSE(chosen.rows[row - 1].told.largest() <= limit);
+  if (row > 0) CHECK_FALSE(chosen.rows[row - 1].significant.largest() <= limit);
   CHECK(chosen.options == chosen.rows[row].options);
   CHECK(chosen.steps.largest() <= 0.75 * target);
   CHECK(chosen.text.find(chosen.rows[row].name) != std::string::npos);
@@ -62,13 +62,13 @@ TEST_CASE("chosen settings: nodes of the contact ellipses chosen with the steps"
   for (const auto& [name, value] : rough.options) again += fmt::format(" --opt {}={}", name, value);
   CHECK(rough.text.ends_with(again + "`"));
 
-  SECTION("the run tells of them in its files") {
+  SECTION("chosen settings → listed in the files of the run") {
     const testing::TemporaryFolder folder;
     RunRequest run;
     static_cast<DeckRequest&>(run) = request;
     run.until = "0.05rev";
     run.out = folder / "out";
-    const RunOutcome outcome = run_chosen(run, rough);
+    const RunOutcome outcome = run_with_chosen_settings(run, rough);
     REQUIRE(outcome.status == RunStatus::Done);
     const auto report = nlohmann::json::parse(testing::read_bytes(folder / "out/RUN.json"));
     CHECK(report.at("integrator") == rough.integrator);

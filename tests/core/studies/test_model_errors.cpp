@@ -46,7 +46,7 @@ TEST_CASE("model variants: only what the deck uses", "[unit][accuracy]") {
 TEST_CASE("model errors: a factor on the damping, a stamp that a changed deck breaks",
           "[accuracy]") {
   const DeckRequest request = example("ball");
-  const ModelStudy study = study_models(request, 0.05, 60.0);
+  const ModelStudy study = run_model_study(request, 0.05, 60.0);
   REQUIRE(study.complete);
   CHECK(study.turns == Approx(0.05));
   double scatter = -1.0, friction = 0.0;
@@ -59,10 +59,10 @@ TEST_CASE("model errors: a factor on the damping, a stamp that a changed deck br
   }
   CHECK(scatter >= 0.0);
   CHECK(friction > scatter);
-  const ModelStudy read = read_models(model_json(study), "MODELS.json");
+  const ModelStudy read = read_model_study(model_json(study), "MODELS.json");
   CHECK(model_json(read) == model_json(study));
   CHECK(model_table(read) == model_table(study));
-  CHECK_THROWS_AS(read_models("{}", "MODELS.json"), InputError);
+  CHECK_THROWS_AS(read_model_study("{}", "MODELS.json"), InputError);
 
   const testing::TemporaryFolder folder;
   const auto file = folder / "DATA.txt";
@@ -70,15 +70,15 @@ TEST_CASE("model errors: a factor on the damping, a stamp that a changed deck br
   std::ofstream(folder / kModelFile) << model_json(study);
   DeckRequest beside;
   beside.deck = file;
-  CHECK(models_beside(load_deck(beside)).has_value());
+  CHECK(find_model_study(load_deck(beside)).has_value());
   // Numerical settings and output are no part of the model, loads and options are.
   beside.sets = {{"tol", "1e-7"}, {"kPltFreq", "10"}};
-  CHECK(models_beside(load_deck(beside)).has_value());
+  CHECK(find_model_study(load_deck(beside)).has_value());
   beside.sets = {{"appLoadX", "777"}};
-  CHECK_FALSE(models_beside(load_deck(beside)).has_value());
+  CHECK_FALSE(find_model_study(load_deck(beside)).has_value());
   beside.sets.clear();
   beside.options = {{"contactDamping", "2x"}};
-  CHECK_FALSE(models_beside(load_deck(beside)).has_value());
+  CHECK_FALSE(find_model_study(load_deck(beside)).has_value());
   beside.options.clear();
   RunRequest run;
   static_cast<DeckRequest&>(run) = beside;
@@ -89,5 +89,5 @@ TEST_CASE("model errors: a factor on the damping, a stamp that a changed deck br
   CHECK(print.find("MODEL ERRORS") != std::string::npos);
   CHECK(print.find("contactDamping = 2x") != std::string::npos);
   std::ofstream(folder / kModelFile) << "not a study";
-  CHECK_FALSE(models_beside(load_deck(beside)).has_value());
+  CHECK_FALSE(find_model_study(load_deck(beside)).has_value());
 }

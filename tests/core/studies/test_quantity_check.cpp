@@ -67,7 +67,7 @@ TEST_CASE("quantity_check: the deck shows which quantities its runs lack",
         const auto& had = ran.outcome.summary;
         const bool has = std::any_of(had.begin(), had.end(),
                                      [&](const auto& one) { return one.of.id == spec.id; });
-        const std::string why = why_missing(result(spec.id), deck, "");
+        const std::string why = missing_quantity_reason(result(spec.id), deck, "");
         if (has) CHECK(why.empty());
         missing += why.empty() ? 0 : 1;
         // Where scenes differ the deck knows it, the other way round, too.
@@ -79,20 +79,20 @@ TEST_CASE("quantity_check: the deck shows which quantities its runs lack",
           CHECK((why.find("maxStps is 0") != std::string::npos) == (motion && !steps));
         // The study's own end makes steps.
         if (spec.id == "mean_load_x_N")
-          CHECK(why_missing(result(spec.id), deck, "1rev").empty() == motion);
+          CHECK(missing_quantity_reason(result(spec.id), deck, "1rev").empty() == motion);
       }
       CHECK(missing > 0);
       for (const std::string_view figure : kWhirlFigures)
-        CHECK(why_missing(result(figure), deck, "").empty() == (motion && cage));
+        CHECK(missing_quantity_reason(result(figure), deck, "").empty() == (motion && cage));
       if (!motion) {
-        CHECK_FALSE(why_missing(channel("contact.load"), deck, "").empty());
+        CHECK_FALSE(missing_quantity_reason(channel("contact.load"), deck, "").empty());
         continue;
       }
       const results::H5Reader reader(folder / "run/RESULTS.h5");
       for (const results::Channel& one : results::channels()) {
         INFO(one.id);
         const bool has = reader.find(one.id) != nullptr;
-        CHECK(why_missing(channel(one.id), deck, "").empty() == has);
+        CHECK(missing_quantity_reason(channel(one.id), deck, "").empty() == has);
       }
     }
 }
@@ -101,11 +101,11 @@ TEST_CASE("study: unknown key result → error with the nearest ones", "[unit][s
   deck::Deck deck = deck::new_deck("ball");
   deck.set("nCseg", "0");
   deck.complete();
-  const std::string said = missing_quantities(
+  const std::string said = missing_quantities_message(
       {result("mean_cage_ratio"), result("power_loss_W"), channel("land.force")}, deck, "");
   CHECK(said.find("mean_cage_ratio: the bearing has no cage (nCseg = 0); land.force:") == 0);
   CHECK(said.find("possible key results are life_lp_hours, run_life_hours, run_life_samples, ") !=
         std::string::npos);
   CHECK(said.find("mean_whirl_ratio") == std::string::npos);
-  CHECK(missing_quantities({result("power_loss_W")}, deck, "").empty());
+  CHECK(missing_quantities_message({result("power_loss_W")}, deck, "").empty());
 }

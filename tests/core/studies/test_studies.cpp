@@ -39,21 +39,21 @@ std::vector<CageInstant> circle(double radius, double ratio, double wobble) {
 
 TEST_CASE("cage whirl: circling cage → whirling at that ratio, resting cage → resting",
           "[unit][studies]") {
-  const Whirl even = judge_whirl(circle(0.8, 0.7, 0.0));
+  const Whirl even = classify_whirl(circle(0.8, 0.7, 0.0));
   CHECK(even.ratio == Approx(0.7).epsilon(1e-12));
   CHECK(even.deviation == Approx(0.0).margin(1e-12));
   CHECK(even.orbit == Approx(0.8).epsilon(0.01));
   CHECK(even.of == WhirlClass::Whirling);
-  CHECK(judge_whirl(circle(0.8, -0.7, 0.0)).ratio == Approx(-0.7).epsilon(1e-12));
+  CHECK(classify_whirl(circle(0.8, -0.7, 0.0)).ratio == Approx(-0.7).epsilon(1e-12));
 
   // Mean square of 3 w cos: 4.5 w².
-  const Whirl uneven = judge_whirl(circle(0.8, 0.7, 0.2));
+  const Whirl uneven = classify_whirl(circle(0.8, 0.7, 0.2));
   CHECK(uneven.deviation == Approx(std::sqrt(4.5) * 0.2).epsilon(0.02));
   CHECK(uneven.of == WhirlClass::Irregular);
 
   std::vector<CageInstant> resting(100, CageInstant{0.0, -0.9, 0.0, 0.0, 400.0});
-  CHECK(judge_whirl(resting).of == WhirlClass::Resting);
-  CHECK(judge_whirl(resting).ratio == 0.0);
+  CHECK(classify_whirl(resting).of == WhirlClass::Resting);
+  CHECK(classify_whirl(resting).ratio == 0.0);
 }
 
 TEST_CASE("statistics: weighted by time, without missing values", "[unit][studies]") {
@@ -72,7 +72,7 @@ TEST_CASE("statistics: weighted by time, without missing values", "[unit][studie
   CHECK(std::isnan(statistic(Statistic::Mean, 0, {0.0}, {kNone}, 1)));
 
   const Summary summary =
-      summarise({3.0, kNone, 1.0, 2.0, std::numeric_limits<double>::infinity()}, {50.0});
+      summarize({3.0, kNone, 1.0, 2.0, std::numeric_limits<double>::infinity()}, {50.0});
   CHECK(summary.count == 3);
   CHECK(summary.infinite == 1);
   CHECK(summary.mean == Approx(2.0));
@@ -93,17 +93,17 @@ TEST_CASE("parallel chart: axes of all runs keep room for quantities", "[unit][s
   };
   std::vector<TableColumn> variables = columns("v", 30), quantities = columns("q", 3);
   variables.front().values = {2.0, 2.0, std::nan("")};  // says nothing
-  auto axes = axes_of(variables, quantities);
+  auto axes = parallel_chart_axes(variables, quantities);
   REQUIRE(axes.size() == 12);
   CHECK(axes.front()->name == "v1");
   CHECK(axes[9]->name == "q0");
   CHECK(axes.back()->name == "q2");
   quantities = columns("q", 20);
-  axes = axes_of(variables, quantities);
+  axes = parallel_chart_axes(variables, quantities);
   CHECK(axes.size() == 12);
   CHECK(axes[5]->name == "v6");
   CHECK(axes.back()->name == "q5");
-  CHECK(axes_of(columns("v", 2), quantities).size() == 12);
+  CHECK(parallel_chart_axes(columns("v", 2), quantities).size() == 12);
 }
 
 TEST_CASE("worst case: maximum inside and in a corner → found", "[unit][studies]") {
@@ -122,7 +122,7 @@ TEST_CASE("worst case: maximum inside and in a corner → found", "[unit][studie
   }
   const auto find = [&](auto&& f) {
     WorstCaseSearch search(study);
-    std::vector<Point> points = first_round(study);
+    std::vector<Point> points = first_round_points(study);
     while (!points.empty()) {
       std::vector<double> values;
       for (const Point& point : points) values.push_back(f(point.values));
@@ -174,7 +174,7 @@ TEST_CASE("record: reads back to the last bit; damaged record → none", "[unit]
   CHECK(back->values[3] == record.values[3]);
   CHECK(back->exit_code == 3);
   CHECK(back->codes == record.codes);
-  const auto file = record_file(folder, record.key);
+  const auto file = run_record_path(folder, record.key);
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   CHECK_FALSE(read_record(folder, record.key));
   std::filesystem::remove_all(folder);
@@ -185,7 +185,7 @@ namespace {
 /// The local engine with a stand-in for the worker: a shell script that gets KEY of its task.
 struct StandIn {
   std::filesystem::path folder;
-  EngineWork work;
+  EngineRequest work;
   std::vector<Record> done;
   std::string note;
 
@@ -203,7 +203,7 @@ struct StandIn {
       task.number = static_cast<long>(work.tasks.size()) + 1;
       task.key = std::string(32, c);
       work.tasks.push_back(task);
-      std::filesystem::create_directories(record_file(folder, task.key).parent_path());
+      std::filesystem::create_directories(run_record_path(folder, task.key).parent_path());
     }
     // $3 is the study's folder, as the worker is told.
     std::ofstream(work.program) << "#!/bin/sh\ncd \"$3\"\nwhile read -r line; do\n"

@@ -263,11 +263,11 @@ TEST_CASE("study file: error in TOML → with its line", "[unit][studies]") {
 }
 
 TEST_CASE("named_key(): key of a sentence about a study", "[unit][studies]") {
-  CHECK(key_of_sentence("b/a.json: variables[2].grid = [1]: give", "b/a.json") ==
+  CHECK(key_in_message("b/a.json: variables[2].grid = [1]: give", "b/a.json") ==
         "variables[2].grid");
-  CHECK(key_of_sentence("a.toml, line 4: kind is missing: give", "a.toml") == "kind");
-  CHECK(key_of_sentence("a.json: a what-if study compares cases; remove", "a.json").empty());
-  CHECK(key_of_sentence("there is no deck DATA.txt", "a.json").empty());
+  CHECK(key_in_message("a.toml, line 4: kind is missing: give", "a.toml") == "kind");
+  CHECK(key_in_message("a.json: a what-if study compares cases; remove", "a.json").empty());
+  CHECK(key_in_message("there is no deck DATA.txt", "a.json").empty());
 }
 
 TEST_CASE("TOML text nested deeper than the limit → error with its line, no stack overflow",

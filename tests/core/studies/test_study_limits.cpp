@@ -173,7 +173,7 @@ TEST_CASE("record: exit code outside 0 to 255, or not whole → no record", "[un
   record.values = {1.0};
   write_record(folder.path(), record);
   REQUIRE(read_record(folder.path(), kKey));
-  const fs::path file = record_file(folder.path(), kKey);
+  const fs::path file = run_record_path(folder.path(), kKey);
   for (const char* code : {"1e300", "-1", "256", "0.5", "\"0\""}) {
     INFO(code);
     std::ofstream(file) << "{\"adore_run\":1,\"key\":\"" + kKey + "\",\"exit\":" + code +
@@ -235,12 +235,12 @@ TEST_CASE("study: more runs or memory than the limits → error before memory is
   // Samples, the middle, 16 corners, two sides of four variables in each round.
   CHECK(count_points(worst(1'000'000)) == 1'000'000 + 1 + 16 + 2 * 4 * 12);
   const std::string grid = R"({"name": "appLoadX", "grid": [1, 2, 100000]})";
-  CHECK_THAT(refusal([&] { (void)points_to_begin(worst(10'000'000)); }), Contains("more than"));
-  CHECK_THAT(refusal([&] { (void)points_to_begin(worst(9'000'000)); }), Contains("GB of memory"));
-  CHECK_THAT(refusal([&] { (void)points_to_begin(study("tolerance", four, samples(9'000'000))); }),
+  CHECK_THAT(refusal([&] { (void)initial_points(worst(10'000'000)); }), Contains("more than"));
+  CHECK_THAT(refusal([&] { (void)initial_points(worst(9'000'000)); }), Contains("GB of memory"));
+  CHECK_THAT(refusal([&] { (void)initial_points(study("tolerance", four, samples(9'000'000))); }),
              Contains("GB of memory"));
   CHECK_THAT(refusal([&] {
-               (void)points_to_begin(study(
+               (void)initial_points(study(
                    "sweep", grid + R"(, {"name": "appLoadZ", "uniform": [1, 2]})", samples(101)));
              }),
              Contains("more than"));
@@ -263,7 +263,7 @@ TEST_CASE("study: more runs or memory than the limits → error before memory is
         "quantities": ["largest_pressure_Pa"]}})",
                   decks, cases),
       "a.json");
-  CHECK_THAT(refusal([&] { (void)points_to_begin(what_if); }), Contains("more than"));
+  CHECK_THAT(refusal([&] { (void)initial_points(what_if); }), Contains("more than"));
   CHECK(peak_megabytes() - before < 100.0);
 }
 

@@ -134,8 +134,8 @@ TEST_CASE("ladder: solid or hollow shaft → no node is colder than the coldest 
           CHECK(std::abs(heat.imbalance()) < 1e-10 * sources.total());
           const bool acted = heat.clamped || heat.turned_back[0] + heat.turned_back[1] > 0.0;
           bool noted = false;
-          for (const std::string& note : heat.notes)
-            noted = noted || note.find("ladder: ") != std::string::npos;
+          for (const adore::Finding& note : heat.notes)
+            noted = noted || note.code == "thermal.ladder";
           CHECK(noted == acted);
           if (acted) ++guarded;
         }
@@ -223,14 +223,17 @@ TEST_CASE("cryogenic coolants: coolant temperature kept, extrapolation reported"
   b.thermal->base_temperature = 22.0;
   b.thermal->flow = 1e-3;
   const BearingHeat cold = thermal::solve_bearing_heat(b, kHeat, 3000.0);
-  for (const std::string& note : cold.notes) CHECK_THAT(note, !Catch::Contains("nearer limit"));
+  for (const adore::Finding& note : cold.notes) CHECK(note.code != "thermal.coolant_range");
   CHECK(cold.temperature.coolant_in == Approx(22.0));
   CHECK(cold.bulk.element < 60.0);
   CHECK(cold.coolant->provenance == tribology::fluid_properties(4, 22.0).provenance);
   b.thermal->base_temperature = 300.0;  // no liquid any more
   const BearingHeat warm = thermal::solve_bearing_heat(b, kHeat, 3000.0);
   REQUIRE_FALSE(warm.notes.empty());
-  CHECK_THAT(warm.notes.front(), Catch::Contains("the properties at the nearer limit are used"));
+  CHECK_THAT(warm.notes.front().message,
+             Catch::Contains("the properties at the nearer limit are used"));
+  CHECK(warm.notes.front().code == "thermal.coolant_range");
+  CHECK(warm.notes.front().measured.value_or(0.0) > warm.notes.front().limit.value_or(1e9));
 }
 
 TEST_CASE("network: hollow shaft, oil at 330 K, room at 293 K → no node below the room",
@@ -398,13 +401,14 @@ TEST_CASE("relaxation: fluctuating heat → the mean; heat that falls steeply �
   CHECK(run(true, -6.0, 0.0) < 0.01);
 }
 
-TEST_CASE("hot_node(): film above 1000 K → its name, for any temperatures of the parts",
-          "[unit][thermal]") {
+TEST_CASE(
+    "describe_overheated_node(): film above 1000 K → its name, for any temperatures of the parts",
+    "[unit][thermal]") {
   thermal::BearingHeat heat;
   heat.nodes = {{"outer raceway", 400.0}, {"film of the pockets", 2.8e5}, {"ambient", 293.0}};
-  CHECK(thermal::hot_node(heat).find("film of the pockets") == 0);
+  CHECK(thermal::describe_overheated_node(heat).find("film of the pockets") == 0);
   heat.nodes[1].temperature = 999.0;
-  CHECK(thermal::hot_node(heat).empty());
+  CHECK(thermal::describe_overheated_node(heat).empty());
 }
 
 TEST_CASE("network: pocket heat between bodies of low conductivity → a film out of range",
@@ -414,5 +418,6 @@ TEST_CASE("network: pocket heat between bodies of low conductivity → a film ou
   sources.element_cage = 500.0;
   b.cage->material.conductivity = 0.05;
   b.element_material.conductivity = 0.05;
-  CHECK(thermal::hot_node(thermal::solve_bearing_heat(b, sources, 400.0)).find("film of the") == 0);
+  CHECK(thermal::describe_overheated_node(thermal::solve_bearing_heat(b, sources, 400.0))
+            .find("film of the") == 0);
 }

@@ -195,7 +195,7 @@ TEST_CASE("datum: depends only on the deck's geometry", "[physics][datum]") {
       continue;
     }
     const auto bench = statics::race_surfaces(cold);
-    const auto free_again = statics::bench_races(b.type, operating.rollers()->on_bench());
+    const auto free_again = statics::bench_races(b.type, operating.rollers()->unmounted_geometry());
     const auto grown = statics::race_surfaces(operating);
     for (std::size_t j = 0; j < 2; ++j) {
       CHECK(free_again[j].radius == bench[j].radius);

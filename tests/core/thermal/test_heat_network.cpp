@@ -43,7 +43,7 @@ HeatNetwork random_network(std::mt19937& random, double& heat, double& coldest) 
     const std::size_t node = random() % static_cast<unsigned>(nodes);
     const double T = between(random, 20.0, 400.0);
     if (net.is_boundary(node)) continue;
-    net.fix(node, T);
+    net.fix_temperature(node, T);
     coldest = std::min(coldest, T);
   }
   for (std::size_t i = 0; i < net.size(); ++i) heat += net.heat(i);
@@ -59,7 +59,7 @@ TEST_CASE("HeatNetwork: random networks → maximum principle and closed balance
     INFO("trial " << trial);
     double heat = 0.0, coldest = 0.0;
     const HeatNetwork net = random_network(random, heat, coldest);
-    REQUIRE(net.unconnected().empty());
+    REQUIRE(net.find_unconnected_node().empty());
     const HeatNetwork::Solution at = net.solve();
     double taken = 0.0;
     for (const double one : at.taken) taken += one;
@@ -86,8 +86,8 @@ TEST_CASE("HeatNetwork: chain of two links → temperatures by hand", "[unit][th
   const auto hot = net.add("hot", 10.0), middle = net.add("middle"), cold = net.add("cold");
   net.link(hot, middle, 2.0);
   net.link(middle, cold, 5.0);
-  CHECK(net.unconnected() == "hot");
-  net.fix(cold, 300.0);
+  CHECK(net.find_unconnected_node() == "hot");
+  net.fix_temperature(cold, 300.0);
   const HeatNetwork::Solution at = net.solve();
   CHECK(at.temperature[middle] == Approx(302.0).epsilon(1e-14));
   CHECK(at.temperature[hot] == Approx(307.0).epsilon(1e-14));
@@ -101,7 +101,7 @@ TEST_CASE("HeatNetwork: implicit steps of one capacity → exponential, first or
     HeatNetwork net;
     const auto body = net.add("body", 20.0, 50.0), room = net.add("room");
     net.link(body, room, 2.0);
-    net.fix(room, 300.0);
+    net.fix_temperature(room, 300.0);
     std::vector<double> T{300.0, 300.0};
     constexpr double kEnd = 25.0;
     for (int i = 0; i < steps; ++i) T = net.step(T, kEnd / steps).temperature;

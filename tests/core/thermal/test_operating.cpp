@@ -69,8 +69,8 @@ void check_same_geometry(const Bearing& a, const Bearing& b) {
 }
 
 bool warns(const Bearing& b, const std::string& part) {
-  for (const std::string& text : b.operating->warnings)
-    if (text.find(part) != std::string::npos) return true;
+  for (const adore::Finding& one : b.operating->warnings)
+    if (one.message.find(part) != std::string::npos) return true;
   return false;
 }
 

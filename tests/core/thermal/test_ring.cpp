@@ -55,9 +55,9 @@ TEST_CASE("thin rings: membrane stress p r/t and spinning hoop rho w^2 r^2", "[p
     last = error;
     CHECK(pressure_displacement(r, r, r + t, kSteel, p, 0.0) ==
           Approx(p * r * r / (kSteel.E * t)).epsilon(2.0 * t / r));
-    CHECK(spin_hoop_stress(r, r, r + t, kSteel, w) ==
+    CHECK(centrifugal_hoop_stress(r, r, r + t, kSteel, w) ==
           Approx(kSteel.rho * w * w * r * r).epsilon(2.0 * t / r));
-    CHECK(spin_displacement(r, r, r + t, kSteel, w) ==
+    CHECK(centrifugal_displacement(r, r, r + t, kSteel, w) ==
           Approx(kSteel.rho * w * w * r * r * r / kSteel.E).epsilon(2.0 * t / r));
   }
 }
@@ -68,27 +68,27 @@ TEST_CASE("ring: pinhole in a solid shaft → outside unchanged, hoop stress dou
   // The hole changes the displacement by terms of order (a/b)^2 = 2.5e-11.
   CHECK(pressure_displacement(b, hole, b, kSteel, 0.0, p) ==
         Approx(pressure_displacement(b, 0.0, b, kSteel, 0.0, p)).epsilon(1e-9));
-  CHECK(spin_displacement(b, hole, b, kSteel, w) ==
-        Approx(spin_displacement(b, 0.0, b, kSteel, w)).epsilon(1e-9));
+  CHECK(centrifugal_displacement(b, hole, b, kSteel, w) ==
+        Approx(centrifugal_displacement(b, 0.0, b, kSteel, w)).epsilon(1e-9));
   CHECK(pressure_hoop_stress(hole, hole, b, 0.0, p) ==
         Approx(2.0 * pressure_hoop_stress(0.0, 0.0, b, 0.0, p)).epsilon(1e-9));
-  CHECK(spin_hoop_stress(hole, hole, b, kSteel, w) ==
-        Approx(2.0 * spin_hoop_stress(0.0, 0.0, b, kSteel, w)).epsilon(1e-9));
+  CHECK(centrifugal_hoop_stress(hole, hole, b, kSteel, w) ==
+        Approx(2.0 * centrifugal_hoop_stress(0.0, 0.0, b, kSteel, w)).epsilon(1e-9));
   CHECK(fit_pressure(hole, b, 0.03, kSteel, kSteel, 1e-5) ==
         Approx(fit_pressure(0.0, b, 0.03, kSteel, kSteel, 1e-5)).epsilon(1e-9));
 }
 
 TEST_CASE("ring: spinning → in equilibrium, and stresses follow strains", "[physics][growth]") {
   const double a = 0.03, b = 0.05, w = -2500.0, h = 1e-6;
-  CHECK(spin_radial_stress(a, a, b, kSteel, w) == Approx(0.0).margin(1e-6));  // free surface
-  CHECK(spin_radial_stress(b, a, b, kSteel, w) == Approx(0.0).margin(1e-6));
+  CHECK(centrifugal_radial_stress(a, a, b, kSteel, w) == Approx(0.0).margin(1e-6));  // free surface
+  CHECK(centrifugal_radial_stress(b, a, b, kSteel, w) == Approx(0.0).margin(1e-6));
   for (const double r : {0.031, 0.04, 0.049}) {
-    const auto s_r = [&](double x) { return spin_radial_stress(x, a, b, kSteel, w); };
-    const double s_t = spin_hoop_stress(r, a, b, kSteel, w);
+    const auto s_r = [&](double x) { return centrifugal_radial_stress(x, a, b, kSteel, w); };
+    const double s_t = centrifugal_hoop_stress(r, a, b, kSteel, w);
     const double slope = ((r + h) * s_r(r + h) - (r - h) * s_r(r - h)) / (2.0 * h);
     // d(r s_r)/dr - s_t + rho w^2 r^2 = 0; central difference: error ~ h^2 s''' and rounding/h
     CHECK(slope - s_t + kSteel.rho * w * w * r * r == Approx(0.0).margin(1e-6 * s_t));
-    CHECK(spin_displacement(r, a, b, kSteel, w) ==
+    CHECK(centrifugal_displacement(r, a, b, kSteel, w) ==
           Approx(r / kSteel.E * (s_t - kSteel.nu * s_r(r))).epsilon(1e-12));
   }
 }
@@ -128,7 +128,7 @@ TEST_CASE("press fit: widens the inner raceway and narrows the outer; speed loos
 TEST_CASE("rollers: radial clearance, sizes and the axial setting of cones", "[physics][rollers]") {
   MountedRings rings = cold_rings();
   const RollerSizes free{0.0128, 0.014, 0.5, 0.060, 40e-6};
-  const RollerOperation still = operating_rollers(mount(rings), free, 0.0, 0.0);
+  const RollerOperatingGeometry still = roller_operating_geometry(mount(rings), free, 0.0, 0.0);
   CHECK(still.geometry.clearance == free.clearance);  // nothing moves: not a bit changes
   CHECK(still.geometry.diameter == free.diameter);
   CHECK(still.geometry.pitch_diameter == free.pitch_diameter);
@@ -136,7 +136,7 @@ TEST_CASE("rollers: radial clearance, sizes and the axial setting of cones", "[p
 
   rings.fit[1] = 30e-6;
   const double half_angle = 0.25, g = 1.2e-3;
-  const RollerOperation warm = operating_rollers(mount(rings), free, g, half_angle);
+  const RollerOperatingGeometry warm = roller_operating_geometry(mount(rings), free, g, half_angle);
   const double u = mount(rings).race_displacement(1, rings.inner.outer);
   CHECK(warm.raceway_displacement[1] == u);
   CHECK(warm.geometry.diameter == Approx(free.diameter * (1.0 + g)).epsilon(1e-15));

@@ -137,8 +137,8 @@ TEST_CASE(
     "time line: ends in the steady state, closes its balance, and does not depend on its step",
     "[physics][thermal]") {
   const bearing::Bearing b = warm("ball", kNoBase, deep_groove("3000"));
-  const thermal::TimeLine line = thermal::solve_time_line(b),
-                          fine = thermal::solve_time_line(b, {}, {}, 0.5);
+  const thermal::ThermalTransient line = thermal::solve_thermal_transient(b),
+                                  fine = thermal::solve_thermal_transient(b, {}, {}, 0.5);
   REQUIRE(line.settled);
   REQUIRE(fine.settled);
   const thermal::SteadyState steady = thermal::solve_steady_state(b);
@@ -146,10 +146,10 @@ TEST_CASE(
   CHECK(line.points.back().time > 100.0);
   CHECK(line.points.front().time == 0.0);
   // Temperature of the inner race after 300 s, by linear interpolation.
-  const auto at = [](const thermal::TimeLine& of) {
+  const auto at = [](const thermal::ThermalTransient& of) {
     for (std::size_t i = 1; i < of.points.size(); ++i)
       if (of.points[i].time >= 300.0) {
-        const thermal::TimeLinePoint &from = of.points[i - 1], &to = of.points[i];
+        const thermal::ThermalTransientPoint &from = of.points[i - 1], &to = of.points[i];
         return from.bulk.race[1] +
                (to.bulk.race[1] - from.bulk.race[1]) * (300.0 - from.time) / (to.time - from.time);
       }

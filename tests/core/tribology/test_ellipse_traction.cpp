@@ -249,22 +249,22 @@ TEST_CASE("traction: no slip → none, also if κ(0) is not zero", "[unit]") {
 TEST_CASE("the regularization of a law with κ(0) ≠ 0 costs less than ε/u", "[unit]") {
   const EllipseKinematics sliding{0.0, 0.5, 0.0, 0.0, 0.0};
   const EllipseTraction rule = ellipse_traction(kCoulomb, kFlat, sliding, make_ellipse_rule(4, 4));
-  CHECK(relative(rule.F_t, 0.05 * kFlat.Q) < std::pow(kRegularisationSlip / 0.5, 2));
-  const EllipseKinematics creeping{0.0, kRegularisationSlip, 0.0, 0.0, 0.0};
+  CHECK(relative(rule.F_t, 0.05 * kFlat.Q) < std::pow(kRegularizationSlip / 0.5, 2));
+  const EllipseKinematics creeping{0.0, kRegularizationSlip, 0.0, 0.0, 0.0};
   const EllipseTraction slow = ellipse_traction(kCoulomb, kFlat, creeping, make_ellipse_rule(4, 4));
   CHECK(slow.F_t == Approx(0.05 * kFlat.Q / std::numbers::sqrt2).epsilon(1e-9));
 }
 
 TEST_CASE("pressure-dependent law that ignores the pressure: agrees with the curve", "[unit]") {
-  const PressureLaw law{[](double slip, double) { return traction_coefficient(kTwoSlope, slip); },
-                        kTwoSlope.u0};
+  const TractionFunction law{
+      [](double slip, double) { return traction_coefficient(kTwoSlope, slip); }, kTwoSlope.u0};
   const EllipseTraction a = ellipse_traction_converged(law, kCurved, kGeneral);
   const EllipseTraction b = ellipse_traction_converged(kTwoSlope, kCurved, kGeneral);
   CHECK(a.F_t == b.F_t);
   CHECK(a.M_n == b.M_n);
   // κ proportional to p: ∫ p² dA = (3/4) p0 Q for uniform slip.
   const double p0 = 1.5 * kFlat.Q / (std::numbers::pi * kFlat.a * kFlat.b);
-  const PressureLaw proportional{[&](double, double p) { return 0.1 * p / p0; }, 0.0};
+  const TractionFunction proportional{[&](double, double p) { return 0.1 * p / p0; }, 0.0};
   const EllipseKinematics sliding{0.0, 0.5, 0.0, 0.0, 0.0};
   CHECK(ellipse_traction_converged(proportional, kFlat, sliding).F_t ==
         Approx(0.075 * kFlat.Q).epsilon(1e-10));

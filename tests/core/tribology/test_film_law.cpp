@@ -26,8 +26,8 @@ bearing::Lubrication lubrication(int code, double critical, double meniscus = 10
   return out;
 }
 
-FilmSurface surface(double T = kTemperature) {
-  FilmSurface out;
+RaceFilmInputs surface(double T = kTemperature) {
+  RaceFilmInputs out;
   out.radius = kRadius;
   out.modulus = kModulus;
   out.wall_temperature = T;
@@ -48,20 +48,21 @@ Lubricant without_limit(int code) {
 }
 
 HeatedFilmLaw heated(const MetalLaw& metal, int code, double critical, double T = kTemperature) {
-  return {metal, film_of_contact(lubricant(code), lubrication(code, critical), surface(T)),
+  return {metal, contact_film_model(lubricant(code), lubrication(code, critical), surface(T)),
           heated_film(lubricant(code), T)};
 }
 
 bearing::TractionCurve dry_curve() { return traction_curve(1, {0.0, 0.12, 0.08, 0.5}); }
 
-ContactPoint<double> contact(double u, double slip = 0.0) {
+ContactConditions<double> contact(double u, double slip = 0.0) {
   const double b = 1.2e-4, a = kEllipse * b, Q = 450.0;
   return {Q, 1.5 * Q / (3.14159265358979 * a * b), a, b, u, slip, 1.0 / kRadius};
 }
 
 /// The film written out with powers, as it was before its logarithms were shared with the rolling
 /// resistance: thickness, thinnest, factor.
-std::array<double, 3> film_by_powers(const FilmOfContact& f, const ContactPoint<double>& c) {
+std::array<double, 3> film_by_powers(const ContactFilmModel& f,
+                                     const ContactConditions<double>& c) {
   const FilmRegression& central = f.line ? kLineCentral : kPointCentral;
   const FilmRegression& minimum = f.line ? kLineMinimum : kPointMinimum;
   const double curve = c.curvature > 0.0 ? c.curvature : f.curvature;
@@ -101,8 +102,8 @@ TEST_CASE("film law: the film is that of statics", "[physics][film_law]") {
       for (const double slip : {0.0, 0.5})
         for (const double meniscus : {0.05, 1.0, 10.0}) {
           CAPTURE(code, u, slip, meniscus);
-          const ContactPoint<double> at = contact(u, slip);
-          FilmContact given;
+          const ContactConditions<double> at = contact(u, slip);
+          LubricatedContact given;
           given.load = at.load;
           given.radius = kRadius;
           given.k = kEllipse;
@@ -129,18 +130,18 @@ TEST_CASE("film law: the film of the kernels is that of its powers to rounding",
     for (const bool lines : {false, true})
       for (const double meniscus : {1e-3, 0.05, 1.0, 10.0})
         for (const double T : {260.0, 330.0, 400.0}) {
-          FilmSurface at_race = surface(T);
+          RaceFilmInputs at_race = surface(T);
           at_race.line = lines;
-          const FilmOfContact film =
-              film_of_contact(lubricant(code), lubrication(code, 0.0, meniscus), at_race);
+          const ContactFilmModel film =
+              contact_film_model(lubricant(code), lubrication(code, 0.0, meniscus), at_race);
           for (const double u : {0.0, 1e-3, -1.0, 20.0, 200.0})
             for (const double slip : {0.0, 1e-3, 3.0})
               for (const double share : {1e-3, 1.0, 3.0}) {
-                ContactPoint<double> at = contact(u, slip);
+                ContactConditions<double> at = contact(u, slip);
                 at.half_minor *= share, at.half_major *= share, at.peak_pressure *= share;
                 at.load *= lines ? 100.0 * share * share : share * share * share;
                 if (lines) at.half_major = 0.0;
-                const FilmHere<double> here = film.at(at);
+                const LocalFilm<double> here = film.at(at);
                 const auto [thickness, thinnest, factor] = film_by_powers(film, at);
                 CAPTURE(code, lines, meniscus, T, u, slip, share);
                 REQUIRE(thickness > 0.0);
@@ -161,14 +162,15 @@ TEST_CASE("film law: traction is that of the heated film, bounded by the limitin
   for (const int code : {1, 3, 4, 5, 6, 7}) {
     const HeatedFilmLaw law = heated({}, code, 0.0);
     const Lubricant& oil = lubricant(code);
-    const ContactPoint<double> at = contact(20.0);
+    const ContactConditions<double> at = contact(20.0);
     const auto here = law.at(at);
     CHECK(here.film.share == 1.0);
     for (const double slip : {1e-12, 1e-6, 1e-3, 0.1, 1.0, 10.0})
       for (const double p : {1e5, 1e8, 1e9, 2e9, 4e9}) {
         CAPTURE(code, slip, p);
-        const NewtonFilm newton{here.film.thickness, oil.pressed_viscosity(0.0, kTemperature),
-                                oil.traction_alpha, oil.pressed_beta(0.0, kTemperature),
+        const NewtonFilm newton{here.film.thickness,
+                                oil.viscosity_under_pressure(0.0, kTemperature), oil.traction_alpha,
+                                oil.beta_under_pressure(0.0, kTemperature),
                                 oil.conductivity.at(kTemperature)};
         double expected = film_shear_stress(newton, slip, p) / p;
         const double limit = oil.limiting_ratio(kTemperature);
@@ -195,7 +197,7 @@ TEST_CASE("film law: falls with temperature, nothing at no slip, no NaN anywhere
       for (const double slip : {0.0, 1e-12, 1e-3, 40.0, 1e3})
         for (const double p : {0.0, 1e9, 4e9}) {
           CAPTURE(T, u, slip, p);
-          ContactPoint<double> at = contact(u, slip);
+          ContactConditions<double> at = contact(u, slip);
           at.peak_pressure = p;
           const auto here = heated(TwoSlopeLaw{0.0, 0.1, 0.0, 1.0}, 3, 0.0, T).at(at);
           CHECK(std::isfinite(here(slip, p)));
@@ -203,7 +205,7 @@ TEST_CASE("film law: falls with temperature, nothing at no slip, no NaN anywhere
           CHECK(std::isfinite(here.film.thickness));
         }
   const TractionLaw law = law_of(dry_curve(), 3, 0.0);
-  CHECK(law.film(ContactPoint<double>{}).thickness <
+  CHECK(law.film(ContactConditions<double>{}).thickness <
         1e-12);  // open beside closed contacts in a vector
   // Rolling backwards is rolling.
   CHECK(law.film(contact(-20.0)).thickness == law.film(contact(20.0)).thickness);
@@ -371,7 +373,7 @@ TEST_CASE("film law: the nodes made for films carry the whole load", "[physics][
   // Traction of a bounded law far beyond its limit is the limit times the load, wherever the pieces
   // end: they move with the spin and the place where the slip reverses.
   const bearing::TractionCurve law = traction_curve(2, {0.05, 0.05, 0.0, 0.0});
-  for (const EllipseSize size : {kFilmNodes, kStripNodes})
+  for (const EllipseNodeCounts size : {kFilmNodes, kStripNodes})
     for (const double spin : {0.0, 1.0, 30.0, 3000.0})
       for (const double offset : {-0.9, 0.0, 0.3}) {
         CAPTURE(size.major, spin, offset);

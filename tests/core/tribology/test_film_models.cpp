@@ -36,7 +36,7 @@ TractionLaw law_of(const Lubricant& oil, double T, double critical, bool line,
   lubrication.critical_film = critical;
   lubrication.meniscus = 10.0;
   lubrication.direct_strips = direct;
-  FilmSurface surface;
+  RaceFilmInputs surface;
   surface.line = line;
   surface.radius = kRadius;
   surface.modulus = kModulus;
@@ -49,18 +49,18 @@ TractionLaw law_of(int code, double T, double critical, bool line, bool direct =
   return law_of(lubricant(code), T, critical, line, direct);
 }
 
-ContactPoint<double> point(double p0, double u, double slip) {
+ContactConditions<double> point(double p0, double u, double slip) {
   const double b = kWidthOverPressure * p0, a = 7.8 * b;
   return {2.0 / 3.0 * 3.14159265358979 * a * b * p0, p0, a, b, u, slip, 1.0 / kRadius};
 }
-ContactPoint<double> line(double p0, double u, double slip) {
+ContactConditions<double> line(double p0, double u, double slip) {
   const double b = kWidthOverPressure * p0;
   return {0.5 * 3.14159265358979 * b * p0, p0, 0.0, b, u, slip, 1.0 / kRadius};
 }
 
 /// κ of a film by the formulas themselves.
 double direct(const Lubricant& oil, double T, double h, double slip, double p) {
-  const double mu = oil.pressed_viscosity(p, T), beta = oil.pressed_beta(p, T),
+  const double mu = oil.viscosity_under_pressure(p, T), beta = oil.beta_under_pressure(p, T),
                K = oil.conductivity.at(T);
   double stress = 0.0;
   if (oil.model == LubricantModel::ShearThinning)
@@ -88,7 +88,8 @@ TEST_CASE("films of measured viscosity: the law is the formula on a dense grid",
       const auto compare = [&](const auto& here) {
         // Up to the glass, where the law holds its viscosity and heating and the formula of β
         // drops to 0.
-        for (double p = 1e7; p < 4e9 && std::log(oil.pressed_viscosity(p, T)) < 26.9; p *= 1.37)
+        for (double p = 1e7; p < 4e9 && std::log(oil.viscosity_under_pressure(p, T)) < 26.9;
+             p *= 1.37)
           for (double slip = 1e-5; slip < 60.0; slip *= 2.3) {
             const double miss = here(slip, p) / direct(oil, T, h, slip, p) - 1.0;
             largest = std::max(largest, std::abs(miss));
@@ -97,9 +98,9 @@ TEST_CASE("films of measured viscosity: the law is the formula on a dense grid",
           }
       };
       if (code == 10)
-        compare(measured_film(oil, T).at(ContactPoint<double>{}, h));
+        compare(measured_viscosity_film(oil, T).at(ContactConditions<double>{}, h));
       else
-        compare(thinning_film(oil, T).at(ContactPoint<double>{}, h));
+        compare(shear_thinning_friction(oil, T).at(ContactConditions<double>{}, h));
       CAPTURE(code, T, largest, std::sqrt(squares / count), count);
       CHECK(count > 20);
       CHECK(largest < 2e-3);
@@ -122,7 +123,7 @@ TEST_CASE("visco-elastic surface: its error is what a hold-out grid of others fi
             const double h = 2e-7;
             const double kappa = surface.film.at(point(p, u, slip), h)(slip, p);
             const double exact =
-                visco_elastic_strip(oil, T, p, slip / h, kWidthOverPressure * p / u);
+                visco_elastic_strip_coefficient(oil, T, p, slip / h, kWidthOverPressure * p / u);
             largest = std::max(largest, std::abs(kappa / exact - 1.0));
             // The limit: τ0 over the strip.
             CHECK(kappa > 0.0);
@@ -135,13 +136,13 @@ TEST_CASE("visco-elastic surface: its error is what a hold-out grid of others fi
 
 TEST_CASE("visco-elastic surface: finer for a tighter tolerance, made once, integrated beyond it",
           "[physics][film_law]") {
-  CHECK(surface_error_of(1e-6) == Approx(kSurfaceError));
-  CHECK(surface_error_of(1e-9) == 1e-3);
-  CHECK(surface_error_of(1e-2) == 1e-2);
+  CHECK(target_surface_error(1e-6) == Approx(kSurfaceError));
+  CHECK(target_surface_error(1e-9) == 1e-3);
+  CHECK(target_surface_error(1e-2) == 1e-2);
   const Lubricant& oil = lubricant(12);
   constexpr double T = 350.0, h = 2e-7;
   const auto made = [&](double tolerance) {
-    return visco_elastic_surface(oil, T, kWidthOverPressure, 30.0, surface_error_of(tolerance));
+    return visco_elastic_surface(oil, T, kWidthOverPressure, 30.0, target_surface_error(tolerance));
   };
   const ViscoElasticSurface coarse = made(1e-4), fine = made(1e-7);
   CAPTURE(coarse.error[1], coarse.evaluations, fine.error[1], fine.evaluations);
@@ -151,9 +152,9 @@ TEST_CASE("visco-elastic surface: finer for a tighter tolerance, made once, inte
   CHECK(coarse.evaluations < fine.evaluations);
   CHECK(made(1e-7).table == fine.table);  // kept by the process
 
-  const ViscoElasticFilm direct = visco_elastic_direct(oil, T);
+  const ViscoElasticFilm direct = direct_visco_elastic_film(oil, T);
   const auto exact = [&](double p, double u, double slip) {
-    return visco_elastic_strip(oil, T, p, slip / h, kWidthOverPressure * p / u);
+    return visco_elastic_strip_coefficient(oil, T, p, slip / h, kWidthOverPressure * p / u);
   };
   const auto of = [&](const ViscoElasticFilm& film, double p, double u, double slip) {
     const auto here = film.at(point(p, u, slip), h);
@@ -183,9 +184,9 @@ TEST_CASE("visco-elastic film with hot walls: the flash is that of the heat that
   constexpr double T = 350.0, h = 2e-7, k = 46.0, capacity = 7800.0 * 460.0;
   const FilmWall steel{k, capacity};
   ViscoElasticFilm cold = visco_elastic_surface(oil, T, kWidthOverPressure, 30.0, 1e-3).film,
-                   hot = cold, hot_direct = visco_elastic_direct(oil, T);
-  heat_film(hot, oil, T, {steel, steel});
-  heat_film(hot_direct, oil, T, {steel, steel});
+                   hot = cold, hot_direct = direct_visco_elastic_film(oil, T);
+  set_wall_heating(hot, oil, T, {steel, steel});
+  set_wall_heating(hot_direct, oil, T, {steel, steel});
   double hottest = 0.0;
   for (const double p : {0.6e9, 1.2e9, 2.0e9})
     for (const double u : {5.0, 20.0, 50.0})
@@ -197,7 +198,8 @@ TEST_CASE("visco-elastic film with hot walls: the flash is that of the heat that
         double low = 0.0, high = 2000.0, kappa = 0.0;
         for (int i = 0; i < 60; ++i) {
           const double rise = 0.5 * (low + high);
-          kappa = visco_elastic_strip(oil, T + rise, p, slip / h, kWidthOverPressure * p / u);
+          kappa = visco_elastic_strip_coefficient(oil, T + rise, p, slip / h,
+                                                  kWidthOverPressure * p / u);
           (kappa * mean * slip / conductance > rise ? low : high) = rise;
         }
         const auto of = [&](const ViscoElasticFilm& film) {
@@ -212,7 +214,7 @@ TEST_CASE("visco-elastic film with hot walls: the flash is that of the heat that
         hottest = std::max(hottest, low);
       }
   CHECK(hottest > 50.0);  // the correction matters somewhere
-  CHECK_THROWS_AS(heat_film(cold, oil, T, {FilmWall{}, FilmWall{}}), InputError);
+  CHECK_THROWS_AS(set_wall_heating(cold, oil, T, {FilmWall{}, FilmWall{}}), InputError);
 }
 
 TEST_CASE("all lubricants: no state makes a film or a traction that is no number",
@@ -236,8 +238,8 @@ TEST_CASE("all lubricants: no state makes a film or a traction that is no number
           for (const double p0 : {1.0, 1e7, 1e9, 4e9, 6e9})
             for (const double u : {0.0, 1e-9, -20.0, 20.0, 1e3})
               for (const double slip : {0.0, 1e-12, 1e-5, 1e-2, 1.0, 40.0, 1e3}) {
-                const ContactPoint<double> at = lines ? line(p0, u, slip) : point(p0, u, slip);
-                const double s = std::sqrt(slip * slip + law.slip_floor());
+                const ContactConditions<double> at = lines ? line(p0, u, slip) : point(p0, u, slip);
+                const double s = std::sqrt(slip * slip + law.regularization_slip_squared());
                 const double kappa = [&] {
                   const auto here = own.at(at);
                   if constexpr (kHasFilm<std::decay_t<decltype(own)>>)
@@ -245,7 +247,7 @@ TEST_CASE("all lubricants: no state makes a film or a traction that is no number
                   else
                     return here(s, p0);
                 }();
-                const FilmHere<double> film = law.film(at);
+                const LocalFilm<double> film = law.film(at);
                 ++checked;
                 if (!std::isfinite(kappa) || kappa < 0.0 || !std::isfinite(film.thickness) ||
                     film.thickness < 0.0 || !(film.share >= 0.0 && film.share <= 1.0)) {
@@ -266,7 +268,7 @@ TEST_CASE("all lubricants: no state makes a film or a traction that is no number
 TEST_CASE("limiting stress: single precision → the law to 3e-7, for every limit",
           "[physics][film_law]") {
   using Doubles = stdx::native_simd<double>;
-  using Singles = SingleOf<Doubles>::Type;
+  using Singles = SinglePrecisionOf<Doubles>::Type;
   // The least limit: of a user's lubricant with the largest softening of the run options.
   bearing::UserLubricant given;
   given.limit_ratio = 1e-3;
@@ -274,7 +276,7 @@ TEST_CASE("limiting stress: single precision → the law to 3e-7, for every limi
   const double least = user_lubricant(given).limiting_ratio(450.0);
   CHECK(least > 0.0);
   for (const double limit : {least, 1e-3, 0.01, 0.05, 0.2}) {
-    const LimitedTraction law = LimitedTraction::at(limit);
+    const TractionLimiter law = TractionLimiter::at(limit);
     double largest = 0.0, largest_single = 0.0;
     for (double raw = 1e-4 * limit; raw < 1e6; raw *= 1.01) {
       const double kappa = static_cast<float>(raw);
@@ -300,7 +302,7 @@ TEST_CASE("all lubricants: the mean over a strip is that of its points", "[physi
     const TractionLaw law = law_of(oil, 360.0, 0.0, true);
     law.visit([&](const auto& own) {
       if constexpr (kHasFilm<std::decay_t<decltype(own)>>) {
-        if constexpr (!is_of_strip<std::decay_t<decltype(own)>>()) {
+        if constexpr (!is_strip_law<std::decay_t<decltype(own)>>()) {
           for (const double p0 : {0.8e9, 1.5e9}) {
             const auto here = own.at(line(p0, 20.0, 0.1));
             for (const double slip : {0.01, 0.3, 3.0}) {
@@ -376,16 +378,17 @@ TEST_CASE("all lubricants: traction falls with temperature at one film, and wher
         });
       };
       const auto heating = [&](double p, double at) {  // K/beta
-        return oil.conductivity.at(at) / oil.pressed_beta(p, at);
+        return oil.conductivity.at(at) / oil.beta_under_pressure(p, at);
       };
       for (const double p : {0.5e9, 1e9, 2e9})
         for (const double slip : {1e-5, 1e-2, 0.3, 3.0, 30.0}) {
           const double now = kappa(cool, kFilm, slip, p), hot = kappa(warm, kFilm, slip, p);
           const double S =
-              strip ? 0.0 : slip * std::sqrt(oil.pressed_viscosity(p, T) / (8.0 * heating(p, T)));
+              strip ? 0.0
+                    : slip * std::sqrt(oil.viscosity_under_pressure(p, T) / (8.0 * heating(p, T)));
           CAPTURE(code, T, p, slip, S);
           CHECK(now > 0.0);
-          if (!strip && !(oil.pressed_beta(p, T) > 1e-6)) continue;  // a glass
+          if (!strip && !(oil.beta_under_pressure(p, T) > 1e-6)) continue;  // a glass
           if (S < 1.0) {  // glass and limiting stress: the same, to the fit of the viscosity
             CHECK(hot <= now * (1.0 + 1e-5));
             ++falls;
@@ -403,8 +406,8 @@ TEST_CASE("all lubricants: traction falls with temperature at one film, and wher
       if (strip) {
         CHECK(below < 0.0);
       } else {
-        const double slopes = std::log(oil.pressed_viscosity(kPressure, T + kWarmer) /
-                                       oil.pressed_viscosity(kPressure, T)) -
+        const double slopes = std::log(oil.viscosity_under_pressure(kPressure, T + kWarmer) /
+                                       oil.viscosity_under_pressure(kPressure, T)) -
                               std::log(thinner / h);
         CHECK(below == Approx(slopes).margin(1e-3));
       }
@@ -434,8 +437,8 @@ TEST_CASE("a skidding ball recovers when its load rises", "[physics][film_law]")
     for (const double p0 : {kRadiusOfLoad, 3.0 * kRadiusOfLoad}) {
       const int steps = 60000;
       for (int i = 0; i < steps; ++i) {
-        const ContactPoint<double> at = point(p0, 20.0, slip);
-        const double s = std::sqrt(slip * slip + law.slip_floor());
+        const ContactConditions<double> at = point(p0, 20.0, slip);
+        const double s = std::sqrt(slip * slip + law.regularization_slip_squared());
         const double kappa = law.visit([&](const auto& own) { return own.at(at)(s, 0.75 * p0); });
         slip = std::max(0.0, slip + kStep / kMass * (kDrag - kappa * at.load * slip / s));
       }
@@ -458,7 +461,7 @@ TEST_CASE("a starved contact heats more than a flooded one", "[physics][film_law
       lubrication.code = code;
       lubrication.critical_film = 1e-9;
       lubrication.meniscus = meniscus;
-      FilmSurface surface;
+      RaceFilmInputs surface;
       surface.radius = kRadius;
       surface.modulus = kModulus;
       surface.wall_temperature = 350.0;
@@ -466,7 +469,7 @@ TEST_CASE("a starved contact heats more than a flooded one", "[physics][film_law
       const TractionLaw law = film_law(traction_curve(1, {0.0, 0.12, 0.08, 0.5}), lubricant(code),
                                        lubrication, surface);
       const double slip = 0.1, p0 = 1e9;
-      const ContactPoint<double> at = point(p0, 20.0, slip);
+      const ContactConditions<double> at = point(p0, 20.0, slip);
       CHECK(law.film(at).thickness > 0.0);
       return law.visit([&](const auto& own) { return own.at(at)(slip, 0.75 * p0); }) * at.load *
              slip;

@@ -54,7 +54,7 @@ TEST_CASE("film thickness: both point formulas agree within 10 % where both hold
   for (const double ratio : {3.0, 6.0, 10.0}) {
     const double k = 1.03 * std::pow(ratio, 0.64);
     CHECK(point_film(inlet, 0.005, 300.0, k).central ==
-          Approx(any_point_film(inlet, 0.005, 0.005 * ratio, 300.0).central).epsilon(0.10));
+          Approx(chittenden_point_film(inlet, 0.005, 0.005 * ratio, 300.0).central).epsilon(0.10));
   }
 }
 
@@ -93,14 +93,14 @@ TEST_CASE("starvation: dry at no distance, flooded far away, rising between, nea
 TEST_CASE("heated film: unequal walls meet the equal ones, heat is stress times slip",
           "[physics][film]") {
   for (const double U : {1e-6, 1e-3, 0.1, 3.0, 50.0}) {
-    const FilmShear equal = film_between_walls(50.0, 50.0, 0.04, 0.13, 3e-7, U);
+    const FilmShear equal = film_shear_between_walls(50.0, 50.0, 0.04, 0.13, 3e-7, U);
     const NewtonFilm film{3e-7, 50.0, 0.0, 0.04, 0.13};
     // Below S = 1e-5 the heating, 2/3 S² of the stress, is left out.
     CHECK(equal.stress == Approx(heated_newton(film, U)).epsilon(1e-9));
-    const FilmShear near = film_between_walls(50.0, 50.0 * (1.0 + 1e-9), 0.04, 0.13, 3e-7, U);
+    const FilmShear near = film_shear_between_walls(50.0, 50.0 * (1.0 + 1e-9), 0.04, 0.13, 3e-7, U);
     CHECK(near.stress == Approx(equal.stress).epsilon(1e-6));
     for (const double other : {1e-6, 1.0, 1e8}) {
-      const FilmShear film_of_two = film_between_walls(50.0, other, 0.04, 0.13, 3e-7, U);
+      const FilmShear film_of_two = film_shear_between_walls(50.0, other, 0.04, 0.13, 3e-7, U);
       CHECK(std::isfinite(film_of_two.stress));
       CHECK(film_of_two.stress > 0.0);
       CHECK(film_of_two.heat_a + film_of_two.heat_b ==
@@ -108,14 +108,14 @@ TEST_CASE("heated film: unequal walls meet the equal ones, heat is stress times 
                 .margin(1e-9 * (std::abs(film_of_two.heat_a) + std::abs(film_of_two.heat_b))));
     }
   }
-  CHECK(film_between_walls(50.0, 50.0, 0.04, 0.13, 3e-7, 0.0).stress == 0.0);
+  CHECK(film_shear_between_walls(50.0, 50.0, 0.04, 0.13, 3e-7, 0.0).stress == 0.0);
 }
 
 TEST_CASE("heated film: any viscosity meets the exponential closed form", "[physics][film]") {
   const double beta = 0.035, mu = 300.0;
   for (const double U : {1e-4, 0.05, 2.0, 10.0}) {
-    const FilmShear closed = film_between_walls(mu, mu, beta, 0.12, 4e-7, U);
-    const FilmShear any = film_of_any_viscosity(
+    const FilmShear closed = film_shear_between_walls(mu, mu, beta, 0.12, 4e-7, U);
+    const FilmShear any = film_shear_any_viscosity(
         [&](double T) { return mu * std::exp(-beta * (T - 350.0)); }, 350.0, 0.12, 4e-7, U);
     CHECK(any.stress == Approx(closed.stress).epsilon(1e-6));
     CHECK(any.hottest == Approx(closed.hottest).epsilon(1e-6).margin(1e-9));

@@ -61,9 +61,10 @@ TEST_CASE("drag: nothing at rest, creeping flow linear in speed, never falls wit
 
 TEST_CASE("pocket film: a wedge carries more the thinner it is, a squeeze only while it closes",
           "[physics][hydrodynamics]") {
-  CHECK(pocket_wedge(0.01, 5.0, 0.006, 0.006, 1e-6) > pocket_wedge(0.01, 5.0, 0.006, 0.006, 2e-6));
-  CHECK(sphere_squeeze(0.01, 0.006, 1e-6, 0.01) == 0.0);
-  CHECK(sphere_squeeze(0.01, 0.006, 1e-6, -0.01) > 0.0);
-  CHECK(cylinder_squeeze(0.01, 0.006, 0.01, 1e-6, -0.01) >
-        sphere_squeeze(0.01, 0.006, 1e-6, -0.01));
+  CHECK(point_wedge_force(0.01, 5.0, 0.006, 0.006, 1e-6) >
+        point_wedge_force(0.01, 5.0, 0.006, 0.006, 2e-6));
+  CHECK(sphere_squeeze_force(0.01, 0.006, 1e-6, 0.01) == 0.0);
+  CHECK(sphere_squeeze_force(0.01, 0.006, 1e-6, -0.01) > 0.0);
+  CHECK(cylinder_squeeze_force(0.01, 0.006, 0.01, 1e-6, -0.01) >
+        sphere_squeeze_force(0.01, 0.006, 1e-6, -0.01));
 }

@@ -20,15 +20,15 @@ TEST_CASE("lubricants: each says to which pressure it was measured, or why that 
     CHECK(range.source.size() > 20);
     if (!range.measured_to) {
       CHECK(range.provenance == "estimated");
-      CHECK_THAT(beyond_range(range, 1e6), Catch::Contains("unknown pressure"));
+      CHECK_THAT(extrapolation_note(range, 1e6), Catch::Contains("unknown pressure"));
       continue;
     }
     ++known;
     CHECK((range.provenance == "seen" || range.provenance == "recalled"));
     CHECK(*range.measured_to >= 0.5e9);
     CHECK(*range.measured_to <= 4e9);
-    CHECK(beyond_range(range, *range.measured_to).empty());
-    CHECK_THAT(beyond_range(range, 1.01 * *range.measured_to),
+    CHECK(extrapolation_note(range, *range.measured_to).empty());
+    CHECK_THAT(extrapolation_note(range, 1.01 * *range.measured_to),
                Catch::Contains(fmt::format("{:g} GPa", 1e-9 * *range.measured_to)));
     // No constant of a law: it does not lower the word for the lubricant's numbers.
     for (const LubricantSource& source : lubricant(code).sources)

@@ -42,7 +42,7 @@ TEST_CASE("lubricants: viscosity falls with temperature, rises with pressure, is
       CHECK(oil.density.at(T) > 500.0);
       double pressed = 0.0;
       for (const double p : {0.0, 0.5e9, 1e9, 2e9, 4e9}) {
-        const double here = oil.pressed_viscosity(p, T);
+        const double here = oil.viscosity_under_pressure(p, T);
         CHECK(std::isfinite(here));
         CHECK(here <= 1.0000001e12);
         CHECK(here >= pressed);
@@ -72,6 +72,6 @@ TEST_CASE("user lubricant: type II for the film and type I for the traction, at 
       {"mine", 313.0, 0.03, 1.5e-8, 4000.0, 0.14, 900.0, 2000.0, 0.2, 6e-9, 0.03, {}, 0.003});
   CHECK(oil.base_viscosity(313.0) == Approx(0.03));
   CHECK(oil.base_beta(350.0) == Approx(4000.0 / (350.0 * 350.0)).epsilon(1e-6));
-  CHECK(oil.pressed_viscosity(1e9, 350.0) == Approx(0.2 * std::exp(6.0 - 0.03 * 37.0)));
-  CHECK(oil.pressed_beta(1e9, 350.0) == 0.03);
+  CHECK(oil.viscosity_under_pressure(1e9, 350.0) == Approx(0.2 * std::exp(6.0 - 0.03 * 37.0)));
+  CHECK(oil.beta_under_pressure(1e9, 350.0) == 0.03);
 }

@@ -9,7 +9,7 @@
 
 /// Rolling resistance of the oil in the inlet of one contact (laws/rolling_resistance.hpp).
 using namespace adore;
-using tribology::ContactPoint;
+using tribology::ContactConditions;
 using tribology::RollingResistance;
 
 namespace {
@@ -19,7 +19,7 @@ RollingResistance law_of(bool line, double meniscus = 10.0) {
   lubrication.code = 1;
   lubrication.critical_film = 1e-9;
   lubrication.meniscus = meniscus;
-  tribology::FilmSurface surface;
+  tribology::RaceFilmInputs surface;
   surface.line = line;
   surface.radius = 0.005;
   surface.modulus = 2.26e11;
@@ -28,8 +28,8 @@ RollingResistance law_of(bool line, double meniscus = 10.0) {
   return tribology::rolling_resistance(tribology::lubricant(1), lubrication, surface);
 }
 
-ContactPoint<double> contact_of(double load, double speed) {
-  ContactPoint<double> at;
+ContactConditions<double> contact_of(double load, double speed) {
+  ContactConditions<double> at;
   at.load = load;
   at.peak_pressure = 1e9;
   at.half_major = 1e-3;
@@ -88,7 +88,7 @@ TEST_CASE("rolling resistance is odd in the entrainment and nothing without spee
     // Through rest without a step.
     CHECK(law.force(contact_of(load, 1e-9)) < 1e-3 * law.force(contact_of(load, 1e-3)));
     CHECK(law.force(contact_of(0.0, 10.0)) == 0.0);
-    ContactPoint<double> light = contact_of(1e-9 * load, 10.0);
+    ContactConditions<double> light = contact_of(1e-9 * load, 10.0);
     light.half_major *= 1e-3;  // the ellipse goes with the cube root of the load
     light.half_minor *= line ? 3e-5 : 1e-3;
     light.peak_pressure *= line ? 3e-5 : 1e-3;
@@ -102,7 +102,7 @@ TEST_CASE("rolling resistance is odd in the entrainment and nothing without spee
     RollingResistance frozen = law;
     frozen.log_speed += 60.0;
     CHECK(frozen.force(contact_of(load, 10.0)) == Approx(0.11 * load).epsilon(1e-3));
-    ContactPoint<double> sliding = contact_of(load, 10.0);
+    ContactConditions<double> sliding = contact_of(load, 10.0);
     sliding.slip = 10.0;
     CHECK(law.force(sliding) < 0.9 * before);
   }
@@ -116,7 +116,7 @@ TEST_CASE("rolling resistance of lines is Reynolds' at light loads and elastic a
                alpha = std::exp(law.log_material) / law.modulus;
   constexpr double u = 0.1, R = 0.005;  // too slow to heat the inlet
   const auto over_factor = [&](double load) {
-    const ContactPoint<double> at = contact_of(load, u);
+    const ContactConditions<double> at = contact_of(load, u);
     return law.force(at) / law.film.at(at).factor;
   };
   const double light = 1e-8 * law.modulus * R;
@@ -143,7 +143,7 @@ TEST_CASE("rolling resistance of lines is that of Reynolds' equation with elasti
     law.log_material = std::log(c.G);
     const double u = 0.1;
     law.log_speed = std::log(c.U * R / u);
-    const ContactPoint<double> at = contact_of(c.W * law.modulus * R, u);
+    const ContactConditions<double> at = contact_of(c.W * law.modulus * R, u);
     const testing::LineEhl exact = testing::line_ehl(c.U, c.G, c.W, law.modulus, 160);
     CHECK(exact.last < 1e-8);
     // The shear of the surfaces is the moment of the pressure: 2 F R = int p x dx.
@@ -161,7 +161,7 @@ TEST_CASE("rolling resistance of points is the printed law of flooded contacts",
   RollingResistance law = law_of(false);
   constexpr double R = 0.003175, r = 4.2234, u = 0.198, load = 0.125, E = 2.26e11;
   law.log_speed = std::log(0.05 / E);
-  ContactPoint<double> at = contact_of(load, u);
+  ContactConditions<double> at = contact_of(load, u);
   at.curvature = 1.0 / R;
   at.half_minor = 1e-5;
   at.half_major = 1.03 * std::pow(r, 0.64) * at.half_minor;
@@ -192,7 +192,7 @@ TEST_CASE("rolling resistance of points is that of Reynolds' equation with elast
     constexpr double R = 0.005, u = 1e-3;  // too slow to heat its inlet
     const double W = testing::load_of_pressure(c.k, c.pressure / law.modulus);
     law.log_speed = std::log(c.U * R / u);
-    ContactPoint<double> at = contact_of(W * law.modulus * R * R, u);
+    ContactConditions<double> at = contact_of(W * law.modulus * R * R, u);
     at.half_minor = c.pressure / law.modulus / testing::hertz_of(c.k).width * R;
     at.half_major = c.k * at.half_minor;
     at.peak_pressure = c.pressure;

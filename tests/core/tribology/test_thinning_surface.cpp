@@ -17,13 +17,13 @@ using namespace adore::tribology;
 TEST_CASE("thinning surface: error within the run's tolerance everywhere", "[physics][film_law]") {
   for (const double n : {0.35, 0.4, 0.45, 0.74, 0.78})
     for (const double tolerance : {1e-4, 1e-6, 1e-7, 1e-9}) {
-      const double half = 0.5 * (n - 1.0), wanted = thinning_error_of(tolerance);
+      const double half = 0.5 * (n - 1.0), wanted = target_thinning_error(tolerance);
       const ThinningSurface surface = thinning_surface(half, wanted);
       CAPTURE(n, tolerance, wanted, surface.error[0], surface.error[1], surface.size[0]);
       CHECK(surface.error[0] <= wanted);
       CHECK(surface.held_out > 9000);
       // Places of another kind than those it was measured at, by the law itself, against bisection.
-      ThinningFilm film;
+      ShearThinningFriction film;
       film.modulus = 1.0;
       film.half_power = half;
       surface.give(film);
@@ -34,7 +34,7 @@ TEST_CASE("thinning surface: error within the run's tolerance everywhere", "[phy
           const double slip = std::exp(rate), S = std::exp(heat);
           film.log_viscosity.c[0] = 0.0;
           film.log_heating.c[0] = heat - rate;
-          const double kappa = film.at(ContactPoint<double>{}, 1.0)(slip, 1.0);
+          const double kappa = film.at(ContactConditions<double>{}, 1.0)(slip, 1.0);
           const double stress =
               shear_thinning_stress({1.0, 1.0, 1.0, n, 2.0, 8.0 * S * S / (slip * slip), 1.0}, slip)
                   .thermal;
@@ -45,20 +45,20 @@ TEST_CASE("thinning surface: error within the run's tolerance everywhere", "[phy
 }
 
 TEST_CASE("thinning surface: points beyond it are solved", "[physics][film_law]") {
-  ThinningFilm film;
+  ShearThinningFriction film;
   film.modulus = 1.0;
   film.half_power = -0.3;
-  const ThinningFilm direct = film;
+  const ShearThinningFriction direct = film;
   thinning_surface(film.half_power, 3e-4).give(film);
   for (const auto& [rate, heat] : {std::pair{41.0, 3.0}, {3.0, 17.0}, {45.0, 20.0}}) {
-    ThinningFilm one = film, other = direct;
+    ShearThinningFriction one = film, other = direct;
     one.log_heating.c[0] = other.log_heating.c[0] = heat - rate;
     const double slip = std::exp(rate);
-    CHECK(one.at(ContactPoint<double>{}, 1.0)(slip, 1.0) ==
-          other.at(ContactPoint<double>{}, 1.0)(slip, 1.0));
+    CHECK(one.at(ContactConditions<double>{}, 1.0)(slip, 1.0) ==
+          other.at(ContactConditions<double>{}, 1.0)(slip, 1.0));
   }
   // What is no number reads nothing beside the table, and stays none.
-  CHECK(std::isnan(film.at(ContactPoint<double>{}, std::nan(""))(1.0, 1.0)));
+  CHECK(std::isnan(film.at(ContactConditions<double>{}, std::nan(""))(1.0, 1.0)));
 }
 
 TEST_CASE("filmStress: thinning interpolated or solved, and reported", "[unit][film_law]") {
@@ -66,23 +66,24 @@ TEST_CASE("filmStress: thinning interpolated or solved, and reported", "[unit][f
   lubrication.code = 11;
   lubrication.critical_film = 1e-9;
   lubrication.meniscus = 10.0;
-  FilmSurface surface;
+  RaceFilmInputs surface;
   surface.radius = 0.005;
   surface.modulus = 2.26e11;
   surface.wall_temperature = 350.0;
   surface.race_speed = 30.0;
   surface.width_over_pressure = 1.2e-13;
   const Lubricant& oil = lubricant(11);
-  const std::string read = strips_of(oil, lubrication, surface);
+  const std::string read = describe_film_evaluation(oil, lubrication, surface);
   CHECK_THAT(read, Catch::Contains("check points") && Catch::Contains("for this tolerance"));
   const TractionLaw by_surface =
       film_law(traction_curve(1, {0.0, 0.12, 0.08, 0.5}), oil, lubrication, surface);
   lubrication.direct_strips = true;
-  CHECK(strips_of(oil, lubrication, surface) == "shear stress computed at each integration point");
+  CHECK(describe_film_evaluation(oil, lubrication, surface) ==
+        "shear stress computed at each integration point");
   const TractionLaw solved =
       film_law(traction_curve(1, {0.0, 0.12, 0.08, 0.5}), oil, lubrication, surface);
   const auto fluid_of = [](const TractionLaw& law) {
-    return law.visit([](const auto& one) -> const ThinningFilm* {
+    return law.visit([](const auto& one) -> const ShearThinningFriction* {
       if constexpr (std::is_same_v<std::decay_t<decltype(one)>, ThinningFilmLaw>)
         return &one.fluid;
       else
@@ -99,7 +100,7 @@ TEST_CASE("pressure fit in powers: equals its Chebyshev sum", "[unit][film_law]"
     const auto value = [&](double p) {
       return 1.0 / (1.0 + std::pow((p - 1e9) / (width * 1e9), 2));
     };
-    const MeasuredFit fit = fit_over_pressure(value, 2e9, 1e-4);
+    const PolynomialWithError fit = fit_over_pressure(value, 2e9, 1e-4);
     CAPTURE(width, fit.fit.terms, fit.error);
     for (double p = 0.0; p <= 2e9; p += 1.7e7)
       CHECK(std::abs(fit.fit.at(p) - value(p)) <= 1.3 * fit.error + 1e-12);

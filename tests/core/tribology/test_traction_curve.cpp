@@ -114,7 +114,7 @@ TEST_CASE("traction_curve refuses what has no solution and says which condition 
   CHECK(refusal(0, {0.05, 0.0, -1e-5, 0.1}) == "accepted");  // falls to zero only above 5000 m/s
 }
 
-TEST_CASE("largest_traction is the largest of every form", "[unit]") {
+TEST_CASE("max_traction_coefficient is the largest of every form", "[unit]") {
   using adore::tribology::kLargestSlip;
   for (const TractionCurve& curve :
        {traction_curve(-1, {-0.04, 0.3, 2.0, 0.04}), traction_curve(-1, {0.05, 0.0, 1.0, 0.02}),
@@ -124,9 +124,9 @@ TEST_CASE("largest_traction is the largest of every form", "[unit]") {
     double largest = 0.0;
     for (int k = 0; k <= 200000; ++k)
       largest = std::max(largest, traction_coefficient(curve, kLargestSlip * k / 200000.0));
-    CHECK(adore::tribology::largest_traction(curve) == Approx(largest).epsilon(1e-5));
+    CHECK(adore::tribology::max_traction_coefficient(curve) == Approx(largest).epsilon(1e-5));
   }
-  CHECK(adore::tribology::largest_traction({}) == 0.0);
+  CHECK(adore::tribology::max_traction_coefficient({}) == 0.0);
 }
 
 TEST_CASE("only laws that do not vanish at rest are regularized", "[unit]") {

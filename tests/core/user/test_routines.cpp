@@ -40,7 +40,8 @@ Asked ask(user::PlugIn plug_in, const std::vector<std::string>& lines, int times
   auto session = std::make_shared<user::Session>(std::move(plug_in), lines);
   session->start(some_bearing(), {true, false, false, false, false});
   const auto laws = session->laws(session);
-  const tribology::UserTraction* law = laws->traction_of(tribology::TractionKind::ElementRace);
+  const tribology::UserTractionRoutine* law =
+      laws->traction_of(tribology::TractionKind::ElementRace);
   REQUIRE(law != nullptr);
   Asked out;
   for (int k = 0; k < times; ++k) {
@@ -90,12 +91,12 @@ std::string problem_of(const std::string& json) {
 }  // namespace
 
 TEST_CASE("user routines: lines of records 12.x → list-directed read", "[user][unit]") {
-  using user::list_directed;
-  CHECK(list_directed(" 1, 2.5  3d-2") == std::vector<double>{1.0, 2.5, 0.03});
-  CHECK(list_directed("3*0.5 -1") == std::vector<double>{0.5, 0.5, 0.5, -1.0});
-  CHECK(list_directed("1 2 / 3") == std::vector<double>{1.0, 2.0});
-  CHECK(list_directed("'text' 3").empty());
-  CHECK(list_directed("1 seconds") == std::vector<double>{1.0});
+  using user::parse_list_directed;
+  CHECK(parse_list_directed(" 1, 2.5  3d-2") == std::vector<double>{1.0, 2.5, 0.03});
+  CHECK(parse_list_directed("3*0.5 -1") == std::vector<double>{0.5, 0.5, 0.5, -1.0});
+  CHECK(parse_list_directed("1 2 / 3") == std::vector<double>{1.0, 2.0});
+  CHECK(parse_list_directed("'text' 3").empty());
+  CHECK(parse_list_directed("1 seconds") == std::vector<double>{1.0});
 }
 
 TEST_CASE("user table: monotone between monotone points, exact there, constant beyond",

@@ -309,7 +309,7 @@ TEST_CASE("experiments: an outlet hotter than the hottest ring makes inputs doub
 
 TEST_CASE("experiments: a parameter at its bound is reported", "[unit][experiments]") {
   const Experiment one = validation::run_experiments("NASA-35").front();
-  const validation::ExperimentSummary summary = validation::summarise({one});
+  const validation::ExperimentSummary summary = validation::summarize({one});
   REQUIRE(summary.remarks.size() == 1);
   CHECK(summary.remarks.front().find("parameter p = 2 is at its bound") != std::string::npos);
   CHECK(validation::experiments_markdown({one}).find("**at its bound**") != std::string::npos);
@@ -331,7 +331,7 @@ TEST_CASE("experiments: the summary separates calibration, prediction and model 
   for (const double ours : {0.9, 1.2, 0.7, 1.4, 1.5}) add(ours, "prediction", false);
   add(3.0, "prediction", true);
   add(9.0, "part", false);
-  const validation::ExperimentSummary summary = validation::summarise({one});
+  const validation::ExperimentSummary summary = validation::summarize({one});
   REQUIRE(summary.groups.size() == 3);
   CHECK(summary.groups[0].rows == 1);
   CHECK(summary.groups[1].rows == 5);
@@ -343,7 +343,7 @@ TEST_CASE("experiments: the summary separates calibration, prediction and model 
 
 TEST_CASE("friction torques of six bearings: limits, oils and growth with speed",
           "[validation][experiments]") {
-  const std::vector<validation::TorqueTable> all = validation::catalogue_torques();
+  const std::vector<validation::TorqueTable> all = validation::compute_torque_tables();
   REQUIRE(all.size() == 12);
   int left_out = 0;
   for (std::size_t n = 0; n < all.size(); ++n) {
@@ -370,7 +370,7 @@ TEST_CASE("friction torques of six bearings: limits, oils and growth with speed"
 
 TEST_CASE("catalogue formula: hand-computed point of a 6205", "[unit][experiments]") {
   // C/10 = 1480 N at 3000 rpm, ν of ISO VG 32 at 70 °C by Walther.
-  for (const validation::TorqueTable& table : validation::catalogue_torques()) {
+  for (const validation::TorqueTable& table : validation::compute_torque_tables()) {
     if (table.bearing != "6205 deep groove" || table.oil != "ISO VG 32") continue;
     const double nu = 1e6 * table.viscosity, n = 3000.0, dm = 38.5;
     for (const validation::TorqueLine& line : table.lines) {
@@ -394,10 +394,10 @@ TEST_CASE("catalogue formula: hand-computed point of a 6205", "[unit][experiment
 TEST_CASE("catalogue data: a constant that the form does not have is an error",
           "[unit][experiments]") {
   const std::string text(resources::get("experiments/skf-torque.json"));
+  CHECK_THROWS_WITH(validation::compute_torque_tables(
+                        replaced(text, "\"kr\": 0.025", "\"kr\": 0.025, \"R2\": 1.0")),
+                    Catch::Matchers::Contains("6205") && Catch::Matchers::Contains("\"R2\""));
   CHECK_THROWS_WITH(
-      validation::catalogue_torques(replaced(text, "\"kr\": 0.025", "\"kr\": 0.025, \"R2\": 1.0")),
-      Catch::Matchers::Contains("6205") && Catch::Matchers::Contains("\"R2\""));
-  CHECK_THROWS_WITH(
-      validation::catalogue_torques(replaced(text, "\"R1\": 3.9e-7, ", "")),
+      validation::compute_torque_tables(replaced(text, "\"R1\": 3.9e-7, ", "")),
       Catch::Matchers::Contains("6205") && Catch::Matchers::Contains("\"R1\" is missing"));
 }

@@ -71,7 +71,7 @@ void expect_covered(const std::string& name) {
   CHECK(report.fail == 0);
   CHECK(report.not_covered == 0);
   CHECK(report.pass > 0);
-  const bool moves = library_entry(name).empty();
+  const bool moves = evaluated_library_functions(name).empty();
   for (const FileResult& file : report.files)
     for (const CaseResult& one : file.cases)
       if (moves)
@@ -289,7 +289,7 @@ TEST_CASE("library entries: each family without motion names functions that the 
       if (entry.path().extension() == ".hpp") headers += adore::test::bytes_of(entry.path());
   std::set<std::string> moving;
   for (const Adapter& adapter : all_adapters()) {
-    const std::string entries(library_entry(adapter.family));
+    const std::string entries(evaluated_library_functions(adapter.family));
     if (entries.empty()) {
       moving.insert(std::string(adapter.family));
       continue;

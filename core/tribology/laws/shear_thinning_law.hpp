@@ -26,12 +26,12 @@ namespace adore::tribology {
 /// where `surface` is set it is read from a cubic spline over both, made at set-up
 /// (thinning_surface.hpp, which measures its error). Below the least of each it is that of no
 /// thinning or no heating; points above the largest are solved as without a surface.
-struct ThinningFilm {
-  PressureFit log_viscosity;  ///< ln μ1 [Pa s]
-  PressureFit log_heating;    ///< ln √(β μ1/(8 K)) [s/m]
-  double modulus = 0.0;       ///< G [Pa]
-  double half_power = 0.0;    ///< (n - 1)/2
-  LimitedTraction limit;
+struct ShearThinningFriction {
+  PressurePolynomial log_viscosity;  ///< ln μ1 [Pa s]
+  PressurePolynomial log_heating;    ///< ln √(β μ1/(8 K)) [s/m]
+  double modulus = 0.0;              ///< G [Pa]
+  double half_power = 0.0;           ///< (n - 1)/2
+  TractionLimiter limit;
   const double* surface = nullptr;  ///< [ln r0][½ ln D0]; null: every point is solved
   SplineAxis log_rate{}, log_heat{};
   double most_rate = 0.0, most_heat = 0.0;  ///< that the surface covers
@@ -39,15 +39,15 @@ struct ThinningFilm {
   const float* tiles = nullptr;
   double single_until = -1.0;  ///< film_law_of.hpp
 
-  static constexpr bool kOfStrip = false;
+  static constexpr bool kIsStripLaw = false;
 
   template <class T>
   struct Here {
-    const ThinningFilm* film;
+    const ShearThinningFriction* film;
     T log_scale;  ///< -ln(h G)
 
     [[gnu::always_inline]] auto single() const requires kHasSingle<T> {
-      return Here<typename SingleOf<T>::Type>{film, SingleOf<T>::both(log_scale)};
+      return Here<typename SinglePrecisionOf<T>::Type>{film, SinglePrecisionOf<T>::both(log_scale)};
     }
     [[gnu::always_inline]] T operator()(const T& slip, const T& pressure) const {
       T kappa[1];
@@ -64,10 +64,11 @@ struct ThinningFilm {
     }
     /// N points in single precision, from the tiles; false where they do not reach.
     template <int N, int P>
-    [[gnu::always_inline]] bool several_if(const T* slip, const T* pressure, T* kappa) const {
+    [[gnu::always_inline]] bool try_several(const T* slip, const T* pressure, T* kappa) const {
       using M = ScalarMath<T>;
       T viscosity[P], heating[P], over_pressure[P];
-      fits_at<P>(film->log_viscosity, film->log_heating, pressure, viscosity, heating);
+      evaluate_polynomial_pair<P>(film->log_viscosity, film->log_heating, pressure, viscosity,
+                                  heating);
 #pragma GCC unroll 8
       for (int k = 0; k < P; ++k) {
         over_pressure[k] = film->modulus * InverseRoots<T>::first(M::max(pressure[k], T(1.0)));
@@ -100,7 +101,8 @@ struct ThinningFilm {
     [[gnu::always_inline]] void several(const T* slip, const T* pressure, T* kappa) const {
       using M = ScalarMath<T>;
       T viscosity[P], heating[P], over_pressure[P];
-      fits_at<P>(film->log_viscosity, film->log_heating, pressure, viscosity, heating);
+      evaluate_polynomial_pair<P>(film->log_viscosity, film->log_heating, pressure, viscosity,
+                                  heating);
       for (int k = 0; k < P; ++k)
         over_pressure[k] = film->modulus * InverseRoots<T>::first(M::max(pressure[k], T(1.0)));
       T rate[N], heat[N];  // ln r0, ½ ln D0
@@ -155,7 +157,7 @@ struct ThinningFilm {
                   E_slope = 2.0 * half * q * inverse_of(1.0 + q);
           const T S2 = M::max(D0[i] * E, T(1e-30)), over_S = M::inverse_sqrt(S2), S = S2 * over_S;
           T over_root;
-          const T root = M::root_and_inverse(1.0 + S2, over_root);
+          const T root = M::sqrt_and_inverse(1.0 + S2, over_root);
           const auto small = S < 1e-3;
           const T asinh = M::max(Log::log(S + root), T(1e-12));
           const T f = M::pick(small, 1.0 - S2 * (2.0 / 3.0 - S2 * (8.0 / 15.0)),
@@ -180,7 +182,7 @@ struct ThinningFilm {
     }
   };
   template <class T>
-  [[gnu::always_inline]] Here<T> at(const ContactPoint<T>&, const T& thickness) const {
+  [[gnu::always_inline]] Here<T> at(const ContactConditions<T>&, const T& thickness) const {
     return {this, -ScalarLog<T>::log(thickness * modulus)};
   }
 };

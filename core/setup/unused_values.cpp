@@ -1,4 +1,4 @@
-#include "setup/no_part.hpp"
+#include "setup/unused_values.hpp"
 
 #include <fmt/format.h>
 
@@ -151,7 +151,7 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
 
 }  // namespace
 
-std::vector<deck::NoPart> values_without_part(const Deck& deck) {
+std::vector<deck::NoPart> find_unused_values(const Deck& deck) {
   std::vector<deck::NoPart> out = deck::values_not_read(deck);
   const deck::ReportOnly quiet(deck);
   const Scene scene = scene_of(deck);
@@ -163,7 +163,7 @@ std::vector<deck::NoPart> values_without_part(const Deck& deck) {
   return out;
 }
 
-bool asks_for_an_effect(const deck::NoPart& value) {
+bool requests_effect(const deck::NoPart& value) {
   if (value.record.starts_with("7") && value.variable.starts_with("bPoc") &&
       value.variable.find("Var") != std::string::npos)
     return value.value != "0.0";  // a deviation of the pockets
@@ -174,21 +174,22 @@ bool asks_for_an_effect(const deck::NoPart& value) {
          (value.record != "1" || is_one_of(value.variable, {"kDCR", "kDOF", "kIcOpt", "kTherm"}));
 }
 
-std::optional<Issue> note_of(const std::vector<deck::NoPart>& values, const Deck& deck,
-                             const std::vector<Issue>& said) {
+std::optional<Issue> note_unused_values(const std::vector<deck::NoPart>& values, const Deck& deck,
+                                        const std::vector<Issue>& said) {
   std::string names;
   const auto is_said = [&](const deck::NoPart& value) {
     return std::any_of(said.begin(), said.end(),
                        [&](const Issue& issue) { return issue.variable == value.variable; });
   };
   for (const deck::NoPart& value : values)
-    if (asks_for_an_effect(value) && !is_said(value))
+    if (requests_effect(value) && !is_said(value))
       names += fmt::format("{}{} = {} ({})", names.empty() ? "" : ", ", value.variable, value.value,
                            value.because);
   if (names.empty()) return std::nullopt;
   Issue out;
   out.severity = Severity::Note;
   out.file = deck.file;
+  out.code = "deck.unused";
   out.message = fmt::format("without effect on this run: {}", names);
   out.remedy = "PRINT.txt and RUN.json list all values without effect";
   return out;

@@ -12,10 +12,10 @@
 /// State of the races in FINAL and MASTER (dynamics/prescribed_races.hpp).
 namespace adore::runs {
 
-void keep_races(const dynamics::PrescribedRaces& races, std::map<std::string, double>& out);
+void store_races(const dynamics::PrescribedRaces& races, std::map<std::string, double>& out);
 
 /// Nothing when the file is older than such entries.
-[[nodiscard]] std::optional<dynamics::PrescribedRaces> kept_races(
+[[nodiscard]] std::optional<dynamics::PrescribedRaces> stored_races(
     const std::map<std::string, double>& from);
 
 /// A sentence for each race that jumps to another position when its run continues: under another
@@ -23,9 +23,9 @@ void keep_races(const dynamics::PrescribedRaces& races, std::map<std::string, do
 /// so that another frequency is another phase. For a race along directions in which it moves
 /// freely the state is kept, without a sentence.
 /// @param moved the elements moved with the races (new_equilibrium.hpp): no impact
-[[nodiscard]] std::vector<std::string> jumps_of_races(const dynamics::PrescribedRaces& before,
-                                                      const dynamics::PrescribedRaces& now,
-                                                      const scene::ScenePlan& plan,
-                                                      results::UnitSystem units, bool moved);
+[[nodiscard]] std::vector<std::string> describe_race_jumps(const dynamics::PrescribedRaces& before,
+                                                           const dynamics::PrescribedRaces& now,
+                                                           const scene::ScenePlan& plan,
+                                                           results::UnitSystem units, bool moved);
 
 }  // namespace adore::runs

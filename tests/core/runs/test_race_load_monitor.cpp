@@ -1,7 +1,7 @@
 #include "base/errors.hpp"
 #include "core/runs/deck_runs.hpp"
 #include "deck/templates.hpp"
-#include "runs/race_watch.hpp"
+#include "runs/race_load_monitor.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -13,23 +13,23 @@
 
 /// Mode 2 whose elements do not carry what the race is asked to carry.
 using namespace adore;
-using runs::RaceWatch;
+using runs::RaceLoadMonitor;
 using Sets = std::vector<std::pair<std::string, std::string>>;
 
 namespace {
 
 constexpr double kScale = 1e-5;  ///< √(m/k) [s]
-constexpr double kWindow = RaceWatch::kWindow * kScale;
+constexpr double kWindowLength = RaceLoadMonitor::kWindowLength * kScale;
 
 /// Looks from `from` to `to` [s] at a race that is asked for 100 N, so many steps in the place of
 /// one of kLongest.
 constexpr double kLongest = 0.5 * kScale;
 template <class Carried>
-void look(RaceWatch& watch, double from, double to, const Carried& carried, int crowd = 20) {
+void check(RaceLoadMonitor& watch, double from, double to, const Carried& carried, int crowd = 20) {
   const int steps = static_cast<int>((to - from) / kLongest) * crowd;
   for (int k = 0; k <= steps; ++k) {
     const double t = from + (to - from) * k / steps;
-    watch.look(t, {{0.0, 0.0, 100.0}, carried(t)});
+    watch.check(t, {{0.0, 0.0, 100.0}, carried(t)});
   }
 }
 
@@ -66,37 +66,37 @@ TEST_CASE("race watch: more than a tenth off at tiny steps → run ends, otherwi
   const auto constant = [](double load) {
     return [load](double) { return scene::Vec3(0.0, 0.0, load); };
   };
-  SECTION("near its load it goes on for ever, whatever it is off for a moment") {
-    RaceWatch watch(kScale, kLongest);
-    CHECK_NOTHROW(look(watch, 0.0, 100.0 * kWindow, constant(91.0)));
-    CHECK_NOTHROW(look(watch, 100.0 * kWindow, 101.0 * kWindow, constant(0.0)));
-    CHECK_NOTHROW(look(watch, 101.0 * kWindow, 200.0 * kWindow, constant(100.0)));
+  SECTION("load within the limit except in one window → the run continues") {
+    RaceLoadMonitor watch(kScale, kLongest);
+    CHECK_NOTHROW(check(watch, 0.0, 100.0 * kWindowLength, constant(91.0)));
+    CHECK_NOTHROW(check(watch, 100.0 * kWindowLength, 101.0 * kWindowLength, constant(0.0)));
+    CHECK_NOTHROW(check(watch, 101.0 * kWindowLength, 200.0 * kWindowLength, constant(100.0)));
   }
-  SECTION("what lacks, or is too much, ends it with the figures") {
+  SECTION("load too small or too large → the run ends with both loads") {
     for (const double load : {88.0, 112.0}) {
-      RaceWatch watch(kScale, kLongest);
-      CHECK_NOTHROW(look(watch, 0.0, 2.9 * kWindow, constant(load)));
-      CHECK_THROWS_WITH(look(watch, 2.9 * kWindow, 3.2 * kWindow, constant(load)),
+      RaceLoadMonitor watch(kScale, kLongest);
+      CHECK_NOTHROW(check(watch, 0.0, 2.9 * kWindowLength, constant(load)));
+      CHECK_THROWS_WITH(check(watch, 2.9 * kWindowLength, 3.2 * kWindowLength, constant(load)),
                         Catch::Contains("specified load is 100 N") &&
                             Catch::Contains("differs by 12 N") &&
                             Catch::Contains("mode to 0 with kDCR = 1 and kFD = 0"));
     }
   }
-  SECTION("a race that rattles about its load ends, too") {
-    RaceWatch watch(kScale, kLongest);
-    CHECK_THROWS_AS(look(watch, 0.0, 4.0 * kWindow,
-                         [](double t) {
-                           return scene::Vec3(0.0, 0.0, std::sin(t / kScale) > 0.0 ? 150.0 : 50.0);
-                         }),
+  SECTION("load that alternates about the specified load → the run ends") {
+    RaceLoadMonitor watch(kScale, kLongest);
+    CHECK_THROWS_AS(check(watch, 0.0, 4.0 * kWindowLength,
+                          [](double t) {
+                            return scene::Vec3(0.0, 0.0, std::sin(t / kScale) > 0.0 ? 150.0 : 50.0);
+                          }),
                     SolverError);
   }
-  SECTION("at steps of full length it goes on") {
-    RaceWatch watch(kScale, kLongest);
-    CHECK_NOTHROW(look(watch, 0.0, 50.0 * kWindow, constant(50.0), 1));
+  SECTION("steps of full length → the run continues") {
+    RaceLoadMonitor watch(kScale, kLongest);
+    CHECK_NOTHROW(check(watch, 0.0, 50.0 * kWindowLength, constant(50.0), 1));
   }
-  SECTION("without a race in balance nothing is asked") {
-    RaceWatch watch(kScale, kLongest);
-    for (int k = 0; k < 10000; ++k) CHECK_NOTHROW(watch.look(k * 1e-3 * kScale, {}));
+  SECTION("no race in balance → no check") {
+    RaceLoadMonitor watch(kScale, kLongest);
+    for (int k = 0; k < 10000; ++k) CHECK_NOTHROW(watch.check(k * 1e-3 * kScale, {}));
   }
 }
 

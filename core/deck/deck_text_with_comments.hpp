@@ -12,7 +12,7 @@ namespace adore::deck {
 
 /// The text of a deck with other values and everything else unchanged: remarks after the values,
 /// blanks, spelling of numbers, a byte-order mark.
-struct KeptText {
+struct DeckTextWithComments {
   std::string text;
   bool kept = true;  ///< false: the writer's own text, which has no remarks
   /// Records whose remarks a change of kUnit makes doubtful (deck/remarks.hpp).
@@ -24,13 +24,13 @@ struct KeptText {
 /// remark behind it; records that are new are written where they belong, and those that are gone
 /// take their remarks with them. When even that would not read back equal, the writer's own text.
 /// @param text of a deck, which may have errors
-[[nodiscard]] KeptText with_deck(std::string_view text, const Deck& after);
+[[nodiscard]] DeckTextWithComments with_deck(std::string_view text, const Deck& after);
 
 /// The same with some values changed. Changes that need more than exchanging words make the
 /// writer's own text.
 /// @param text of a deck without errors
 /// @throws InputError as Deck::set_all()
-[[nodiscard]] KeptText with_values(std::string_view text,
-                                   std::span<const std::pair<std::string, std::string>> sets);
+[[nodiscard]] DeckTextWithComments with_values(
+    std::string_view text, std::span<const std::pair<std::string, std::string>> sets);
 
 }  // namespace adore::deck

@@ -3,7 +3,7 @@
 namespace adore::cli {
 
 /// Of `adore` without a command.
-enum class NoCommand : unsigned char {
+enum class DefaultRunChoice : unsigned char {
   NoDeck,  ///< the folder has no DATA.txt
   Run,     ///< it has one, and the user wants it run
   Declined,
@@ -12,6 +12,6 @@ enum class NoCommand : unsigned char {
 
 /// The classic program runs the DATA.txt of its folder without a command. This one prints the
 /// equivalent command, and runs it only after confirmation at the terminal.
-[[nodiscard]] NoCommand ask_for_run();
+[[nodiscard]] DefaultRunChoice confirm_default_run();
 
 }  // namespace adore::cli

@@ -1,4 +1,4 @@
-#include "deck/keep_text.hpp"
+#include "deck/deck_text_with_comments.hpp"
 
 #include "base/errors.hpp"
 #include "deck/lookup.hpp"
@@ -108,7 +108,7 @@ std::optional<std::string> joined(std::string_view text, const Deck& before, con
       continue;
     }
     const auto r = static_cast<std::size_t>(was - before.records.begin());
-    const RecordEnd end = end_of(scanner, *was);
+    const RecordEnd end = find_record_end(scanner, *was);
     const std::size_t behind = r + 1 < before.records.size()
                                    ? first_line(r + 1)
                                    : std::min(end.line + 1, scanner.lines().size());
@@ -140,7 +140,7 @@ std::optional<std::string> joined(std::string_view text, const Deck& before, con
     out += block;
   }
   if (after.user_lines == before.user_lines) {
-    const RecordEnd end = end_of(scanner, before.records.back());
+    const RecordEnd end = find_record_end(scanner, before.records.back());
     out += lines_between(text, scanner, end.line + 1, scanner.lines().size());
   } else {
     for (const std::string& line : after.user_lines) out += line + "\n";
@@ -150,23 +150,23 @@ std::optional<std::string> joined(std::string_view text, const Deck& before, con
 
 /// `make(text without marks)` with the byte-order mark and the end-of-file marks of `text` around.
 template <class Make>
-KeptText between_marks(std::string_view text, const Make& make) {
+DeckTextWithComments between_marks(std::string_view text, const Make& make) {
   const std::string_view inside = without_marks(text);
   const auto before = static_cast<std::size_t>(inside.data() - text.data());
-  KeptText made = make(inside);
+  DeckTextWithComments made = make(inside);
   made.text.insert(0, text.substr(0, before));
   made.text += text.substr(before + inside.size());
   return made;
 }
 
 /// Remarks behind the values follow a change of kUnit, as far as they are Adore's own.
-KeptText kept_text(std::string text, UnitSystem before, const Deck& after) {
+DeckTextWithComments kept_text(std::string text, UnitSystem before, const Deck& after) {
   if (before == after.units()) return {std::move(text), true, {}};
-  FollowedUnits units = with_units_followed(text, before);
+  UpdatedRemarkUnits units = update_remark_units(text, before);
   return {std::move(units.text), true, std::move(units.doubtful)};
 }
 
-KeptText deck_in(std::string_view text, const Deck& after) {
+DeckTextWithComments deck_in(std::string_view text, const Deck& after) {
   const Deck before = read_deck_text(text, "deck").deck;
   for (const auto& make : {&exchanged, &joined}) {
     if (make == &exchanged && before.user_lines != after.user_lines) continue;
@@ -178,8 +178,8 @@ KeptText deck_in(std::string_view text, const Deck& after) {
   return {write_deck(after), false, {}};
 }
 
-KeptText values_in(std::string_view text,
-                   std::span<const std::pair<std::string, std::string>> sets) {
+DeckTextWithComments values_in(std::string_view text,
+                               std::span<const std::pair<std::string, std::string>> sets) {
   const ReadResult before = read_deck_text(text, "deck");
   Deck after = before.deck;
   after.set_all(sets);
@@ -193,12 +193,12 @@ KeptText values_in(std::string_view text,
 
 }  // namespace
 
-KeptText with_deck(std::string_view text, const Deck& after) {
+DeckTextWithComments with_deck(std::string_view text, const Deck& after) {
   return between_marks(text, [&](std::string_view inside) { return deck_in(inside, after); });
 }
 
-KeptText with_values(std::string_view text,
-                     std::span<const std::pair<std::string, std::string>> sets) {
+DeckTextWithComments with_values(std::string_view text,
+                                 std::span<const std::pair<std::string, std::string>> sets) {
   return between_marks(text, [&](std::string_view inside) { return values_in(inside, sets); });
 }
 
