@@ -131,7 +131,7 @@ void Document::open(const fs::path& name) {
   std::string bytes = bytes_of(path);
   if (!is_utf8(bytes)) read = read_as_latin1(bytes, path);
   State state;
-  option_file_ = runs::OptionFile::beside(path);
+  option_file_ = runs::OptionFile::of_deck(path);
   for (Issue& issue : runs::set_extension(read.deck, option_file_, path))
     read.issues.push_back(std::move(issue));
   state.deck = std::move(read.deck);

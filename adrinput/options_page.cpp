@@ -142,8 +142,8 @@ void Document::find_option_problems() {
         "ADORE.json.bak)";
     add_problem(issue);
   }
-  for (const std::string& name : option_file_.strange()) {
-    issue.message = "the option file next to the deck: " + runs::strange_name_text(name);
+  for (const std::string& name : option_file_.unknown_names()) {
+    issue.message = "the option file next to the deck: " + runs::unknown_name_text(name);
     issue.remedy = "correct the file in an editor; until then, runs of this deck are rejected";
     add_problem(issue);
   }
@@ -152,7 +152,7 @@ void Document::find_option_problems() {
 /// Writes the file only if its content changes. Changes of another program since reading, and
 /// unknown content, are kept in ADORE.json.bak.
 void Document::save_options(const fs::path& deck_file) {
-  const runs::OptionFile there = runs::OptionFile::beside(deck_file);
+  const runs::OptionFile there = runs::OptionFile::of_deck(deck_file);
   const Options wanted = options();
   std::string text = there.text();
   if (!same(wanted, that_differ(there.values())))
@@ -161,13 +161,13 @@ void Document::save_options(const fs::path& deck_file) {
     text = (text.empty() ? runs::OptionFile() : runs::OptionFile::from_text(text))
                .with_variables(state_.deck);
   if (text != there.text()) {
-    const fs::path path = runs::OptionFile::path_beside(deck_file);
+    const fs::path path = runs::OptionFile::path_for_deck(deck_file);
     const bool known = there.text() == option_file_.text();
     if (there.exists() && (!known || !there.problem().empty()))
       write_backup_copy(path, there.text());
     write_file_atomically(path, text);
   }
-  option_file_ = runs::OptionFile::beside(deck_file);
+  option_file_ = runs::OptionFile::of_deck(deck_file);
 }
 
 }  // namespace adore::adrinput

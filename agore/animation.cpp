@@ -327,7 +327,7 @@ Animation prepare(results::Sol8File file, long most_frames) {
   std::string why_not;
   const auto most = static_cast<std::size_t>(
       std::clamp<long>(most_frames, 1, static_cast<long>(results::MotionFile::kMostFrames)));
-  if (auto motion = results::MotionFile::beside(file, why_not, most)) {
+  if (auto motion = results::MotionFile::of_sol8(file, why_not, most)) {
     animation.motion = std::make_shared<const results::MotionFile>(std::move(*motion));
     animation.file = animation.motion->frames();
     check_frames(animation.file, name);

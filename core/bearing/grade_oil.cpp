@@ -81,9 +81,9 @@ double viscosity_index(double at_40, double at_100) {
   return (std::pow(10.0, N) - 1.0) / 0.00715 + 100.0;
 }
 
-GradeOil grade_oil(const GradeOilInput& given) {
+OilByGrade oil_by_grade(const OilGradeInput& given) {
   const BaseOilData& base = data_of(given.base);
-  GradeOil out;
+  OilByGrade out;
   out.given = given;
   out.density = given.density.value_or(base.density);
   const double T1 = given.first_at.value_or(kAt40), T2 = given.second_at.value_or(kAt100);
@@ -129,18 +129,18 @@ GradeOil grade_oil(const GradeOilInput& given) {
   return out;
 }
 
-double GradeOil::kinematic_viscosity(double T) const {
+double OilByGrade::kinematic_viscosity(double T) const {
   return 1e-6 * (std::pow(10.0, std::pow(10.0, A - B * std::log10(T))) - kWalther);
 }
 
-double GradeOil::density_at(double T) const {
+double OilByGrade::density_at(double T) const {
   constexpr double kFall = 0.65;  // [kg/m³/K; recalled, high]
   return density - kFall * (T - kAt15);
 }
 
-double GradeOil::viscosity(double T) const { return density_at(T) * kinematic_viscosity(T); }
+double OilByGrade::viscosity(double T) const { return density_at(T) * kinematic_viscosity(T); }
 
-double GradeOil::pressure_coefficient(double T) const {
+double OilByGrade::pressure_coefficient(double T) const {
   const BaseOilData& base = data_of(given.base);
   const auto estimate = [&](double at) {
     return 1e-9 * base.s * std::pow(1e6 * kinematic_viscosity(at), base.t);
@@ -150,7 +150,7 @@ double GradeOil::pressure_coefficient(double T) const {
   return scale * estimate(T);
 }
 
-std::string GradeOil::name() const {
+std::string OilByGrade::name() const {
   if (!given.name.empty()) return given.name;
   const char* const base = data_of(given.base).name;
   std::string out = given.grade ? fmt::format("ISO VG {} {}", *given.grade, base)
@@ -159,7 +159,7 @@ std::string GradeOil::name() const {
   return given.grease ? "grease, base oil " + out : out;
 }
 
-std::string GradeOil::estimates() const {
+std::string OilByGrade::estimates() const {
   std::string out;
   const auto add = [&](std::string text) { out += (out.empty() ? "" : ", ") + text; };
   if (!index_given) add(fmt::format("viscosity index {:.4g}", viscosity_index));
@@ -169,7 +169,7 @@ std::string GradeOil::estimates() const {
   return out;
 }
 
-UserLubricant film_oil(const GradeOil& oil, double T0) {
+UserLubricant film_oil(const OilByGrade& oil, double T0) {
   const BaseOilData& base = data_of(oil.given.base);
   UserLubricant out;
   out.name = oil.name();

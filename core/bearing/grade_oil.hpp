@@ -18,7 +18,7 @@ namespace adore::bearing {
 
 enum class BaseOil : unsigned char { Mineral = 1, Polyalphaolefin, Ester, Polyglycol };
 
-struct GradeOilInput {
+struct OilGradeInput {
   std::string name;
   BaseOil base = BaseOil::Mineral;
   bool grease = false;                         ///< viscosities are those of the base oil
@@ -31,8 +31,8 @@ struct GradeOilInput {
   std::optional<double> bearing_temperature;   ///< for ISO 281 [K]
 };
 
-struct GradeOil {
-  GradeOilInput given;
+struct OilByGrade {
+  OilGradeInput given;
   double A = 0.0, B = 0.0;  ///< Walther
   double viscosity_index = 0.0;
   bool index_given = false;  ///< the user gives it, or two viscosities
@@ -53,7 +53,7 @@ struct GradeOil {
 };
 
 /// @throws InputError for contradicting or missing data
-[[nodiscard]] GradeOil grade_oil(const GradeOilInput& given);
+[[nodiscard]] OilByGrade oil_by_grade(const OilGradeInput& given);
 
 /// VI of viscosities at 40 and 100 °C [mm²/s]; L and H by interpolation, within 0.7 % and 0.2 %.
 [[nodiscard]] double viscosity_index(double at_40, double at_100);
@@ -61,6 +61,6 @@ struct GradeOil {
 /// As a lubricant of films and traction. Type II viscosity with the value and slope of Walther's
 /// law at T0, traction viscosity with the same value, slope and pressure coefficient; the limiting
 /// shear stress is that of every user lubricant.
-[[nodiscard]] UserLubricant film_oil(const GradeOil& oil, double T0);
+[[nodiscard]] UserLubricant film_oil(const OilByGrade& oil, double T0);
 
 }  // namespace adore::bearing

@@ -64,8 +64,8 @@ struct LifeChoices {
   std::optional<double> viscosity_ratio;  ///< κ of ISO 281
   std::optional<double> contamination;    ///< e_C of ISO 281
   MakerRatings ratings;
-  std::optional<GradeOil> oil;  ///< record X2
-  double skip_turns = 0.0;      ///< shaft turns left out at the start of the run life
+  std::optional<OilByGrade> oil;  ///< record X2
+  double skip_turns = 0.0;        ///< shaft turns left out at the start of the run life
 };
 
 struct LifeInputs {

@@ -120,7 +120,7 @@ struct RollerInMeridian {
   RollerPose roller;
   MeridianRotation turn;
   [[nodiscard]] Vec3 back(const RacePose& pose, const Triple<double>& v) const noexcept {
-    const Triple<double> of_race = turn.back(v);
+    const Triple<double> of_race = turn.from_meridian(v);
     return pose.direction_from_race({of_race.x, of_race.y, of_race.z});
   }
 };
@@ -133,14 +133,14 @@ struct RollerInMeridian {
   out.turn = meridian_rotation(C[1], C[2], out.roller.r);
   const auto into = [&](const Vec3& v) {
     const Vec3 of_race = pose.direction(v);
-    return out.turn.into({of_race[0], of_race[1], of_race[2]});
+    return out.turn.to_meridian({of_race[0], of_race[1], of_race[2]});
   };
-  const Triple<double> a = into(axis);
+  const Triple<double> a = to_meridian(axis);
   out.roller.x = C[0];
   out.roller.axes = slice_axes(a.z, a.y);
   // Race minus roller, as a rigid motion about C.
-  out.roller.velocity = into(race.at(centre) - roller.at(centre));
-  out.roller.omega = into(race.omega - roller.omega);
+  out.roller.velocity = to_meridian(race.at(centre) - roller.at(centre));
+  out.roller.omega = to_meridian(race.omega - roller.omega);
   return out;
 }
 

@@ -143,11 +143,11 @@ template <class T>
 struct MeridianRotation {
   double ey = 0.0, ez = 1.0;  ///< z of the frame in the race's axes
   template <class T = double>
-  [[nodiscard]] Triple<T> into(const Triple<T>& v) const noexcept {
+  [[nodiscard]] Triple<T> to_meridian(const Triple<T>& v) const noexcept {
     return {v.x, v.y * ez - v.z * ey, v.y * ey + v.z * ez};
   }
   template <class T = double>
-  [[nodiscard]] Triple<T> back(const Triple<T>& v) const noexcept {
+  [[nodiscard]] Triple<T> from_meridian(const Triple<T>& v) const noexcept {
     return {v.x, v.y * ez + v.z * ey, v.z * ez - v.y * ey};
   }
 };

@@ -50,10 +50,10 @@ struct SliceContact {
   double r = 0.0, tan_chi = 0.0;
   const MeridianRotation turn = meridian_rotation(centre[1], centre[2], r);
   const double way = axis[0] < 0.0 ? -1.0 : 1.0;  // s along -a is -s along a
-  const Triple<double> a = turn.into(Triple<double>{axis[0], axis[1], axis[2]});
+  const Triple<double> a = turn.to_meridian(Triple<double>{axis[0], axis[1], axis[2]});
   const DeepestSlicePoint<double> d = deepest_slice_point(
       race, slice_axes(way * a.z, way * a.y), centre[0], r, way * slice.s, slice.radius, tan_chi);
-  const Triple<double> X = turn.back(d.X), n = turn.back(d.at.n);
+  const Triple<double> X = turn.from_meridian(d.X), n = turn.from_meridian(d.at.n);
   return {d.at.depth, {X.x, X.y, X.z}, {n.x, n.y, n.z}};
 }
 

@@ -40,7 +40,7 @@ void draw_ball(const Deck& deck, const OutlineModel& m, Pane& pane) {
                {centre.x + groove * std::cos(a), centre.y + groove * std::sin(a)});
   }
   pane.shapes.push_back(std::move(ball));
-  put.across("bReDia", -r, r, 0.0, {-r, 0.0}, {r, 0.0});
+  put.horizontal("bReDia", -r, r, 0.0, {-r, 0.0}, {r, 0.0});
   put.note("reDiaVar", {0.5 * r, -0.5 * r}, {0.8 * r, -0.6 * r});
   for (const char* name : {"bReGeoCenX", "bReGeoCenY", "bReGeoCenZ", "bReMass"})
     put.note(name, {0.4 * r, 0.35 * r}, {0.0, 0.0});
@@ -79,9 +79,9 @@ void draw_roller(const Deck& deck, const OutlineModel& m, Pane& pane) {
   }
   DimensionCollector put(deck, pane);
   const double widest = std::max(contact::roller_radius(p, left), r);
-  put.upright("bReDia", -r, r, 0.0, {0.0, -r}, {0.0, r});
-  put.across("bReLen", -half, half, -widest - 1.5 * step, {-half, 0.0}, {half, 0.0});
-  put.across("bReCenLen", -land, land, widest + 1.5 * step, edge(-land), edge(land));
+  put.vertical("bReDia", -r, r, 0.0, {0.0, -r}, {0.0, r});
+  put.horizontal("bReLen", -half, half, -widest - 1.5 * step, {-half, 0.0}, {half, 0.0});
+  put.horizontal("bReCenLen", -land, land, widest + 1.5 * step, edge(-land), edge(land));
   const double crown_s = 0.5 * (land + right);
   const Point crown = edge(crown_s);
   put.leader("bReCrn", {crown.x + step, crown.y + 2.5 * step}, crown);
@@ -128,7 +128,7 @@ Pane profile_pane(const Deck& deck, const OutlineModel& m) {
   DimensionCollector put(deck, pane);
   if (p.kind == contact::RollerProfile::Kind::Crowned && p.central_length > 0.0) {
     const double land = 0.5 * std::min(p.central_length, p.length);
-    put.across("bReCenLen", -land, land, -0.1 * low, {-land, 0.0}, {land, 0.0});
+    put.horizontal("bReCenLen", -land, land, -0.1 * low, {-land, 0.0}, {land, 0.0});
   }
   put.leader("bReCrn", {0.2 * right, 0.55 * low},
              {0.85 * right, -contact::profile_drop(p, 0.85 * right)});
@@ -193,24 +193,24 @@ Pane pocket_from_outside(const Deck& deck, const OutlineModel& m, Point push) {
   const double r = 0.5 * m.diameter, step = 0.12 * m.diameter;
   const double axial = pocket_half_axial(m, 0.0);
   const double edge = pocket_half_circumferential(m, 0.0);
-  put.across("bReDia", push.x - r, push.x + r, 0.0, {push.x - r, 0.0}, {push.x + r, 0.0});
+  put.horizontal("bReDia", push.x - r, push.x + r, 0.0, {push.x - r, 0.0}, {push.x + r, 0.0});
   if (cage.pocket == PocketShape::Elongated) {
-    put.upright("bPocCls1", push.y + r, axial, 0.0, {0.0, push.y + r}, {0.0, axial});
+    put.vertical("bPocCls1", push.y + r, axial, 0.0, {0.0, push.y + r}, {0.0, axial});
     const double c = 0.5 * cage.pocket_clearance_2;
-    put.across("bPocCls2", -c, c, -half - step, {-c, 0.0}, {c, 0.0});
+    put.horizontal("bPocCls2", -c, c, -half - step, {-c, 0.0}, {c, 0.0});
   } else if (cage.pocket == PocketShape::Conical) {
     const double inner = pocket_half_axial(m, low), outer = pocket_half_axial(m, top);
     put.leader("bPocCls1", {0.8 * wide, -half - step}, {0.7071 * inner, -0.7071 * inner});
     put.leader("bPocCls2", {0.8 * wide, half + step}, {0.7071 * outer, 0.7071 * outer});
   } else {
-    put.across("bPocCls1", push.x + r, edge, 0.25 * axial, {push.x + r, 0.25 * axial},
-               {edge, 0.25 * axial});
+    put.horizontal("bPocCls1", push.x + r, edge, 0.25 * axial, {push.x + r, 0.25 * axial},
+                   {edge, 0.25 * axial});
     if (cage.pocket == PocketShape::Rectangular && !m.rollers)
-      put.upright("bPocCls2", push.y + r, axial, 0.0, {0.0, push.y + r}, {0.0, axial});
+      put.vertical("bPocCls2", push.y + r, axial, 0.0, {0.0, push.y + r}, {0.0, axial});
     else  // it has no meaning for this shape
       put.note("bPocCls2", {0.8 * wide, half + step}, {0.0, axial});
   }
-  put.upright("cageWidth", -half, half, wide + step, {wide, -half}, {wide, half});
+  put.vertical("cageWidth", -half, half, wide + step, {wide, -half}, {wide, half});
   put.note("bPocCenVar1", {-0.5 * wide, half + step}, {0.0, 0.0});
   return pane;
 }
@@ -267,8 +267,8 @@ Pane pocket_across(const Deck& deck, const OutlineModel& m, Point push) {
     const Point along{std::sin(angle), std::cos(angle)};
     put.between("bPocGsLen1", {mid.x - half * along.x, mid.y - half * along.y},
                 {mid.x + half * along.x, mid.y + half * along.y}, i);
-    put.across("bPocGsCen2", -y, 0.0, z, mid, {0.0, z}, i);
-    put.upright("bPocGsCen3", 0.0, z, -y, {-y, 0.0}, mid, i);
+    put.horizontal("bPocGsCen2", -y, 0.0, z, mid, {0.0, z}, i);
+    put.vertical("bPocGsCen3", 0.0, z, -y, {-y, 0.0}, mid, i);
     put.angle("bPocGsAng1", mid, {mid.x, mid.y + half},
               {mid.x + half * along.x, mid.y + half * along.y}, i);
     for (const char* name : {"bPocGsAng2", "bPocGsAng3", "bPocGsCen1", "bPocGsLen2"})

@@ -54,13 +54,13 @@ void add_land(const Deck& deck, const OutlineCage& cage, std::size_t index, doub
         inner ? Part::InnerRing : Part::OuterRing, Shape::Style::Cut,
         inner ? "inner race" : "outer race", rectangle(left - margin, race, right + margin, back),
         {"iCageGuide", "raceGsRadVar1", "raceGsRadVar2", "raceGsRadVar3"}));
-    put.upright("cageGsCls", y, race, 0.5 * (left + right), {left, y}, {left, race}, i);
-    put.across("cageGsWidth", left, right, back + sigma * step, {left, y}, {right, y}, i);
+    put.vertical("cageGsCls", y, race, 0.5 * (left + right), {left, y}, {left, race}, i);
+    put.horizontal("cageGsWidth", left, right, back + sigma * step, {left, y}, {right, y}, i);
   } else {
-    put.across("cageGsWidth", left, right, y + sigma * step, {left, y}, {right, y}, i);
+    put.horizontal("cageGsWidth", left, right, y + sigma * step, {left, y}, {right, y}, i);
   }
   const double below = -sigma * (0.5 * thick + (1.0 + static_cast<double>(index)) * step);
-  put.across("cageGsPos", 0.0, land.edge, below, {0.0, 0.0}, {land.edge, y}, i);
+  put.horizontal("cageGsPos", 0.0, land.edge, below, {0.0, 0.0}, {land.edge, y}, i);
   put.leader("cageGsDia", {0.5 * (left + inside) * 0.5, y - sigma * 0.6 * thick},
              {0.5 * (left + right), y}, i);
   pane.captions.push_back(

@@ -295,8 +295,8 @@ void DimensionCollector::add(Dimension d, std::string_view variable, int instanc
   pane_.dimensions.push_back(std::move(d));
 }
 
-void DimensionCollector::across(std::string_view variable, double x1, double x2, double y,
-                                Point edge1, Point edge2, int instance, int index) {
+void DimensionCollector::horizontal(std::string_view variable, double x1, double x2, double y,
+                                    Point edge1, Point edge2, int instance, int index) {
   Dimension d;
   d.from = {x1, y};
   d.to = {x2, y};
@@ -305,8 +305,8 @@ void DimensionCollector::across(std::string_view variable, double x1, double x2,
   add(std::move(d), variable, instance, index);
 }
 
-void DimensionCollector::upright(std::string_view variable, double y1, double y2, double x,
-                                 Point edge1, Point edge2, int instance, int index) {
+void DimensionCollector::vertical(std::string_view variable, double y1, double y2, double x,
+                                  Point edge1, Point edge2, int instance, int index) {
   Dimension d;
   d.from = {x, y1};
   d.to = {x, y2};

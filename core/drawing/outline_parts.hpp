@@ -38,11 +38,11 @@ class DimensionCollector {
  public:
   DimensionCollector(const deck::Deck& deck, Pane& pane) : deck_(deck), pane_(pane) {}
   /// Between two values of x, drawn at height y; the edges are where the body is.
-  void across(std::string_view variable, double x1, double x2, double y, Point edge1, Point edge2,
-              int instance = 1, int index = 1);
+  void horizontal(std::string_view variable, double x1, double x2, double y, Point edge1,
+                  Point edge2, int instance = 1, int index = 1);
   /// Between two values of y, drawn at x.
-  void upright(std::string_view variable, double y1, double y2, double x, Point edge1, Point edge2,
-               int instance = 1, int index = 1);
+  void vertical(std::string_view variable, double y1, double y2, double x, Point edge1, Point edge2,
+                int instance = 1, int index = 1);
   /// One side of a diameter, at x, from the axis to the radius of the body that ends at x = `body`.
   void half_diameter(std::string_view variable, double radius, double x, double body);
   /// Straight from point to point.

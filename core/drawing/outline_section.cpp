@@ -99,8 +99,8 @@ void measure_envelope(const OutlineModel& m, DimensionCollector& put, double rea
   put.half_diameter("shftID", m.shaft_bore, -reach - 2.0 * step, -reach);
   const double top = std::max(m.housing, outside);
   const double w1 = 0.5 * m.ring_width[0], w2 = 0.5 * m.ring_width[1];
-  put.across("raceWidth1", -w1, w1, top + step, {-w1, outside}, {w1, outside});
-  put.across("raceWidth2", -w2, w2, bore - step, {-w2, bore}, {w2, bore});
+  put.horizontal("raceWidth1", -w1, w1, top + step, {-w1, outside}, {w1, outside});
+  put.horizontal("raceWidth2", -w2, w2, bore - step, {-w2, bore}, {w2, bore});
   put.leader("raceFit1", {0.5 * w1, outside + 1.5 * step}, {0.5 * w1, outside});
   put.leader("raceFit2", {0.5 * w2, bore - 1.5 * step}, {0.5 * w2, bore});
 }
@@ -108,7 +108,7 @@ void measure_envelope(const OutlineModel& m, DimensionCollector& put, double rea
 void measure_balls(const OutlineModel& m, DimensionCollector& put, double reach, double step) {
   const Point centre{0.0, m.pitch_radius()};
   const double r = 0.5 * m.diameter;
-  put.across("bReDia", -r, r, centre.y, {-r, centre.y}, {r, centre.y});
+  put.horizontal("bReDia", -r, r, centre.y, {-r, centre.y}, {r, centre.y});
   const Point d = contact_direction(m, 0);
   const double l = 0.62 * m.diameter;
   put.angle("freeConAng", centre, offset(centre, 0.0, l), offset(centre, l * d.x, l * d.y));
@@ -173,13 +173,13 @@ void measure_cage(const Deck& deck, const OutlineModel& m, DimensionCollector& p
   put.half_diameter("cageDia1", 0.5 * cage.outer_diameter, -reach - step, -half);
   put.half_diameter("cageDia2", 0.5 * cage.inner_diameter, -reach - 2.0 * step, -half);
   const double y = m.ring_radius[0] + step;
-  put.across("cageWidth", -half, half, y, {-half, cage.outer_radius(-half)},
-             {half, cage.outer_radius(half)});
+  put.horizontal("cageWidth", -half, half, y, {-half, cage.outer_radius(-half)},
+                 {half, cage.outer_radius(half)});
   const double x = 0.9 * half;
   const double top = cage.outer_radius(x), low = cage.inner_radius(x);
   const double c1 = value_or_zero(deck, "cageCls1"), c2 = value_or_zero(deck, "cageCls2");
-  put.upright("cageCls1", top, top + 0.5 * c1, x, {x, top}, {x, top + 0.5 * c1});
-  put.upright("cageCls2", low - 0.5 * c2, low, x, {x, low - 0.5 * c2}, {x, low});
+  put.vertical("cageCls1", top, top + 0.5 * c1, x, {x, top}, {x, top + 0.5 * c1});
+  put.vertical("cageCls2", low - 0.5 * c2, low, x, {x, low - 0.5 * c2}, {x, low});
   const Point end{half, cage.outer_radius(half)};
   put.angle("cageConeAng", end, {end.x - cage.width, end.y}, {-half, cage.outer_radius(-half)});
 }

@@ -59,14 +59,14 @@ void measure(const Deck& deck, const Curve& c, double range, Pane& pane) {
       const double u0 = c.law.u0;
       put.between(stem + "2", start, at(u0));
       put.between(stem + "3", at(u0), far);
-      put.across(stem + "4", 0.0, u0, 0.0, {0.0, 0.0}, at(u0));
+      put.horizontal(stem + "4", 0.0, u0, 0.0, {0.0, 0.0}, at(u0));
       break;
     }
     case 1: {
       const Point top = at(c.tc[3]);
-      put.upright(stem + "2", 0.0, top.y, top.x, {top.x, 0.0}, top);
+      put.vertical(stem + "2", 0.0, top.y, top.x, {top.x, 0.0}, top);
       put.leader(stem + "3", {0.8 * range, 0.6 * c.tc[2]}, {0.97 * range, c.tc[2]});
-      put.across(stem + "4", 0.0, top.x, 0.25 * top.y, {0.0, 0.0}, top);
+      put.horizontal(stem + "4", 0.0, top.x, 0.25 * top.y, {0.0, 0.0}, top);
       break;
     }
     case 2:

@@ -34,7 +34,7 @@ class ElementMasses {
                                                               : distinct_masses_.size() - 1];
   }
   /// All have the same mass and inertia.
-  [[nodiscard]] bool alike() const noexcept { return distinct_masses_.size() == 1; }
+  [[nodiscard]] bool all_equal() const noexcept { return distinct_masses_.size() == 1; }
   /// Some mass center is not at the reference point.
   [[nodiscard]] bool has_eccentric_mass() const noexcept;
 

@@ -37,7 +37,7 @@ QuasiStaticBalls::QuasiStaticBalls(const std::array<RaceContactModel, 2>& contac
       found_(balls) {
   const bool round = !contacts[0].wavy || contacts[0].wavy->forms == nullptr;
   const std::size_t own =
-      masses.alike() && !contacts[0].own && !contacts[1].own && round ? 1 : balls;
+      masses.all_equal() && !contacts[0].own && !contacts[1].own && round ? 1 : balls;
   for (std::size_t i = 0; i < own; ++i) {
     const RaceContactModel &outer = contacts[0].of(i), &inner = contacts[1].of(i);
     ConstrainedBall ball(outer.groove, {outer.hertz.K, inner.hertz.K}, masses[i].mass,

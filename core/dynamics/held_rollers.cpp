@@ -32,13 +32,13 @@ struct QuasiStaticRollers::Contact {
   double r = 0.0, side = 0.0;  ///< r' [m], s [N]
   Vec3 axis = Vec3::UnitX();   ///< of the roller, on (A, y', e)
 
-  [[nodiscard]] Vec3 into(const Vec3& v) const {
+  [[nodiscard]] Vec3 to_meridian(const Vec3& v) const {
     const Vec3 of_race = pose.direction(v);
-    const contact::Triple<double> out = turn.into({of_race[0], of_race[1], of_race[2]});
+    const contact::Triple<double> out = turn.to_meridian({of_race[0], of_race[1], of_race[2]});
     return {out.x, out.y, out.z};
   }
   [[nodiscard]] Vec3 back(const Vec3& v) const {
-    const contact::Triple<double> out = turn.back({v[0], v[1], v[2]});
+    const contact::Triple<double> out = turn.from_meridian({v[0], v[1], v[2]});
     return pose.direction_from_race({out.x, out.y, out.z});
   }
   /// On the roller, base axes.
@@ -47,7 +47,7 @@ struct QuasiStaticRollers::Contact {
   }
   /// Its rate, base axes.
   [[nodiscard]] Vec3 force_rate(const Vec3& velocity, const Vec3& omega) const {
-    const Vec3 v = into(velocity), of_axis = into(omega).cross(axis);
+    const Vec3 v = to_meridian(velocity), of_axis = to_meridian(omega).cross(axis);
     const double round = v[1] / r, t = axis[2], f = axis[1];
     const statics::Vec4 rates(v[0], v[2], of_axis[2] + f * round, of_axis[1] - t * round);
     const statics::Vec4& g = potential.gradient;
@@ -94,7 +94,7 @@ QuasiStaticRollers::Contact QuasiStaticRollers::contact(const Evaluation& e, std
   out.pose = {race.position, race.to_base};
   const Vec3 C = out.pose.point(centre);
   out.turn = contact::meridian_rotation(C[1], C[2], out.r);
-  out.axis = out.into(e.attitude[i].col(0));
+  out.axis = out.to_meridian(e.attitude[i].col(0));
   const statics::Vec4 p(C[0], out.r, out.axis[2], out.axis[1]);
   contact::RaceSlicesView slices = contact::view_of(slices_[j][slices_[j].size() == 1 ? 0 : i]);
   if (wavy_[j])

@@ -129,7 +129,7 @@ class DifferentBalls : public SingleRaceLanes {
   V radius() const { return of(&BallConstants::ball_radius); }
   V rho() const { return of(&BallConstants::rho); }
   LaneTerms follow(const Terms contact::HertzAngleLaw::*of) const {
-    return terms([&](const BallConstants& one, int k) { return (one.follow.*of)[k]; });
+    return gather_lanes([&](const BallConstants& one, int k) { return (one.follow.*of)[k]; });
   }
   contact::HertzConstantRatios<V> ratios() const {
     contact::HertzConstantRatios<V> out;
@@ -146,7 +146,7 @@ class DifferentBalls : public SingleRaceLanes {
     return V([&](auto lane) { return ball_[lane]->*member; });
   }
   template <class Term>
-  LaneTerms terms(const Term& term) const {
+  LaneTerms gather_lanes(const Term& term) const {
     LaneTerms out;
     for (int k = 0; k < contact::HertzAngleLaw::kTerms; ++k)
       out.c[k] = V([&](auto lane) { return term(*ball_[lane], k); });

@@ -66,7 +66,7 @@ Outcome ArrowJacobian::operator()(double t, double* y, const double* f0, ArrowMa
     unperturbed_shares_ = shares_;
   }
   for (int rank = 0; rank < shape_->largest_block_size(); ++rank)
-    for (const std::vector<int>& together : shape_->apart()) {
+    for (const std::vector<int>& together : shape_->independent_block_sets()) {
       columns_.clear();
       for (const int b : together) {
         if (const auto rows = shape_->rows(b); rank < static_cast<int>(rows.size())) {

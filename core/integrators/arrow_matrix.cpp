@@ -100,15 +100,16 @@ void ArrowShape::set_up_ring(bool ring) {
   const int fours = n % 3;
   const bool groups = n != 5 && n > 2;
   for (int b = 0; b < n; ++b) {
-    met_.push_back({b});
+    dependent_blocks_.push_back({b});
     std::size_t set = 0;
     if (cut_) {
       for (const int other : {(b + n - 1) % n, (b + 1) % n})
-        if (other != b && other != met_.back().back()) met_.back().push_back(other);
+        if (other != b && other != dependent_blocks_.back().back())
+          dependent_blocks_.back().push_back(other);
       set = static_cast<std::size_t>(!groups ? b : b < 4 * fours ? b % 4 : (b - 4 * fours) % 3);
     }
-    if (set >= apart_.size()) apart_.resize(set + 1);
-    apart_[set].push_back(b);
+    if (set >= independent_block_sets_.size()) independent_block_sets_.resize(set + 1);
+    independent_block_sets_[set].push_back(b);
   }
 }
 

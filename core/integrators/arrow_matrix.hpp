@@ -45,11 +45,13 @@ class ArrowShape {
 
   /// Blocks whose rows depend on a component of `block`, itself first.
   [[nodiscard]] std::span<const int> dependent_blocks(int block) const noexcept {
-    return met_[static_cast<std::size_t>(block)];
+    return dependent_blocks_[static_cast<std::size_t>(block)];
   }
   /// Sets of blocks such that no two of a set meet a common block: their components can be
   /// displaced together. One set without a ring; three, four (or, of five blocks, five) in a ring.
-  [[nodiscard]] const std::vector<std::vector<int>>& apart() const noexcept { return apart_; }
+  [[nodiscard]] const std::vector<std::vector<int>>& independent_block_sets() const noexcept {
+    return independent_block_sets_;
+  }
 
   // How a solver takes it apart: a ring is cut open by counting its last block to the border.
   /// Blocks that are eliminated one after the other, each linked with the next one in a ring.
@@ -72,7 +74,7 @@ class ArrowShape {
   int largest_block_size_ = 0;
   bool cut_ = false;
   std::vector<int> corner_, corner_rank_;
-  std::vector<std::vector<int>> met_, apart_;
+  std::vector<std::vector<int>> dependent_blocks_, independent_block_sets_;
 };
 
 /// Arrow matrix with its LU decomposition; O(blocks) in memory and time, every part dense, row

@@ -126,7 +126,7 @@ std::optional<EquivalentLoad> equivalent_load(const IsoReport& r) {
 
 /// Viscosity of the oil at the bearing's temperature, the required one and their ratio κ.
 void add_viscosity(IsoReport& out, const bearing::Bearing& bearing, const BearingContacts& contacts,
-                   const std::optional<bearing::GradeOil>& oil) {
+                   const std::optional<bearing::OilByGrade>& oil) {
   if (!oil) return;
   out.oil = oil->name();
   const double races = 0.5 * (bearing.race_temperature[0] + bearing.race_temperature[1]);

@@ -44,7 +44,7 @@ Place place_of(const statics::FlangeEndPair& pair, const scene::Snapshot& snapsh
   const Vec3 C = pose.point(centre), of_race = pose.direction(axis);
   double r = 0.0;
   const contact::MeridianRotation turn = contact::meridian_rotation(C[1], C[2], r);
-  const contact::Triple<double> a = turn.into({of_race[0], of_race[1], of_race[2]});
+  const contact::Triple<double> a = turn.to_meridian({of_race[0], of_race[1], of_race[2]});
   const Vec3 in_meridian(a.x, a.y, a.z);
   const contact::FlangeContact at =
       contact::flange_contact_for_forces(pair.face, pair.end, {C[0], 0.0, r}, in_meridian);

@@ -25,8 +25,8 @@ constexpr double kRevolutionRounding = 1e-9;
 constexpr double kSolDigits = 1e-6;
 
 /// RESULTS.h5 in the folder of `file` if it has the run code; otherwise nothing and the reason.
-std::optional<H5Reader> open_beside(const std::filesystem::path& file, const std::string& run_id,
-                                    std::string& why_not) {
+std::optional<H5Reader> open_results_of(const std::filesystem::path& file,
+                                        const std::string& run_id, std::string& why_not) {
   const std::filesystem::path path = file.parent_path() / "RESULTS.h5";
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
@@ -195,7 +195,7 @@ void add_steps(SolFile& file, const H5Reader& reader, const std::vector<double>&
 
 FullPrecisionStatus use_full_precision(SolFile& file, std::size_t most_added) {
   FullPrecisionStatus out;
-  const auto reader = open_beside(file.path, file.header.run_id, out.why_not);
+  const auto reader = open_results_of(file.path, file.header.run_id, out.why_not);
   if (!reader) return out;
   take_first_pocket(file.header, *reader);
   const std::size_t own = file.steps.size();
@@ -273,7 +273,7 @@ std::map<std::size_t, ColumnBand> bands_of(const SolFile& file,
   constexpr std::size_t kMaxRows = 2048;
   std::map<std::size_t, ColumnBand> out;
   std::string why_not;
-  const auto reader = open_beside(file.path, file.header.run_id, why_not);
+  const auto reader = open_results_of(file.path, file.header.run_id, why_not);
   if (!reader) return out;
   const std::vector<SolColumn> columns = sol_columns(file.header);
   const UnitSystem units = units_of(file, columns);

@@ -75,8 +75,8 @@ MotionFile MotionFile::open(const std::filesystem::path& h5, UnitSystem units,
   return out;
 }
 
-std::optional<MotionFile> MotionFile::beside(const Sol8File& file, std::string& why_not,
-                                             std::size_t most_frames) {
+std::optional<MotionFile> MotionFile::of_sol8(const Sol8File& file, std::string& why_not,
+                                              std::size_t most_frames) {
   const std::filesystem::path path = file.path.parent_path() / "RESULTS.h5";
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {

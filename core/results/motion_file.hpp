@@ -35,8 +35,8 @@ class MotionFile {
   /// From RESULTS.h5 in the folder of a SOL8 file, in its units. Nothing, with the reason in
   /// `why_not`, when there is none, or when it is not of the same run: another run code, or times
   /// and orbit radii that SOL8's digits contradict.
-  static std::optional<MotionFile> beside(const Sol8File& file, std::string& why_not,
-                                          std::size_t most_frames = kMostFrames);
+  static std::optional<MotionFile> of_sol8(const Sol8File& file, std::string& why_not,
+                                           std::size_t most_frames = kMostFrames);
 
   /// As SOL8 would hold it. With segments the cage of a frame is the first of them, and
   /// `segment_frames` has them all.

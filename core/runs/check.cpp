@@ -118,7 +118,7 @@ namespace {
 /// The run options of the request. @throws InputError
 void check_options(const DeckRequest& request) {
   std::map<std::string, std::string> options;
-  if (!request.in_memory) options = options_beside(deck_path(request));
+  if (!request.in_memory) options = options_of_deck(deck_path(request));
   for (const auto& [name, value] : request.options) options[name] = value;
   (void)setup::build_run_options(options);
 }

@@ -69,7 +69,7 @@ inline constexpr const char* kStandardInput = "standard input";
 
 /// The run options of the ADORE.json in the folder of a deck, as given; empty without this file.
 /// @throws InputError when the file is not an object of named values.
-[[nodiscard]] std::map<std::string, std::string> options_beside(
+[[nodiscard]] std::map<std::string, std::string> options_of_deck(
     const std::filesystem::path& deck_file);
 
 }  // namespace adore::runs

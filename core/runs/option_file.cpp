@@ -101,12 +101,12 @@ bool same_option(std::string_view a, std::string_view b) {
   return x && y && *x == *y && std::abs(*x) < 1e15;  // beyond that whole numbers run together
 }
 
-fs::path OptionFile::path_beside(const fs::path& deck_file) {
+fs::path OptionFile::path_for_deck(const fs::path& deck_file) {
   return deck_file.parent_path() / "ADORE.json";
 }
 
-OptionFile OptionFile::beside(const fs::path& deck_file) {
-  const fs::path path = path_beside(deck_file);
+OptionFile OptionFile::of_deck(const fs::path& deck_file) {
+  const fs::path path = path_for_deck(deck_file);
   std::error_code error;
   if (!fs::exists(path, error)) return {};
   if (!is_plain_file(path)) {
@@ -146,7 +146,7 @@ OptionFile OptionFile::from_text(std::string text) {
     const bool option = find_option(name) != nullptr;
     const std::optional<std::string> as_text = option ? text_of(value) : variable_text(value);
     if ((!option && !is_variable(name)) || !as_text)
-      out.strange_.push_back(name);
+      out.unknown_names_.push_back(name);
     else if (option)
       out.values_[name] = *as_text;
     else
@@ -158,7 +158,7 @@ OptionFile OptionFile::from_text(std::string text) {
   return out;
 }
 
-std::string strange_name_text(std::string_view name) {
+std::string unknown_name_text(std::string_view name) {
   if (find_option(name) != nullptr)
     return fmt::format("run option {} must be a number, a string or true/false", name);
   if (is_variable(name))
@@ -178,17 +178,17 @@ std::string strange_name_text(std::string_view name) {
                     : fmt::format("did you mean {}?", names));
 }
 
-OptionFile usable_options_beside(const fs::path& deck_file) {
-  const fs::path path = OptionFile::path_beside(deck_file);
+OptionFile usable_options_of_deck(const fs::path& deck_file) {
+  const fs::path path = OptionFile::path_for_deck(deck_file);
   std::error_code error;
   if (!fs::exists(fs::symlink_status(path, error))) return {};
   OptionFile out = OptionFile::from_text(read_text_file(path));
   if (!out.problem().empty()) throw InputError(fmt::format("{}: {}", path.string(), out.problem()));
   std::vector<Issue> issues;
-  for (const std::string& name : out.strange()) {
+  for (const std::string& name : out.unknown_names()) {
     Issue issue;
     issue.file = path.string();
-    issue.message = strange_name_text(name);
+    issue.message = unknown_name_text(name);
     issues.push_back(std::move(issue));
   }
   if (!issues.empty()) throw InputError(std::move(issues));
@@ -199,7 +199,7 @@ std::vector<Issue> set_extension(deck::Deck& deck, const OptionFile& file,
                                  const fs::path& deck_file) {
   std::vector<Issue> issues;
   if (file.variables().empty()) return issues;
-  const std::string path = OptionFile::path_beside(deck_file).string();
+  const std::string path = OptionFile::path_for_deck(deck_file).string();
   const auto add = [&](Issue issue) {
     issue.file = path;
     issue.line = 0;

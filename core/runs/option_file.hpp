@@ -36,9 +36,9 @@ inline constexpr int kExtensionVersion = 1;
 class OptionFile {
  public:
   OptionFile() = default;  ///< no file
-  [[nodiscard]] static std::filesystem::path path_beside(const std::filesystem::path& deck_file);
+  [[nodiscard]] static std::filesystem::path path_for_deck(const std::filesystem::path& deck_file);
   /// Never throws: what is wrong with the file is problem().
-  [[nodiscard]] static OptionFile beside(const std::filesystem::path& deck_file);
+  [[nodiscard]] static OptionFile of_deck(const std::filesystem::path& deck_file);
   [[nodiscard]] static OptionFile from_text(std::string text);
 
   [[nodiscard]] bool exists() const { return exists_; }
@@ -53,7 +53,7 @@ class OptionFile {
   }
   /// Names in it that are neither run options nor variables, or whose value is not a number,
   /// string or true/false (or, for a variable, a list of them).
-  [[nodiscard]] const std::vector<std::string>& strange() const { return strange_; }
+  [[nodiscard]] const std::vector<std::string>& unknown_names() const { return unknown_names_; }
 
   /// The file's text with these run options instead of its options. Values equal to the default are
   /// left out, unknown names stay, an unchanged option keeps its spelling. Equal
@@ -68,15 +68,15 @@ class OptionFile {
   std::string text_, problem_;
   std::map<std::string, std::string> values_;
   std::vector<std::pair<std::string, std::string>> variables_;
-  std::vector<std::string> strange_;
+  std::vector<std::string> unknown_names_;
 };
 
 /// "there is no run option or variable of records X named ...; did you mean ...?"
-[[nodiscard]] std::string strange_name_text(std::string_view name);
+[[nodiscard]] std::string unknown_name_text(std::string_view name);
 
 /// The file next to a deck; without it an empty one. @throws InputError for a file that a run
 /// cannot use: not an object, unknown names, another version.
-[[nodiscard]] OptionFile usable_options_beside(const std::filesystem::path& deck_file);
+[[nodiscard]] OptionFile usable_options_of_deck(const std::filesystem::path& deck_file);
 
 /// Gives the deck the variables of the file. The issues name the file.
 [[nodiscard]] std::vector<Issue> set_extension(deck::Deck& deck, const OptionFile& file,

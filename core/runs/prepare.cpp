@@ -574,8 +574,8 @@ void add_remark(Prepared& prepared, Finding finding) {
   prepared.input.warnings.push_back(std::move(finding));
 }
 
-std::map<std::string, std::string> options_beside(const fs::path& deck_file) {
-  return usable_options_beside(deck_file).values();
+std::map<std::string, std::string> options_of_deck(const fs::path& deck_file) {
+  return usable_options_of_deck(deck_file).values();
 }
 
 fs::path deck_path(const fs::path& path) {
@@ -607,7 +607,7 @@ deck::ReadResult read_deck(const DeckRequest& request) {
   if (request.routines || !request.user.empty())
     std::erase_if(out.issues, [](const Issue& issue) { return issue.record == "12"; });
   if (!request.in_memory && out.ok()) try {
-      for (Issue& issue : set_extension(out.deck, usable_options_beside(path), path))
+      for (Issue& issue : set_extension(out.deck, usable_options_of_deck(path), path))
         out.issues.push_back(std::move(issue));
     } catch (const InputError& error) {
       out.issues.insert(out.issues.end(), error.issues().begin(), error.issues().end());
@@ -637,7 +637,7 @@ LoadedDeck load_deck(const DeckRequest& request) {
   for (const Issue& issue : issues) wrong = wrong || issue.severity == Severity::Error;
   if (wrong) throw InputError(std::move(issues));
   out.warnings = findings_of(std::move(issues));
-  if (!request.in_memory) out.option_values = options_beside(out.path);
+  if (!request.in_memory) out.option_values = options_of_deck(out.path);
   for (const auto& [name, value] : request.options) out.option_values[name] = value;
   out.user = request.user;
   out.routines = request.routines;

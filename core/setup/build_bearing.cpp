@@ -137,7 +137,7 @@ bearing::Lubrication lubrication(const Deck& deck) {
   out.meniscus = deck.si("strParam");
   out.critical_film = si_where(out.meniscus > 0.0, deck, "reRaceFilm");
   if (out.code == kGradeOil) {
-    const std::optional<bearing::GradeOil> oil = grade_oil_of(deck);
+    const std::optional<bearing::OilByGrade> oil = grade_oil_of(deck);
     if (!oil)
       throw InputError({deck.issue(Severity::Error, "kTrac",
                                    "selects the oil of record X2, but this record is missing",

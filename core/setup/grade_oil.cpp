@@ -5,8 +5,8 @@
 
 namespace adore::setup {
 
-std::optional<bearing::GradeOil> grade_oil_of(const deck::Deck& deck) {
-  bearing::GradeOilInput in;
+std::optional<bearing::OilByGrade> grade_oil_of(const deck::Deck& deck) {
+  bearing::OilGradeInput in;
   bool any = false;
   const auto real = [&](const char* name, std::optional<double>& value) {
     if (!deck.has(name)) return;
@@ -29,7 +29,7 @@ std::optional<bearing::GradeOil> grade_oil_of(const deck::Deck& deck) {
   if (deck.has("kGrease")) in.grease = deck.integer("kGrease") == 1;
   if (deck.has("oilName")) in.name = deck.text("oilName");
   if (!any) return std::nullopt;
-  return bearing::grade_oil(in);
+  return bearing::oil_by_grade(in);
 }
 
 }  // namespace adore::setup

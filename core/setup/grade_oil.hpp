@@ -11,6 +11,6 @@ namespace adore::setup {
 inline constexpr int kGradeOil = 21;
 
 /// The oil of record X2; empty without this record. @throws InputError
-[[nodiscard]] std::optional<bearing::GradeOil> grade_oil_of(const deck::Deck& deck);
+[[nodiscard]] std::optional<bearing::OilByGrade> grade_oil_of(const deck::Deck& deck);
 
 }  // namespace adore::setup

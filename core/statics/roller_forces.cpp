@@ -66,8 +66,8 @@ void add_exact(const std::array<S, 4>& g, const Roller<S>& roller, const Relativ
   sum.residual[2] += -(turning.x * roller.over_tilt_x + turning.z * roller.over_tilt_r);
   if (std::is_same_v<S, RollerDual> && inner) {
     const contact::MeridianRotation turn = azimuth_rotation(at);
-    const Triple<S> moment = turn.back(cross(rel.d, force) - cross(roller.axis, turning));
-    const Triple<S> on_race = turn.back(force);
+    const Triple<S> moment = turn.from_meridian(cross(rel.d, force) - cross(roller.axis, turning));
+    const Triple<S> on_race = turn.from_meridian(force);
     sum.load[0] += on_race.x;
     sum.load[1] += on_race.y;
     sum.load[2] += on_race.z;

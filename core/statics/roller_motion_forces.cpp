@@ -76,8 +76,8 @@ RollerMotionAction RollerMotionForces::at(const RollerState& roller, const Vec6&
     moment = same_outer->by_outer.tail<3>();
   }
   for (std::size_t j = same_outer != nullptr ? 1 : 0; j < 2; ++j) {
-    const contact::RacePose pose{vector_of(azimuth.into(races[j].centre)),
-                                 race_axes(vector_of(azimuth.into(races[j].axis)))};
+    const contact::RacePose pose{vector_of(azimuth.to_meridian(races[j].centre)),
+                                 race_axes(vector_of(azimuth.to_meridian(races[j].axis)))};
     const contact::RigidMotion race{pose.centre, Vec3::Zero(),
                                     bearing_.speed[j] * pose.axes.col(0)};
     contact::RollerInMeridian in = contact::roller_in_meridian(pose, race, C, a, motion);

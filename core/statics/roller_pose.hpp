@@ -125,8 +125,8 @@ Relative<S> relative(const RollerModel& m, const Roller<S>& roller, const Roller
   }
   const contact::MeridianRotation turn = azimuth_rotation(at);
   Relative<S> out;
-  out.d = roller.centre - turn.into(race.centre);
-  out.A = turn.into(race.axis);
+  out.d = roller.centre - turn.to_meridian(race.centre);
+  out.A = turn.to_meridian(race.axis);
   out.x = dot(out.d, out.A);
   const Triple<S> across = out.d - out.x * out.A;
   out.r = square_root(dot(across, across));

@@ -371,7 +371,7 @@ Study open_study(const fs::path& file) {
 Study open_study_text(const std::string& text, const fs::path& file) {
   Study study = parse_study(text, file);
   if (std::any_of(study.variables.begin(), study.variables.end(),
-                  [](const Variable& v) { return v.lot(); })) {
+                  [](const Variable& v) { return v.is_group(); })) {
     runs::DeckRequest request;
     request.deck = study.decks.front();
     const deck::ReadResult read = runs::read_deck(request);

@@ -241,7 +241,7 @@ Job prepare_job(const Study& study, const WriteFolder& folder) {
     const std::string name = original.filename().string();
     Job::BaseDeck base;
     base.deck = place.path() / name;
-    const runs::OptionFile options = runs::usable_options_beside(original);
+    const runs::OptionFile options = runs::usable_options_of_deck(original);
     std::string text = read_text_file(original, kMaxHandwrittenBytes);
     if (!options.variables().empty()) {  // the copy of the deck has its records X itself
       deck::Deck deck = deck::read_deck(original).deck;

@@ -81,7 +81,7 @@ std::vector<std::vector<double>> sampled(const Study& study) {
     for (std::size_t v = 0; v < random.size(); ++v) {
       const Variable& variable = *random[v];
       auto at = static_cast<std::size_t>(first[v]);
-      if (!variable.lot()) {
+      if (!variable.is_group()) {
         row.push_back(from_share(
             variable, correlated ? normal_cdf(scores(static_cast<Eigen::Index>(v))) : u[at]));
         continue;

@@ -174,7 +174,7 @@ const TableColumn& Reporter::column_of(const Variable& variable) const {
 
 TableColumn Reporter::display_column(const Variable& variable) const {
   TableColumn out = column_of(variable);
-  if (!variable.lot()) return out;
+  if (!variable.is_group()) return out;
   const auto n = static_cast<double>(variable.targets.size());
   for (std::size_t k = 1; k < variable.targets.size(); ++k) {
     const std::vector<double>& more = table_.find(variable.targets[k])->values;

@@ -44,7 +44,7 @@ struct Variable {
   std::optional<double> low, high;
   double common = 0.0;  ///< lots: correlation of any two elements of a lot, 0 to 1
   double step = 0.0;    ///< sensitivity: difference to both sides; 0: chosen
-  [[nodiscard]] bool lot() const { return name.find('#') != std::string::npos; }
+  [[nodiscard]] bool is_group() const { return name.find('#') != std::string::npos; }
 };
 
 /// Correlation of two random variables (of their normal scores where they are not normal).

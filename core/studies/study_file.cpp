@@ -150,7 +150,8 @@ Variable read_variable(const Json& json, const std::string& where, Kind kind) {
                         : object.text("name", "the name of a deck variable, e.g. \"appLoadX\"");
   check_name(object, out.option ? "option" : "name", out.name, out.option);
   if (object.has("also")) {
-    if (out.option || out.lot()) object.refuse("also", "\"also\" only for a single deck variable");
+    if (out.option || out.is_group())
+      object.refuse("also", "\"also\" only for a single deck variable");
     out.also = object.texts("also", "a list of deck variables that take the same value");
     for (const std::string& name : out.also) check_name(object, "also", name, false);
   }
@@ -165,14 +166,14 @@ Variable read_variable(const Json& json, const std::string& where, Kind kind) {
   }
   read_law(object, out);
   if (object.has("common")) {
-    if (!out.lot())
+    if (!out.is_group())
       object.refuse("common",
                     "\"common\" only for a lot (a name with # in place of the element number)");
     out.common = object.number("common", "a correlation from 0 to 1");
     if (out.common < 0.0 || out.common > 1.0)
       object.refuse("common", "a correlation between elements of the same lot (0 to 1)");
   }
-  if (out.lot() && out.law == Law::Values)
+  if (out.is_group() && out.law == Law::Values)
     object.refuse("name",
                   "a lot (#) with a uniform or normal distribution, so that its elements differ");
   out.targets = {out.name};
@@ -576,7 +577,7 @@ std::string example_study(const std::string& kind) {
 
 void expand_lots(Study& study, int elements) {
   for (Variable& variable : study.variables) {
-    if (!variable.lot()) continue;
+    if (!variable.is_group()) continue;
     variable.targets.clear();
     for (int k = 1; k <= elements; ++k) {
       std::string name = variable.name;

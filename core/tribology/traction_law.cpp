@@ -72,7 +72,7 @@ double TractionLaw::coefficient(double slip, double pressure) const {
 
 double TractionLaw::slip_scale() const noexcept {
   const double start = visit([](const auto& law) { return law.start(); });
-  return rounded() ? 0.0 : start;
+  return is_slip_regularized() ? 0.0 : start;
 }
 
 double TractionLaw::kink() const noexcept {

@@ -63,7 +63,7 @@ class TractionLaw {
     return regularization_slip_squared_;
   }
   /// Is slip rounded?
-  [[nodiscard]] bool rounded() const noexcept {
+  [[nodiscard]] bool is_slip_regularized() const noexcept {
     return regularization_slip_squared_ > kNoRegularization;
   }
   /// Slip over which the law starts [m/s]: u0 of two slopes, 1/C of the exponential; 0 when κ(0) ≠

@@ -263,7 +263,7 @@ TEST_CASE("run options: page, ADORE.json in the deck folder, unknown names kept"
     CHECK(line_of(window, option("seed"))->text() == "1");
     window.document().save(path);
   }
-  CHECK(runs::options_beside(path) ==
+  CHECK(runs::options_of_deck(path) ==
         std::map<std::string, std::string>{{"lifeSkip", "2.5"}, {"contactSurface", "flat_edge"}});
 
   std::ofstream(file) << R"({"myNote": {"by": "me"}, "ellipseMinor": 6, "lifeElement": "all"})";
@@ -303,7 +303,7 @@ TEST_CASE("run options: page, ADORE.json in the deck folder, unknown names kept"
     replace_text(line_of(window, option("landSlices")), "7");
     window.document().save(path);
     CHECK(bytes_of(file.string() + ".bak") == "{ not json");
-    CHECK(runs::options_beside(path).at("landSlices") == "7");
+    CHECK(runs::options_of_deck(path).at("landSlices") == "7");
   }
 }
 

@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const OptionFile file = OptionFile::from_text(text);
   if (!file.problem().empty()) return 0;
   for (const auto& [name, value] : file.values()) (void)option_problem(name, value);
-  for (const std::string& name : file.strange()) (void)strange_name_text(name);
+  for (const std::string& name : file.unknown_names()) (void)unknown_name_text(name);
   (void)file.with(file.values());
   (void)file.with({});
   static const deck::Deck kDeck = deck::new_deck("ball");

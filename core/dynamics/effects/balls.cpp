@@ -51,7 +51,7 @@ void Balls::declare(SceneBuilder& scene) {
         scene.add_element_states("element." + std::string(line.name), line.unit, line.scale);
   }
   scene.block<ElementKinematics>(Phase::Kinematics, kMotionCost, {}, s_);
-  if (masses_.alike())
+  if (masses_.all_equal())
     scene.block<BallMotion>(Phase::Motion, kMotionCost, {}, s_, masses_[0].mass, moments[0]);
   else
     scene.block<UnequalBallMotion>(Phase::Motion, kMotionCost, {}, s_, masses_);

@@ -61,7 +61,7 @@ struct SeenRoller {
 
   [[nodiscard]] Vec3 centre() const { return {p(0), 0.0, p(1)}; }
   [[nodiscard]] Vec3 to_base(const Vec3& v) const {
-    const contact::Triple<double> of_race = turn.back({v[0], v[1], v[2]});
+    const contact::Triple<double> of_race = turn.from_meridian({v[0], v[1], v[2]});
     return pose.direction_from_race({of_race.x, of_race.y, of_race.z});
   }
 };
@@ -74,7 +74,7 @@ SeenRoller seen(const Evaluation& e, std::size_t i, const RaceBody& race, double
   double r = 0.0;
   out.turn = contact::meridian_rotation(C[1], C[2], r);
   const Vec3 of_race = out.pose.direction(a);
-  const contact::Triple<double> axis = out.turn.into({of_race[0], of_race[1], of_race[2]});
+  const contact::Triple<double> axis = out.turn.to_meridian({of_race[0], of_race[1], of_race[2]});
   out.axis = {axis.x, axis.y, axis.z};
   out.p = {C[0], r, axis.z, axis.y};
   return out;

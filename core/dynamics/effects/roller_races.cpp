@@ -40,7 +40,7 @@ contact::Triple<double> spin_of(const Evaluation& e, std::size_t i, const Roller
                                 const contact::RacePose& pose,
                                 const contact::MeridianRotation& turn) {
   const Vec3 spin = pose.direction(roller.motion.omega - Vec3(e.elements.theta_dot[i], 0.0, 0.0));
-  return turn.into({spin[0], spin[1], spin[2]});
+  return turn.to_meridian({spin[0], spin[1], spin[2]});
 }
 
 }  // namespace
@@ -192,7 +192,7 @@ void RollersOnRace::form_lobes(const Evaluation& e) noexcept {
   for (std::size_t i = 0; i < lobe_slopes_.size(); ++i) {
     if (!model_.wavy) views_[i].race = model_.of(i).race;
     if (!model_.lobes[i]) continue;
-    const contact::Triple<double> of_race = turns_[i].back({0.0, 0.0, 1.0});
+    const contact::Triple<double> of_race = turns_[i].from_meridian({0.0, 0.0, 1.0});
     const Vec3 up = race_pose_.direction_from_race({of_race.x, of_race.y, of_race.z});
     contact::WavyRace lobe = *model_.lobes[i];
     lobe.ideal = views_[i].race;
@@ -200,7 +200,7 @@ void RollersOnRace::form_lobes(const Evaluation& e) noexcept {
     views_[i].race = here.surface;
     lobe_slopes_[i] = here.slope;
     const Vec3 axis = race_pose_.direction(e.attitude[i].col(0));
-    const contact::Triple<double> a = turns_[i].into({axis[0], axis[1], axis[2]});
+    const contact::Triple<double> a = turns_[i].to_meridian({axis[0], axis[1], axis[2]});
     axes_[i] = {a.x, a.y, a.z};
   }
 }

@@ -587,7 +587,7 @@ def read(path: PathLike = ".") -> Deck:
     for issue in core.warnings:
         if issue.severity == "warning":
             warnings.warn(issue.text, DeckWarning, stacklevel=2)
-    return Deck(core, Path(core.name), _core.options_beside(core.name))
+    return Deck(core, Path(core.name), _core.options_of_deck(core.name))
 
 
 def check(path: PathLike = ".") -> Findings:

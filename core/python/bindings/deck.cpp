@@ -80,9 +80,9 @@ std::string saved_text(const DeckObject& self) {
 /// The text of the ADORE.json next to a deck file that has the deck's records X; empty optional:
 /// the file stays as it is.
 std::optional<std::string> extension_text(const DeckObject& self, const std::string& deck_file) {
-  const runs::OptionFile file = runs::OptionFile::beside(std::filesystem::path(deck_file));
+  const runs::OptionFile file = runs::OptionFile::of_deck(std::filesystem::path(deck_file));
   if (!file.problem().empty())
-    throw InputError(runs::OptionFile::path_beside(deck_file).string() + " " + file.problem());
+    throw InputError(runs::OptionFile::path_for_deck(deck_file).string() + " " + file.problem());
   std::string text = file.with_variables(self.deck);
   if (text == file.text()) return std::nullopt;
   return text;
@@ -154,7 +154,7 @@ void bind_deck(py::module_& module) {
             deck::ReadResult read = deck::read_deck(file);
             if (!read.ok()) throw InputError(std::move(read.issues));
             std::string text = read_text_file(file);
-            const runs::OptionFile options = runs::usable_options_beside(file);
+            const runs::OptionFile options = runs::usable_options_of_deck(file);
             if (options.variables().empty())
               return DeckObject{read.deck, read.deck, std::move(text), std::move(read.issues)};
             std::vector<Issue> issues = runs::set_extension(read.deck, options, file);

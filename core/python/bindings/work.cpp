@@ -246,8 +246,8 @@ void bind_runs(py::module_& module) {
       py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user") = py::none(),
       "All findings about the text of a deck, optionally with user routines.");
   module.def(
-      "options_beside",
-      [](const std::string& deck) { return runs::options_beside(runs::deck_path(deck)); },
+      "options_of_deck",
+      [](const std::string& deck) { return runs::options_of_deck(runs::deck_path(deck)); },
       py::arg("deck"), "Run options of ADORE.json in the folder of a deck.");
   module.def(
       "plan",

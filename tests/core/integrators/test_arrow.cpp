@@ -174,7 +174,7 @@ TEST_CASE("Arrow matrix: ring of blocks with a border → solution equals that o
     for (int b = 0; b < n; ++b) block_of.push_back(b);
     const ArrowShape shape(block_of, n, true);
     int members = 0;
-    for (const std::vector<int>& set : shape.apart()) {
+    for (const std::vector<int>& set : shape.independent_block_sets()) {
       members += static_cast<int>(set.size());
       for (const int a : set)
         for (const int b : set) {
@@ -183,7 +183,7 @@ TEST_CASE("Arrow matrix: ring of blocks with a border → solution equals that o
         }
     }
     CHECK(members == n);
-    CHECK(shape.apart().size() <= (n == 5 ? 5 : 4));
+    CHECK(shape.independent_block_sets().size() <= (n == 5 ? 5 : 4));
   }
 }
 

@@ -100,7 +100,7 @@ TEST_CASE("full_precision: RESULTS.h5 missing, of another run or unreadable → 
     for (std::size_t i = 0; i < file.steps.size(); ++i)
       CHECK(file.steps[i].values == before.steps[i].values);
     std::string why_not;
-    CHECK_FALSE(MotionFile::beside(read_sol8(folder / "SOL8"), why_not).has_value());
+    CHECK_FALSE(MotionFile::of_sol8(read_sol8(folder / "SOL8"), why_not).has_value());
     CHECK_FALSE(why_not.empty());
     return why;
   };
@@ -129,14 +129,14 @@ TEST_CASE("full_precision: steps missing in RESULTS.h5 → values of the classic
   std::string why_not;
   // A run that was killed: RESULTS.h5 is used as far as it goes.
   const Sol8File longer = read_sol8(folder / "SOL8");
-  const auto motion = MotionFile::beside(longer, why_not);
+  const auto motion = MotionFile::of_sol8(longer, why_not);
   INFO(why_not);
   REQUIRE(motion);
   CHECK(motion->frames().frames.back().step < longer.frames.back().step);
   // A gap within it is no such end.
   Sol8File gap = longer;
   gap.frames.front().step = motion->frames().frames.front().step - 1;
-  CHECK_FALSE(MotionFile::beside(gap, why_not).has_value());
+  CHECK_FALSE(MotionFile::of_sol8(gap, why_not).has_value());
   CHECK_THAT(why_not, Contains("does not contain step"));
 }
 
@@ -202,7 +202,7 @@ TEST_CASE("motion file: SOL8 with RESULTS.h5 → all digits and every channel", 
     write_run(folder, units, "synthetic run 7");
     const Sol8File coarse = read_sol8(folder / "SOL8");
     std::string why_not;
-    const auto motion = MotionFile::beside(coarse, why_not);
+    const auto motion = MotionFile::of_sol8(coarse, why_not);
     INFO(why_not);
     REQUIRE(motion);
     const Sol8File& fine = motion->frames();
@@ -273,10 +273,10 @@ TEST_CASE("motion file: SOL8 finds its RESULTS.h5 for any orbit radius", "[unit]
     animation.write(snapshot);
     std::string why_not;
     const Sol8File file = read_sol8(folder / "SOL8");
-    CHECK(MotionFile::beside(file, why_not).has_value());
+    CHECK(MotionFile::of_sol8(file, why_not).has_value());
     CHECK(why_not.empty());
     Sol8File other = file;
     other.frames[0].elements[0].r *= 1.012;
-    CHECK_FALSE(MotionFile::beside(other, why_not).has_value());
+    CHECK_FALSE(MotionFile::of_sol8(other, why_not).has_value());
   }
 }

@@ -131,10 +131,10 @@ TEST_CASE("max_traction_coefficient is the largest of every form", "[unit]") {
 
 TEST_CASE("only laws that do not vanish at rest are regularized", "[unit]") {
   using adore::tribology::TractionLaw;
-  CHECK_FALSE(TractionLaw(traction_curve(0, {0.0, 0.5, 0.0, 0.1})).rounded());
-  CHECK_FALSE(TractionLaw(traction_curve(1, {0.0, 0.06, 0.04, 0.1})).rounded());
-  CHECK(TractionLaw(traction_curve(1, {0.02, 0.06, 0.04, 0.1})).rounded());
-  CHECK(TractionLaw(traction_curve(0, {0.05, 0.0, 0.0, 0.1})).rounded());
+  CHECK_FALSE(TractionLaw(traction_curve(0, {0.0, 0.5, 0.0, 0.1})).is_slip_regularized());
+  CHECK_FALSE(TractionLaw(traction_curve(1, {0.0, 0.06, 0.04, 0.1})).is_slip_regularized());
+  CHECK(TractionLaw(traction_curve(1, {0.02, 0.06, 0.04, 0.1})).is_slip_regularized());
+  CHECK(TractionLaw(traction_curve(0, {0.05, 0.0, 0.0, 0.1})).is_slip_regularized());
 }
 
 TEST_CASE("film_shear_stress: viscous when slow, peak at S = 1.509, then falling",
