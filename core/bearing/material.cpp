@@ -114,8 +114,8 @@ Material material_from_table(int code, Part part) {
   std::string codes = "0 (default)";
   for (const int valid : material_codes()) codes += fmt::format(", {}", valid);
   std::string message = fmt::format("material code {} is not in the material table", code);
-  if (code == 1) message += " (1 means that the deck gives the properties)";
-  if (code == 2) message += " (2 means that a user routine gives the properties)";
+  if (code == 1) message += " (code 1 means that the deck gives the properties)";
+  if (code == 2) message += " (code 2 means that a user routine gives the properties)";
   throw InputError(message + "; valid codes are " + codes);
 }
 
