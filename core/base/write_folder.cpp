@@ -209,7 +209,7 @@ int WriteFolder::open_own(const std::string& name) const {
       fail(path, "this is not a regular file",
            "remove this file or folder, or choose another folder");
     if (status.st_nlink != 1)
-      fail(path, "the file has other hard links, which would change as well",
+      fail(path, "writing to the file would also change its other hard links",
            "replace the file by a copy (cp FILE COPY; mv COPY FILE)");
     demand_own(name, file);
   } catch (...) {

@@ -138,7 +138,7 @@ double hardness_from_hrc(double hrc) {
   if (!(vickers > 0.0))
     throw InputError(
         fmt::format("a Rockwell C hardness of {} cannot be converted to an indentation pressure; "
-                    "give a value between 0 and 100 (the scale is defined for 20 to 70)",
+                    "give a value from 20 to 70, the range of the scale",
                     hrc));
   return kPascalPerVickers * vickers;
 }

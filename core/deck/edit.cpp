@@ -243,7 +243,7 @@ Place locate(Deck& deck, const Target& target, std::string_view name, std::strin
       fail(name, value,
            is_array ? "this variable has " + counted(length, "element")
                     : "this variable is a single value",
-           is_array ? "give an index up to this number, or first increase the number of elements"
+           is_array ? "give a smaller index, or first increase the number of elements"
                     : "omit the index");
     place.element = static_cast<std::size_t>(target.indices[used]) - 1;
   } else if (!is_array) {

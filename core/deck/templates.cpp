@@ -29,7 +29,7 @@ constexpr std::array<TemplateInfo, 15> kTemplates = {{
     {"lox-turbopump",
      "hybrid bearing (bore 57 mm) of a turbopump in liquid oxygen, 30000 rpm, solid lubrication"},
     {"angular-218",
-     "quasi-static: 218 angular contact bearing from textbooks, stiffness against speed"},
+     "quasi-static: angular contact bearing 218 of textbooks, stiffness versus speed"},
     {"deep-groove-6205",
      "quasi-static: 6205-size deep groove bearing with a shaft fit, radial load"},
     {"cylindrical-nu209", "quasi-static: NU 209 cylindrical roller bearing, crowned rollers"},
