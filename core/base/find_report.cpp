@@ -85,10 +85,11 @@ std::string solution_line(const FindReport& report, const FindSolution& one) {
       return fmt::format(
           "{}{}: {}{}", at, width, value,
           one.from_bound || one.to_bound
-              ? fmt::format(". This is the {} bound; a value beyond it may be better",
-                            one.from_bound ? "lower" : "upper")
+              ? fmt::format(
+                    ". The best value is at the {} bound; a better value may be beyond this bound",
+                    one.from_bound ? "lower" : "upper")
           : one.from_failure || one.to_failure
-              ? std::string(". The next point could not be computed")
+              ? std::string(". The result at a neighboring point could not be computed")
               : std::string());
     case FindSolutionKind::Range:
       break;
@@ -151,10 +152,10 @@ std::pair<double, double> parse_bounds(std::string_view what, std::string_view t
 FindUnknown parse_unknown(std::string_view text) {
   const std::size_t equal = text.find('=');
   if (equal == std::string_view::npos || equal == 0)
-    throw InputError(
-        fmt::format("unknown {}: it has no name or no bounds. Write NAME=lower:upper, for example "
-                    "appLoadX=10:2000.",
-                    text));
+    throw InputError(fmt::format(
+        "the unknown \"{}\" has no name or no bounds. Write NAME=lower:upper, for example "
+        "appLoadX=10:2000.",
+        text));
   FindUnknown out;
   out.name = text.substr(0, equal);
   std::tie(out.first, out.last) =
@@ -166,7 +167,7 @@ FindTarget parse_target(std::string_view text) {
   const std::size_t equal = text.find('=');
   if (equal == std::string_view::npos || equal == 0)
     throw InputError(fmt::format(
-        "target {}: it has no name or no value. Write NAME=value, NAME>=value, NAME<=value, "
+        "the target \"{}\" has no name or no value. Write NAME=value, NAME>=value, NAME<=value, "
         "NAME=least or NAME=largest.",
         text));
   FindTarget out;
@@ -256,8 +257,8 @@ std::vector<std::string> answer_lines(const FindReport& report) {
     case FindAnswer::NotMonotonic:
       out.push_back(solution_line(report, outcome.solutions.front()) + ".");
       out.push_back(
-          fmt::format("One solution was found, but the result is not monotonic. There may be two "
-                      "more solutions between two of the {} computed points.",
+          fmt::format("One solution was found, but the result is not monotonic. There may be "
+                      "more solutions between the {} computed points.",
                       outcome.samples.size()));
       break;
     case FindAnswer::Many:
@@ -275,7 +276,8 @@ std::vector<std::string> answer_lines(const FindReport& report) {
       break;
     case FindAnswer::NotComputed:
       out.push_back(fmt::format(
-          "No solution was found, but the result could not be computed for all {}.", x.name));
+          "No solution was found, but the result could not be computed for all values of {}.",
+          x.name));
       best();
       break;
   }
@@ -292,8 +294,8 @@ std::vector<std::string> answer_lines(const FindReport& report) {
   }
   for (const FindJump& jump : outcome.jumps)
     out.push_back(
-        fmt::format("{} jumps at {} = {} from {} to {}; values between them do not occur "
-                    "there.",
+        fmt::format("{} jumps at {} = {} from {} to {}; it does not take the values in "
+                    "between.",
                     y.name, x.name, with_unit(jump.before, x.unit),
                     with_unit(jump.value_before, y.unit), with_unit(jump.value_after, y.unit)));
   for (const FindFailure& failure : outcome.failures)

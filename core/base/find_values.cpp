@@ -94,13 +94,15 @@ class Search {
     if (s_.whole) {
       const double low = std::ceil(s_.first), high = std::floor(s_.last);
       if (high - low >= kMaxPoints || high < low)
-        throw InputError(fmt::format(
-            "range {:g}:{:g}: it must contain 1 to {} whole numbers. Change the bounds.", s_.first,
-            s_.last, kMaxPoints));
+        throw InputError(
+            fmt::format("range {:g}:{:g}: the range must contain from 1 to {} whole numbers. "
+                        "Change the bounds.",
+                        s_.first, s_.last, kMaxPoints));
       for (double x = low; x <= high; x += 1.0) (void)at(x);
     } else {
       if (s_.points < 3 || s_.points > kMaxPoints)
-        throw InputError(fmt::format("scan points {}: must be 3 to {}.", s_.points, kMaxPoints));
+        throw InputError(fmt::format("number of scan points {}: it must be from 3 to {}.",
+                                     s_.points, kMaxPoints));
       const double ratio = s_.last / s_.first;
       out_.equal_ratios = std::isfinite(ratio) && ratio > 0.0 &&
                           (ratio >= kRatioForGeometric || ratio <= 1.0 / kRatioForGeometric);
@@ -117,8 +119,9 @@ class Search {
                     [](const FindSample& p) { return p.ok(); }))
       return;
     const FindSample& first = out_.samples.front();
-    const std::string text =
-        fmt::format("no point of the range could be computed. At {:g}: {}", first.x, first.failure);
+    const std::string text = fmt::format(
+        "the result could not be computed at any point of the range. Failure at {:g}: {}", first.x,
+        first.failure);
     if (first.wrong_input) throw InputError(text);
     throw SolverError(text);
   }

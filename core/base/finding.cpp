@@ -308,10 +308,12 @@ std::string findings_line(std::span<const Finding> findings) {
 
 std::string finding_codes_page() {
   std::string out =
-      "# Codes of findings\n\nCreated by `adore check --codes`. Every finding of check, statics, "
-      "plan, run, end of run and\nstudies has one of these codes in `findings` of RUN.json, "
-      "RESULTS.h5, Python and JSON output.\nA finding has `code`, `severity` and `sentence`. Where "
-      "they apply, it also has `quantity`, `value`,\n`least`, `limit`, `unit`, `body`, `time_s`, "
+      "# Codes of findings\n\nCreated by `adore check --codes`. Every finding has one of these "
+      "codes, in `findings` of RUN.json,\nRESULTS.h5, Python and JSON output. The column "
+      "\"origin\" names the part of Adore that reports the finding:\ncheck, statics, plan, run, "
+      "end (of a "
+      "run) or study.\nA finding has `code`, `severity` and `sentence`. Where they apply, it also "
+      "has `quantity`, `value`,\n`least`, `limit`, `unit`, `body`, `time_s`, "
       "`step`, `file`, `line`, `record`, `variable`,\n`given` (value in the deck) and "
       "`remedy`.\n\n| code | severity | origin | meaning | quantity | unit "
       "|\n|---|---|---|---|---|---|\n";

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path) {
   throw InputError(path.string() +
-                   ": this is a pipe or a device, which may never end; give the name of a file");
+                   ": this is a pipe or a device, not a file; give the name of a file");
 }
 
 /// @return -1 when there is no file that can be read

@@ -70,14 +70,14 @@ void check_instruction_set_request() {
   const auto set = named_instruction_set(request);
   if (!set) {
     throw InputError(
-        fmt::format("the environment variable {} = \"{}\" is not an instruction set; use baseline, "
-                    "avx2 or avx512, or unset it",
+        fmt::format("the environment variable {} = \"{}\" is not an instruction set. Set it to "
+                    "\"baseline\", \"avx2\" or \"avx512\", or unset it",
                     kRequestVariable, request));
   }
   if (!is_instruction_set_available(*set)) {
     throw InputError(
         fmt::format("the environment variable {} requests {}, which this machine does not support. "
-                    "Use at most {}",
+                    "The largest supported instruction set is {}",
                     kRequestVariable, request,
                     instruction_set_name(*std::find_if(std::begin(kAllSets), std::end(kAllSets),
                                                        is_instruction_set_available))));

@@ -113,7 +113,7 @@ std::string_view describe_file_type(AdoreFileType sort) {
     case AdoreFileType::Animation:
       return "an animation file (SOL8 of a run)";
     case AdoreFileType::Final:
-      return "the last state of a run (FINAL)";
+      return "the final state of a run (file FINAL)";
     case AdoreFileType::Master:
       return "the bookkeeping of a run (MASTER)";
     case AdoreFileType::RunJson:
@@ -135,7 +135,7 @@ std::string_view file_type_usage_hint(AdoreFileType sort) {
     case AdoreFileType::Deck:
       return "`adore check` and `adore run` read this file";
     case AdoreFileType::Listing:
-      return "read this file with a text viewer such as less";
+      return "read this file with a text viewer such as `less`";
     case AdoreFileType::Plot:
       return "`adore plot`, `adore show` and `adore convert` read this file";
     case AdoreFileType::Animation:
@@ -148,7 +148,7 @@ std::string_view file_type_usage_hint(AdoreFileType sort) {
     case AdoreFileType::SweepTable:
       return "`adore plot` draws this file";
     case AdoreFileType::Json:
-      return "`adore calc` and `adore validate` read JSON";
+      return "`adore calc` and `adore validate` read JSON files";
     case AdoreFileType::Unknown:
       break;
   }

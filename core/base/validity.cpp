@@ -84,7 +84,7 @@ const Range& range(std::string_view id) {
   const auto all = ranges();
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Range& r) { return r.id == id; });
-  demand(found != all.end(), "validity.json has no range with that id");
+  demand(found != all.end(), "validity.json does not have a range with the requested id");
   return *found;
 }
 

@@ -125,9 +125,9 @@ void WriteFolder::demand_own(const std::string& name, int descriptor) const {
   if (::fstat(descriptor, &status) != 0) fail(path_ / name, errno, "examining it");
   if (status.st_uid == ::geteuid() || status.st_uid == owner_) return;
   fail(path_ / name,
-       fmt::format("this belongs to user {}, who is neither you nor the owner of the parent folder",
+       fmt::format("the owner is user {}, who is neither you nor the owner of the parent folder",
                    status.st_uid),
-       "remove it, or choose another folder");
+       "remove this file or folder, or choose another folder");
 }
 
 WriteFolder WriteFolder::folder(const fs::path& below) const {
@@ -154,8 +154,9 @@ WriteFolder WriteFolder::folder(const fs::path& below) const {
         refuse_link(path, out.descriptor(), name.c_str());
       fail(path,
            fmt::format("the folder cannot be opened ({})", std::generic_category().message(error)),
-           error == ENOTDIR ? "remove the file of that name, or choose another folder"
-                            : remedy_of(error));
+           error == ENOTDIR
+               ? "remove the file that has the name of this folder, or choose another folder"
+               : remedy_of(error));
     }
     const WriteFolder above = out;
     out = WriteFolder(path, descriptor, owner_);
@@ -180,7 +181,8 @@ int WriteFolder::create(const std::string& name) const {
   if (!is_plain_name(name)) fail(path, EISDIR, "opening");
   if (const Found old = look_up(descriptor(), name.c_str()); old.any) {
     if (!S_ISREG(old.status.st_mode) && !S_ISLNK(old.status.st_mode))
-      fail(path, "this is not a regular file", "remove it, or choose another folder");
+      fail(path, "this is not a regular file",
+           "remove this file or folder, or choose another folder");
     if (::unlinkat(descriptor(), name.c_str(), 0) != 0 && errno != ENOENT)
       fail(path, errno, "replacing");
   }
@@ -204,10 +206,11 @@ int WriteFolder::open_own(const std::string& name) const {
     struct stat status {};
     if (::fstat(file, &status) != 0) fail(path, errno, "examining it");
     if (!S_ISREG(status.st_mode))
-      fail(path, "this is not a regular file", "remove it, or choose another folder");
+      fail(path, "this is not a regular file",
+           "remove this file or folder, or choose another folder");
     if (status.st_nlink != 1)
-      fail(path, "the file has other hard links, which would change as well",
-           "replace it by a copy (cp FILE COPY; mv COPY FILE)");
+      fail(path, "writing to the file would also change its other hard links",
+           "replace the file by a copy (cp FILE COPY; mv COPY FILE)");
     demand_own(name, file);
   } catch (...) {
     ::close(file);

@@ -61,9 +61,9 @@ double at_100(double at_40, double index) {
   double low = kLeast, high = at_40;
   if (!(viscosity_index(at_40, low) < index))
     throw InputError(fmt::format(
-        "oil of record X2: a viscosity of {:.4g} mm²/s at 40 °C with the viscosity index {:g} "
-        "gives "
-        "less than 2 mm²/s at 100 °C, which is outside ASTM D2270; give two viscosities",
+        "oil of record X2: the viscosity {:.4g} mm²/s at 40 °C and the viscosity index {:g} result "
+        "in less than 2 mm²/s at 100 °C, which is outside the range of ASTM D2270; give two "
+        "viscosities",
         at_40, index));
   for (int k = 0; k < 100; ++k) {
     const double middle = 0.5 * (low + high);
@@ -91,12 +91,14 @@ OilByGrade oil_by_grade(const OilGradeInput& given) {
     throw InputError(fmt::format("oil of record X2: {}", why));
   };
   if (given.grade && given.first)
-    refuse("gives both a grade and viscosities; give oilGrade, or oilVisc1 and oilVisc2");
+    refuse(
+        "has both a grade and viscosities; give either oilGrade or the viscosities (oilVisc1, "
+        "oilVisc2)");
   if (!given.grade && !given.first) refuse("has no viscosity; give oilGrade or oilVisc1");
   if (given.second && !given.first)
-    refuse("gives oilVisc2 without oilVisc1; give both, or a grade and oilIndex");
+    refuse("has oilVisc2 without oilVisc1; give both viscosities, or give oilGrade and oilIndex");
   if (given.second && given.viscosity_index)
-    refuse("gives two viscosities and a viscosity index; leave out one of them");
+    refuse("has two viscosities and a viscosity index; remove oilVisc2 or oilIndex");
   double nu1 = given.grade ? *given.grade : 1e6 * *given.first, nu2 = 0.0;
   double from = T1, to = T2;
   if (given.second) {
@@ -120,7 +122,8 @@ OilByGrade oil_by_grade(const OilGradeInput& given) {
         "more");
   if (!(nu2 < nu1))
     refuse("has a viscosity that increases with temperature; exchange the viscosities");
-  if (!(nu2 >= kLeast)) refuse("has a viscosity below 2 mm²/s, outside Walther's law");
+  if (!(nu2 >= kLeast))
+    refuse("has a viscosity below 2 mm²/s, which is outside the range of Walther's law");
   out.B = (walther(nu1) - walther(nu2)) / (std::log10(to) - std::log10(from));
   out.A = walther(nu1) + out.B * std::log10(from);
   const double hot = 1e6 * out.kinematic_viscosity(kAt100);

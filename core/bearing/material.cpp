@@ -114,8 +114,8 @@ Material material_from_table(int code, Part part) {
   std::string codes = "0 (default)";
   for (const int valid : material_codes()) codes += fmt::format(", {}", valid);
   std::string message = fmt::format("material code {} is not in the material table", code);
-  if (code == 1) message += " (1 means that the deck gives the properties)";
-  if (code == 2) message += " (2 means that a user routine gives the properties)";
+  if (code == 1) message += " (code 1 means that the deck gives the properties)";
+  if (code == 2) message += " (code 2 means that a user routine gives the properties)";
   throw InputError(message + "; valid codes are " + codes);
 }
 
@@ -138,7 +138,7 @@ double hardness_from_hrc(double hrc) {
   if (!(vickers > 0.0))
     throw InputError(
         fmt::format("a Rockwell C hardness of {} cannot be converted to an indentation pressure; "
-                    "give a value between 0 and 100 (the scale is defined for 20 to 70)",
+                    "give a value from 20 to 70, the range of the scale",
                     hrc));
   return kPascalPerVickers * vickers;
 }

@@ -36,7 +36,7 @@ PropertyLaw parse_law(const Json& json) {
   law.form = form->second;
   law.c = json.at("c").get<std::vector<double>>();
   demand(law.form != PropertyLaw::Form::CopperRational || law.c.size() == 9,
-         "the conductivity law of copper has nine coefficients");
+         "the conductivity law of copper must have nine coefficients");
   law.T_ref = json.value("T_ref", 0.0);
   law.T_min = json.at("T_min").get<double>();
   law.T_max = json.at("T_max").get<double>();

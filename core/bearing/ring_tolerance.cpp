@@ -30,8 +30,8 @@ RingTolerance tolerance(const char* part, const char* name, RingToleranceClass r
   }
   throw InputError(
       fmt::format("{} {:.6g} mm: tolerance class {} is not available for this size. Enter a size "
-                  "from 2.5 mm (classes 4 and 2: bores up to 250 mm, outside diameters up to "
-                  "400 mm) or another class.",
+                  "of 2.5 mm or more (in classes 4 and 2: bores up to 250 mm, outside diameters up "
+                  "to 400 mm), or enter another class.",
                   name, size, kClassNames.at(column)));
 }
 
@@ -43,8 +43,8 @@ RingToleranceClass ring_class(std::string_view name) {
   if (plain == "0") plain = kClassNames[0];
   for (std::size_t k = 0; k < kClassNames.size(); ++k)
     if (plain == kClassNames.at(k)) return static_cast<RingToleranceClass>(k);
-  throw InputError(
-      fmt::format("tolerance class {} of a bearing: unknown. Enter Normal, 6, 5, 4 or 2.", name));
+  throw InputError(fmt::format(
+      "bearing tolerance class {}: this class does not exist. Enter Normal, 6, 5, 4 or 2.", name));
 }
 
 RingTolerance bore_tolerance(RingToleranceClass ring, double nominal) {

@@ -44,10 +44,10 @@ template <std::size_t N>
 Step step_of(const std::array<double, N>& steps, double size) {
   for (std::size_t k = 1; k < N; ++k)
     if (size > steps[k - 1] && size <= steps[k] + 1e-9) return {steps[k - 1], steps[k]};
-  throw InputError(
-      fmt::format("size {:.6g} mm: outside the range of ISO 286 here. Enter a size above {:g} mm, "
-                  "up to {:g} mm.",
-                  size, steps.front(), steps.back()));
+  throw InputError(fmt::format(
+      "size {:.6g} mm: outside the available range of ISO 286. Enter a size above {:g} mm "
+      "and up to {:g} mm.",
+      size, steps.front(), steps.back()));
 }
 
 /// Value of the row that begins at `over`; empty: none.
@@ -176,7 +176,8 @@ SizeLimits size_limits(std::string_view tolerance_class, double nominal) {
     refuse(tolerance_class, "not available");
   if (size > kLargestSmall && shaft[0] > 'h')
     refuse(tolerance_class,
-           "available up to 500 mm (classes d to h and js, D to H and JS: up to 800 mm)");
+           "not available above 500 mm; only classes d to h, js, D to H and JS are available up to "
+           "800 mm");
   if (shaft[0] <= 'h') {
     const double position = shaft_position(shaft[0], grade, size);
     return hole ? limits(-position, tolerance) : limits(position - tolerance, tolerance);

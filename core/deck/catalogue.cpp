@@ -88,14 +88,15 @@ std::string squeezed(std::string_view text) {
 }
 
 std::string what_there_is() {
-  return "give a designation with a bore up to 300 mm, such as 6205, 7208 B, NU209, 30208 or "
-         "22210: series 60xx, 62xx, 63xx, 160xx, 618xx, 619xx (deep groove), 70xx, 72xx, 73xx, "
-         "719xx "
-         "(angular contact; C, AC or B), NU, N, NJ or NUP 10xx, 2xx, 22xx, 3xx, 23xx, 302xx, "
-         "303xx, "
-         "313xx, 320xx, 322xx, 323xx, 222xx, 223xx, 230xx or 231xx. Or give type (deep-groove, "
-         "angular-contact, cylindrical, tapered, spherical) and size in millimeters, such as "
-         "'deep-groove 25x52x15', or a test rig such as CWRU-6205-DE; `adore new --list` lists all";
+  return "give a designation such as 6205, 7208 B, NU209, 30208 or 22210, with a bore up to "
+         "300 mm. The series are 60xx, 62xx, 63xx, 160xx, 618xx, 619xx (deep groove); 70xx, 72xx, "
+         "73xx, "
+         "719xx with the suffix C, AC or B (angular contact); 10xx, 2xx, 22xx, 3xx, 23xx with the "
+         "prefix NU, N, NJ or NUP (cylindrical); 302xx, 303xx, 313xx, 320xx, 322xx, 323xx "
+         "(tapered); 222xx, 223xx, 230xx, 231xx (spherical). Or give the type (deep-groove, "
+         "angular-contact, cylindrical, tapered, spherical) and the size in millimeters, such as "
+         "'deep-groove 25x52x15'. Or give the name of a test rig, such as CWRU-6205-DE. `adore new "
+         "--list` lists all designations";
 }
 
 [[noreturn]] void fail(std::string_view designation, const std::string& why) {
@@ -199,8 +200,8 @@ std::optional<CatalogueBearing> find_by_size(std::string_view designation) {
   if (!(out.envelope.bore > 0.0) || !(out.envelope.outside > out.envelope.bore) ||
       !(out.envelope.width > 0.0) || out.envelope.outside > 10.0 || out.envelope.width > 5.0)
     fail(designation,
-         "is not a bearing size: the bore must be above 0 and below the outside diameter (at most "
-         "10 m), and the width above 0 (at most 5 m)");
+         "is not a bearing size: the bore must be above 0 and below the outside diameter, the "
+         "outside diameter at most 10 m, and the width above 0 and at most 5 m");
   return out;
 }
 
@@ -321,7 +322,7 @@ CatalogueBearing find_bearing(std::string_view designation) {
       return out;
     }
     fail(designation,
-         "is not in the catalogue: unknown size of series " + std::string(series.prefix));
+         "is not in the catalogue: unknown bore number in series " + std::string(series.prefix));
   }
   fail(designation, "is not in the catalogue");
 }

@@ -105,7 +105,7 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
   Deck deck = example;
   deck.set_all(changes(bearing, inner, example));
   const std::string outside =
-      bearing.rig        ? "boundary dimensions of the rig, some assumed"
+      bearing.rig        ? "boundary dimensions of the test rig bearing (some are assumed)"
       : bearing.standard ? fmt::format("boundary dimensions of {}: {}", bearing.designation,
                                        bearing.type == BearingType::Tapered ? "ISO 355" : "ISO 15")
                          : std::string("boundary dimensions as given");
@@ -158,8 +158,8 @@ std::vector<std::string> describe_catalogue_bearing(const CatalogueBearing& bear
   out.push_back(fmt::format("{}, {}: bore {:g} mm, outside diameter {:g} mm, width {:g} mm ({}).",
                             bearing.designation, bearing_type_info(bearing.type).name, e.bore / kMm,
                             e.outside / kMm, e.width / kMm,
-                            bearing.rig                            ? "of the rig, some assumed"
-                            : !bearing.standard                    ? "as given"
+                            bearing.rig         ? "test rig bearing, some dimensions are assumed"
+                            : !bearing.standard ? "as given"
                             : bearing.type == BearingType::Tapered ? "ISO 355"
                                                                    : "ISO 15"));
   if (bearing.angle != 0.0)
@@ -169,7 +169,7 @@ std::vector<std::string> describe_catalogue_bearing(const CatalogueBearing& bear
         bearing.type == BearingType::Tapered && bearing.angle_given ? "ISO 355"
         : bearing.angle_given                                       ? "from the designation"
         : bearing.type == BearingType::AngularContact
-            ? "assumed, because the designation has no suffix; C means 15, AC 25, B 40 degrees"
+            ? "assumed, because the designation has no suffix; suffix C: 15, AC: 25, B: 40 degrees"
             : "an estimate"));
   out.push_back(
       fmt::format("{}: {} of {:.4g} mm on a pitch circle of {:.4g} mm; {}.",
@@ -179,30 +179,32 @@ std::vector<std::string> describe_catalogue_bearing(const CatalogueBearing& bear
                   counted(number(inner, "nRe"), "element"), number(inner, "bReDia") / kMm,
                   (pitch > 0.0 ? pitch : 0.5 * (e.bore + e.outside)) / kMm, inner.reasons));
   if (!bearing.left_out.empty())
-    out.push_back(fmt::format(
-        "Not in the deck: {}. These parts of the designation are ignored. The designation sets "
-        "size and contact angle, and the clearance group of deep groove, cylindrical and spherical "
-        "bearings.",
-        bearing.left_out));
+    out.push_back(
+        fmt::format("Ignored parts of the designation: {}. Adore takes only the size, the contact "
+                    "angle and the clearance group (of deep groove, cylindrical and spherical "
+                    "bearings) from the "
+                    "designation.",
+                    bearing.left_out));
   if (bearing.tapered_bore && bearing.type == BearingType::Spherical)
     out.push_back(fmt::format(
-        "Bearings with a tapered bore (K) have separate clearance groups. The clearance is that of "
-        "{} for tapered bores before mounting; mounting on the tapered seat reduces it. The bore "
-        "in the deck is cylindrical: enter its fit (raceFit2), or the clearance after mounting "
-        "(freeIntCls).",
+        "Bearings with a tapered bore (K) have separate clearance groups. The deck has the "
+        "clearance of group {} for tapered bores before mounting. Mounting on the tapered seat "
+        "reduces this clearance. The bore in the deck is cylindrical: enter its fit (raceFit2), or "
+        "the clearance after mounting (freeIntCls).",
         bearing.clearance));
   else if (bearing.tapered_bore)
-    out.push_back(
-        fmt::format("Bearings with a tapered bore (K) have separate clearance groups, which are "
-                    "not known here. The clearance is that of {} for cylindrical bores.",
-                    bearing.clearance));
+    out.push_back(fmt::format(
+        "Bearings with a tapered bore (K) have separate clearance groups, which are "
+        "not available in Adore. The deck has the clearance of group {} for cylindrical "
+        "bores.",
+        bearing.clearance));
   if (bearing.type == BearingType::Spherical)
     out.emplace_back(
         "The deck describes ONE of the two rows: enter half of the radial load of the bearing. The "
         "life of the bearing is shorter than the life of one row.");
   out.emplace_back(
-      "Load and speed are scaled from the example of this type: enter your own values. The deck is "
-      "quasi-static (mode -1); mode 0 simulates the motion of every element.");
+      "Load and speed are scaled from the example deck of this bearing type: enter your own "
+      "values. The deck is quasi-static (mode -1); mode 0 simulates the motion of every element.");
   return out;
 }
 

@@ -83,11 +83,12 @@ ProposedInternalGeometry balls(BearingType type, const Envelope& e, double angle
                   known.groove_outer > 0.0 ? "shoulders" : "groove factors and shoulders",
                   deep ? "6205" : "218", deep ? "; clearance: " + clearance_reason(group) : "");
   if (known.diameter > 0.0) return {sets.take(), known.source + "; " + rest};
-  return {sets.take(), fmt::format("D = {:.4g} (OD - bore), rounded to 1/{} in; {}; {}", share,
-                                   deep && !heavy ? 64 : 32,
-                                   deep ? "largest number of balls for eccentric (Conrad) assembly"
-                                        : "balls on 90 % of the pitch circle",
-                                   rest)};
+  return {sets.take(),
+          fmt::format("D = {:.4g} (OD - bore), rounded to 1/{} in; {}; {}", share,
+                      deep && !heavy ? 64 : 32,
+                      deep ? "number of balls: the maximum for eccentric (Conrad) assembly"
+                           : "the balls fill 90 % of the pitch circle",
+                      rest)};
 }
 
 /// The proportions of today's bearings with enlarged rollers: rated by ISO 281 they come near the
@@ -119,8 +120,9 @@ ProposedInternalGeometry cylinders(const Envelope& e, std::string_view group,
   return {sets.take(),
           (known.diameter > 0.0
                ? known.source
-               : fmt::format("D = {} (OD - bore), L = {} times the width (at most 1.2 D); rollers "
-                             "on 82 % of the pitch circle, as in bearings with enlarged rollers",
+               : fmt::format("D = {} (OD - bore), L = {} times the width (at most 1.2 D); the "
+                             "rollers fill 82 % of the pitch circle, as in bearings with enlarged "
+                             "rollers",
                              share, width_share)) +
               "; typical crown and flanges; clearance: " + clearance_reason(group)};
 }
@@ -151,9 +153,9 @@ ProposedInternalGeometry cones(const Envelope& e, double cup, const KnownInterna
   sets.length("flngHt12", 0.255 * roller);
   return {sets.take(), (known.diameter > 0.0
                             ? known.source
-                            : "D = 0.245 (OD - bore); L = 0.75 times the cone width; rollers on "
-                              "90 % of the pitch circle") +
-                           "; cone angle from the cup angle; typical crown and rib"};
+                            : "D = 0.245 (OD - bore); L = 0.75 times the cone width; the rollers "
+                              "fill 90 % of the pitch circle") +
+                           "; cone angle calculated from the cup angle; typical crown and rib"};
 }
 
 ProposedInternalGeometry barrels(const Envelope& e, double angle, std::string_view group,
@@ -176,12 +178,13 @@ ProposedInternalGeometry barrels(const Envelope& e, double angle, std::string_vi
   sets.real("raceCurFac1", 0.5133);
   sets.real("raceCurFac2", 0.5133);
   sets.real("freeConAng", std::round(angle * 100.0) / 100.0);
-  return {
-      sets.take(),
-      (known.diameter > 0.0 ? known.source
-                            : "D = 0.275 (OD - bore); L = 0.413 times the width; rollers on 87 % "
-                              "of the pitch circle; contact angle from the distance of the rows") +
-          "; clearance: " + clearance_reason(group) + (tapered_bore ? " for tapered bores" : "")};
+  return {sets.take(),
+          (known.diameter > 0.0
+               ? known.source
+               : "D = 0.275 (OD - bore); L = 0.413 times the width; the rollers fill "
+                 "87 % of the pitch circle; contact angle from the distance of the rows") +
+              "; clearance: " + clearance_reason(group) +
+              (tapered_bore ? " for tapered bores" : "")};
 }
 
 /// Record 7.1 in proportion to the cage of the example of the type: diameters about the pitch

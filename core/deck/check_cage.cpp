@@ -18,11 +18,11 @@ void check_pocket_code(Checker& c) {
   const auto type = c.integer("kBrg");
   if (!type) return;
   if (*type == 1 && c.is("kPocType", -1))
-    c.error("kPocType", "-1 is a pocket for rollers, but kBrg = 1 is a ball bearing",
+    c.error("kPocType", "code -1 is a pocket for rollers, but kBrg = 1 is a ball bearing",
             "valid codes for balls are 0 (cylindrical), 1 (spherical), 2 (elongated), 3 "
             "(rectangular), 4 (conical)");
   if (*type != 1 && c.is("kPocType", 4))
-    c.error("kPocType", "4 is a conical pocket for balls, but kBrg is a roller bearing",
+    c.error("kPocType", "code 4 is a conical pocket for balls, but kBrg is a roller bearing",
             "valid codes for rollers are -1 (cylindrical), 0 (rectangular), 1 to 3 (guide surface "
             "pairs)");
 }
@@ -63,8 +63,10 @@ void check_pockets(Checker& c) {
   const double web = std::numbers::pi * 0.5 * (*inner + *outer) / static_cast<double>(*count) -
                      (*diameter + *clearance);
   if (*count > 1 && web <= 0.0)
-    c.warning("nRe", "adjacent pockets overlap at the mean cage diameter, so that no web is left",
-              "use fewer or smaller elements, or a smaller pocket clearance");
+    c.warning(
+        "nRe",
+        "adjacent pockets overlap at the mean cage diameter, so that there is no web between them",
+        "use fewer or smaller elements, or a smaller pocket clearance");
 }
 
 /// The cage runs in the gap between the rings: below the outer shoulder, above the inner one; where
@@ -173,7 +175,7 @@ void check_lands(Checker& c) {
               "enter a width of at most cageWidth", land);
     else if (width && position && land_width && std::abs(*position) - *land_width >= 0.5 * *width)
       c.error("cageGsPos", "puts the whole land outside the cage",
-              fmt::format("enter an absolute value of at most half of cageWidth, {}",
+              fmt::format("enter an absolute value of at most {}, which is half of cageWidth",
                           c.length(0.5 * *width)),
               land);
     else if (width && position && std::abs(*position) > 0.5 * *width * (1.0 + kRounding))
@@ -220,7 +222,7 @@ void check_segments(Checker& c) {
           "lSeg",
           fmt::format(
               "the segments must be identical, with {} each and the same kind of cut (sign of "
-              "lSeg), but segment {} starts at {}",
+              "lSeg), but segment {} has lSeg = {}",
               counted(share, "element"), i, *start),
           fmt::format("enter {} for this segment", *first > 0 ? last + share : -(last + share)));
       return;
@@ -238,13 +240,14 @@ void check_cage_start(Checker& c, long long segments) {
   for (int k = 1; k <= segments; ++k) {
     const auto ratio = c.value_in_deck_units("avRatio", k);
     if (!ratio || (*ratio > 0.0 && *ratio <= kFastestStart)) continue;
-    const std::string_view how = *ratio == 0.0  ? "at rest among orbiting elements"
-                                 : *ratio < 0.0 ? "against the orbital motion of the elements"
-                                                : "much faster than the orbiting elements";
-    return c.warning("avRatio",
-                     fmt::format("starts the {} {}, which causes hard impacts",
-                                 segments > 1 ? "segment" : "cage", how),
-                     "enter 1 to start it at the speed of the elements", k);
+    const std::string_view how = *ratio == 0.0 ? "starts at rest among orbiting elements"
+                                 : *ratio < 0.0
+                                     ? "starts to rotate against the orbital motion of the elements"
+                                     : "starts to rotate much faster than the elements orbit";
+    return c.warning(
+        "avRatio",
+        fmt::format("the {} {}, which causes hard impacts", segments > 1 ? "segment" : "cage", how),
+        "enter 1 to start the cage at the orbital speed of the elements", k);
   }
 }
 

@@ -56,9 +56,10 @@ void check_steps(Checker& c) {
             "enter a value of at most stpMax");
   if (!first) return;
   if (*first == 0.0 && c.integer("kIcOpt") && !c.is("kIcOpt", 1))
-    c.error("stpInit",
-            "0 reuses the last step of a continued run, but kIcOpt does not continue a run",
-            "enter a first step, for instance 0.05");
+    c.error(
+        "stpInit",
+        "a value of 0 reuses the last step of a continued run, but kIcOpt does not continue a run",
+        "enter a first step, for instance 0.05");
   else if (*first != 0.0 && largest && *first > *largest)
     c.warning("stpInit",
               fmt::format("is above stpMax = {:.10g} and will be lowered to it", *largest),
@@ -76,11 +77,11 @@ void check_race_constraints(Checker& c) {
     const auto about_y = c.integer(second);
     const auto about_z = c.integer(third);
     if (about_y && about_z && *about_y != *about_z)
-      c.error(
-          third,
-          fmt::format("must equal {} = {}: the rotations about y and z have the same constraint",
-                      second, *about_y),
-          fmt::format("set both to {}", *about_y));
+      c.error(third,
+              fmt::format(
+                  "must equal {} = {}: the rotations about y and z must have the same constraint",
+                  second, *about_y),
+              fmt::format("set both to {}", *about_y));
     const auto mode = c.integer("mode");
     if (!mode || (*mode != 1 && *mode != 2)) continue;
     for (const int axis : {1, 2, 3}) {
@@ -156,7 +157,7 @@ void check_file_names(Checker& c) {
     }
     const auto [earlier, fresh] = seen.emplace(upper(file), std::string(name));
     if (!fresh)
-      c.error(name, fmt::format("this name is already used by {}", earlier->second),
+      c.error(name, fmt::format("this file name is already used by {}", earlier->second),
               "give each file a different name");
   }
 }
@@ -178,20 +179,20 @@ void check_monitored_bodies(Checker& c) {
     if (!body) continue;
     if (*body <= last) {
       c.error("kPltElemInd",
-              fmt::format("the bodies must be in increasing order, but {} follows {}", *body, last),
-              "sort them and remove duplicates");
+              fmt::format("the body numbers must be in increasing order, but {} follows {}", *body,
+                          last),
+              "sort the numbers and remove duplicates");
       return;
     }
     last = *body;
   }
   if (bodies > 0 && last > bodies)
-    c.error(
-        "kPltElemInd",
-        fmt::format(
-            "there is no body {}: the highest number is {}, the inner race (after {}, {} and the "
-            "outer race)",
-            last, bodies, counted(*elements, "element"), counted(*segments, "cage segment")),
-        fmt::format("enter numbers from 1 to {}", bodies));
+    c.error("kPltElemInd",
+            fmt::format("there is no body {}: the highest body number is {} (the inner race, which "
+                        "follows {}, {} and the outer race)",
+                        last, bodies, counted(*elements, "element"),
+                        counted(*segments, "cage segment")),
+            fmt::format("enter numbers from 1 to {}", bodies));
 }
 
 /// The spin of balls is a choice; what rollers spin about is their own axis.
@@ -204,12 +205,14 @@ void check_spin_rule(Checker& c) {
     c.no_effect("kAngVel", "has no effect on rollers, which spin about their own axis",
                 "set it to 0 or 1");
   if (angle && *angle != 0.0 && (*type != 1 || *rule != 2))
-    c.no_effect("angVelOrient",
-                *type == 1 ? fmt::format("is not used, because kAngVel = {}; only 2 prescribes the "
-                                         "spin axis",
-                                         *rule)
-                           : "has no effect on rollers, which spin about their own axis",
-                *type == 1 ? "set it to 0, or kAngVel to 2" : "set it to 0");
+    c.no_effect(
+        "angVelOrient",
+        *type == 1
+            ? fmt::format("is not used, because kAngVel = {}; only kAngVel = 2 prescribes the "
+                          "spin axis",
+                          *rule)
+            : "has no effect on rollers, which spin about their own axis",
+        *type == 1 ? "set angVelOrient to 0, or set kAngVel to 2" : "set it to 0");
 }
 
 void check_types(Checker& c) {
@@ -227,32 +230,33 @@ void check_types(Checker& c) {
     c.error("kReGeoImp",
             fmt::format("the list of diameters has 40 values, but the bearing has {} elements",
                         *elements),
-            "use 3 (user routine ADRX8) or 1 (random errors)");
+            "use code 3 (user routine ADRX8) or code 1 (random errors)");
   if (c.is("kReGeoImp", 2) && elements)
     for (long long i = *elements + 1; i <= 40; ++i) {
       const std::string name = fmt::format("reDiaVar{}", i);
       const auto deviation = c.value_in_deck_units(name);
       if (deviation && *deviation != 0.0)
-        c.no_effect(name, "there is no such element; the value has no effect", "set it to 0");
+        c.no_effect(name, "the bearing does not have this element; the value has no effect",
+                    "set it to 0");
     }
   const auto lubricant = c.integer("kTrac");
   if (lubricant && *lubricant <= 0) {
     constexpr std::string_view kMessage =
-        "1 selects the lubricant of kTrac, but kTrac = {} has no lubricant";
-    constexpr std::string_view kRemedy = "choose a lubricant with kTrac, or another medium here";
+        "code 1 selects the lubricant of kTrac, but kTrac = {} has no lubricant";
+    constexpr std::string_view kRemedy =
+        "choose a lubricant with kTrac, or choose another medium with this variable";
     if (c.is("kChrn", 1)) c.error("kChrn", fmt::format(kMessage, *lubricant), std::string(kRemedy));
     if (c.is("kCoolant", 1))
       c.error("kCoolant", fmt::format(kMessage, *lubricant), std::string(kRemedy));
   }
   if (c.is("iTherm", 1) && lubricant && *lubricant != 12)
-    c.no_effect(
-        "iTherm",
-        fmt::format("applies only to kTrac 12, but kTrac is {}; it has no effect", *lubricant),
-        "set it to 0");
+    c.no_effect("iTherm",
+                fmt::format("has an effect only with kTrac = 12, but kTrac is {}", *lubricant),
+                "set it to 0");
   if (c.is("kCoolant", 0) && (c.is("kBaseTemp", 2) || c.is("kBaseTemp", 3)))
     c.error("kBaseTemp",
             "the reference temperature is that of the coolant, but kCoolant is 0 (no coolant)",
-            "choose another location, or a coolant with kCoolant");
+            "choose another reference temperature with kBaseTemp, or a coolant with kCoolant");
 }
 
 }  // namespace

@@ -86,14 +86,13 @@ void check_angle_and_clearance(Checker& c, double diameter) {
       c.warning("freeIntCls",
                 "contact angle and clearance are both zero: the bearing has neither clearance nor "
                 "preload",
-                "if this is not intended, enter freeConAng or freeIntCls");
+                "enter freeConAng or freeIntCls, unless zero clearance is intended");
     if (*clearance > room)
-      c.error(
-          "freeIntCls",
-          fmt::format(
-              "with this clearance a ball cannot touch both races: the grooves allow at most {}",
-              c.length(room)),
-          "enter a smaller clearance or larger groove factors");
+      c.error("freeIntCls",
+              fmt::format("with this clearance a ball cannot touch both races: the grooves allow a "
+                          "clearance of at most {}",
+                          c.length(room)),
+              "enter a smaller clearance or larger groove factors");
     return;
   }
   const double implied = room * (1.0 - std::cos(*angle));
@@ -101,7 +100,7 @@ void check_angle_and_clearance(Checker& c, double diameter) {
     c.warning("freeIntCls",
               fmt::format("is not used: freeConAng is above 0 and determines a clearance of {}",
                           c.length(implied)),
-              "set it to 0, or freeConAng to 0");
+              "set freeIntCls or freeConAng to 0");
 }
 
 /// Grooves as open as these are made for tests with balls smaller than the race was ground for.
@@ -158,18 +157,18 @@ void check_cone_pitch(Checker& c, double pitch, double diameter, double outer, d
   const auto angle = [&](double rad) { return fmt::format("{:.5g} deg", rad / kDegree); };
   const std::string formula = fmt::format(
       "the resulting pitch diameter, bReDia sin(mean angle) / tan(half the "
-      "difference), is {}",
+      "angle difference), is {}",
       c.length(pitch));
   const bool wide = pitch >= *outside;
   if (wide || pitch <= *bore) {
     const double first = inner_cone_for(*bore + diameter, diameter, outer);
     const double last = inner_cone_for(*outside - diameter, diameter, outer);
-    const std::string remedy =
-        *bore + diameter < *outside - diameter
-            ? fmt::format(
-                  "enter an inner cone angle of {} to {} for this outer cone, or change both",
-                  angle(first), angle(last))
-            : "check bReDia, brgBore and brgOD";
+    const std::string remedy = *bore + diameter < *outside - diameter
+                                   ? fmt::format(
+                                         "enter an inner cone angle of {} to {} for this outer "
+                                         "cone, or change both angles",
+                                         angle(first), angle(last))
+                                   : "check bReDia, brgBore and brgOD";
     c.error("raceTaper2",
             fmt::format("the cone angles {} (outer, raceTaper1) and {} (inner) are too {}: {}, "
                         "{} the {} of {}",
@@ -221,8 +220,8 @@ void check_flanges(Checker& c) {
   }
   if (*type == 4 && c.is("kFlngInd11", 0) && c.is("kFlngInd12", 0))
     c.error("kFlngInd12",
-            "tapered rollers need a flange at their large end (negative x side); without it any "
-            "load pushes them out",
+            "tapered rollers need a flange at their large end (negative x side); without this "
+            "flange, any load pushes the rollers out",
             "set kFlngInd12 to 1 and give record 5F (rib of the inner race)");
 }
 

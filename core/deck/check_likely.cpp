@@ -173,10 +173,11 @@ void check_loads(Checker& c) {
     if (const auto code = c.integer(name); code && *code != 0) return;
   const auto mode = c.integer("mode");
   if (!mode) return;
-  c.warning("appLoadX",
-            "the inner race has no load, moment or displacement that presses the elements against "
-            "the races",
-            "enter a load on record 9.1.1, or a displacement with kFS1 to kFS5 = 1");
+  c.warning(
+      "appLoadX",
+      "the inner race has no load, moment or displacement that presses the elements against "
+      "the races",
+      "enter a load on record 9.1.1, or set one of kFS1 to kFS5 to 1 and enter a displacement");
 }
 
 /// Races that do not turn against each other roll nothing.
@@ -190,7 +191,7 @@ void check_speeds(Checker& c) {
     c.add(c.deck().issue(
         Severity::Note, "rpm2",
         "no race rotates: the result is the equilibrium at rest, without a life in hours",
-        "if this is not intended, enter a speed on record 9.1.2"));
+        "enter a speed on record 9.1.2, unless the bearing is at rest"));
     return;
   }
   c.warning("rpm2",

@@ -43,7 +43,7 @@ void check_constraints(Checker& c) {
     if (mode && *mode >= 0 && c.is("kDCR", 1) && (c.is(free[0], 0) || c.is(free[1], 0))) continue;
     if (c.is(flag, 1) && value && *value != 0.0)
       c.warning(load, fmt::format("is not used, because {} is 1 (displacement given)", flag),
-                fmt::format("set it to 0, or {} to 0", flag));
+                fmt::format("set {} or {} to 0", load, flag));
   }
 }
 
@@ -123,8 +123,8 @@ void check_asymptote(Checker& c, std::string_view stem) {
   const bool constant = rise == 0.0 && *slope == 0.0;
   if (!constant && !(*slope * rise > 0.0))
     c.error(slope_name,
-            fmt::format("a curve with this slope does not approach the asymptote: it must change "
-                        "from {0}1 = {1:.6g} to {0}2 = {2:.6g}",
+            fmt::format("with this slope, the curve does not approach the asymptote: the traction "
+                        "coefficient must change from {0}1 = {1:.6g} to {0}2 = {2:.6g}",
                         stem, *at_zero, *at_infinity),
             rise > 0.0   ? "enter a positive slope"
             : rise < 0.0 ? "enter a negative slope"

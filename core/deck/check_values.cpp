@@ -143,7 +143,7 @@ class ValueCheck {
     report(variable_.name == "recID" ? Severity::Warning : Severity::Error, element,
            value_text(text),
            fmt::format("is {} characters long, but at most {} are allowed", text.size(), longest),
-           "shorten it");
+           "shorten the text");
   }
 
   Checker& checker_;
@@ -183,10 +183,10 @@ void check_record_layout(Checker& checker, const ReportedErrors& reported) {
         checker.add(record_issue(
             deck, spec.id, data.line,
             count > 0
-                ? fmt::format("there are more of these records than `{}` specifies", spec.repeat)
+                ? fmt::format("the deck has more of these records than `{}` specifies", spec.repeat)
                 : fmt::format("the record is not needed, because the condition `{}` is not met",
                               spec.condition),
-            "remove it, or change the option"));
+            "remove the record, or change the option"));
     }
   }
   if (in_order < deck.records.size()) {
@@ -207,7 +207,7 @@ void check_values(Checker& checker) {
           record_issue(checker.deck(), data.id, data.line,
                        fmt::format("has {}, but {} are required",
                                    counted(data.values.size(), "variable"), spec->variables.size()),
-                       "give all of them"));
+                       "give all variables of the record"));
       continue;
     }
     for (std::size_t i = 0; i < spec->variables.size(); ++i)

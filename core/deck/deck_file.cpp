@@ -37,7 +37,8 @@ std::optional<Issue> find_no_deck(std::string_view text, const std::string& file
     Issue issue;
     issue.file = file_name;
     issue.line = line;
-    issue.message = fmt::format("this is not a text file (byte {} on this line)", byte);
+    issue.message =
+        fmt::format("this is not a text file (this line contains the control character {})", byte);
     issue.remedy = "give a data deck in plain text (ASCII or UTF-8)";
     return issue;
   }
@@ -59,7 +60,7 @@ std::string read_text(const fs::path& path) {
     fail(path, "there is no such file", "check the name, or write a deck with `adore new ball`");
   if (fs::is_directory(status))
     fail(path, "this is a folder, not a data deck",
-         "give the file in this folder, such as DATA.txt");
+         "give the name of the deck in this folder, such as DATA.txt");
   InputFile in(path);
   if (!in) fail(path, "the file cannot be opened", "check its permissions");
   std::string text;

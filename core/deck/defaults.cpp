@@ -115,7 +115,7 @@ std::vector<Issue> added_defaults(const Deck& before, const Deck& after) {
             ? "was added with default values, because the changed options require this record"
             : "was completed with default values for missing variables",
         values);
-    issue.remedy = "set these variables too, or write them into the deck";
+    issue.remedy = "set the listed variables too, or write them into the deck";
     list.push_back(std::move(issue));
   }
   return list;

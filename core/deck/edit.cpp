@@ -58,7 +58,7 @@ Target parse_target(std::string_view text) {
 
 [[noreturn]] void fail_unknown(std::string_view name, std::string_view value) {
   if (name == "recID")
-    fail(name, value, "every record has a label, so the name alone is ambiguous",
+    fail(name, value, "every record has a label, so the name recID alone is ambiguous",
          "edit the label in the deck");
   std::string list;
   for (const std::string_view similar : similar_variables(name))
@@ -224,16 +224,17 @@ Place locate(Deck& deck, const Target& target, std::string_view name, std::strin
   if (place.ref == nullptr && place.instance > 1 && find_or_add(deck, refs, 1) != nullptr)
     fail(name, value,
          fmt::format("the deck does not have instance {} of this record", place.instance),
-         "give a smaller number, or increase the count");
+         "give a smaller instance number, or increase the number of instances");
   if (place.ref == nullptr)
     fail(name, value, "the deck does not have the record of this variable",
-         fmt::format("the variable is on {}; set that option too", condition_of(refs)));
+         fmt::format("the variable is on {}; set the options of this condition too",
+                     condition_of(refs)));
 
   const RecordSpec& record = *place.ref->record;
   const int count = record.repeat.empty() ? 1 : repeat_count(deck, record);
   if (count > 1 && target.indices.empty())
     fail(name, value, fmt::format("the deck has {} instances of this variable", count),
-         fmt::format("give the number of one instance, such as {}[1]", target.name));
+         fmt::format("choose one instance, such as {}[1]", target.name));
   const std::size_t used = record.repeat.empty() || target.indices.empty() ? 0 : 1;
   const bool is_array = place.ref->spec().length != "1";
   if (target.indices.size() > used) {
@@ -242,7 +243,7 @@ Place locate(Deck& deck, const Target& target, std::string_view name, std::strin
       fail(name, value,
            is_array ? "this variable has " + counted(length, "element")
                     : "this variable is a single value",
-           is_array ? "give an index up to this number, or increase the count first"
+           is_array ? "give a smaller index, or first increase the number of elements"
                     : "omit the index");
     place.element = static_cast<std::size_t>(target.indices[used]) - 1;
   } else if (!is_array) {
@@ -281,7 +282,7 @@ std::vector<Pending> parse_all(std::span<const std::pair<std::string, std::strin
       else if (trimmed(same->text->second) != trimmed(text.second))
         fail(text.first, text.second,
              fmt::format("is set twice, to {} and to {}", same->text->second, text.second),
-             "set it once");
+             "set the variable once");
     } catch (const InputError& error) {
       issues.insert(issues.end(), error.issues().begin(), error.issues().end());
     }
@@ -360,7 +361,7 @@ void Deck::set(std::string_view name, std::string_view value) {
     const std::vector<std::string_view> parts = split_at_commas(value);
     if (elements.empty())
       fail(name, value, "this variable has no elements in this deck",
-           fmt::format("increase {} first, which is the number of elements", spec.length));
+           fmt::format("first increase {}, which is the number of elements", spec.length));
     if (parts.size() != elements.size())
       fail(name, value, "this variable has " + counted(elements.size(), "element"),
            fmt::format("give {} separated by commas, or set one element, such as {}[1]",

@@ -118,9 +118,11 @@ std::vector<Issue> renumber_monitored_bodies(Deck& deck, const Deck& before) {
     if (of == nullptr) {
       after.push_back(value);  // wrong before: reported as an error, unless it is now valid
       if (const std::string name = number == nullptr ? "" : body_name(deck, *number); !name.empty())
-        notes.push_back(note(
-            fmt::format("{} was not the number of a body before; it is now the {}", *number, name),
-            "check whether this is the intended body"));
+        notes.push_back(
+            note(fmt::format(
+                     "{} was not a body number before the change; it is now the number of the {}",
+                     *number, name),
+                 "check whether this is the intended body"));
       continue;
     }
     const long long place = *number - of->first_before + 1;

@@ -186,11 +186,12 @@ class QuantityParser {
       const double sign = text_[at_++] == '+' ? 1.0 : -1.0;
       const Amount next = term(depth);
       if (out.unit.has_value() != next.unit.has_value())
-        fail("has a unit in only some of its terms", "give every term a unit, or none");
+        fail("has a unit in only some of its terms", "give a unit to every term or to no term");
       if (out.unit && out.unit->dimension != next.unit->dimension)
         fail("adds different kinds of quantities", kExample);
       if (out.point || next.point)
-        fail("adds temperatures in °C or °F, whose zero is not absolute", "give one temperature");
+        fail("adds temperatures in °C or °F, whose zero is not absolute zero",
+             "give one temperature");
       out.value += sign * next.value;
     }
     return out;
@@ -209,7 +210,7 @@ class QuantityParser {
       const int sign = text_[at_++] == '*' ? 1 : -1;
       const Amount next = factor(depth);
       if (out.point || next.point)
-        fail("multiplies a temperature in °C or °F, whose zero is not absolute",
+        fail("multiplies a temperature in °C or °F, whose zero is not absolute zero",
              "give one temperature");
       if (sign < 0 && next.value == 0.0) fail("divides by zero", "give a divisor other than 0");
       out.value = sign > 0 ? out.value * next.value : out.value / next.value;
@@ -375,9 +376,11 @@ NumberProblem parse_quantity(std::string_view text, const UnitPair& unit, UnitSy
       const Dimension dimension = wanted ? wanted->dimension : kPureNumber;
       if (amount.unit->dimension != dimension)
         return {"has a unit of a different quantity",
-                wanted ? fmt::format("give it in {}, or in a unit that can be converted to it",
-                                     system == UnitSystem::English ? unit.en : unit.si)
-                       : std::string("give a pure number")};
+                wanted
+                    ? fmt::format(
+                          "give the value in {}, or in a unit that can be converted to this unit",
+                          system == UnitSystem::English ? unit.en : unit.si)
+                    : std::string("give a pure number")};
       value = amount.value / factor_of(unit, system);
     } else {
       value = amount.value;

@@ -49,7 +49,7 @@ class Reader {
 ReadResult Reader::read() {
   if (!state_.scanner.skip_to_record_start()) {
     state_.report(Severity::Error, 0, "", "", "the deck is empty",
-                  "start from an example, for instance `adore new ball`");
+                  "write an example deck, for instance with `adore new ball`");
     return std::move(state_.result);
   }
   const std::span<const RecordSpec> records = schema();
@@ -182,22 +182,21 @@ void Reader::skip_record() {
   bool needless = false;
   if (state_.deck().has_record(extra.id) && extra.repeat.empty())
     state_.report(Severity::Error, line, "", "", "the deck already has this record",
-                  "remove one of them");
+                  "remove one of the two records");
   else if (is_doubtful(extra.condition))
-    state_.report(
-        Severity::Warning, line, "", "",
-        "this record is ignored: because of the errors above it is unknown whether it is needed",
-        "correct the errors above first");
+    state_.report(Severity::Warning, line, "", "",
+                  "this record is ignored: the errors above make it unclear whether it is needed",
+                  "correct the errors above first");
   else if (evaluate(extra.condition, condition_scope(state_.deck())))
     state_.report(
         Severity::Warning, line, "", "",
         extra.repeat.empty()
             ? "this record is out of order and is ignored"
             : fmt::format(
-                  "there are more of these records than `{}` specifies; this one is ignored",
+                  "the deck has more of these records than `{}` specifies; this record is ignored",
                   extra.repeat),
         extra.repeat.empty() ? "put the records in the order that `adore schema` lists"
-                             : "remove it, or change the options");
+                             : "remove the record, or change the options");
   else
     needless = true;
   const bool known_before = state_.deck().has_record(extra.id) && extra.repeat.empty();
@@ -208,7 +207,7 @@ void Reader::skip_record() {
         fmt::format(
             "this record is not needed and is ignored, because the condition `{}` is not met",
             extra.condition),
-        "remove it, or change the options");
+        "remove the record, or change the options");
   state_.spec = expected;
   const Label* next = state_.labels.first_label_after(label.line);
   state_.scanner.go_to_line(next == nullptr ? state_.scanner.lines().size() : next->line);
@@ -260,7 +259,7 @@ void Reader::report_missing_at_end() {
       Severity::Error, static_cast<int>(state_.scanner.lines().size()), "", "",
       one ? fmt::format("the deck ends, but record {} ({}) is required", list, state_.spec->title)
           : fmt::format("the deck ends, but records {} are required", list),
-      one ? "add it" : "add them");
+      one ? "add this record" : "add these records");
   state_.spec = nullptr;
 }
 
@@ -276,7 +275,7 @@ void Reader::read_extension() {
     const bool again = state_.deck().has_record(spec.id);
     if (again)
       state_.report(Severity::Error, static_cast<int>(line) + 1, "", "",
-                    "the deck already has this record", "remove one of them");
+                    "the deck already has this record", "remove one of the two records");
     record_reader_.read(spec, 1);
     if (again) state_.deck().records.pop_back();
   }
@@ -306,7 +305,7 @@ void Reader::keep_user_lines() {
       fmt::format("{} after the last required record{} {} kept as input of user routines",
                   counted(kept.size(), "line"), last.empty() ? "" : fmt::format(" ({})", last),
                   kept.size() == 1 ? "is" : "are"),
-      "remove them if no user routine reads them");
+      "remove these lines if no user routine reads them");
   state_.spec = nullptr;
 }
 

@@ -112,9 +112,9 @@ void RecordReader::read_label(RecordData& data) {
   double number = 0.0;
   if (token.kind == Token::Kind::Word &&
       !parse_real(token.text, number)) {  // the line holds just the values
-    complain(
-        Severity::Error, token, "the record has no label",
-        fmt::format("start it with a label in single quotes, such as 'Rec {}'", state_.spec->id));
+    complain(Severity::Error, token, "the record has no label",
+             fmt::format("start the record with a label in single quotes, such as 'Rec {}'",
+                         state_.spec->id));
     state_.scanner.set_position(start);
     return;
   }
@@ -131,7 +131,7 @@ void RecordReader::read_label(RecordData& data) {
                          default_label(*state_.spec, data.instance)));
   if (is_bad_quote(token)) {
     complain(Severity::Error, token, quote_problem(token),
-             "put the label in single quotes and a comma after it");
+             "put single quotes around the label and a comma after it");
     broken_ = true;
   } else if (token.repeat != 1) {
     complain(Severity::Error, token, "a label cannot be repeated",
@@ -288,11 +288,13 @@ void RecordReader::warn_about_detached_value() {
   const std::size_t word = rest.find_first_not_of(" \t");
   if (word == std::string_view::npos || std::isalpha(static_cast<unsigned char>(rest[word])) == 0)
     return;
-  state_.report(Severity::Warning, detached_token_.line,
-                state_.spec->variables[detached_variable_index_].name, detached_token_.text,
-                "was read as a value, but it is set apart from the others and followed by text, "
-                "like the start of a comment",
-                "put a comma before it if it is a value; otherwise add the missing value");
+  state_.report(
+      Severity::Warning, detached_token_.line,
+      state_.spec->variables[detached_variable_index_].name, detached_token_.text,
+      "was read as a value, but it is separated from the other values and followed by text, "
+      "like the start of a comment",
+      "if the number is a value of the record, put a comma before it; otherwise add the missing "
+      "value");
 }
 
 /// Text after the last value is ignored by the rules, but a number after a comma is likely a
@@ -301,7 +303,7 @@ void RecordReader::warn_about_surplus_values() {
   if (pending_repeats_ > 0) {
     state_.report(
         Severity::Warning, pending_.line, "", "",
-        fmt::format("a repeat count gives more values than the record has; {} ignored",
+        fmt::format("a repeat count gives more values than the record has variables; {} ignored",
                     pending_repeats_ == 1 ? "1 is" : fmt::format("{} are", pending_repeats_)),
         "lower the repeat count");
     return;
@@ -316,7 +318,7 @@ void RecordReader::warn_about_surplus_values() {
   if (word.empty() || parse_real(word, number)) return;
   state_.report(Severity::Warning, static_cast<int>(state_.scanner.position().line) + 1, "",
                 std::string(word),
-                fmt::format("the record has {}; the rest is ignored",
+                fmt::format("the record has {}; further values on the line are ignored",
                             counted(state_.expected_value_count(*state_.spec) + 1, "value")),
                 "remove the extra values, or write a decimal comma as a point");
 }

@@ -444,7 +444,7 @@ TEST_CASE("wrong file for a command → message names the file type", "[cli]") {
        {Case{"check PRINT.txt", "this is a listing (PRINT.txt of a run), not a deck"},
         Case{"run SOL1", "this is a file of plotted channels"},
         Case{"plan SOL8", "this is an animation file"},
-        Case{"run FINAL", "this is the last state of a run"},
+        Case{"run FINAL", "this is the final state of a run"},
         Case{"run MASTER", "this is the bookkeeping of a run"},
         Case{"check RUN.json", "this is the summary of a run"}, Case{"check RESULTS.h5", "HDF5"},
         Case{"show DATA.txt", "this is a deck"},

@@ -161,9 +161,9 @@ TEST_CASE("WriteFolder: a folder or file of a third user → refused", "[unit][b
   REQUIRE(::chown((folder.path / "other").c_str(), 12345, 12345) == 0);
   REQUIRE(::chown((folder.path / "file").c_str(), 12345, 12345) == 0);
   CHECK_THAT(refusal([&] { (void)named.folder("other"); }),
-             Catch::Contains("belongs to user 12345"));
+             Catch::Contains("the owner is user 12345"));
   CHECK_THAT(refusal([&] { (void)named.open_own("file"); }),
-             Catch::Contains("belongs to user 12345"));
+             Catch::Contains("the owner is user 12345"));
   // The owner of the named folder is trusted with what is in it.
   REQUIRE(::chown(folder.path.c_str(), 12345, 12345) == 0);
   const adore::WriteFolder theirs(folder.path);

@@ -97,8 +97,10 @@ TEST_CASE("set_all_and_renumber(): invalid number → all others still follow", 
   deck.complete();
   const std::vector<Issue> notes = renumber_monitored_bodies(deck, before);
   CHECK(body_name(deck, monitored_bodies(deck)[1]) == "outer race");
-  CHECK(said(notes, fmt::format("{} was not the number of a body before; it is now the inner race",
-                                bodies + 1)));
+  CHECK(said(notes,
+             fmt::format("{} was not a body number before the change; it is now the number of the "
+                         "inner race",
+                         bodies + 1)));
   // A count that is none says nothing of bodies.
   Deck none = before;
   none.set("nRe", "0");
