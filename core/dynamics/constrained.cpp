@@ -315,8 +315,8 @@ QuasiStaticTransition hold(const ConstrainedBall& ball, const std::array<RacePos
 
 void suppress_accelerations(int kdof, std::array<double, 6>& element, std::array<double, 6>& cage) {
   if (kdof < 0 || kdof > 5)
-    throw InputError(
-        fmt::format("kDOF = {} is not a set of suppressed motions; give 0 to 5", kdof));
+    throw InputError(fmt::format(
+        "kDOF = {} is not a code of suppressed motions; give a value from 0 to 5", kdof));
   if (kdof == 0) return;
   if (kdof == 5) {
     element.fill(0.0);

@@ -486,8 +486,8 @@ EquilibriumChange move_to_equilibrium(const EquilibriumContext& before, double t
     if (is) break;
   }
   if (!was || !is) {
-    out.why_not = was ? "no equilibrium of the elements was found after the change"
-                      : "no equilibrium of the elements was found before the change";
+    out.why_not = was ? "no equilibrium of the elements was found after the change of the bearing"
+                      : "no equilibrium of the elements was found before the change of the bearing";
     return out;
   }
 
@@ -589,7 +589,7 @@ EquilibriumChange assess_start_excess(const EquilibriumContext& scene, double t,
   if (excess)
     out.excess = std::max(0.0, *excess);
   else
-    out.why_not = "the energy of the start cannot be evaluated";
+    out.why_not = "the energy at the start cannot be evaluated";
   return out;
 }
 

@@ -151,7 +151,8 @@ void estimate(ScenePlan& plan, const bearing::Bearing& bearing,
   if (!(plan.fastest_frequency > 0.0)) {
     plan.fastest_frequency = 1.0 / (kTurn * system.scales().time);
     plan.fastest_contact =
-        "no contact is loaded; estimated for a load of 0.001 times the force scale";
+        "no contact is loaded; the frequency is an estimate for a small contact load (0.001 times "
+        "the force scale of the bearing)";
   }
   plan.expected_step = kPeriodsPerStep / plan.fastest_frequency;
   const double speed = std::abs(bearing.speed[1] - bearing.speed[0]);

@@ -28,7 +28,7 @@ std::string StateLayout::component_name(int index) const {
     if (group.slice.count == 1) return fmt::format("{} [{}]", group.name, group.unit);
     return fmt::format("{}[{}] [{}]", group.name, k + 1, group.unit);
   }
-  demand(false, "no state component has this index");
+  demand(false, "the index of a state component is out of range");
   return {};
 }
 

@@ -97,7 +97,8 @@ bool System::Impl::knows(double t, std::span<const double> y) const noexcept {
 }
 
 const Evaluation& System::Impl::evaluate(double t, std::span<const double> y) {
-  demand(static_cast<int>(y.size()) == parts.layout.size(), "a state of another system was given");
+  demand(static_cast<int>(y.size()) == parts.layout.size(),
+         "the given state belongs to another system");
   if (knows(t, y)) {
     e.y = y.data();
     return e;
@@ -120,8 +121,9 @@ std::string System::Impl::invalid_state_reason(const double* y) const {
   if (user != nullptr && user->failed()) return "a user routine failed";
   for (const auto& effect : parts.effects)
     if (std::string why = effect->why_invalid(e); !why.empty()) return why;
-  return "an acceleration is not finite. At the start: correct values of the deck that are far too "
-         "large. Later: reduce the tolerance (tol) or the maximum step (stpMax)";
+  return "an acceleration is not finite. If this occurs at the start, look for deck values that "
+         "are far too large. If it occurs later, reduce the tolerance (tol) or the maximum step "
+         "(stpMax)";
 }
 
 void System::Impl::throw_invalid(double t, const double* y) const {

@@ -88,10 +88,11 @@ void check_grooves(const Deck& deck, const bearing::Bearing& b) {
       throw InputError(
           {deck.issue(Severity::Error, diameter_variable(b.imperfections.elements, k),
                       fmt::format("ball {} with its deviation of {} does not fit the {} groove: "
-                                  "the groove radius would be {:.6g} times its diameter",
+                                  "the groove radius would be {:.6g} times the ball diameter",
                                   k + 1, length_text(deck, b.imperfections.ball_diameter[k]),
                                   j == 0 ? "outer" : "inner", ratio),
-                      "give smaller deviations; the ratio must be above 0.5 and below 1")});
+                      "give smaller deviations. The groove radius must be between 0.5 and 1 times "
+                      "the ball diameter")});
     }
   double smallest = D, largest = D;
   for (const double growth : b.imperfections.ball_diameter) {

@@ -26,8 +26,8 @@ class Reader {
   [[nodiscard]] std::optional<double> positive(const std::string& name, const char* remedy) {
     const std::optional<double> out = value(name);
     if (out && !(*out > 0.0))
-      issues_.push_back(
-          deck_.issue(Severity::Error, name, "gives zero life; it must be above 0", remedy));
+      issues_.push_back(deck_.issue(Severity::Error, name,
+                                    "must be above 0; otherwise the life is zero", remedy));
     return out;
   }
   /// Every stress falls with depth exponents and stress exponents that are far enough apart.
@@ -38,7 +38,7 @@ class Reader {
           deck_.issue(Severity::Error, stress,
                       "is too small for the depth exponent of the same record: life would not "
                       "decrease with load",
-                      "give a value above (depth exponent minus 1)"));
+                      "give a value above the depth exponent minus 1"));
   }
   void finish() {
     if (!issues_.empty()) throw InputError(std::move(issues_));

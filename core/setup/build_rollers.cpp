@@ -61,10 +61,9 @@ void read_profile(const Deck& deck, Type type, bearing::RollerGeometry& out) {
     out.land_width = {deck.si("raceLandLmt1"), deck.si("raceLandLmt2")};
     for (const char* name : {"raceLandLmt1", "raceLandLmt2"}) {
       if (!(deck.si(name) > 0.0))
-        throw InputError(
-            {deck.issue(Severity::Error, name, "is not a valid raceway width",
-                        "give the usable raceway width; a value of bReLen or more does not limit "
-                        "the contact")});
+        throw InputError({deck.issue(Severity::Error, name, "is not a valid raceway width",
+                                     "give the usable raceway width; a value of bReLen (roller "
+                                     "length) or more does not limit the contact")});
     }
     read_race_crowns(deck, out);
   }

@@ -122,8 +122,8 @@ void check_requests(const Deck& deck, const UserHooks* user, Checker& check) {
                 user == nullptr ? asks + ", but no plug-in was given"
                                 : fmt::format("{}, which {} does not have or does not activate",
                                               asks, user->source),
-                fmt::format("give a plug-in that has this routine with --user PLUG-IN (`adore "
-                            "user new adrx{}` writes an example), or {}",
+                fmt::format("give a plug-in that has the missing routine, with --user PLUG-IN "
+                            "(`adore user new adrx{}` writes an example), or {}",
                             request.routine, otherwise));
   }
 }
@@ -196,11 +196,10 @@ void check_law_ranges(const Deck& deck, Checker& check) {
       laws += fmt::format("{}{} ({} to {})", laws.empty() ? "" : ", ", law.property,
                           temperature_text(deck, law.T_min), temperature_text(deck, law.T_max));
     if (!laws.empty())
-      check.warning(
-          place.temperature,
-          fmt::format("is outside the known range of the properties of {}: {}; the value at the "
-                      "nearer end of the range is used",
-                      material.name, laws));
+      check.warning(place.temperature,
+                    fmt::format("is outside the known range of the properties of {}: {}; each "
+                                "property has its value at the nearer end of its range",
+                                material.name, laws));
   }
 }
 
@@ -230,9 +229,8 @@ void check_land_errors(const Deck& deck, Checker& check) {
     const double radius = 0.5 * land.diameter;
     if (!land.ideal() && deck.integer("kGsHydro") == 1)
       check.error("kGsHydro",
-                  "computes films of round guide lands only, but these lands have "
-                  "shape errors",
-                  "set kGsHydro to 0, or kCageGsImp and kRaceGsImp to 0");
+                  "computes films of round guide lands only, but a guide land has shape errors",
+                  "set kGsHydro to 0, or set kCageGsImp and kRaceGsImp to 0");
     for (const auto& [stem, errors] :
          {std::pair{"cageGsRadVar", &land.of_cage}, {"raceGsRadVar", &land.of_race}}) {
       if (errors->ideal()) continue;
@@ -261,7 +259,7 @@ void check_land_errors(const Deck& deck, Checker& check) {
                 index),
             "give a whole number of waves per revolution");
       if (std::abs(v[1]) > kMaxWaves)
-        error(2, fmt::format("is too many waves for the contact law of land {}", index),
+        error(2, fmt::format("is more waves than the contact law of guide land {} allows", index),
               fmt::format("give at most {:g} waves per revolution", kMaxWaves));
       if (v[1] == 0.0 && std::abs(std::sin(v[2])) < 1e-9)
         check.no_effect(
@@ -276,8 +274,8 @@ void check_land_errors(const Deck& deck, Checker& check) {
       const double most = kMaxWaveShare * radius / std::max(1.0, std::abs(v[1]));
       if (std::abs(v[0]) > most)
         error(1,
-              fmt::format("makes waves on land {} that are too high or too steep: the contact law "
-                          "of guide lands is valid for slopes and relative heights up to 1/20",
+              fmt::format("makes the waves on guide land {} too high or too steep: the contact law "
+                          "is valid for slopes up to 1/20 and heights up to 1/20 of the radius",
                           index),
               fmt::format("give an absolute value of at most {}", length_text(deck, most)));
     }
@@ -317,22 +315,22 @@ void check_segments(const Deck& deck, Checker& check) {
   const double cut = cage.segments.cut_angle;
   if (cut == 0.0)
     check.warning("cageAngCut",
-                  "leaves no gap between the segments. Contact between segments is not modeled, "
-                  "so their ends overlap as soon as they move",
-                  "give the angle of the cut");
+                  "leaves no gap between the segments. Contact between segments is not modeled, so "
+                  "the ends of moving segments overlap",
+                  "give the angle of the cut between two segments");
   for (std::size_t i = 0; i < cage.lands.size(); ++i)
     if (cage.lands[i].guide != bearing::GuideLand::Guide::None && cage.lands[i].clearance < 0.0)
       check.error("cageGsCls",
-                  fmt::format("gives land {} of the segments an interference with its race all "
-                              "around, which only a one-piece cage can have",
+                  fmt::format("gives guide land {} an interference with its race around the full "
+                              "circumference, which only a one-piece cage can have",
                               i + 1),
                   "give 0 or more");
   if (deck.has("cageMass") && deck.real("cageGeoCenZ") == 0.0)
     check.warning("cageGeoCenZ",
-                  "puts the mass center of every segment on the bearing axis. Record 7.7 "
-                  "describes one segment; the z axis passes through its angular middle",
-                  "give the negative distance of the mass center from the bearing axis, or set "
-                  "kCageIP to 0");
+                  "puts the mass center of every segment on the bearing axis. Record 7.7 describes "
+                  "one segment, with the z axis through the middle of the segment",
+                  "give the distance of the mass center from the bearing axis as a negative value, "
+                  "or set kCageIP to 0");
   const bool faces = deck.integer("kBrg") != 1 && deck.integer("kPocType") > 0;
   if (faces || cut_fits(deck, cage, cut)) return;
   double most = 0.0, bad = cut;
@@ -348,7 +346,7 @@ void check_segments(const Deck& deck, Checker& check) {
     check.error(
         "cageAngCut",
         "makes the half pockets too narrow: the opening touches the rolling element on both sides",
-        fmt::format("{}, or cut between the pockets (positive numbers in lSeg)",
+        fmt::format("{}, or cut the cage between the pockets (positive numbers in lSeg)",
                     most > 0.0 ? limit : "give more pocket clearance"));
 }
 
@@ -373,9 +371,10 @@ void check_lubricant(const Deck& deck, Checker& check) {
                "leaves no oil at the contact inlets: the contacts have no film, and record 10.1 "
                "defines their traction. For flooded inlets, enter 10 or more");
   else if (deck.si("reRaceFilm") < tribology::kThinnestFilm)
-    check.note("reRaceFilm", fmt::format("is too thin for a liquid film (a few molecules): below "
-                                         "{:g} nm record 10.1 defines the traction of the contacts",
-                                         1e9 * tribology::kThinnestFilm));
+    check.note("reRaceFilm",
+               fmt::format("is a thickness of only a few molecules. Below {:g} nm there is no "
+                           "liquid film, and record 10.1 defines the traction of the contacts",
+                           1e9 * tribology::kThinnestFilm));
 }
 
 /// Which films of the pockets act.
@@ -383,8 +382,8 @@ void check_pocket_films(const Deck& deck, Checker& check) {
   const deck::ReportOnly quiet(deck);
   if (!(deck.si("pocLubFilm") > 0.0))
     check.error("pocLubFilm",
-                "leaves no film in the pockets, but kPocHydro = 1 needs one: this is the largest "
-                "distance from the pocket wall at which an element has a film",
+                "leaves no film in the pockets, but kPocHydro = 1 needs one. pocLubFilm is the "
+                "largest distance from the pocket wall at which an element has a film",
                 "give the largest film thickness, e.g. half the pocket clearance, or set "
                 "kPocHydro to 0");
 }
@@ -415,12 +414,12 @@ std::vector<Issue> check_buildable(const Deck& deck, const UserHooks* user) {
     check.warning(
         "runID",
         "the deck has lines for user routines after its last record, but no plug-in was given",
-        "give a plug-in with --user PLUG-IN, or remove the lines");
+        "give a plug-in with --user PLUG-IN, or remove the lines for user routines");
 
   if (deck.integer("kBrg") == 1)
     for (const char* flange : {"kFlngInd11", "kFlngInd21", "kFlngInd12", "kFlngInd22"})
       if (deck.integer(flange) != 0)
-        check.no_effect(flange, "a ball bearing has no roller flanges: no effect", {});
+        check.no_effect(flange, "has no effect, because a ball bearing has no roller flanges", {});
   return check.take();
 }
 

@@ -70,7 +70,7 @@ class PocketCheck {
         : faces  ? std::string("bPocGsCen2")
                  : given,
         clearance > 0.0
-            ? fmt::format("makes a pocket opening of {}, wider than the pitch diameter",
+            ? fmt::format("makes the pocket opening ({}) wider than the pitch diameter",
                           length_text(deck_, D + clearance))
             : fmt::format("leaves no opening for an element of diameter {}", length_text(deck_, D)),
         faces && !deviates

@@ -74,7 +74,7 @@ class ShapeCheck {
     issues_.push_back(deck_.issue(
         Severity::Error, variable, fmt::format("{} cannot have this {}", size, what),
         limit ? fmt::format("give {} than {}", more ? "more" : "less", length_text(deck_, *limit))
-              : "check bReDia, bReLen and the other radii"));
+              : "check bReDia, bReLen and the other radii of the roller"));
   }
 
   /// The bare cone: does it end before its length does?
@@ -85,7 +85,7 @@ class ShapeCheck {
     issues_.push_back(
         deck_.issue(Severity::Error, "bReLen",
                     "the taper makes the roller diameter zero before the end of the roller",
-                    fmt::format("give less than {}, or cone angles closer to each other",
+                    fmt::format("give less than {}, or give cone angles with a smaller difference",
                                 length_text(deck_, limit))));
     finish();
   }
@@ -184,8 +184,8 @@ std::vector<Issue> check_flanges(const Deck& deck) {
            fmt::format("is more than {:g} times the roller length: the rollers move far off their "
                        "raceways before a flange stops them",
                        kWidePlay),
-           "give the axial clearance of the rollers between the flanges, a small fraction of a "
-           "millimeter");
+           "give the axial clearance of the rollers between the flanges (a small fraction of a "
+           "millimeter)");
   }
   return out;
 }

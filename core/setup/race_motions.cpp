@@ -80,7 +80,7 @@ void add_body(const bearing::Bearing& bearing, const bearing::RaceMotions& motio
     plan.bodies.push_back(
         {kRaces[j],
          fmt::format("in force balance along {}, speed {:g} rpm{}", listed(free),
-                     rpm(bearing.speed[j]), driven ? ", rotation and other motions by ADRX1" : ""),
+                     rpm(bearing.speed[j]), driven ? ", other motions by user routine ADRX1" : ""),
          driven ? 11 : 3});
     return;
   }
@@ -155,10 +155,10 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
     const auto clash = [&](const std::string& name, const std::string& flag, const char* what) {
       if (given_and_not_zero(deck, name))
         add(Severity::Error, name,
-            fmt::format("prescribes a motion of the {}, but {} = 0 lets it {} freely in this "
-                        "direction",
+            fmt::format("prescribes a motion of the {}, but {} = 0 lets the race {} freely in the "
+                        "same direction",
                         body, flag, what),
-            fmt::format("set {} to 0, or {} to 1", name, flag));
+            fmt::format("set {} to 0, or set {} to 1", name, flag));
     };
     for (int axis = 1; axis <= 3; ++axis) {
       if (!is_translation_free(deck, axis, race)) continue;
@@ -173,8 +173,8 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
       clash(fmt::format("raceAngAcc{}", race), flag, "rotate");
       clash(fmt::format("raceSpeedAmp{}", race), flag, "rotate");
       add(Severity::Warning, flag,
-          fmt::format("lets the {} rotate freely about x. Without user routine ADRX1 no moment "
-                      "drives it, so friction slows it down",
+          fmt::format("lets the {} rotate freely about x. Without user routine ADRX1, no moment "
+                      "drives the race, so friction slows it down",
                       body),
           fmt::format("set {} to 1 for a constant speed", flag));
     }
@@ -192,7 +192,7 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
             share,
             "has no effect, because kFS2 and kFS3 give the position of the inner race, not its "
             "load",
-            "set it to 0, or kFS2 or kFS3 to 0");
+            fmt::format("set {} to 0, or set kFS2 or kFS3 to 0", share));
   if (deck.integer("kVarLoad") == 1)
     for (int race = 1; race <= 2; ++race) {
       const std::string share = fmt::format("rotLoadFrac{}", race);
@@ -209,34 +209,34 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
         fmt::format("suppresses all motions of the elements, but mode = {} needs their force "
                     "balance",
                     deck.integer("mode")),
-        "set mode to 0, or kDOF to a value from 0 to 4");
+        "set mode to 0, or set kDOF to a value from 0 to 4");
   if (deck.integer("mode") == 2) {
     for (int axis = 1; axis <= 3; ++axis) {
       if (is_rotation_free(deck, axis, 2))
         add(Severity::Error, fmt::format("kMD{}2", axis),
-            "mode = 2 positions the inner race by its force balance, but this value lets it "
-            "rotate freely",
-            "set it to 1, or mode to 0 or 1");
+            "lets the inner race rotate freely, but mode = 2 computes only its position from the "
+            "force balance",
+            fmt::format("set kMD{}2 to 1, or set mode to 0 or 1", axis));
       const std::string amplitude = fmt::format("raceVibAmp{}2", axis);
       const std::string given = fmt::format("kFS{}", axis);
       if (given_and_not_zero(deck, amplitude) && deck.integer(given) == 0)
         add(Severity::Error, amplitude,
-            fmt::format("moves the inner race along {}, but mode = 2 computes its position in this "
-                        "direction from the load",
+            fmt::format("moves the inner race along {}, but mode = 2 computes the position of the "
+                        "race in this direction from the load",
                         kAxes[static_cast<std::size_t>(axis - 1)]),
-            fmt::format("set it to 0, or {} to 1, or mode to 0 or 1", given));
+            fmt::format("set {} to 0, or set {} to 1, or set mode to 0 or 1", amplitude, given));
     }
     if (given_and_not_zero(deck, "rotLoadFrac2") &&
         (deck.integer("kFS2") == 1 || deck.integer("kFS3") == 1))
       add(Severity::Error, "rotLoadFrac2",
-          "rotates a fraction of the radial load of the inner race. In mode 2, this needs given "
-          "loads along y and z, but kFS2 or kFS3 gives a position",
-          "set it to 0, or kFS2 and kFS3 to 0, or mode to 0 or 1");
+          "makes a fraction of the radial load of the inner race rotate. With mode = 2, a rotating "
+          "load needs given loads along y and z, but kFS2 or kFS3 gives a position",
+          "set rotLoadFrac2 to 0, or set kFS2 and kFS3 to 0, or set mode to 0 or 1");
     if (deck.integer("kFS1") + deck.integer("kFS2") + deck.integer("kFS3") == 3)
       add(Severity::Error, "kFS1",
-          "gives the position of the inner race along x, y and z, so mode = 2 has no load to "
+          "kFS1, kFS2 and kFS3 give the position of the inner race, so mode = 2 has no load to "
           "balance",
-          "set kFS1, kFS2 or kFS3 to 0, or mode to 1");
+          "set kFS1, kFS2 or kFS3 to 0, or set mode to 1");
   }
   if (deck.integer("mode") > 0)
     for (const char* code : {"kRaceIP1", "kRaceIP2"})

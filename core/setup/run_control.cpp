@@ -164,60 +164,61 @@ bool parse_automatic(std::string_view text, std::optional<double>& out, double l
 
 /// Laws of the quasi-static solution.
 void add_static_options(std::vector<Option>& table) {
-  table.push_back(
-      {{"ballFriction", "balance",
-        "ball speeds in mode -1, at the start of a motion and in thermal analyses: balance (spin "
-        "and orbit from friction equilibrium) or spin-rule (kAngVel gives the spin axis)"},
-       [](RunOptions& o, std::string_view v) {
-         if (v != "spin-rule" && v != "balance") return false;
-         o.rollers.ball_balance = v == "balance";
-         return true;
-       }});
-  table.push_back(
-      {{"rollerFriction", "balance",
-        "rollers in mode -1, at the start of a motion and in thermal analyses: balance (skew, "
-        "spin, orbit and loads from friction equilibrium) or none (no skew, pure rolling)"},
-       [](RunOptions& o, std::string_view v) {
-         if (v != "none" && v != "balance") return false;
-         o.rollers.friction_balance = v == "balance";
-         return true;
-       }});
+  table.push_back({{"ballFriction", "balance",
+                    "ball speeds in mode -1, at the start of a motion and in thermal analyses: "
+                    "\"balance\" (spin and orbit from friction equilibrium) or \"spin-rule\" "
+                    "(kAngVel gives the spin axis)"},
+                   [](RunOptions& o, std::string_view v) {
+                     if (v != "spin-rule" && v != "balance") return false;
+                     o.rollers.ball_balance = v == "balance";
+                     return true;
+                   }});
+  table.push_back({{"rollerFriction", "balance",
+                    "roller speeds and skew in mode -1, at the start of a motion and in thermal "
+                    "analyses: \"balance\" (skew, spin, orbit and loads from friction equilibrium) "
+                    "or \"none\" (no skew, pure rolling)"},
+                   [](RunOptions& o, std::string_view v) {
+                     if (v != "none" && v != "balance") return false;
+                     o.rollers.friction_balance = v == "balance";
+                     return true;
+                   }});
 }
 
 /// Thermal analysis (kTherm): model and surroundings.
 void add_thermal_options(std::vector<Option>& table) {
   table.push_back({{"thermalModel", "network",
-                    "temperatures of a thermal analysis (kTherm): network (closed heat balance, "
-                    "each ring with a separate temperature) or ladder (one base temperature, "
-                    "contact heat split in halves, raceways as warm as the rolling elements)"},
+                    "model of a thermal analysis (kTherm): \"network\" (closed heat balance; each "
+                    "ring has a separate temperature) or \"ladder\" (one base temperature, contact "
+                    "heat split into halves, raceways as warm as the rolling elements)"},
                    [](RunOptions& o, std::string_view v) {
                      if (v != "network" && v != "ladder") return false;
                      o.thermal_model = v == "network" ? bearing::ThermalModel::Network
                                                       : bearing::ThermalModel::Ladder;
                      return true;
                    }});
-  table.push_back(
-      {{"thermalBase", "deck",
-        "fixed temperatures of the thermal network: deck (baseTemp at the location of kBaseTemp) "
-        "or none (only ambient and coolant; baseTemp is the coolant inlet temperature)"},
-       [](RunOptions& o, std::string_view v) {
-         if (v != "deck" && v != "none") return false;
-         o.thermal_base = v == "deck";
-         return true;
-       }});
-  table.push_back({{"thermalTransient", "off",
-                    "heat capacities of the thermal network: off (each thermal step of a motion "
-                    "sets the steady-state temperatures) or on (temperatures change with time, "
-                    "accelerated by thermalAcceleration in a motion; mode -1 also computes them "
-                    "over time, from record 9.1.3 to the steady state or to seizure)"},
+  table.push_back({{"thermalBase", "deck",
+                    "fixed temperatures of the thermal network: \"deck\" (baseTemp at the location "
+                    "that kBaseTemp gives) or \"none\" (only the ambient and coolant temperatures; "
+                    "baseTemp is the coolant inlet temperature)"},
                    [](RunOptions& o, std::string_view v) {
-                     if (v != "on" && v != "off") return false;
-                     o.thermal_transient = v == "on";
+                     if (v != "deck" && v != "none") return false;
+                     o.thermal_base = v == "deck";
                      return true;
                    }});
+  table.push_back(
+      {{"thermalTransient", "off",
+        "heat capacities of the thermal network: \"off\" (each thermal step of a motion sets the "
+        "steady-state temperatures) or \"on\" (temperatures change with time). With \"on\", "
+        "thermalAcceleration makes the temperature changes of a motion faster, and mode -1 "
+        "computes the temperatures over time, from record 9.1.3 to the steady state or to seizure"},
+       [](RunOptions& o, std::string_view v) {
+         if (v != "on" && v != "off") return false;
+         o.thermal_transient = v == "on";
+         return true;
+       }});
   table.push_back({{"thermalAcceleration", "1",
-                    "thermal time divided by the time of the motion, for thermalTransient=on, 1 "
-                    "to 1000000000: with 1000 a run of 0.1 s shows 100 s of warm-up"},
+                    "thermal time divided by the time of the motion, for thermalTransient=on, 1 to "
+                    "1000000000. With 1000, a run of 0.1 s shows 100 s of warm-up"},
                    [](RunOptions& o, std::string_view v) {
                      constexpr double kMaxAcceleration = 1e9;
                      return parse(v, o.thermal_acceleration) && o.thermal_acceleration >= 1.0 &&
@@ -232,24 +233,24 @@ void add_thermal_options(std::vector<Option>& table) {
   };
   using bearing::Surroundings;
   add("ambientTemperature",
-      "temperature around housing and shaft in the thermal network [K], 1 to 1000, or auto "
+      "temperature around housing and shaft in the thermal network [K], 1 to 1000, or \"auto\" "
       "(roomTemp)",
       kMinTemperature, kMaxTemperature,
       [](Surroundings& o) -> std::optional<double>& { return o.ambient; });
   add("housingCooling",
       "thermal conductance from the outside of the housing to ambient [W/K], 0 to 1000000, or "
-      "auto (ISO 15312 reference heat flow of the seats; 0 with a liquefied gas as coolant or "
-      "kBaseTemp 4, 5)",
+      "\"auto\" (from the ISO 15312 reference heat flow of the seats; 0 if the coolant is a "
+      "liquefied gas or kBaseTemp is 4 or 5)",
       0.0, kMaxConductance,
       [](Surroundings& o) -> std::optional<double>& { return o.conductance[0]; });
   add("shaftCooling",
       "thermal conductance from the shaft at the inner race to ambient [W/K], 0 to 1000000, or "
-      "auto (as housingCooling)",
+      "\"auto\" (same rule as for housingCooling)",
       0.0, kMaxConductance,
       [](Surroundings& o) -> std::optional<double>& { return o.conductance[1]; });
   add("coolantInlet",
-      "coolant inlet temperature [K], 1 to 1000, or auto (baseTemp). It is used where baseTemp is "
-      "the temperature of a race, the housing or the shaft (kBaseTemp 0, 1, 4, 5)",
+      "coolant inlet temperature [K], 1 to 1000, or \"auto\" (baseTemp). This option is used if "
+      "baseTemp is the temperature of a race, the housing or the shaft (kBaseTemp 0, 1, 4, 5)",
       kMinTemperature, kMaxTemperature,
       [](Surroundings& o) -> std::optional<double>& { return o.coolant_inlet; });
 }
@@ -262,15 +263,15 @@ void add_life_options(std::vector<Option>& table) {
                      [set](RunOptions& o, std::string_view v) { return set(o.life, v); }});
   };
   add("sol7Life", "lp",
-      "life model in SOL7, terminal output and sweeps: lp (original Lundberg-Palmgren), or one of "
-      "three models that this program calibrated against it: lpu (updated Lundberg-Palmgren), gz "
-      "(Gupta-Zaretsky) or ih (Ioannides-Harris). Append -stle or -tallian to include these life "
-      "factors",
+      "life model in SOL7, terminal output and sweeps: \"lp\" (original Lundberg-Palmgren), or one "
+      "of three models that this program calibrated against \"lp\": \"lpu\" (updated "
+      "Lundberg-Palmgren), \"gz\" (Gupta-Zaretsky) or \"ih\" (Ioannides-Harris). Append \"-stle\" "
+      "or \"-tallian\" to include the STLE or Tallian-type life factors",
       parse_stored_life);
   add("lifeElements", "gz",
-      "life models whose bearing life includes the rolling elements: gz (Gupta-Zaretsky, except "
-      "for ceramic elements), all (updated Lundberg-Palmgren, Gupta-Zaretsky and "
-      "Ioannides-Harris) or none",
+      "life models whose bearing life includes the rolling elements: \"gz\" (Gupta-Zaretsky, "
+      "except for ceramic elements), \"all\" (updated Lundberg-Palmgren, Gupta-Zaretsky and "
+      "Ioannides-Harris) or \"none\"",
       [](bearing::LifeChoices& o, std::string_view v) {
         using bearing::ElementLife;
         if (v != "gz" && v != "all" && v != "none") return false;
@@ -280,7 +281,7 @@ void add_life_options(std::vector<Option>& table) {
         return true;
       });
   add("lifeElementTracks", "separate",
-      "stressed volumes of the two race tracks on a rolling element: separate, or shared (both "
+      "volumes of a rolling element that the two races stress: \"separate\", or \"shared\" (both "
       "races stress the same volume, as in rollers)",
       [](bearing::LifeChoices& o, std::string_view v) {
         if (v != "separate" && v != "shared") return false;
@@ -288,8 +289,9 @@ void add_life_options(std::vector<Option>& table) {
         return true;
       });
   add("lifeLimitForm", "peak",
-      "stress criterion of Ioannides-Harris: peak (largest von Mises stress minus the limit) or "
-      "integral (orthogonal shear above its limit, integrated over depth)",
+      "stress criterion of the Ioannides-Harris life: \"peak\" (largest von Mises stress minus the "
+      "stress limit) or \"integral\" (orthogonal shear stress above its limit, integrated over "
+      "depth)",
       [](bearing::LifeChoices& o, std::string_view v) {
         if (v != "peak" && v != "integral") return false;
         o.limit_form = v == "peak" ? bearing::LimitForm::Peak : bearing::LimitForm::Integral;
@@ -297,24 +299,26 @@ void add_life_options(std::vector<Option>& table) {
       });
   add("lifeLambda", "none",
       "film parameter (film thickness divided by roughness) for the life factors if no film is "
-      "computed, above 0 and at most 1000; or none",
+      "computed: above 0 and at most 1000, or \"none\"",
       [](bearing::LifeChoices& o, std::string_view v) {
         return parse_optional(v, o.film_parameter, 1e3);
       });
   add("lifeFilter", "none",
-      "filter rating in µm at beta 200 (STLE factor), above 0 and at most 1000; or none",
+      "filter rating in µm at a beta ratio of 200, for the STLE life factor: above 0 and at most "
+      "1000, or \"none\"",
       [](bearing::LifeChoices& o, std::string_view v) { return parse_optional(v, o.filter, 1e3); });
   add("lifeSkip", "0",
-      "shaft revolutions at the start of the run that the life of the run excludes, 0 or more",
+      "number of shaft revolutions at the start of the run that are excluded from the life of the "
+      "run, 0 or more",
       [](bearing::LifeChoices& o, std::string_view v) {
         return parse(v, o.skip_turns) && o.skip_turns >= 0.0;
       });
-  add("isoKappa", "none", "viscosity ratio of ISO 281, above 0 and at most 1000; or none",
+  add("isoKappa", "none", "viscosity ratio of ISO 281: above 0 and at most 1000, or \"none\"",
       [](bearing::LifeChoices& o, std::string_view v) {
         return parse_optional(v, o.viscosity_ratio, 1e3);
       });
   add("isoContamination", "none",
-      "contamination factor e_C of ISO 281, above 0 and at most 1; or none",
+      "contamination factor e_C of ISO 281: above 0 and at most 1, or \"none\"",
       [](bearing::LifeChoices& o, std::string_view v) {
         return parse_optional(v, o.contamination, 1.0);
       });
@@ -325,44 +329,47 @@ const std::vector<Option>& options() {
     const RunOptions defaults;
     std::vector<Option> all{
         {{"ellipseMajor", fmt::format("{}", defaults.system.ellipse_major),
-          "quadrature nodes along the major axis of the contact ellipse, 10 to 100, rounded up to "
-          "a multiple of 5. For balls in oil, if neither ellipseMajor nor ellipseMinor is given, a "
-          "film rule with 12 x 4 nodes (major x minor axis) is used, or with 16 x 2 for kTrac 8 "
-          "and 12"},
+          "number of quadrature nodes along the major axis of the contact ellipse, 10 to 100, "
+          "rounded up to a multiple of 5. Balls in oil use a film rule if neither ellipseMajor nor "
+          "ellipseMinor is given. The film rule has 12 x 4 nodes (major x minor axis), or 16 x 2 "
+          "for kTrac 8 and 12"},
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.system.ellipse_major, 10, 100);
          }},
         {{"ellipseMinor", fmt::format("{}", defaults.system.ellipse_minor),
-          "quadrature nodes along the minor axis of the contact ellipse, 1 to 64. Default 4 if "
-          "the traction of a film depends on pressure (kTrac 1 to 7, 10, 11, 13 to 20)"},
+          "number of quadrature nodes along the minor axis of the contact ellipse, 1 to 64. The "
+          "default is 4 if the traction of the film depends on pressure (kTrac 1 to 7, 10, 11, 13 "
+          "to 20)"},
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.system.ellipse_minor, 1, 64);
          }},
         {{"contactSurface", "curved_edge",
-          "surface on which the slip in contact ellipses is computed: curved (with the "
-          "slip of Heathcote) or flat, through the ends of the major axis (curved_edge, "
-          "flat_edge), at half the approach (curved_half, flat_half) or on the undeformed ball "
-          "(curved_undeformed, flat_undeformed)"},
+          "surface on which the slip in contact ellipses is computed. A curved surface includes "
+          "Heathcote slip; a flat surface does not. The surface goes through the ends of the major "
+          "axis (\"curved_edge\", \"flat_edge\"), is at half the approach (\"curved_half\", "
+          "\"flat_half\") or is on the undeformed ball (\"curved_undeformed\", "
+          "\"flat_undeformed\")"},
          [](RunOptions& o, std::string_view v) {
            for (const auto& [name, surface] : kSurfaces)
              if (name == v) return o.system.surface = surface, true;
            return false;
          }},
         {{"hertzConstants", "moving",
-          "Hertz constants of balls in motion: moving (they follow the contact angle) or frozen "
-          "(at the mean contact angle of the equilibrium, slightly faster)"},
+          "Hertz constants of balls in motion: \"moving\" (for the present contact angle) or "
+          "\"frozen\" (for the mean contact angle of the equilibrium; the run is slightly faster "
+          "than with \"moving\")"},
          [](RunOptions& o, std::string_view v) {
            if (v != "moving" && v != "frozen") return false;
            o.system.moving_angle = v == "moving";
            return true;
          }},
         {{"contactDamping", "material",
-          "energy loss of all normal contacts: material (loss factors and impact losses of the "
-          "materials, squeeze of the oil film); 0 (elastic, for conservation studies: contact "
-          "vibrations do not decay); a factor on all of these losses (0.01x to 100x, such as 2x); "
-          "or the impact loss alpha of all material pairs in s/m (at most 100). An element "
-          "that hits a race at a small speed v rebounds at about (1 - alpha v) v. Dry steel has "
-          "an alpha of 0.08 to 0.32"},
+          "energy loss of all normal contacts: \"material\" (loss factors and impact losses of the "
+          "materials, squeeze of the oil film); a factor on the losses of \"material\" (0.01x to "
+          "100x, such as 2x); the impact loss alpha of all material pairs in s/m (at most 100); or "
+          "0 (elastic contacts for conservation studies; contact vibrations do not decay). An "
+          "element that hits a race at a small speed v rebounds at about (1 - alpha v) v. Dry "
+          "steel has an alpha of 0.08 to 0.32"},
          [](RunOptions& o, std::string_view v) {
            o.system.damping.impact_loss = 0.0;
            o.system.damping.factor = 1.0;
@@ -378,16 +385,17 @@ const std::vector<Option>& options() {
            return true;
          }},
         {{"filmStress", "surface",
-          "shear stress of films of kTrac 8 and 11 to 20: surface (interpolated; the tolerance of "
-          "the run sets the error) or direct (integrated at every evaluation: thousands of times "
-          "slower for kTrac 8 and 12, two to three times for the others)"},
+          "computation of the film shear stress for kTrac 8 and 11 to 20: \"surface\" "
+          "(interpolated; the tolerance of the run sets the error) or \"direct\" (integrated at "
+          "every evaluation). Compared with \"surface\", \"direct\" is thousands of times slower "
+          "for kTrac 8 and 12, and two to three times slower for the other codes"},
          [](RunOptions& o, std::string_view v) {
            if (v != "surface" && v != "direct") return false;
            o.direct_strips = v == "direct";
            return true;
          }},
         {{"filmLaw", "code",
-          "traction law of oil films: code (the law of kTrac) or recommended (the law that "
+          "traction law of oil films: \"code\" (the law of kTrac) or \"recommended\" (the law that "
           "lubricants.json recommends for the same oil; kTrac still gives the film thickness)"},
          [](RunOptions& o, std::string_view v) {
            if (v != "code" && v != "recommended") return false;
@@ -396,9 +404,9 @@ const std::vector<Option>& options() {
          }},
         {{"filmStressLimit", "on",
           "limiting shear stress of oil films between elements and races, as a fraction of the "
-          "pressure for each lubricant (lubricants.json): on, or off (classic laws, with friction "
-          "coefficients far above 0.1 beyond 1 GPa; kTrac 8 and 12 keep their limit; the run "
-          "warns)"},
+          "pressure for each lubricant (lubricants.json): \"on\", or \"off\" (classic laws, with "
+          "friction coefficients far above 0.1 beyond 1 GPa). With \"off\", kTrac 8 and 12 keep "
+          "their limit, and the run displays a warning"},
          [](RunOptions& o, std::string_view v) {
            if (v != "on" && v != "off") return false;
            o.stress_limit = v == "on";
@@ -406,7 +414,7 @@ const std::vector<Option>& options() {
          }},
         {{"lubStressLimit", "none",
           "limiting shear stress divided by pressure for the user-defined lubricant (kTrac 9) at "
-          "40 °C, 0.001 to 1, or none (0.07 is assumed)"},
+          "40 °C: 0.001 to 1, or \"none\" (0.07 is assumed)"},
          [](RunOptions& o, std::string_view v) {
            return parse_optional(v, o.user_limit, 1.0) && o.user_limit.value_or(1.0) >= 1e-3;
          }},
@@ -416,27 +424,28 @@ const std::vector<Option>& options() {
            return parse(v, o.user_softening) && o.user_softening >= 0.0 && o.user_softening <= 0.1;
          }},
         {{"filmPrecision", "single",
-          "precision of oil films between elements and races (not for kTrac 12 with iTherm): "
-          "single (relative error of traction 3e-5; used only if tol is 1e-6 or more, the method "
-          "is explicit and no elements are quasi-static) or double"},
+          "floating-point precision of oil films between elements and races (not for kTrac 12 with "
+          "iTherm): \"single\" (relative error of traction 3e-5) or \"double\". With \"single\", "
+          "the precision is still double if tol is below 1e-6, the integrator is implicit or "
+          "elements are quasi-static"},
          [](RunOptions& o, std::string_view v) {
            if (v != "single" && v != "double") return false;
            o.single_films = v == "single";
            return true;
          }},
         {{"landSlices", fmt::format("{}", defaults.system.land_slices),
-          "slices along each cage guide land, 1 to 99"},
+          "number of slices along each cage guide land, 1 to 99"},
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.system.land_slices, 1, 99);
          }},
         {{"rollerSlices", fmt::format("{}", defaults.rollers.slices),
-          "slices along each roller, 1 to 999"},
+          "number of slices along each roller, 1 to 999"},
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.rollers.slices, 1, 999);
          }},
         {{"rollerContact", "sliced",
-          "contact between roller and race: sliced, or point (one Hertz ellipse; barrel rollers "
-          "only)"},
+          "contact model of roller and race: \"sliced\", or \"point\" (one Hertz ellipse; barrel "
+          "rollers only)"},
          [](RunOptions& o, std::string_view v) {
            if (v != "sliced" && v != "point") return false;
            o.rollers.contact =
@@ -444,11 +453,11 @@ const std::vector<Option>& options() {
            return true;
          }},
         {{"checkpointSeconds", fmt::format("{}", defaults.checkpoint_seconds),
-          "computing time between two writes of FINAL and MASTER [s], above 0"},
+          "computing time between two updates of the files FINAL and MASTER [s], above 0"},
          [](RunOptions& o, std::string_view v) {
            return parse(v, o.checkpoint_seconds) && o.checkpoint_seconds > 0.0;
          }},
-        {{"resultsH5", "1", "write RESULTS.h5: 1 or 0"},
+        {{"resultsH5", "1", "write RESULTS.h5: 1 (yes) or 0 (no)"},
          [](RunOptions& o, std::string_view v) {
            int value = 0;
            if (!parse_count(v, value, 0, 1)) return false;
@@ -466,7 +475,7 @@ const std::vector<Option>& options() {
          }},
         {{"effectsOff", "",
           "effects to switch off: names from `adore plan`, separated by commas, such as "
-          "gravity,momentum ledger"},
+          "\"gravity,momentum ledger\""},
          [](RunOptions& o, std::string_view v) {
            const bool elastic = std::count(o.effects_off.begin(), o.effects_off.end(),
                                            kContactDamping) > 0;  // by contactDamping = 0
@@ -475,8 +484,8 @@ const std::vector<Option>& options() {
            return true;
          }},
         {{"userProcess", "0",
-          "run a plug-in of --user in a separate process, so that its crash or endless loop ends "
-          "the run properly: 1 or 0"},
+          "run the plug-in of --user in a separate process, so that a crash or endless loop of the "
+          "plug-in ends the run properly: 1 (yes) or 0 (no)"},
          [](RunOptions& o, std::string_view v) {
            int value = 0;
            if (!parse_count(v, value, 0, 1)) return false;
@@ -484,20 +493,20 @@ const std::vector<Option>& options() {
            return true;
          }},
         {{"userTimeout", fmt::format("{}", defaults.user_timeout),
-          "time limit for a call of a plug-in in a separate process [s], above 0 and below "
+          "time limit for each call of a plug-in in a separate process [s], above 0 and below "
           "1000000"},
          [](RunOptions& o, std::string_view v) {
            return parse(v, o.user_timeout) && o.user_timeout > 0.0 && o.user_timeout < 1e6;
          }},
         {{"userSample", fmt::format("{}", defaults.user_sample),
-          "interval of the purity check: one in this many calls of a user routine in motion is "
-          "repeated to find routines that are not pure functions (0: none, at most 1000000000)"},
+          "interval n of the purity check, 1 to 1000000000, or 0 for no check: every n-th call of "
+          "a user routine in a motion is repeated to find routines that are not pure functions"},
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.user_sample, 0, 1'000'000'000);
          }},
         {{"centrifugalGrowth", "1",
           "operating fits and clearances include the centrifugal growth of rings, shaft, housing "
-          "and cage: 1 or 0"},
+          "and cage: 1 (yes) or 0 (no)"},
          [](RunOptions& o, std::string_view v) {
            int value = 0;
            if (!parse_count(v, value, 0, 1)) return false;

@@ -75,8 +75,9 @@ std::string damping_reason(const scene::ContactDampingOptions& options, const st
   if (options.factor != 1.0) out = fmt::format("run option contactDamping = {:g}x", options.factor);
   const bearing::Material& of_element = bearing.element_material;
   if (all_balanced)
-    out += fmt::format("; none at the races, because {} keeps all {}s in force balance", mode,
-                       element);
+    out +=
+        fmt::format("; none at the races (no damping), because {} keeps all {}s in force balance",
+                    mode, element);
   else
     out += "; " + losses_of("races", of_element, bearing.race_material[1], options) +
            (bearing.lubrication && bearing.lubrication->meniscus > 0.0 ? ", squeeze of the oil film"
@@ -276,13 +277,14 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
          plan.rollers ? std::string("contacts use the axes of all rollers; total rotation is "
                                     "computed only for those in kPltElemInd, kPrtOpt or kAGraf")
          : rigid && user != nullptr && user->balls_out_of_round
-             ? fmt::format("user routine ADRX5 of {}: contacts of out-of-round balls use their "
-                           "orientation; total rotation is computed only for those in kPltElemInd, "
-                           "kPrtOpt or kAGraf",
+             ? fmt::format("user routine ADRX5 of {}: contacts of out-of-round balls use the "
+                           "orientation of each ball; total rotation is computed only for balls in "
+                           "kPltElemInd, kPrtOpt or kAGraf",
                            user->source)
-         : rigid ? fmt::format("kReIP = {}: the inertia of balls rotates with them; total rotation "
-                               "is computed only for those in kPltElemInd, kPrtOpt or kAGraf",
-                               deck.integer("kReIP"))
+         : rigid
+             ? fmt::format("kReIP = {}: the inertia axes of each ball rotate with the ball; total "
+                           "rotation is computed only for balls in kPltElemInd, kPrtOpt or kAGraf",
+                           deck.integer("kReIP"))
          : control.animate
              ? fmt::format("kAGraf = {}: all balls", control.animate_every)
              : fmt::format("{} of {} {}s in kPltElemInd or kPrtOpt", oriented, n, element));
@@ -305,7 +307,8 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   // held_elements.hpp: nothing balances other rollers along their axes.
   const bool alone = bearing.rollers() != nullptr && bearing.type != bearing::Type::Tapered;
   effect(Effect::ElementBalance, fmt::format("force balance of all {}s", element), code > 0,
-         mode + (code > 0 && alone ? ": radial only, they move freely along x" : ""));
+         mode + (code > 0 && alone ? ": in the radial direction only (rollers move freely along x)"
+                                   : ""));
   effect(Effect::RaceBalance, "force balance of the inner race", code == 2, mode);
 
   if (!left_out.empty()) {

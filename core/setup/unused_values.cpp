@@ -49,12 +49,13 @@ std::string of_material(std::string_view name, const Scene& scene) {
       name.ends_with("SH") || name.ends_with("SH1") || name.ends_with("SH2"))
     return !scene.heat
                ? "no heat flow is computed, so conductivity and specific heat are only printed"
-               : "the cage uses this value only for its heat capacity, with thermalTransient=on";
+               : "this value gives only the heat capacity of the cage, which is used with run "
+                 "option thermalTransient=on";
   if (name.starts_with("cage"))
     return scene.motion ? "fatigue of the cage is not computed"
                         : "a quasi-static solution does not move or wear the cage";
   if (name.starts_with("hsng") || name.starts_with("shft"))
-    return "only the fit of this part is computed, not its contact stresses";
+    return "only the fits of housing and shaft are computed, not their contact stresses";
   if (!scene.motion) return "a quasi-static solution has no sliding and no wear";
   return {};
 }
@@ -85,9 +86,10 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (record.starts_with("10") && !scene.motion)
     return "a quasi-static solution includes the friction of elements and races, but not of the "
            "cage";
-  if (name == "iTherm") return "only visco-elastic traction (kTrac 12) has this correction";
+  if (name == "iTherm") return "only visco-elastic traction (kTrac 12) has a thermal correction";
   if (record == "5F" && scene.balls) return "a ball bearing has no roller flanges";
-  if (name.starts_with("flngCls")) return "this race has no flanges at both ends of the rollers";
+  if (name.starts_with("flngCls"))
+    return "this race does not have flanges at both ends of the rollers";
   if (record == "5F") return "the race does not have this flange";
   if (record.starts_with("10.2") && !scene.flanges) return "there is no roller flange";
   // Values that an option fixes or replaces.
@@ -97,26 +99,25 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (name == "bReCenLen") return "a straight roller (bReCrn = 0) has no central land";
   if (name == "freeIntCls") return "freeConAng above 0 sets the clearance";
   if (name.starts_with("rpmRange"))
-    return "the table has one speed only, so the last speed is "
-           "not used";
+    return "the stiffness table has one speed only, so the last speed is not used";
   if (name == "pltNames8") return "kAGraf = 0 stores no animation";
   if (name.starts_with("pltNames") && scene.motion)
-    return "fewer bodies are plotted, so this file is not written";
+    return "no monitored body belongs to this plot file, so it is not written";
   if (name == "angVelOrient") return "the angle of the spin axis is an input only with kAngVel = 2";
   if (name == "bPocCls2") return "a pocket of this shape has only one clearance";
   if (name == "bPocThknsVar" && scene.motion && scene.cage)
-    return "the widths of the guide faces do not depend on the wall thickness";
+    return "the widths of the pocket guide faces do not depend on the wall thickness";
   if (name == "bPocClsVar2") return "a pocket of this shape has no clearance II";
   if (starts_with_one_of(name,
                          {"rotLoadRpm", "raceVibFreq", "raceSpeedFreq", "startTime", "endTime"}))
     return "the amplitude of this motion or load is 0 for this race";
   if (name == "cageAngCut" && !scene.segments) return "a one-piece cage has no cut";
   if (scene.motion && is_one_of(name, {"cageGsRadVar3", "raceGsRadVar3"}))
-    return "an ellipse has no third value, or no race guides this land";
+    return "an elliptical guide land needs no third value, or no race guides this land";
   if (scene.motion && starts_with_one_of(name, {"cageGsRadVar", "raceGsRadVar"}))
     return "no race guides this land";
   if (name == "pocLubFilm") return "pocket hydrodynamics are off (kPocHydro)";
-  if (record.starts_with("5G.1D")) return "there are fewer rolling elements";
+  if (record.starts_with("5G.1D")) return "the bearing has no rolling element with this number";
   if (name == "kAngVel") return "rollers roll without slip about axes that the geometry gives";
   if (starts_with_one_of(name, {"rmsAspHt", "rmsAspSlope", "aspTrac"}))
     return "without a lubricant (kTrac) no film is computed";

@@ -275,12 +275,12 @@ void user_balls(const UserHooks& user, bearing::Bearing& b) {
           "{} x {} points differs from the values between the points by {:.3g} m; the values have "
           "a range of {:.3g} m. Return a smoother surface",
           about(user, 5, body), kBallAround, kBallAcross, error, range));
-    user.document(5, fmt::format("{}: radius {:.6g} to {:.6g} m above the value of the deck, mean "
-                                 "{:.6g} m; error {:.2g} m between {} x {} points",
+    user.document(5, fmt::format("{}: radius minus the value of the deck = {:.6g} to {:.6g} m, "
+                                 "mean {:.6g} m; error {:.2g} m between {} x {} points",
                                  body, bottom, top, mean, error, kBallAround, kBallAcross));
     user.out_of_round(k, std::move(form));
   }
-  user.document(5, fmt::format("elements: radius {:.6g} to {:.6g} m above the value of the deck",
+  user.document(5, fmt::format("elements: radius minus the value of the deck = {:.6g} to {:.6g} m",
                                least, most));
   if (std::all_of(growth.begin(), growth.end(), [](double one) { return one == 0.0; })) return;
   b.imperfections.ball_diameter.resize(count, 0.0);
@@ -315,8 +315,8 @@ void apply_user_element_surfaces(const UserHooks& user, bearing::Bearing& b) {
     if (!shape.round && largest(shape.slope) > 0.0 &&
         (rollers->groove_factor[0] > 0.0 || rollers->groove_factor[1] > 0.0))
       throw InputError(about(user, 5, fmt::format("element {}", k + 1)) +
-                       "the out-of-roundness of a barrel roller must not vary along its axis. Let "
-                       "it depend on the azimuth only");
+                       "the out-of-roundness of a barrel roller must not vary along the roller "
+                       "axis. Return values that depend on the azimuth only");
     if (!shape.round) {
       const std::string name = fmt::format("roller {}", k + 1);
       std::vector<double> angle;
@@ -350,7 +350,7 @@ void apply_user_element_surfaces(const UserHooks& user, bearing::Bearing& b) {
     own.form = std::make_shared<const bearing::RollerProfileDeviation>(
         bearing::RollerProfileDeviation{std::move(places), std::move(radius)});
   }
-  user.document(5, fmt::format("elements: radius {:.6g} to {:.6g} m above the value of the deck",
+  user.document(5, fmt::format("elements: radius minus the value of the deck = {:.6g} to {:.6g} m",
                                least, most));
   if (least == 0.0 && most == 0.0) return;
   rollers->deviation = std::move(deviation);

@@ -38,7 +38,7 @@ void Balls::declare(SceneBuilder& scene) {
   const bearing::Bearing& bearing = scene.bearing;
   demand(bearing.element_count() >= 1, "a bearing needs at least one ball");
   demand(static_cast<int>(scene.statics.balls.size()) == bearing.element_count(),
-         "the static solution has another number of balls than the bearing");
+         "the number of balls in the static solution differs from that of the bearing");
   const Vec3& moments = bearing.element_inertia.moments;
   demand(bearing.element_inertia.mass > 0.0 && moments.minCoeff() > 0.0 &&
              moments.maxCoeff() - moments.minCoeff() <= 1e-9 * moments.maxCoeff(),

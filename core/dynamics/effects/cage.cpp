@@ -24,7 +24,7 @@ constexpr LedgerTerm kHolding{LedgerKind::Work,
                               "cage_holding",
                               "work of the constraints that suppress cage motions",
                               {"work of suppressed motions of the cage"},
-                              "done since the start"};
+                              "work done since the start"};
 constexpr const LedgerTerm* kTerms[] = {&kHolding};
 constexpr LedgerTerm kImpulse{LedgerKind::Work, "", "", {"impulse on the held cage"}, ""};
 constexpr LedgerTerm kAngularImpulse{

@@ -262,7 +262,7 @@ class PocketFilm final : public SceneEffect, public NonRaceContacts {
     const bearing::Bearing& bearing = scene.bearing;
     PocketContact* pockets = scene.find<PocketContact>();
     demand(pockets != nullptr && bearing.cage_films.has_value(),
-           "pocket films need balls in cage pockets and oil");
+           "pocket films need oil, and balls in cage pockets");
     const bearing::CageFilms& films = *bearing.cage_films;
     const double r = 0.5 * bearing.balls().diameter;
     const double wall = 1.0 / (r + 0.5 * std::max(bearing.cage->pocket_clearance_1, 1e-3 * r));

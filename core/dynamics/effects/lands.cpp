@@ -336,7 +336,7 @@ class LandContact final : public SceneEffect {
     middle_ = pieces_of(scene).middle;
     const bool traction = scene.plan.has(Effect::LandTraction);
     demand(!traction || scene.bearing.land_traction.has_value(),
-           "land traction is on without a traction curve");
+           "the traction of guide lands is switched on, but has no traction curve");
     const tribology::TractionLaw law =
         traction
             ? traction_of(scene, tribology::TractionKind::CageRace, *scene.bearing.land_traction)

@@ -25,21 +25,21 @@ namespace adore::dynamics {
 namespace {
 
 // The kinetic energy excludes ½m(ẋ² + ṙ²) of held elements.
-constexpr LedgerTerm kSwitches{LedgerKind::Switch,
-                               "switches",
-                               "energy of switches to and from quasi-static elements",
-                               {"switches of held elements"},
-                               "change of stored energy at each switch (after minus before), "
-                               "total since the start"};
+constexpr LedgerTerm kSwitches{
+    LedgerKind::Switch,
+    "switches",
+    "energy change when elements switch to or from quasi-static",
+    {"switches of held elements"},
+    "stored energy after each switch minus the energy before it, total since the start"};
 /// ∫ G·(ẋ, ṙ) dt
 constexpr LedgerTerm kBalance{LedgerKind::Taken,
                               "balance",
-                              "energy of quasi-static elements that move to equilibrium",
+                              "energy removed when quasi-static elements move to equilibrium",
                               {"taken by held elements' way to balance"},
-                              "energy taken out since the start"};
+                              "energy removed since the start"};
 constexpr LedgerTerm kLeftOut{LedgerKind::Note,
                               "left_out",
-                              "kinetic energy not counted for quasi-static elements",
+                              "kinetic energy of quasi-static elements that the balance excludes",
                               {"kinetic energy left out of held elements now"},
                               "for information only, not part of the energy balance"};
 constexpr LedgerTerm kMomentum{

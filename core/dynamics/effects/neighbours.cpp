@@ -147,7 +147,7 @@ class Neighbours final : public SceneEffect, public NonRaceContacts {
     constexpr std::string_view kCost = "contacts between elements";
     if (scene.plan.has(Effect::ElementTraction)) {
       demand(bearing.element_traction.has_value(),
-             "traction between elements is on without a traction curve");
+             "the traction between elements is switched on, but has no traction curve");
       scene.block<PairBlock<true>>(Phase::Force, kCost, {}, pairs_, friction_of(scene), heat_,
                                    damped_, kept_);
       scene.energy("elements.heat", kElementHeat, &heat_);

@@ -319,7 +319,7 @@ void PocketContact::declare(SceneBuilder& scene) {
   heat_.part.assign(static_cast<std::size_t>(scene.bearing.element_count()), 0.0);
   if (scene.plan.has(Effect::PocketTraction)) {
     demand(scene.bearing.pocket_traction.has_value(),
-           "pocket traction is on without a traction curve");
+           "the pocket traction is switched on, but has no traction curve");
     friction_.emplace(
         traction_of(scene, tribology::TractionKind::ElementCage, *scene.bearing.pocket_traction));
   }

@@ -33,7 +33,7 @@ constexpr LedgerTerm kWork{LedgerKind::Work,
                            "work",
                            "work of the races",
                            {"work of the outer race", "work of the inner race"},
-                           "done by the prescribed motion since the start"};
+                           "work done by the prescribed motion of the races since the start"};
 constexpr LedgerTerm kHeat{LedgerKind::Heat,
                            "heat",
                            "heat at the races",
@@ -277,7 +277,7 @@ std::shared_ptr<const contact::WavyGroove> wavy_groove(const SceneBuilder& scene
         kept->of_ball.back() = {t->height.data(), nullptr, t->around, t->across,
                                 t->first,         t->step, 1.0};
     }
-    demand(!scene.e.attitude.empty(), "balls that are not round need their orientation");
+    demand(!scene.e.attitude.empty(), "balls that are not round need an orientation in the state");
     kept->forms.of_ball = kept->of_ball.data();
     kept->forms.attitude = scene.e.attitude.front().data();  // for all evaluations
     kept->groove.forms = &kept->forms;
@@ -533,16 +533,16 @@ std::string Races::why_invalid(const Evaluation& e) const {
       }
       if (sunk)
         return fmt::format(
-            "element {} is pressed into the {} race by more than its own radius; use a smaller "
+            "element {} is pressed into the {} race by more than the element radius; reduce the "
             "largest step (stpMax)",
             i + 1, j == 0 ? "outer" : "inner");
       if (long_ellipse)
         return fmt::format(
-            "a contact load of {:.6g} N between element {} and the {} race makes a contact ellipse "
-            "whose semi-major axis reaches the radius of the element ({:.4g} m), because the "
-            "groove radius is almost equal to the element radius. Hertz theory is not valid there. "
-            "Enter a larger groove factor or a smaller load. If the load is a numerical peak of "
-            "the run, enter a smaller largest step (stpMax)",
+            "the load of {:.6g} N between element {} and the {} race makes the contact ellipse too "
+            "long: its semi-major axis reaches the radius of the element ({:.4g} m). The groove "
+            "radius is almost equal to the element radius, so Hertz theory is not valid. Enter a "
+            "larger groove factor or a smaller load. If the load is a numerical peak of the run, "
+            "reduce the largest step (stpMax)",
             e.load[j][i], i + 1, j == 0 ? "outer" : "inner", radius);
     }
   return {};

@@ -104,7 +104,7 @@ void RigidElements::declare(SceneBuilder& scene) {
                         {ball.omega_x, ball.omega_r, ball.omega_theta},
                         quaternion_about(Vec3::UnitX(), ball.azimuth)});
   demand(static_cast<int>(start_.size()) == count,
-         "the start has another number of elements than the bearing");
+         "the number of elements at the start differs from that of the bearing");
   masses_ = ElementMasses(bearing);
   for (std::size_t q = 0; q < kQuantities.size(); ++q) {
     const ElementQuantity& line = kQuantities[q];

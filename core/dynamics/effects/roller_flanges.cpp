@@ -268,7 +268,7 @@ class RollerFlanges final : public SceneEffect {
     const bool traction = scene.plan.has(Effect::FlangeTraction);
     if (traction) {
       demand(scene.bearing.flange_traction.has_value(),
-             "flange traction is on without a traction curve");
+             "the flange traction is switched on, but has no traction curve");
       friction_ =
           traction_of(scene, tribology::TractionKind::RollerFlange, *scene.bearing.flange_traction);
     }

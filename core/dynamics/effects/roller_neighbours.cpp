@@ -202,7 +202,7 @@ class RollerNeighbours final : public SceneEffect, public NonRaceContacts {
     constexpr std::string_view kCost = "contacts between elements";
     if (scene.plan.has(Effect::ElementTraction)) {
       demand(bearing.element_traction.has_value(),
-             "traction between elements is on without a traction curve");
+             "the traction between elements is switched on, but has no traction curve");
       scene.block<RingBlock<true>>(
           Phase::Force, kCost, {}, model_,
           traction_of(scene, tribology::TractionKind::ElementElement, *bearing.element_traction),

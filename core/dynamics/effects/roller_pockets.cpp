@@ -162,7 +162,7 @@ class RollerPockets final : public SceneEffect, public NonRaceContacts {
       heat->part.assign(static_cast<std::size_t>(scene.bearing.element_count()), 0.0);
     const bool traction = scene.plan.has(Effect::PocketTraction);
     demand(!traction || scene.bearing.pocket_traction.has_value(),
-           "pocket traction is on without a traction curve");
+           "the pocket traction is switched on, but has no traction curve");
     constexpr std::string_view kCost = "pocket contacts";
     const bearing::Cage& cage = *scene.bearing.cage;
     const double mass = reduced_mass(scene.bearing.element_inertia.mass, cage.inertia.mass);

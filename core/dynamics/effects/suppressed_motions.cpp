@@ -19,7 +19,7 @@ constexpr LedgerTerm kWork{LedgerKind::Work,
                            "element_holding",
                            "work of the constraints that suppress element motions",
                            {"work of suppressed motions of elements"},
-                           "done since the start"};
+                           "work done since the start"};
 constexpr const LedgerTerm* kTerms[] = {&kWork};
 constexpr LedgerTerm kImpulse{LedgerKind::Work, "", "", {"impulse on held elements"}, ""};
 constexpr LedgerTerm kAngularImpulse{

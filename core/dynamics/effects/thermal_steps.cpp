@@ -5,13 +5,12 @@
 namespace adore::dynamics {
 namespace {
 
-constexpr LedgerTerm kEnergy{
-    LedgerKind::Switch,
-    "thermal_steps",
-    "energy change by thermal steps",
-    {"changes of geometry and material by thermal steps"},
-    "change of stored energy at each change of geometry or material (after minus before), total "
-    "since the start"};
+constexpr LedgerTerm kEnergy{LedgerKind::Switch,
+                             "thermal_steps",
+                             "energy change by thermal steps",
+                             {"changes of geometry and material by thermal steps"},
+                             "stored energy after each change of geometry or material minus the "
+                             "energy before it, total since the start"};
 constexpr LedgerTerm kMomentum{
     LedgerKind::Switch, "", "", {"linear momentum brought by thermal steps"}, ""};
 constexpr LedgerTerm kAngularMomentum{

@@ -21,9 +21,10 @@ constexpr LedgerTerm kFrameWork{
 constexpr LedgerTerm kHeldWork{
     LedgerKind::Work,
     "user_load_work",
-    "work of the loads of user routine ADRX1 on prescribed directions of races",
+    "work of the loads of user routine ADRX1 along prescribed motions of races",
     {"work of user loads on held races"},
-    "work of the part of these loads that the supports of the races take, since the start"};
+    "work of the loads of user routine ADRX1 that the supports of the races carry, since the "
+    "start"};
 constexpr const LedgerTerm* kTerms[] = {&kFrameWork, &kHeldWork};
 constexpr LedgerTerm kFrameImpulse{
     LedgerKind::Work, "", "", {"impulse of the moving base frame"}, ""};
@@ -207,7 +208,7 @@ class UserMotion::DrivenRaceRates final : public EffectBlock {
 
 void UserMotion::declare(SceneBuilder& scene) {
   demand(scene.options.user != nullptr && scene.options.user->motion != nullptr,
-         "the plan has routine ADRX1, but the options have no user laws");
+         "the plan uses routine ADRX1, but the scene options contain no user routine");
   routine_ = scene.options.user->motion;
   const ScenePlan& plan = scene.plan;
   const Races& races = *scene.find<Races>();
