@@ -91,11 +91,10 @@ void apply(const Options& options, const studies::AccuracyStudy& study) {
   for (const auto& [name, value] : sets)
     said += fmt::format("{}{} = {}", said.empty() ? "" : ", ", name, value);
   print("{}: {}{}\n", path.string(), said,
-        text.kept
-            ? ""
-            : fmt::format(
-                  " (rewritten without the comments after the values; the previous deck is {})",
-                  backup.string()));
+        text.kept ? ""
+                  : fmt::format(" (the deck was rewritten without the comments after its values; "
+                                "the previous deck was saved as {})",
+                                backup.string()));
 }
 
 /// Into the folder of --out or, without it, that of the deck, where runs and forms find it.
@@ -133,11 +132,12 @@ int run(const Options& options) {
   options.fill(request);
   if (options.apply && request.text)
     throw InputError(
-        "--apply changes the deck file, but the deck comes from standard input; name a file");
+        "--apply changes the deck file, but the deck comes from standard input; give the name of a "
+        "deck file");
   if (options.apply && !request.sets.empty())
     throw InputError(
         "--apply writes settings into the deck file, but --set changes the deck only for this "
-        "study; remove one of them");
+        "study; remove --apply or --set");
   if (!options.methods.empty()) request.methods = split_list(options.methods);
   if (!options.tolerances.empty()) request.tolerances = parse_tolerances(options.tolerances);
   check_range("--turns", options.turns);
@@ -178,8 +178,10 @@ int run(const Options& options) {
         json.string()));
   write(study);
   if (!study.complete) {
-    tell(fmt::format("\ninterrupted; repeat the command with --continue to resume ({})\n",
-                     json.string()));
+    tell(
+        fmt::format("\ninterrupted; the completed part is stored in {}. To resume, repeat the "
+                    "command with --continue\n",
+                    json.string()));
     return 130;
   }
   print("{}\n{}\n{}\n", studies::accuracy_table(study), (folder / "ACCURACY.csv").string(),
@@ -214,7 +216,7 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
           ->capture_default_str();
   command
       ->add_option("--budget", options->budget,
-                   "limit of the processor time of the study [s]; a small limit shortens the runs")
+                   "largest processor time of the study [s]; a small limit shortens its runs")
       ->capture_default_str();
   command
       ->add_option("--accuracy", options->accuracy, "target error of speeds, loads, heat and life")
@@ -223,15 +225,16 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
   command->add_flag("--apply", options->apply, "write the recommended settings into the deck");
   command->add_flag("--continue", options->go_on,
                     "continue an interrupted study with the same options");
-  command->add_flag(
-      "--models", options->models,
-      "estimate model errors instead: vary damping, traction law, cage friction, nodes or slices, "
-      "mode and thermal model within their uncertainty (default of --turns: 2). MODELS.json is "
-      "written next to the deck; PRINT.txt and AdrInput show its results");
-  CLI::Option* out =
-      command->add_option("--out", options->out, "folder for ACCURACY.csv, .json and .png")
-          ->type_name("DIR")
-          ->default_str("current folder");
+  command->add_flag("--models", options->models,
+                    "estimate model errors instead of integration errors: vary damping, traction "
+                    "law, cage friction, nodes or slices, mode and thermal model within their "
+                    "uncertainty (default of --turns: 2). MODELS.json is written next to the deck; "
+                    "PRINT.txt and AdrInput show the results");
+  CLI::Option* out = command
+                         ->add_option("--out", options->out,
+                                      "folder for ACCURACY.csv, ACCURACY.json and ACCURACY.png")
+                         ->type_name("DIR")
+                         ->default_str("current folder");
   command->footer(
       "Examples\n"
       "  adore accuracy DATA.txt --out study\n"

@@ -123,7 +123,7 @@ void write_assembly(const NewAssemblyOptions& options, std::vector<assembly::Row
                                  options.arrangement, counted(rows.size(), "deck"),
                                  counted(set.rows.size(), "row")));
   if (options.preload && options.offset)
-    throw InputError("--preload and --offset exclude each other; give one of them");
+    throw InputError("--preload and --offset exclude each other; give only one of them");
   if (options.preload) {
     set.preload.kind = assembly::PreloadKind::Force;
     set.preload.force = *options.preload;

@@ -79,7 +79,7 @@ enum class Detail : unsigned char { Totals, Failures, Cases, Json };
 int validate(const std::vector<std::string>& files, const std::string& report_file, Detail detail) {
   const std::vector<std::filesystem::path> paths(files.begin(), files.end());
   const auto piped = std::count(files.begin(), files.end(), kStream);
-  if (piped > 1) throw InputError("standard input can be read only once; give - once");
+  if (piped > 1) throw InputError("standard input can be read only once; give - only once");
   const validation::ValidateReport report = validation::validate_files(
       paths,
       [&](const validation::FileResult& file) {
@@ -139,16 +139,16 @@ void add_calc_commands(CLI::App& app, int& exit_code) {
     for (const calculators::CalculatorInfo& info : calculators::calculator_list())
       names.push_back(info.name);
     command_line::suggest_values(
-        command->add_option("name", *name, "name of the calculator (--list lists all)")
+        command->add_option("name", *name, "name of the calculator (--list lists all calculators)")
             ->type_name("NAME"),
         names);
     command->add_option("input", *source, "file with the inputs, or - for standard input")
         ->type_name("FILE")
         ->capture_default_str();
     command->add_flag("--list", *list, "list the calculators");
-    command->add_flag(
-        "--describe", *describe,
-        "show inputs with ranges, codes and defaults, results with units, and an example");
+    command->add_flag("--describe", *describe,
+                      "show the inputs (with ranges, codes and defaults), the results (with units) "
+                      "and an example");
     // Elsewhere --json is a flag; here a file may follow, as it did before there was `input`.
     command
         ->add_option_function<std::vector<std::string>>(
@@ -163,15 +163,15 @@ void add_calc_commands(CLI::App& app, int& exit_code) {
     command->add_flag("--as-json", *as_json, "old name of --json")->group("");
     command->add_flag("--markdown", *markdown, "with --list: print all inputs as Markdown");
     command
-        ->add_option(
-            "--deck", *deck,
-            fmt::format(
-                "take the inputs from the quasi-static solution of this deck (calculators: {})",
-                fmt::join(design::deck_calculators(), ", ")))
+        ->add_option("--deck", *deck,
+                     fmt::format("take the inputs from the quasi-static solution of this deck "
+                                 "(only for the calculators {})",
+                                 fmt::join(design::deck_calculators(), ", ")))
         ->type_name("DECK");
     command
         ->add_option("--element", *element,
-                     "with --deck: number of the rolling element (film, hertz, line-contact)")
+                     "with --deck: number of the rolling element (for the calculators film, hertz "
+                     "and line-contact)")
         ->type_name("N")
         ->capture_default_str();
     command->footer(
@@ -206,17 +206,19 @@ void add_calc_commands(CLI::App& app, int& exit_code) {
     auto published = std::make_shared<bool>(false);
     auto markdown = std::make_shared<bool>(false);
     auto only = std::make_shared<std::string>();
-    command->add_option("files", *files, "case files, or - for standard input")->type_name("FILE");
+    command->add_option("files", *files, "files of reference cases, or - for standard input")
+        ->type_name("FILE");
     CLI::Option* experiments_flag = command->add_flag(
-        "--experiments", *published, "compare with published experiments; takes no case files");
+        "--experiments", *published,
+        "compare computed results with published experiments; takes no case files");
     command->add_option("--only", *only, "run only the experiment with this id")
         ->type_name("ID")
         ->needs(experiments_flag);
     auto torques = std::make_shared<bool>(false);
     command
         ->add_flag("--torque", *torques,
-                   "compare the friction torque of three bearings with a catalog formula; takes no "
-                   "case files")
+                   "compare the computed friction torque of bearings with a catalog formula; takes "
+                   "no case files")
         ->excludes(experiments_flag);
     command->add_flag("--markdown", *markdown,
                       "print the results of --experiments or --torque as Markdown");
@@ -236,7 +238,7 @@ void add_calc_commands(CLI::App& app, int& exit_code) {
     command->callback([=, &exit_code] {
       if (*published || *torques) {
         if (!files->empty())
-          throw InputError("--experiments and --torque use built-in decks; remove the files");
+          throw InputError("--experiments and --torque use built-in decks; remove the file names");
         return *torques ? torque(*report, *json, *markdown)
                         : experiments(*only, *report, *json, *markdown);
       }

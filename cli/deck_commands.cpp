@@ -270,7 +270,9 @@ int new_from_facts(const NewOptions& o) {
     print("{}\n", dump_json(design::candidates_json(report), 2));
   else
     print("{}{}", design::candidates_text(report),
-          report.candidates.empty() ? "" : "Write a deck with --choose N --out DATA.txt.\n");
+          report.candidates.empty()
+              ? ""
+              : "To write the deck of candidate N, add --choose N --out DATA.txt.\n");
   return report.candidates.empty() ? 2 : 0;
 }
 
@@ -342,7 +344,7 @@ void list_catalogue(const NewOptions& o) {
           deck::rated_bearing_type_name(one.type), one.envelope.bore * 1e3,
           one.envelope.outside * 1e3, one.envelope.width * 1e3);
   print("{} bearings. `adore new --catalogue NAME` writes a deck", all.size());
-  if (!rated.empty()) print(". {} with --ratings only", counted(rated.size(), "bearing"));
+  if (!rated.empty()) print(". {} only with --ratings", counted(rated.size(), "bearing"));
   print("\n");
 }
 
@@ -482,62 +484,70 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
         ->needs(catalogue);
     CLI::Option* from =
         command
-            ->add_option(
-                "--from", o->from,
-                "file of published facts (JSON: designation, bore, C, C0, BPFO, ...); lists "
-                "all internal geometries that agree with them; `-`: standard input")
+            ->add_option("--from", o->from,
+                         "JSON file of published facts about a bearing (designation, bore, C, C0, "
+                         "BPFO, ...), or - for standard input; lists all internal geometries that "
+                         "agree with these facts")
             ->type_name("FACTS")
             ->excludes(name)
             ->excludes(catalogue);
     command
-        ->add_option("--choose", o->choose,
-                     "number of the candidate of --from whose deck is written")
+        ->add_option(
+            "--choose", o->choose,
+            "number of a candidate in the list of --from; the deck of this candidate is written")
         ->type_name("N")
         ->needs(from);
-    CLI::Option* list = command->add_flag("--list", o->list, "list the bearings of the catalogue")
+    CLI::Option* list = command->add_flag("--list", o->list, "list the bearings of the catalog")
                             ->excludes(name)
                             ->excludes(catalogue)
                             ->excludes(from);
-    command->add_option("--bore", o->bore, "with --list: bearings of this bore [mm]")
+    command->add_option("--bore", o->bore, "with --list: bore of the listed bearings [mm]")
         ->type_name("MM")
         ->needs(list);
     command_line::one_of(
-        command->add_option("--type", o->bearing_type, "with --list: bearings of this type")
+        command->add_option("--type", o->bearing_type, "with --list: type of the listed bearings")
             ->type_name("TYPE")
             ->needs(list),
         deck::bearing_type_keywords());
-    command->add_flag("--json", o->json, "print the list or the candidates as JSON");
-    command->add_option("--radial", o->radial, "radial load (appLoadZ) [N], or with unit: 4kN")
-        ->type_name("LOAD");
-    command->add_option("--axial", o->axial, "axial load (appLoadX) [N], or with unit: 500N")
+    command->add_flag("--json", o->json,
+                      "print the list of --list or the candidates of --from as JSON");
+    command
+        ->add_option("--radial", o->radial,
+                     "radial load (appLoadZ) [N], or a value with its unit, such as 4kN")
         ->type_name("LOAD");
     command
-        ->add_option("--speed", o->speed,
-                     "speed of the inner race (rpm2) [rpm], or with unit: 314rad/s")
+        ->add_option("--axial", o->axial,
+                     "axial load (appLoadX) [N], or a value with its unit, such as 500N")
+        ->type_name("LOAD");
+    command
+        ->add_option(
+            "--speed", o->speed,
+            "speed of the inner race (rpm2) [rpm], or a value with its unit, such as 314rad/s")
         ->type_name("SPEED");
     command
         ->add_option("--temperature", o->temperature,
-                     "temperature of housing, shaft, races and elements [degrees Celsius], or with "
-                     "unit: 343K")
+                     "temperature of housing, shaft, races and elements [degrees Celsius], or a "
+                     "value with its unit, such as 343K")
         ->type_name("TEMPERATURE");
     command
-        ->add_option(
-            "--oil", o->oil,
-            "oil: number (kTrac) or the beginning of a name of the manual's table, such as "
-            "FVA-3")
+        ->add_option("--oil", o->oil,
+                     "oil: its number (kTrac), or the first letters of its name in the oil table "
+                     "of the manual, such as FVA-3")
         ->type_name("OIL");
     CLI::Option* assembly =
         command
-            ->add_option("--assembly", o->arrangement,
-                         "write a set of rows on one shaft: a folder with ASSEMBLY.json and a deck "
-                         "for each row (DB back to back, DF face to face, DT tandem, TBT, TFT, TT, "
-                         "QBC, QFC, QBT, QFT, QT)")
+            ->add_option(
+                "--assembly", o->arrangement,
+                "write a set of bearing rows on one shaft: a folder with ASSEMBLY.json and a deck "
+                "for each row (DB back to back, DF face to face, DT tandem, TBT, TFT, TT, "
+                "QBC, QFC, QBT, QFT, QT)")
             ->type_name("ARRANGEMENT")
             ->excludes(list)
             ->excludes(from);
     command
-        ->add_option("--deck", o->decks,
-                     "with --assembly: deck of the rows, once for all rows or once for each")
+        ->add_option(
+            "--deck", o->decks,
+            "with --assembly: deck of a row; give --deck once for all rows, or once for each row")
         ->type_name("FILE")
         ->allow_extra_args(false)
         ->needs(assembly)

@@ -84,7 +84,8 @@ FindReport answer(const FindOptions& options) {
   if (!calculator.empty()) {
     if (!options.sets.empty() || !options.options.empty() || !options.user.empty())
       throw InputError(
-          "--set, --opt and --user change decks, not inputs of a calculator. Remove them.");
+          "--set, --opt and --user change decks, not inputs of a calculator. Remove these "
+          "options.");
     const std::string text = options.deck == kStream ? read_standard_input(kMaxInputBytes)
                                                      : read_text_file(options.deck, kMaxInputBytes);
     return calculators::find_in_calculator(calculator, parse_json(text, options.deck),
@@ -118,15 +119,17 @@ void add_find_command(CLI::App& app, int& exit_code) {
     calculators.push_back(one.name);
   command_line::suggest_values(
       command
-          ->add_option("--target", options->target,
-                       "result of the equilibrium and its value in the unit of its name; also "
-                       "'NAME>=VALUE', 'NAME<=VALUE', NAME=least and NAME=largest")
+          ->add_option(
+              "--target", options->target,
+              "result of the equilibrium and its target value, in the unit at the end of the name; "
+              "other forms: 'NAME>=VALUE', 'NAME<=VALUE', NAME=least and NAME=largest")
           ->type_name("NAME=VALUE"),
       results);
   CLI::Option* question = command_line::suggest_values(
       command
           ->add_option("--question", options->question,
-                       "common question, with its value if it needs one (--list lists them)")
+                       "predefined question, with a value if the question needs one (--list lists "
+                       "all questions)")
           ->type_name("NAME[=VALUE]"),
       questions);
   command
@@ -147,13 +150,14 @@ void add_find_command(CLI::App& app, int& exit_code) {
                    "number of scan points between the bounds; more points separate solutions that "
                    "are close together")
       ->capture_default_str();
-  command->add_flag("--list", options->list, "list the questions and the results");
+  command->add_flag("--list", options->list,
+                    "list all questions for --question and all results for --target");
   command->add_flag("--json", options->json, "print as JSON");
   command->footer(
       "Exit codes\n"
-      "  0 one solution; 1 no solution (the best value is printed); 4 more than one solution;\n"
-      "  5 one solution, but the result is not monotonic; 3 the result could not be computed\n"
-      "  everywhere, and no solution was found; 2 wrong input\n\n"
+      "  0 one solution; 1 no solution (the best value is printed); 2 wrong input;\n"
+      "  3 no solution was found, but the result could not be computed everywhere;\n"
+      "  4 more than one solution; 5 one solution, but the result is not monotonic\n\n"
       "Examples\n"
       "  adore find DATA.txt --unknown appLoadX=1:5000 --target least_element_load_N=0\n"
       "  adore find DATA.txt --question load-for-pressure=2e9 --between 100:50000\n"

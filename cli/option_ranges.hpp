@@ -19,7 +19,7 @@ inline constexpr std::array kOptionRanges{
     OptionRange{"--threads", 0, 1024, "0: all cores"},
     OptionRange{"--lubricant", 1, 20, "kTrac of record 10.0"},
     OptionRange{"--temperature", 150, 800, "in kelvin"},
-    OptionRange{"--workers", 0, 1024, "0: as many as cores and memory allow"},
+    OptionRange{"--workers", 0, 1024, "0: as many runs as cores and memory allow"},
     OptionRange{"--width", 30, 500, "in mm"},
     OptionRange{"--height", 30, 500, "in mm"},
     OptionRange{"--letters", 4, 24, "in points"},
@@ -34,7 +34,7 @@ inline constexpr std::array kOptionRanges{
     OptionRange{"--tols", 1e-14, 0.01, "larger tolerances do not resolve the motion"},
     OptionRange{"--turns", 0.01, 1e6, "shaft revolutions"},
     OptionRange{"--pilot", 0, 1e4, "seconds of processor time; 0: no trial run"},
-    OptionRange{"--points", 3, 2001, "of the scan"},
+    OptionRange{"--points", 3, 2001, "points of the scan"},
     OptionRange{"--budget", 1, 1e6, "seconds of processor time"},
     OptionRange{"--accuracy", 1e-6, 0.5, "a fraction: 0.01 is 1 %"},
 };

@@ -74,9 +74,10 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
       ->default_str("first curve");
   command_line::one_of(
       command
-          ->add_option("--scale", request->scale,
-                       "amplitudes of spectra: in units of the curve, in dB of 1 unit, or relative "
-                       "to the maximum (default: units, for spectrograms dB)")
+          ->add_option(
+              "--scale", request->scale,
+              "amplitudes of spectra in units of the curve (units), in dB relative to 1 unit (db), "
+              "or relative to the maximum (relative); default: units, but db for spectrograms")
           ->type_name("SCALE"),
       {"units", "db", "relative"});
   command_line::one_of(
@@ -87,39 +88,41 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
       {"time", "speed"});
   command
       ->add_option("--band", request->band,
-                   "frequencies of an envelope in Hz, LOW:HIGH (default: the band with the most "
-                   "impulsive vibration, or else the strongest modulation)")
+                   "frequency band of an envelope in Hz, LOW:HIGH (default: the band with the most "
+                   "impulsive vibration, or else the band with the strongest modulation)")
       ->type_name("BAND");
   command_line::one_of(
       command
           ->add_option("--orders-of", request->orders_of,
-                       "part whose revolutions orders refer to (default: shaft; envelopes without "
-                       "this option have a frequency in Hz)")
+                       "part whose rotation is order 1 (default: shaft; without this option, the "
+                       "horizontal axis of envelopes is a frequency in Hz)")
           ->type_name("PART"),
       {"shaft", "cage", "element"});
   command->add_flag("--time", *time, "the same as --abscissa time")->group("");
   CLI::Option* dark = command->add_flag("--dark", request->dark, "dark theme");
   CLI::Option* width =
       command
-          ->add_option("--width", request->width,
-                       "draw figures for print: their width [mm], such as 85 (one column) or 170")
+          ->add_option(
+              "--width", request->width,
+              "draw figures for print with this width [mm], such as 85 (one column) or 170")
           ->type_name("MM")
           ->excludes(dark);
   CLI::Option* height = command
                             ->add_option("--height", request->height,
-                                         "height of figures [mm] (default: 0.75 of the width, 0.2 "
-                                         "more for each further panel)")
+                                         "height of figures [mm] (default: 0.75 times the width, "
+                                         "plus 0.2 times the width for each additional panel)")
                             ->type_name("MM")
                             ->needs(width);
   CLI::Option* letters =
-      command->add_option("--letters", request->letters, "size of the letters of figures [pt]")
+      command->add_option("--letters", request->letters, "font size of figures [pt]")
           ->type_name("PT")
           ->capture_default_str()
           ->needs(width);
   command->add_option("--font", request->font, "font family of figures (default: DejaVu Sans)")
       ->type_name("NAME")
       ->needs(width);
-  command->add_flag("--gray", request->gray, "figures with gray lines of different dashes")
+  command
+      ->add_flag("--gray", request->gray, "draw figures with gray lines in different dash patterns")
       ->needs(width);
   add_progress(*command, request->progress);
   command->footer(
@@ -176,7 +179,7 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
                        {"outer", "inner"});
   command
       ->add_option("--element", request->element,
-                   "number of the element or pocket in views that show only one")
+                   "number of the element or pocket, for views that show only one of them")
       ->capture_default_str();
   CLI::Option* frame = command->add_option("--frame", request->frame,
                                            "frame number, counted from 1 (default: all frames)");
@@ -274,26 +277,28 @@ void add_report(CLI::App& app, const std::function<void(const ReportRequest&)>& 
   CLI::App* command = app.add_subcommand(
       "report", "write report.html and report.pdf of runs: deck, results, findings, charts");
   auto request = std::make_shared<ReportRequest>();
-  command->add_option("runs", request->runs, "folders of runs; several are compared in a table")
+  command
+      ->add_option("runs", request->runs,
+                   "folders of runs; a table compares the results of several runs")
       ->type_name("FOLDER");
   command->add_option("--out", request->out, "output folder")
       ->capture_default_str()
       ->type_name("DIR");
   command_line::one_of(
       command
-          ->add_option(
-              "--charts", request->charts,
-              "main (loads, slip, orbit of the cage, power, life, and pages with warnings) "
-              "or all pages of all files")
+          ->add_option("--charts", request->charts,
+                       "charts in the report: main (loads, slip, orbit of the cage, power, life, "
+                       "and pages with warnings) or all (all pages of all files)")
           ->capture_default_str()
           ->type_name("WHICH"),
       {"main", "all"});
   command
       ->add_option("--template", request->file,
-                   "HTML file with {{name}} for each part (default: built in)")
+                   "HTML template with {{name}} in place of each part of the report (default: "
+                   "built-in template)")
       ->type_name("FILE");
   command->add_flag("--print-template", request->print_template,
-                    "print the built-in template, to be edited");
+                    "print the built-in template, so that you can edit it");
   add_progress(*command, request->progress);
   command->footer(
       "Examples\n"

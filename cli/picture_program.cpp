@@ -79,7 +79,7 @@ bool run_picture_program(const std::vector<std::string>& words) {
   }
   if (WIFEXITED(status)) return WEXITSTATUS(status) == 0;  // it has said why
   tell(
-      fmt::format("adore: {} ended by signal {} ({}) while drawing. Pictures are missing or "
+      fmt::format("adore: {} was ended by signal {} ({}) while drawing. Pictures are missing or "
                   "incomplete; all other results are written.\n",
                   program, WTERMSIG(status), ::strsignal(WTERMSIG(status))));
   return false;

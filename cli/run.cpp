@@ -222,8 +222,8 @@ int run(const RunOptions& options, bool tolerance_given) {
   if (studies::is_sweep(request)) {
     if (options.verify || !options.accuracy.empty())
       throw InputError(
-          "--verify and --accuracy need a single run, but this is a sweep; remove them, or give "
-          "--set a single value");
+          "--verify and --accuracy need a single run, but this is a sweep; remove these options, "
+          "or give --set a single value");
     const studies::SweepOutcome sweep = run_asking(
         request, [&] { return studies::run_sweep(request, options.threads, sink, watch.token()); });
     print_warnings(sweep.warnings);
@@ -241,8 +241,8 @@ int run(const RunOptions& options, bool tolerance_given) {
   }
   if (options.threads > 0)
     tell(
-        "adore: note: --threads has no effect: a single run uses one core; only a sweep (--set "
-        "variable=first:last:count) uses several cores\n");
+        "adore: note: --threads has no effect, because a single run uses one core. Only a sweep "
+        "(--set variable=first:last:count) uses several cores\n");
   if (!options.accuracy.empty()) return run_to_accuracy(options, request, sink, watch);
   const runs::RunOutcome outcome =
       run_asking(request, [&] { return runs::run(request, sink, watch.token()); });

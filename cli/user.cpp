@@ -84,7 +84,7 @@ struct NeededByDeck {
 };
 NeededByDeck needed_by(int hook) {
   constexpr std::array<NeededByDeck, 10> kNeeded{
-      {{"--set kReMat=2, or with the material of another part", ""},
+      {{"--set kReMat=2, or with code 2 for the material of another part", ""},
        {"", "0.0, 1.0e-3, 10000.0, 12000.0\n1.0e-6, 500.0"},
        {"", "1.0e-6"},
        {"", "1.0e-6"},
@@ -147,11 +147,11 @@ void new_routine(const UserOptions& options) {
     tell(fmt::format("wrote {}\n", path));
   }
   if (python)
-    tell(fmt::format("run it with\n  python3 {} DATA.txt OUT\n",
+    tell(fmt::format("run the example with\n  python3 {} DATA.txt OUT\n",
                      (folder / (name + ".py")).string()));
   else
     tell(fmt::format(
-        "build the routine with make, then run it with\n  adore run DATA.txt --user {}\n",
+        "build the routine with make, then start a run with\n  adore run DATA.txt --user {}\n",
         (folder / fmt::format("lib{}.so", name)).string()));
   print_deck_requirements(hook, python);
 }

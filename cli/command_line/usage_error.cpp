@@ -131,7 +131,7 @@ std::string sentence(const CLI::App& program, const CLI::ParseError& error,
     if (option_named(command, name) == nullptr) name = "--" + name;
     const OptionDescription* option = option_named(command, name);
     if (after_colon(error).find("Most") != std::string::npos)
-      return fmt::format("{} was given more than once; give it once", name);
+      return fmt::format("{} was given more than once; give it only once", name);
     if (option != nullptr && option->value.empty())
       return fmt::format("{} takes no value. Remove the value", name);
     return fmt::format("{} needs a value; give {}", name, what_to_give(option));
@@ -159,7 +159,7 @@ std::string sentence(const CLI::App& program, const CLI::ParseError& error,
                       other = text.substr(std::min(at, text.size() - verb.size()) + verb.size());
     return kind == "RequiresError"
                ? fmt::format("{} works only together with {}; give both", one, other)
-               : fmt::format("{} and {} exclude each other; give one", one, other);
+               : fmt::format("{} and {} exclude each other; give only one of them", one, other);
   }
   return fmt::format("invalid command line ({})", error.what());
 }

@@ -119,8 +119,8 @@ void add_deck(ReportRun& run, const fs::path& folder, const Json& json) {
   std::string& text = run.parts["deck"];
   std::error_code none;
   if (!is_plain_file(file)) {
-    text =
-        paragraph(fmt::format("The folder of the run has no deck {}.", file.filename().string()));
+    text = paragraph(fmt::format("The folder of the run does not contain the deck {}.",
+                                 file.filename().string()));
     return;
   }
   if (fs::last_write_time(file, none) > fs::last_write_time(folder / "RUN.json", none)) {
@@ -207,7 +207,7 @@ void add_provenance(ReportRun& run, const Json& json) {
     rows.push_back({escape_html(text_of(used, "record")), escape_html(text_of(used, "variable")),
                     escape_html(text_of(used, "value") + " " + text_of(used, "unit"))});
   if (!rows.empty())
-    run.parts["provenance"] += paragraph("Values that the deck leaves to their defaults:") +
+    run.parts["provenance"] += paragraph("Variables for which the run uses default values:") +
                                html_table({"record", "variable", "default"}, rows);
 }
 
@@ -349,8 +349,7 @@ ReportRun report_run(const fs::path& folder, std::size_t number, ReportCharts ch
   try {
     return report_of(folder, json, number, charts);
   } catch (const nlohmann::json::exception&) {
-    throw InputError(file.string() +
-                     " is damaged: a member has another type than this program writes");
+    throw InputError(file.string() + " is damaged: a member has the wrong type");
   }
 }
 

@@ -50,13 +50,14 @@ Json pocket_frame_case(const Json& in) {
 
 /// A pocket wall has a height, and only a cone turns over with the sign of its clearance.
 void check_pocket(const Json& in, bool conical) {
-  require(get(in, "wall_z_low") < get(in, "wall_z_high"),
-          fmt::format("wall_z_low = {} m is not below wall_z_high = {} m. Exchange them.",
-                      get(in, "wall_z_low"), get(in, "wall_z_high")));
   require(
-      conical || get(in, "bPocCls1") >= 0.0,
-      fmt::format("bPocCls1 = {} m: only a conical pocket has a negative value. Enter 0 or more.",
-                  get(in, "bPocCls1")));
+      get(in, "wall_z_low") < get(in, "wall_z_high"),
+      fmt::format("wall_z_low = {} m must be below wall_z_high = {} m. Exchange the two values.",
+                  get(in, "wall_z_low"), get(in, "wall_z_high")));
+  require(conical || get(in, "bPocCls1") >= 0.0,
+          fmt::format("bPocCls1 (pocket clearance) = {} m: only a conical pocket may have a "
+                      "negative clearance. Enter 0 or more.",
+                      get(in, "bPocCls1")));
 }
 
 std::optional<Json> ball_pocket_case(const Json& in) {
@@ -360,7 +361,8 @@ std::optional<Json> inertia_case(const Json& the_case) {
   solid.element_diameter = get(in, "element_diameter");
   solid.pitch_diameter = get(in, "pitch_diameter");
   require(*shape == PocketShape::Conical || get(in, "bPocCls1") >= 0.0,
-          "bPocCls1 is below 0: only a conical pocket has a negative value. Enter 0 or more.");
+          "bPocCls1 (pocket clearance) is below 0: only a conical pocket may have a negative "
+          "clearance. Enter 0 or more.");
   solid.clearance_1 = get(in, "bPocCls1");
   solid.clearance_2 = get(in, "bPocCls2");
   solid.roller_length = in.value("roller_length", 0.0);

@@ -197,10 +197,10 @@ std::string calculators_markdown() {
   std::string out =
       "# Calculators\n\n"
       "`adore calc NAME FILE` reads one JSON object of inputs and prints the results with their "
-      "units. If a calculator has several kinds of calculation, the inputs determine the kind. To "
-      "select it explicitly, write `{\"kind\": ..., \"inputs\": {...}}`. Upper and "
-      "lower case are equal in text inputs such as material codes. Unknown, unused and missing "
-      "inputs and values outside their range are errors. Inputs of the type `label` are comments "
+      "units. Some calculators have several kinds of calculation; the inputs determine the kind. "
+      "To select a kind explicitly, write `{\"kind\": ..., \"inputs\": {...}}`. Text inputs such "
+      "as material codes are not case-sensitive. Unknown, unused and missing inputs are errors. "
+      "Values outside their range are also errors. Inputs of the type `label` are comments "
       "without effect.\n\n"
       "This page is the output of `adore calc --list --markdown`.\n\n";
   for (const CalculatorInfo& info : calculator_list()) {

@@ -405,8 +405,9 @@ std::string take_kind(Json& the_case, const std::vector<const SchemaKind*>& kind
   const auto own = inputs.find("kind");
   if (const auto kind = the_case.find("kind"); kind != the_case.end()) {
     if (!kind->is_string())
-      throw InputError(fmt::format(
-          "kind = {}: not a string; give the name of a kind of calculation", dump_json(*kind)));
+      throw InputError(
+          fmt::format("\"kind\" = {}: must be a string; give the name of a kind of calculation",
+                      dump_json(*kind)));
     if (own != inputs.end() && *own == *kind && find_input(family.inputs, "kind") == nullptr)
       inputs.erase("kind");
     return kind->get<std::string>();

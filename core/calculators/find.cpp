@@ -32,8 +32,8 @@ Json::json_pointer pointer_of(std::string_view path) {
           std::from_chars(digits.data(), digits.data() + digits.size(), index);
       if (error != std::errc() || stop != digits.data() + digits.size() || index < 1 ||
           close == std::string_view::npos)
-        throw InputError(
-            fmt::format("{}: \"{}\" is not an index. Write a number from 1.", path, digits));
+        throw InputError(fmt::format(
+            "{}: \"{}\" is not an index. Enter a whole number of 1 or more.", path, digits));
       out /= index - 1;
       at = close + 1;
     } else {
@@ -137,7 +137,7 @@ FindReport find_in_calculator(std::string_view calculator, const Json& input, Fi
         values[place] = x;
     } catch (const Json::exception&) {
       throw InputError(
-          fmt::format("unknown {}: the inputs do not contain this path.", unknown.name));
+          fmt::format("the unknown \"{}\" is not a path in the inputs.", unknown.name));
     }
     const Json results = calculate(calculator, inputs);
     const auto value = value_of(results, target.name);

@@ -69,8 +69,8 @@ inline void require(bool condition, const std::string& text) {
 inline void require_elements_fit(int count, double diameter, double pitch_diameter) {
   const double chord = pitch_diameter * std::sin(kPi / std::max(count, 2));
   require(diameter <= chord * (1.0 + 1e-9),
-          fmt::format("{} of diameter {:.4g} do not fit on the pitch diameter {:.4g}; the largest "
-                      "possible diameter is {:.4g}; enter fewer or smaller elements",
+          fmt::format("{} of diameter {:.4g} do not fit on the pitch diameter {:.4g}: the largest "
+                      "possible element diameter is {:.4g}. Enter fewer or smaller elements",
                       counted(count, "element"), diameter, pitch_diameter, chord));
 }
 [[nodiscard]] inline std::string kind_of(const Json& the_case) {

@@ -59,11 +59,11 @@ void check(const LubricantContact& c) {
   }
   if (c.radius > c.across)
     throw InputError(
-        fmt::format("radius = {:g} m, across = {:g} m: radius (along rolling) must not exceed "
-                    "across. Exchange the two values",
+        fmt::format("\"radius\" = {:g} m, \"across\" = {:g} m: the radius along the rolling "
+                    "direction must not exceed the radius across it. Exchange the two values",
                     c.radius, c.across));
   if (c.metal.size() != 4)
-    throw InputError("metal must have four values: the traction coefficients of record 10.1C");
+    throw InputError("\"metal\" must have four values: the traction coefficients of record 10.1C");
 }
 
 bearing::Lubrication lubrication_of(const LubricantContact& contact) {
@@ -189,7 +189,7 @@ void add_laws(const LubricantContact& contact, const std::vector<double>& slips,
   out.laws = {fmt::format("Traction laws of {}", oil.name),
               "Slip",
               "m/s",
-              fmt::format("Traction coefficient of each law, {:g} GPa", 1e-9 * contact.pressure),
+              fmt::format("Traction coefficient of each law at {:g} GPa", 1e-9 * contact.pressure),
               "",
               true,
               false,

@@ -46,14 +46,15 @@ std::optional<Json> static_case(const Json& the_case) {
   if (in.contains("Dw")) return thrust_rating(in);
   const std::string type = in.at("type");
   require(in.contains("alpha_deg") || type == "deep_groove" || type == "cylindrical_roller",
-          "alpha_deg is missing: P0 of this type depends on the contact angle. Enter alpha_deg.");
+          "alpha_deg is missing: P0 of this bearing type depends on the contact angle. Enter "
+          "alpha_deg.");
   life::StaticLoadFactors factors = life::static_factors(
       static_type(type), in.value("alpha_deg", 0.0) * kDegree, whole_or(in, "rows", 1, 1, 2));
   if (in.contains("X0") || in.contains("Y0")) factors.provenance = "given";
   factors.X0 = in.value("X0", factors.X0);
   factors.Y0 = in.value("Y0", factors.Y0);
   const double P0 = life::equivalent_static_load(factors, get(in, "Fr"), get(in, "Fa"));
-  require(P0 > 0.0, "Fr and Fa: both are 0. Enter a load.");
+  require(P0 > 0.0, "Fr and Fa are both 0. Enter a radial or an axial load.");
   return Json{{"P0", P0},
               {"s0", get(in, "C0") / P0},
               {"X0", factors.X0},
@@ -122,16 +123,18 @@ std::optional<Json> oscillation_case(const Json& the_case) {
 
 double mean_diameter(const Json& in) {
   require(get(in, "D") > get(in, "d"),
-          "D: it must be above d. Enter the outside diameter of the bearing.");
+          "D (outside diameter) must be larger than d (bore). Enter the outside diameter of the "
+          "bearing.");
   return 0.5 * (get(in, "d") + get(in, "D"));
 }
 
 double speed_ratio(const Json& in) {
   const double ratio = get(in, "n") / get(in, "n_ref");
   constexpr double kLargest = 2.0;
-  require(ratio <= kLargest, fmt::format("n: it is {:.3g} times the reference speed. The rule is "
-                                         "valid up to 2 times the reference speed.",
-                                         ratio));
+  require(ratio <= kLargest,
+          fmt::format("n (speed) is {:.3g} times the reference speed. The formulas for the minimum "
+                      "load are valid up to 2 times the reference speed.",
+                      ratio));
   return ratio;
 }
 

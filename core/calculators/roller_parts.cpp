@@ -57,7 +57,7 @@ Flange flange_of(const Json& j) {
   f.root_r = j.at("root").at(1).get<double>();
   require(
       f.root_r > 0.0,
-      fmt::format("root = [x, r]: r = {} m is not above 0. Enter the radius of the flange root.",
+      fmt::format("root = [x, r]: r = {} m must be above 0. Enter the radius of the flange root.",
                   f.root_r));
   return f;
 }

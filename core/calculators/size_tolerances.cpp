@@ -32,14 +32,15 @@ std::optional<Json> size_limits_case(const Json& the_case) {
   }
   const std::string code = in.at("tolerance");
   const SizeLimits limits = bearing::size_limits(code, get(in, "nominal"));
-  return Json{{"lower", limits.lower},
-              {"upper", limits.upper},
-              {"tolerance_width", limits.width()},
-              {"largest", get(in, "nominal") + limits.upper},
-              {"smallest", get(in, "nominal") + limits.lower},
-              {"provenance",
-               "formulas of ISO 286-1 (grades: from a public source; positions: from memory); "
-               "printed tables can differ by 1 um"}};
+  return Json{
+      {"lower", limits.lower},
+      {"upper", limits.upper},
+      {"tolerance_width", limits.width()},
+      {"largest", get(in, "nominal") + limits.upper},
+      {"smallest", get(in, "nominal") + limits.lower},
+      {"provenance",
+       "computed with the formulas of ISO 286-1 (tolerance grades: from a public source; tolerance "
+       "positions: recalled, not checked against a source); printed tables can differ by 1 um"}};
 }
 
 // ---- rating_bearing_fit
@@ -60,7 +61,7 @@ Fits fits_of(const Json& in) {
   const bearing::RingToleranceClass ring =
       bearing::ring_class(in.value("ring_class", std::string("Normal")));
   const double bore = get(in, "bore"), od = get(in, "od");
-  require(od > bore, "od: it must be above the bore. Enter both in meters.");
+  require(od > bore, "od (outside diameter) must be larger than bore. Enter both in meters.");
   const RingTolerance inner = bearing::bore_tolerance(ring, bore);
   const RingTolerance outer = bearing::outside_tolerance(ring, od);
   Fits out;
@@ -132,11 +133,15 @@ std::optional<Json> bearing_fit_case(const Json& the_case) {
   Json out{
       {"shaft_fit", fit_json(inner)},
       {"housing_fit", fit_json(outer)},
-      {"provenance", fits.seen ? "ring tolerances from a public source, ISO 286 by its formulas"
-                               : "ring tolerances from memory, ISO 286 by its formulas"}};
+      {"provenance", fits.seen ? "ring tolerances: from a public source; ISO 286 tolerances: "
+                                 "computed with the formulas of the standard"
+                               : "ring tolerances: recalled, not checked against a source; ISO 286 "
+                                 "tolerances: computed with the formulas of the standard"}};
   if (!in.contains("type")) return out;
   const double low = get(in, "clearance_least"), high = get(in, "clearance_most");
-  require(high >= low, "clearance_most: it must be at least clearance_least.");
+  require(
+      high >= low,
+      "clearance_most must not be smaller than clearance_least. Enter a larger clearance_most.");
   const Json assembly = assembly_inputs(in);
   const double mean = 0.5 * (low + high);
   const Clearance middle = mounted(assembly, outer.mean, inner.mean, mean);

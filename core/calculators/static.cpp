@@ -123,7 +123,8 @@ bearing::Bearing ball_bearing(const Json& in) {
   b.element_inertia.mass = in.value("ball_mass", b.element_material.density * volume);
   require(
       b.element_inertia.mass > 0.0 || in.contains("ball_mass") || in.value("speed_rpm", 0.0) == 0.0,
-      "the ball mass is missing: give ball_mass or material.ball.rho, because the race rotates");
+      "the ball mass is missing, but is needed because the race rotates. Give ball_mass or "
+      "material.ball.rho");
   b.element_inertia.moments = bearing::Vec3::Constant(0.1 * b.element_inertia.mass * D * D);
   b.speed = {0.0, in.value("speed_rpm", 0.0) * kRpm};
   const Json prescribed = in.value("prescribed_displacement", Json::object());

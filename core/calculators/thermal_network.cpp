@@ -19,7 +19,7 @@ using namespace thermal;
 NetworkRing ring(const Json& in) {
   const NetworkRing out{get(in, "r_in"), get(in, "r_out"), get(in, "w"), get(in, "k")};
   require(out.outer > out.inner,
-          fmt::format("r_out is {} m: not above r_in = {} m. Enter a larger outer radius.",
+          fmt::format("r_out = {} m must be larger than r_in = {} m. Enter a larger outer radius.",
                       out.outer, out.inner));
   return out;
 }
@@ -155,7 +155,9 @@ Json sequence_case(const Json& in) {
     std::vector<double>& nodes = temperatures.emplace_back();
     for (const Json& node : step) nodes.push_back(node.get<double>());
     if (nodes.size() != temperatures.front().size())
-      throw InputError("temperatures: give one list for each step, all of equal length");
+      throw InputError(
+          "\"temperatures\" must contain one list for each step, and all lists must have the same "
+          "length");
   }
   const ThermalStepAssessment result = assess_thermal_steps(temperatures, rules);
   constexpr const char* kNames[] = {"undecided", "stable", "divergent"};

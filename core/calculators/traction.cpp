@@ -43,10 +43,9 @@ std::optional<Json> hypothetical_traction(const Json& the_case) {
   result["kappa"] = Json::array();
   for (const double slip : in.at("slip")) {
     const double kappa = tribology::traction_coefficient(curve, std::abs(slip));
-    require(kappa >= 0.0,
-            fmt::format("the traction coefficient is {:.4g} at a slip of {} m/s: below "
-                        "0. Change the constants tc.",
-                        kappa, slip));
+    require(kappa >= 0.0, fmt::format("the traction coefficient is negative ({:.4g}) at a slip of "
+                                      "{} m/s. Change the constants \"tc\".",
+                                      kappa, slip));
     result["kappa"].push_back(std::copysign(kappa, slip));
   }
   return result;

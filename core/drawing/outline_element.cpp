@@ -316,7 +316,8 @@ Drawing draw_pocket(const Deck& deck) {
         "The pocket is smaller than the element. Check the pocket clearance bPocCls1.");
   if (m.rollers)
     out.remarks.emplace_back(
-        "The deck has no axial clearance for roller pockets; the drawn value is an assumption.");
+        "The deck does not define the axial clearance of roller pockets. The drawn clearance is an "
+        "assumption.");
   out.panes.push_back(pocket_from_outside(deck, m, push));
   out.panes.push_back(pocket_across(deck, m, push));
   return out;

@@ -100,7 +100,7 @@ void add_round_lands(const Deck& deck, const OutlineCage& cage, Drawing& out) {
   const double size = rings.front().profile.radius;
   const double factor = std::max(round_down(0.14 * size / largest), 1.0);
   Pane pane;
-  pane.title = fmt::format("Guide lands seen from +X, form errors × {:g}", factor);
+  pane.title = fmt::format("Guide lands seen from +X, form errors enlarged × {:g}", factor);
   for (const Ring& ring : rings) {
     // Cage inside, race outside, so that their lines stay apart; inner guidance the other way.
     const double base = size * (ring.part == Part::Cage        ? 1.0
@@ -154,7 +154,7 @@ Drawing draw_lands(const Deck& deck) {
   for (const GuideLand& land : cage->lands) largest = std::max(largest, land.clearance);
   const double factor =
       largest > 0.0 ? std::max(round_down(2.0 * kShownGap * thick / largest), 1.0) : 1.0;
-  pane.title = factor > 1.0 ? fmt::format("Section of the cage, clearances × {:g}", factor)
+  pane.title = factor > 1.0 ? fmt::format("Section of the cage, clearances enlarged × {:g}", factor)
                             : "Section of the cage, to scale";
   pane.shapes.push_back(shape_of(Part::Cage, Shape::Style::Cut, "cage",
                                  rectangle(-half, -0.5 * thick, half, 0.5 * thick), {"nGL"}));

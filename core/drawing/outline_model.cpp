@@ -119,20 +119,22 @@ void read_envelope(const Deck& deck, OutlineModel& m) {
   if (!(outside > m.raceway(0))) {
     m.ring_radius[0] = m.raceway(0) + wall;
     m.remarks.emplace_back(
-        "brgOD is not larger than the outer raceway. An assumed outer ring is drawn.");
+        "brgOD must be larger than the outer raceway diameter. An outer ring with an assumed "
+        "outside diameter is drawn.");
   }
   if (!(bore < m.raceway(1)) || !(bore > 0.0)) {
     m.ring_radius[1] = std::max(m.raceway(1) - wall, 0.2 * m.raceway(1));
     m.remarks.emplace_back(
-        "brgBore is 0 or not smaller than the inner raceway. An assumed inner ring is drawn.");
+        "brgBore must be above 0 and smaller than the inner raceway diameter. An inner ring with "
+        "an assumed bore is drawn.");
   }
   for (std::size_t j = 0; j < 2; ++j) {
     m.ring_width[j] = value_or_zero(deck, j == 0 ? "raceWidth1" : "raceWidth2");
     if (m.ring_width[j] > 0.0 && m.ring_width[j] < 50.0 * m.diameter) continue;
     m.ring_width[j] = 1.2 * m.length;
     m.remarks.push_back(
-        fmt::format("raceWidth{} has an implausible value. The ring is drawn 1.2 times as wide as "
-                    "the element is long.",
+        fmt::format("raceWidth{} has an implausible value. The ring is drawn with a width of 1.2 "
+                    "times the element length.",
                     j + 1));
   }
   const double shaft = 0.5 * value_or_zero(deck, "shftID");

@@ -320,8 +320,8 @@ Drawing draw_loads(const Deck& deck) {
   for (int i = 0; i < 3; ++i)
     if (held(deck, i + 1))
       out.remarks.push_back(
-          fmt::format("kFS{} = 1: the deck gives the displacement along {}. The force along this "
-                      "axis is a result.",
+          fmt::format("kFS{} = 1: the deck specifies the displacement along {}. The force along "
+                      "this axis is computed.",
                       i + 1, static_cast<char>('x' + i)));
   out.panes.push_back(std::move(pane));
   return out;

@@ -140,8 +140,8 @@ Drawing draw_traction(const Deck& deck) {
                {"traction coefficient", "", 1.0, low, 1.12 * top}};
   if (deck.integer("kTrac") > 0)
     out.remarks.emplace_back(
-        "Only contacts with a film thinner than reRaceFilm follow this curve. All others follow "
-        "the lubricant model of kTrac.");
+        "This traction curve applies only to contacts with a film thinner than reRaceFilm. All "
+        "other contacts use the lubricant model of kTrac.");
   out.panes.push_back(std::move(pane));
   return out;
 }

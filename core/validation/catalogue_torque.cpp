@@ -339,9 +339,10 @@ std::string torque_text(const std::vector<TorqueTable>& tables) {
   std::string out;
   for (const TorqueTable& table : tables) {
     out += fmt::format(
-        "\n{} ({}), {} at 70 degrees Celsius, {:.1f} mm2/s, flooded. Torques in N mm. Column "
-        "groups: computed, catalogue formula, computed / formula. Omitted points: {} above the "
-        "limiting speed, {} below the minimum load\n",
+        "\n{} ({}), {} at 70 degrees Celsius, {:.1f} mm2/s, flooded contacts. Torques are in N mm. "
+        "Column groups: computed torque, torque of the catalog formula, computed torque / formula "
+        "torque. Omitted operating points: {} above the limiting speed, {} below the minimum "
+        "load\n",
         table.bearing, table.deck, table.oil, 1e6 * table.viscosity, table.above_speed,
         table.below_load);
     out += fmt::format(
@@ -362,9 +363,10 @@ std::string torque_markdown(const std::vector<TorqueTable>& tables) {
   std::string out;
   for (const TorqueTable& table : tables) {
     out += fmt::format(
-        "\n## {}, {}\n\n{:.1f} mm²/s at 70 °C, flooded, no medium in the cavity; torques in N mm. "
-        "The last two columns are the computed torque divided by the formula torque. Points left "
-        "out: {} above the limiting speed, {} below the minimum load.\n\n",
+        "\n## {}, {}\n\nOil viscosity {:.1f} mm²/s at 70 °C, flooded contacts, no medium in the "
+        "cavity. Torques are in N mm. The last two columns are the computed torque divided by the "
+        "torque of the catalog formula. Omitted operating points: {} above the limiting speed, {} "
+        "below the minimum load.\n\n",
         table.bearing, table.oil, 1e6 * table.viscosity, table.above_speed, table.below_load);
     out +=
         "| Fr [N] | Fa [N] | rpm | rolling | sliding | spin | rib | computed | formula: rolling | "

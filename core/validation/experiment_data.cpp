@@ -60,7 +60,7 @@ void read_theirs(JsonMembers& in, RowData& row) {
   } else if (theirs->is_array()) {
     const std::vector<double> range = in.numbers("theirs");
     if (range.size() != 2 || !(range[0] <= range[1]))
-      in.reject("member \"theirs\" must be a number or [least, most]");
+      in.reject("member \"theirs\" must be a number or a range [least, most]");
     row.theirs = range[0];
     row.theirs_to = range[1];
   } else {
@@ -88,10 +88,11 @@ RowData read_row(JsonMembers& in, const std::string& kind, const std::string& ce
   const bool aside = out.certainty.starts_with("kept aside");
   if (aside && given)
     in.reject(
-        "a row of certainty \"kept aside\" must not contain the measured value. Remove \"theirs\"");
+        "a row with certainty \"kept aside\" must not contain the measured value. Remove the "
+        "member \"theirs\"");
   if (!aside && !given && out.kind != "part")
     in.reject(
-        "member \"theirs\" is missing. Give it, or set kind to \"part\" or certainty to "
+        "member \"theirs\" is missing. Give it, set \"kind\" to \"part\", or set \"certainty\" to "
         "\"kept aside\"");
   out.rating = in.number("rating", 0.0);
   if (in.find("from") != nullptr) out.from = in.number("from");
@@ -164,8 +165,8 @@ ParameterData read_parameter(JsonMembers& in) {
   ParameterData out{in.text("name"), in.text("meaning"), in.number("value"), in.number("low"),
                     in.number("high")};
   if (!(out.low < out.high) || out.value < out.low || out.value > out.high)
-    in.reject(fmt::format("value = {:g} must be within low = {:g} and high = {:g}", out.value,
-                          out.low, out.high));
+    in.reject(fmt::format("\"value\" = {:g} must be between \"low\" = {:g} and \"high\" = {:g}",
+                          out.value, out.low, out.high));
   in.finish();
   return out;
 }
@@ -186,7 +187,7 @@ ExperimentData read_experiment(JsonMembers& in, std::string_view name) {
     out.not_computed.push_back(read_not_computed(one));
   if (out.runs.empty() && out.not_computed.empty() && out.table.empty() && out.open.empty())
     in.reject(
-        "an experiment needs one of the members \"runs\", \"not_computed\", \"table\" and "
+        "an experiment needs at least one of the members \"runs\", \"not_computed\", \"table\" and "
         "\"open\"");
   in.finish();
   return out;

@@ -171,12 +171,12 @@ constexpr Quantity kQuantities[] = {
     {"dynamic_rating", "dynamic rating C", [](const runs::Prepared& p) { return iso(p).C; }},
     {"static_rating", "static rating C0",
      [](const runs::Prepared& p) {
-       if (!iso(p).C0) throw InputError("ISO 76 gives no static rating of this bearing");
+       if (!iso(p).C0) throw InputError("ISO 76 gives no static load rating for this bearing");
        return *iso(p).C0;
      }},
     {"iso_life", "L10 of ISO 281",
      [](const runs::Prepared& p) {
-       if (!iso(p).L10) throw InputError("ISO 281 gives no life of this bearing");
+       if (!iso(p).L10) throw InputError("ISO 281 gives no life for this bearing");
        const double turns = 1e6 * *iso(p).L10;
        return turns * 2.0 * std::numbers::pi / relative_speed(p);
      }},
@@ -562,7 +562,7 @@ void check_energy(const RunData& run, const RunFigures& figures, Experiment& out
   line.certainty =
       ring ? fmt::format("derived; hottest ring {:.4g} C, {}{}{}", *ring - 273.15,
                          run.hottest_ring->certainty, verdict.empty() ? "" : ": ", verdict)
-           : "derived; not judged: no ring temperature in the source";
+           : "derived; not judged, because the source gives no ring temperature";
   if (!verdict.empty())
     out.inputs.push_back(fmt::format(
         "{}: {}: the oil outlet temperature would be {:.4g} C, but the hottest ring has {:.4g} C",
@@ -620,7 +620,7 @@ void add_catalogue(const std::string& file, Experiment& out) {
       line.what = "friction torque";
       line.unit = "N.mm";
       line.kind = "prediction";
-      line.certainty = "model: equations read in publications, constants quoted from memory";
+      line.certainty = "model: equations from publications, constants recalled and not checked";
       line.model = true;
       constexpr double kMilli = 1e3;
       line.failed = one.failed;
@@ -630,7 +630,8 @@ void add_catalogue(const std::string& file, Experiment& out) {
     }
   }
   out.assumed.push_back(fmt::format(
-      "points omitted above the limiting speed: {}, below the minimum load: {}", speed, load));
+      "omitted operating points: {} above the limiting speed, {} below the minimum load", speed,
+      load));
 }
 
 }  // namespace

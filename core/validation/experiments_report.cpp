@@ -74,10 +74,10 @@ void count_row(const ExperimentRow& row, ExperimentSummary& out) {
 /// Lines of the summary behind the table of groups.
 std::vector<std::string> summary_lines(const ExperimentSummary& s) {
   std::vector<std::string> out{
-      fmt::format("{} of {} bounds are satisfied, {} of {} signs agree.", s.bounds_held, s.bounds,
-                  s.signs_agree, s.signs),
-      fmt::format("Blind rows (the measured value is withheld): {}. Not computed: {}. Failed: {}. "
-                  "Parts of other rows: {}.",
+      fmt::format("{} of {} bounds are satisfied, and {} of {} signs agree with the source.",
+                  s.bounds_held, s.bounds, s.signs_agree, s.signs),
+      fmt::format("Blind rows (the measured value is withheld): {}. Rows not computed: {}. Failed "
+                  "rows: {}. Rows that are parts of other rows: {}.",
                   s.kept_aside, s.not_computed, s.failed, s.parts)};
   out.insert(out.end(), s.remarks.begin(), s.remarks.end());
   return out;
@@ -99,8 +99,8 @@ ExperimentSummary summarize(const std::vector<Experiment>& experiments) {
     for (const ParameterData& p : one.parameters)
       if (p.at_bound())
         out.remarks.push_back(
-            fmt::format("{}: parameter {} = {:.4g} is at its bound ({:g} to {:g}): this indicates "
-                        "missing physics, not a fit.",
+            fmt::format("{}: parameter {} = {:.4g} is at its bound ({:g} to {:g}). This indicates "
+                        "missing physics, not a good fit.",
                         one.id, p.name, p.value, p.low, p.high));
     for (const std::string& text : one.inputs)
       out.remarks.push_back(fmt::format("{}, {}.", one.id, text));
@@ -142,8 +142,9 @@ std::string experiments_markdown(const std::vector<Experiment>& experiments) {
   std::string out =
       "# Published experiments\n\nWritten by `adore validate --experiments --markdown`; the decks "
       "and the data of the sources are in `resources/experiments`. A\n*calibration* row was used "
-      "to fit the parameters named with it, a *prediction* row was not. Values of the sources are "
-      "second-hand\nwhere their certainty says so. All deviations are printed as computed.\n\n| "
+      "to fit the parameters of its experiment. A *prediction* row was not used. The certainty of "
+      "a source value\nshows whether the value is second-hand. All deviations are printed as "
+      "computed.\n\n| "
       "rows with a deviation | rows | median | 90th percentile |\n|---|---|---|---|\n";
   const ExperimentSummary summary = summarize(experiments);
   for (const ExperimentGroup& one : summary.groups)
@@ -167,7 +168,7 @@ std::string experiments_markdown(const std::vector<Experiment>& experiments) {
         out += fmt::format("| {} | {:.4g}{} | {:g} to {:g} | {} |\n", p.name, p.value,
                            p.at_bound() ? ", **at its bound**" : "", p.low, p.high, p.meaning);
     }
-    if (!one.assumed.empty()) out += "\nAssumed where the source gives no value:\n\n";
+    if (!one.assumed.empty()) out += "\nAssumptions where the source gives no value:\n\n";
     for (const std::string& text : one.assumed) out += fmt::format("- {}\n", text);
     for (const std::string& text : one.inputs) out += fmt::format("\n**{}**\n", text);
     if (!one.rows.empty())

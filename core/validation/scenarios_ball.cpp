@@ -84,9 +84,10 @@ void check_start(Motion& balls, const std::string& input, double diameter) {
   try {
     (void)balls.evaluate(0.0, balls.start.data());
   } catch (const SolverError& error) {
-    throw InputError(fmt::format(
-        "{}: the start state is impossible in this bearing ({}). Correct {} or the input derived.",
-        input, error.what(), input));
+    throw InputError(
+        fmt::format("{}: the start state is impossible in this bearing ({}). Correct {} or the "
+                    "input \"derived\".",
+                    input, error.what(), input));
   }
   const dynamics::Evaluation& e = balls.evaluate(0.0, balls.start.data());
   for (const std::size_t j : {0UL, 1UL})
@@ -216,10 +217,10 @@ Json vibration(const Json& the_case) {
   start[theta_dot] = td;
   const dynamics::Evaluation& e = ball.evaluate(0.0, start.data());
   const std::array loads{ball_load(ball, e, 0), ball_load(ball, e, 1)};
-  require(
-      loads[0].Q > 0.0 && loads[1].Q > 0.0,
-      "equilibrium: a ball at these x and r does not touch both races, so it cannot vibrate about "
-      "this state. Enter bearing, derived and inner_groove_centre_x of the same bearing.");
+  require(loads[0].Q > 0.0 && loads[1].Q > 0.0,
+          "\"equilibrium\": a ball at this x and r does not touch both races, so it cannot vibrate "
+          "about this position. Enter \"bearing\", \"derived\" and \"inner_groove_centre_x\" of "
+          "the same bearing.");
   Eigen::Matrix2d K = Eigen::Matrix2d::Zero();
   for (std::size_t j = 0; j < 2; ++j) {
     const dynamics::RaceContactState& c = loads[j].contact;

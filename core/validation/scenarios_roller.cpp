@@ -108,9 +108,10 @@ struct RollerMotion {
     constexpr double kDeepest = 0.02;  // of D/2
     for (std::size_t j = 0; j < 2; ++j)
       require(walls->line[j].approach <= kDeepest * walls->half,
-              fmt::format("{}.raceway_radius = {:.6g} m: the roller of D = {:.6g} m overlaps this "
-                          "race by {:.4g} m at initial_state. Enter a radius without overlap.",
-                          kRace[j], walls->radius[j], 2.0 * walls->half, walls->line[j].approach));
+              fmt::format(
+                  "{}.raceway_radius = {:.6g} m: the roller of diameter D = {:.6g} m overlaps this "
+                  "race by {:.4g} m in its \"initial_state\". Enter a radius without overlap.",
+                  kRace[j], walls->radius[j], 2.0 * walls->half, walls->line[j].approach));
   }
   /// With events where a contact opens or passes the kink of the law.
   [[nodiscard]] Solution solve(const std::vector<double>& times, bool with_events) {

@@ -170,8 +170,8 @@ std::vector<double> sample_times(const Json& the_case) {
     if (the_case.contains(where)) return the_case[where].get<std::vector<double>>();
   }
   throw InputError(
-      "this calculator integrates over time: give \"times\", a list of sample times [s] from the "
-      "start");
+      "this calculator integrates over time and needs \"times\": a list of sample times [s], "
+      "counted from the start of the motion");
 }
 
 Solution solve(const Problem& problem, std::span<const double> times) {

@@ -189,7 +189,7 @@ CaseResult run_case(const std::string& family, const Json& the_case) {
                 : Json{{"entry", std::string(evaluated_library_functions(family))}};
         return compared;
       }
-      result.message = "the inputs fit no kind of calculation of this family";
+      result.message = "the inputs fit no kind of calculation of this family of reference cases";
     }
   } catch (const std::exception& error) {
     result.status = the_case.value("provenance", "") == "recalled" ? "not_covered" : "fail";
@@ -249,7 +249,7 @@ Json read_cases(const std::filesystem::path& path, const std::string& standard_i
     Issue issue;
     issue.file = shown_name(path);
     issue.message = std::move(message);
-    issue.remedy = "give a JSON file with \"family\" and \"cases\"";
+    issue.remedy = "give a JSON file with the members \"family\" and \"cases\"";
     issues.push_back(std::move(issue));
   };
   std::string text = standard_input;
@@ -305,8 +305,8 @@ CaseResult compare_case(const std::string& family, const Json& the_case, const J
   if (out.status == "fail" && the_case.value("provenance", "") == "recalled") {
     out.status = "not_covered";
     out.message = fmt::format(
-        "{} deviates by {:.3g}. Not counted as a failure, because the expected value was not "
-        "checked against its source",
+        "{} deviates by {:.3g}. This is not counted as a failure, because the expected value was "
+        "not checked against its source",
         out.worst_key, out.error);
   }
   return out;

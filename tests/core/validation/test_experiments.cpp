@@ -252,7 +252,7 @@ TEST_CASE("experiment data: schema errors name experiment, run, row and member",
   CHECK_THAT(message_of(experiment_json(
                  kThrust, R"(, "parameters": [{"name": "p", "meaning": "m", "value": 3, "low": 0,
                                "high": 2}])")),
-             Contains("X, parameter 1: value = 3 must be within"));
+             Contains("X, parameter 1: \"value\" = 3 must be between"));
   CHECK_THAT(message_of("{\"experiments\": []}"), Contains("there is no experiment"));
   CHECK_THAT(message_of("[]"), Contains("must be an object"));
 }
