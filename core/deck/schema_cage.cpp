@@ -19,26 +19,28 @@ RecordSpec cage_options() {
   const auto land_errors = [](std::string_view name, std::string_view what) {
     return choice(
         name, {{"0", "ideal"}, {"1", "elliptical"}, {"2", "sinusoidal"}},
-        intern_string(fmt::format(
-            "Geometry errors of the guide lands of the {}, used when nGL is above 0.", what)));
+        intern_string(fmt::format("Geometry errors of the guide lands of the {}. The code is used "
+                                  "only if nGL (number of guide lands) is above 0.",
+                                  what)));
   };
   const auto hydrodynamics = [](std::string_view name, std::string_view where) {
     return choice(
         name, {{"0", "neglect"}, {"1", "include"}},
         intern_string(fmt::format(
-            "Hydrodynamic film forces {}. They are not available with a segmented cage.", where)));
+            "Hydrodynamic forces of the oil film {}. They are not available with a segmented cage.",
+            where)));
   };
   return record(
       "7.0", "Cage options", "nCseg > 0",
       {choice("kPocType",
-              {{"-1", "rollers: cylindrical pockets of a roller-guided cage"},
-               {"0", "balls: cylindrical, rollers: rectangular"},
-               {"1", "balls: spherical, rollers: one guide surface pair"},
-               {"2", "balls: elongated cylindrical, rollers: two guide surface pairs"},
-               {"3", "balls: rectangular, rollers: three guide surface pairs"},
-               {"4", "balls: conical"}},
-              "Shape of the pockets. The codes depend on the bearing type (kBrg). For rollers, a "
-              "positive value is the number of guide surface pairs on records 7.3.i."),
+              {{"-1", "cylindrical roller pockets of a roller-guided cage"},
+               {"0", "cylindrical ball pockets or rectangular roller pockets"},
+               {"1", "spherical ball pockets or one guide surface pair (rollers)"},
+               {"2", "elongated ball pockets or two guide surface pairs (rollers)"},
+               {"3", "rectangular ball pockets or three guide surface pairs (rollers)"},
+               {"4", "conical ball pockets"}},
+              "Shape of the pockets. The meaning of a code depends on the bearing type (kBrg). For "
+              "rollers, a positive value is the number of guide surface pairs on records 7.3.i."),
        choice("kCagePocImp",
               {{"0", "ideal"},
                {"1", "pocket 1 only"},
@@ -62,7 +64,7 @@ RecordSpec cage_options() {
                {{"0", "not guided by a race"}, {"n", "number of guide lands, at most 4"}},
                "Number of cage lands that are guided by a race, at most 4; 0 for none."),
        array(choice("iCageGuide", {{"0", "no guidance"}, {"1", "outer race"}, {"2", "inner race"}},
-                    "Race that guides each land."),
+                    "Race that guides each land of the cage."),
              "nGL")});
 }
 
@@ -80,28 +82,30 @@ RecordSpec cage_geometry() {
             "clearances of the lands are on records 7.2.i."),
        real("bPocCls1", kLength, kAny,
             "Pocket clearance I: circumferential pocket size minus element diameter. For elongated "
-            "ball pockets it is the axial clearance, and for conical ball pockets the inner "
-            "opening minus ball diameter. It is not used for rollers with guide surface pairs."),
+            "ball pockets, it is the axial clearance. For conical ball pockets, it is the inner "
+            "opening minus the ball diameter. It is not used for roller pockets with guide surface "
+            "pairs."),
        real("bPocCls2", kLength, kAny,
             "Pocket clearance II of ball pockets. Elongated pocket: center offset. Rectangular "
             "pocket: axial clearance. Conical pocket: outer opening minus ball diameter. Enter 0 "
-            "for other pockets and for rollers."),
+            "for other ball pockets and for rollers."),
        real("cageAngCut", kAngle, between(0.0, 360.0),
-            "Angular width of the cut between two segments; 0 for a one-piece cage."),
+            "Angular width of the cut between two cage segments; 0 for a one-piece cage."),
        real("cageConeAng", kAngle, kTilt,
-            "Half cone angle of a conical cage; 0 for a cylindrical one.")});
+            "Half cone angle of a conical cage; 0 for a cylindrical cage.")});
 }
 
 RecordSpec guide_lands() {
   return repeated_record(
       "7.2.i", "Cage guide land geometry", "nCseg > 0 && nGL > 0", "nGL",
-      {real("cageGsDia", kLength, kSize, "Diameter of the land on the cage."),
-       real("cageGsWidth", kLength, kSize, "Width of the land."),
+      {real("cageGsDia", kLength, kSize, "Diameter of the guide land of the cage."),
+       real("cageGsWidth", kLength, kSize, "Width of the guide land."),
        real("cageGsPos", kLength, kAny,
-            "Axial distance from the cage center to the outer edge of the land; "
-            "negative on the negative x side."),
+            "Axial distance from the cage center to the outer edge of the guide land. It is "
+            "negative for a land on the negative x side."),
        real("cageGsCls", kLength, kAny,
-            "Diametral clearance between the land and the race that guides it.")});
+            "Diametral clearance between the guide land of the cage and the race that guides the "
+            "cage.")});
 }
 
 RecordSpec pocket_surfaces() {
@@ -114,18 +118,18 @@ RecordSpec pocket_surfaces() {
             "Rotation about {} from the pocket frame to the frame of the guide surface.", axis))));
   spec.variables.push_back(
       real("bPocGsCen1", kLength, kAny,
-           "x coordinate of the surface center, measured from the pocket center."));
-  spec.variables.push_back(real(
-      "bPocGsCen2", kLength, kAny,
-      "y coordinate of the surface center, measured from the pocket center to the positive side. "
-      "The second surface of the pair is the mirror image in the x-z plane of the pocket."));
+           "x coordinate of the center of the guide surface, measured from the pocket center."));
+  spec.variables.push_back(real("bPocGsCen2", kLength, kAny,
+                                "y coordinate of the center of the guide surface on the positive y "
+                                "side, measured from the pocket center. The second surface of the "
+                                "pair is its mirror image in the x-z plane of the pocket."));
   spec.variables.push_back(
       real("bPocGsCen3", kLength, kAny,
-           "z coordinate of the surface center, measured from the pocket center."));
+           "z coordinate of the center of the guide surface, measured from the pocket center."));
   spec.variables.push_back(
-      real("bPocGsLen1", kLength, kSize, "Extent of the surface along z (width)."));
+      real("bPocGsLen1", kLength, kSize, "Width of the guide surface (along z)."));
   spec.variables.push_back(
-      real("bPocGsLen2", kLength, kSize, "Extent of the surface along x (length)."));
+      real("bPocGsLen2", kLength, kSize, "Length of the guide surface (along x)."));
   return spec;
 }
 
@@ -133,11 +137,11 @@ RecordSpec pocket_errors() {
   return record(
       "7.4", "Pocket imperfections", "nCseg > 0 && kCagePocImp in (1,2,3)",
       {real("bPocClsVar1", kLength, kAny,
-            "Deviation of pocket clearance I; when kCagePocImp is 3, the rms value of the "
-            "deviation."),
+            "Deviation of pocket clearance I from its nominal value (bPocCls1). If kCagePocImp is "
+            "3 (random), enter the rms value of the deviation."),
        real("bPocClsVar2", kLength, kAny,
-            "Deviation of pocket clearance II; when kCagePocImp is 3, the rms value of the "
-            "deviation."),
+            "Deviation of pocket clearance II from its nominal value (bPocCls2). If kCagePocImp is "
+            "3 (random), enter the rms value of the deviation."),
        real("bPocThknsVar", kLength, kAny,
             "Deviation of the pocket thickness from the cage thickness (outer minus inner cage "
             "radius)."),
@@ -155,23 +159,22 @@ RecordSpec pocket_errors() {
 /// code.
 RecordSpec land_errors(std::string_view id, std::string_view title, std::string_view condition,
                        std::string_view prefix, std::string_view code, std::string_view where) {
-  VariableSpec second =
-      real(intern_string(fmt::format("{}GsRadVar2", prefix)), kLength, kAny,
-           intern_string(
-               fmt::format("{0} land: semi-axis along z minus nominal radius ({1} = 1), or number "
-                           "of waves per revolution, without unit ({1} = 2).",
-                           where, code)));
+  VariableSpec second = real(
+      intern_string(fmt::format("{}GsRadVar2", prefix)), kLength, kAny,
+      intern_string(fmt::format("{0} guide land: if {1} is 1, semi-axis along z minus nominal "
+                                "radius; if {1} is 2, number of waves per revolution (no unit).",
+                                where, code)));
   second.unitless_when = intern_string(fmt::format("{} == 2", code));
   return repeated_record(
       id, title, condition, "nGL",
       {real(intern_string(fmt::format("{}GsRadVar1", prefix)), kLength, kAny,
-            intern_string(fmt::format("{0} land: semi-axis along y minus nominal radius ({1} = "
-                                      "1), or amplitude of the radius wave ({1} = 2).",
+            intern_string(fmt::format("{0} guide land: if {1} is 1, semi-axis along y minus "
+                                      "nominal radius; if {1} is 2, amplitude of the radius wave.",
                                       where, code))),
        second,
        real(intern_string(fmt::format("{}GsRadVar3", prefix)), kAngle, kAny,
-            intern_string(fmt::format("{0} land: phase of the radius wave ({1} = 2). With {1} = "
-                                      "1 the value is not used; enter 0.",
+            intern_string(fmt::format("{0} guide land: phase of the radius wave if {1} is 2. If "
+                                      "{1} is 1, the value is not used; enter 0.",
                                       where, code)))});
 }
 
@@ -190,10 +193,11 @@ void add_cage_records(std::vector<RecordSpec>& out) {
   out.push_back(cage_options());
   out.push_back(record(
       "7.0.1", "Cage segmentation", "nCseg > 1",
-      {array(integer("lSeg", between(-10000, 10000),
-                     "Number of the rolling element at the start of each segment, in increasing "
-                     "absolute values. A positive number cuts the cage just before the element, a "
-                     "negative number cuts it through the pocket of the element."),
+      {array(integer(
+                 "lSeg", between(-10000, 10000),
+                 "Number of the first rolling element of each cage segment, in increasing absolute "
+                 "values. With a positive number, the cage is cut just before this element. With a "
+                 "negative number, the cage is cut through the pocket of this element."),
              "nCseg")}));
   out.push_back(cage_geometry());
   out.push_back(guide_lands());

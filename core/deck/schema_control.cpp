@@ -17,11 +17,11 @@ RecordSpec run_mode() {
   return record(
       "1", "Run mode and output control", "true",
       {choice("mode",
-              {{"-n", "same as -1"},
+              {{"-n", "same as code -1"},
                {"-1", "quasi-static solution only"},
                {"0", "motion of all bodies in six degrees of freedom"},
-               {"1", "elements in radial force balance (balls, tapered rollers: also axial)"},
-               {"2", "same as 1, and the inner race in force balance"}},
+               {"1", "radial force balance of elements (balls, tapered rollers: also axial)"},
+               {"2", "same as code 1, and force balance of the inner race"}},
               "Kind of simulation. 0 integrates the motion of every body. 1 and 2 replace fast "
               "contact vibration by force balance, which allows larger steps. A negative value "
               "stops after the static solution."),
@@ -35,18 +35,18 @@ RecordSpec run_mode() {
        choice("kDOF",
               {{"0", "no additional suppression"},
                {"1", "no axial translation of rolling elements and cage"},
-               {"2", "same as 1, and no rotation about y and z"},
+               {"2", "same as code 1, and no rotation about y and z"},
                {"3", "no axial translation of rolling elements"},
-               {"4", "same as 3, and no rotation about y and z"},
+               {"4", "same as code 3, and no rotation about y and z"},
                {"5", "all six accelerations of rolling elements are zero"},
                {"6", "chosen in user routine ADRX1"}},
-              "Degrees of freedom that are suppressed besides the effect of mode. A suppressed "
-              "degree of freedom keeps its initial velocity. Its acceleration is zero, and no "
-              "force balance is solved for it."),
+              "Degrees of freedom that are suppressed in addition to those that mode replaces by "
+              "force balance. A suppressed degree of freedom keeps its initial velocity. Its "
+              "acceleration is zero, and no force balance is solved for it."),
        choice("kIcOpt",
-              {{"-1", "new run from the state in file FINAL, with new files and time zero"},
+              {{"-1", "new run at time zero from the state in file FINAL, with new files"},
                {"0", "start from the quasi-static solution"},
-               {"1", "continue the run of MASTER and FINAL; without MASTER same as -1"}},
+               {"1", "continue the run in MASTER and FINAL (without MASTER, same as code -1)"}},
               "Initial state of a dynamic run. Use -1 to start a new run from an earlier final "
               "state, and 1 to continue a stopped run.",
               "0"),
@@ -57,9 +57,9 @@ RecordSpec run_mode() {
                {"-1", "sections 3 and 4"},
                {"0", "sections 2, 3 and 4"},
                {"1", "all sections, every rolling element"},
-               {"n", "all sections, every n-th rolling element"}},
-              "Contents of each printed step in PRINT.txt. The sections are: 1 rolling elements, 2 "
-              "races and cage, 3 applied parameters, 4 summary of the step."),
+               {"n", "all sections, with every n-th rolling element"}},
+              "Contents of each printed step in PRINT.txt. The sections are 1 (rolling elements), "
+              "2 (races and cage), 3 (applied parameters) and 4 (summary of the step)."),
        choice("kPrtFreq",
               {{"0", "first and last step only"}, {"1", "every step"}, {"n", "every n-th step"}},
               "Interval between printed steps. Step 0 is time zero."),
@@ -69,11 +69,11 @@ RecordSpec run_mode() {
        choice("kAGraf", {{"0", "no animation file"}, {"n", "store every n-th step"}},
               "Interval between the steps that are stored for animation in SOL8. 0 stores no "
               "animation."),
-       choice(
-           "kLifeFreq",
-           {{"0", "first and last step only"}, {"1", "every step"}, {"n", "every n-th step"}},
-           "Interval between the steps for which SOL7 contains a fatigue life, computed from the "
-           "loads of that step alone. The life of the whole run uses the loads of every step."),
+       choice("kLifeFreq",
+              {{"0", "first and last step only"}, {"1", "every step"}, {"n", "every n-th step"}},
+              "Interval between the steps for which SOL7 contains a fatigue life. The life of a "
+              "step is computed from the loads of that step alone. The life of the whole run uses "
+              "the loads of every step."),
        choice("kTherm", {{"0", "off"}, {"1", "on"}},
               "Thermal analysis. When it is on, temperatures follow from the heat that the run "
               "generates. Records 3.5 and 9.7 then specify coolant and heat transfer."),
@@ -159,8 +159,8 @@ RecordSpec race_constraints() {
           {{"0", "race accelerates under the moments on it"},
            {"1", "fixed speed or prescribed angular acceleration"}},
           intern_string(fmt::format(
-              "Rotation constraint of the {} race about {}. With 0, the moments on "
-              "the race change its speed; without ADRX1 the external moment is {}{}.",
+              "Rotation constraint of the {} race about {}. With 0, the moments on the race change "
+              "its speed. Without user routine ADRX1, the external moment is {}{}.",
               race_name, kAxes[axis], axis > 0 && race == 1 ? "minus " : "", kMoments[axis])),
           "1"));
   return spec;
@@ -170,7 +170,8 @@ RecordSpec file_names() {
   RecordSpec spec = record(
       "2.3", "Names of data files", "kFnOpt == 1",
       {text("masName", 10,
-            "Name of the file with the data for a continuation, at most 10 characters.", "MASTER"),
+            "Name of the file with the data for continuing a run, at most 10 characters.",
+            "MASTER"),
        text("finName", 10,
             "Name of the file of the final state, at most 10 characters. A run can start from this "
             "state (kIcOpt).",
@@ -206,11 +207,11 @@ VariableSpec race_imperfection(int race, std::string_view race_name) {
 }
 
 VariableSpec flange(int side, int race, std::string_view where) {
-  return choice(
-      intern_string(fmt::format("kFlngInd{}{}", side, race)), {{"0", "none"}, {"1", "present"}},
-      intern_string(fmt::format(
-          "Roller guide flange on the {} x side. Ball and spherical roller bearings have none.",
-          where)));
+  return choice(intern_string(fmt::format("kFlngInd{}{}", side, race)),
+                {{"0", "none"}, {"1", "present"}},
+                intern_string(fmt::format("Roller guide flange on the {} x side. Ball and "
+                                          "spherical roller bearings have no guide flanges.",
+                                          where)));
 }
 
 RecordSpec bearing_type() {
@@ -271,19 +272,19 @@ VariableSpec material(std::string_view name, std::string_view default_material,
 RecordSpec statics_and_materials() {
   return record(
       "3.3", "Program options 2: static constraints and materials", "true",
-      {static_constraint("kFS1", "along x, the bearing axis (thrust is normally positive)", false),
+      {static_constraint("kFS1", "along x (bearing axis, thrust normally positive)", false),
        static_constraint("kFS2", "along y", false),
-       static_constraint("kFS3", "along z, the usual radial load axis", false),
+       static_constraint("kFS3", "along z (usual radial load axis)", false),
        static_constraint("kFS4", "about y", true), static_constraint("kFS5", "about z", true),
        choice("kAngVel",
               {{"0", "least frictional heat"},
                {"1", "race control"},
                {"2", "spin axis direction from record 9.0"}},
               "Rule for the spin axis of balls in the static solution. Race control suits fast "
-              "bearings, and least heat suits the others. Codes 0 and 1 are not used for balls in "
-              "friction equilibrium (run option ballFriction)."),
+              "bearings. Least frictional heat suits slow bearings. Codes 0 and 1 are not used for "
+              "balls in friction equilibrium (run option ballFriction)."),
        counted("kStif", between(0, 10000), {{"0", "none"}, {"n", "number of speed points"}},
-               "Number of speeds in the table of stiffness against speed; 0 for no table."),
+               "Number of speeds in the table of stiffness against speed. 0 means no table."),
        with_option_table(
            choice("kChrn", {}, "Medium that causes churning drag on rolling elements and cage."),
            "@churning"),
@@ -301,7 +302,7 @@ RecordSpec time_variation() {
       "3.4", "Program options 3: time variation, inertia, monitored bodies", "mode >= 0",
       {choice("kVarLoad",
               {{"0", "steady"},
-               {"1", "rotating load by race orbits (record 9.3A)"},
+               {"1", "rotating load from orbiting races (record 9.3A)"},
                {"2", "sinusoidal race motion (record 9.3B)"}},
               "Variation of loads over time."),
        choice("kVarSpeed",
@@ -319,16 +320,16 @@ RecordSpec time_variation() {
                {"3", "user routine ADRX8"}},
               "Source of mass and inertia of the rolling elements.", "0"),
        choice("kRaceIP1", {{"0", "from ideal geometry"}, {"1", "record 6.2.1"}},
-              "Source of mass and inertia of the outer race; needed only when that race is free to "
-              "move.",
+              "Source of mass and inertia of the outer race. It is needed only if that race is "
+              "free to move.",
               "0"),
        choice("kRaceIP2", {{"0", "from ideal geometry"}, {"1", "record 6.2.2"}},
-              "Source of mass and inertia of the inner race; needed only when that race is free to "
-              "move.",
+              "Source of mass and inertia of the inner race. It is needed only if that race is "
+              "free to move.",
               "0"),
        integer("kNumPltElem", between(0, 12000),
                "Number of bodies whose motion is stored for plots. The classic files SOL1 to SOL6 "
-               "contain six."),
+               "contain at most six bodies."),
        array(integer("kPltElemInd", between(1, 12000),
                      "Numbers of the bodies whose motion is stored, in increasing order. 1 to nRe "
                      "are rolling elements. The nCseg cage segments, the outer race and the inner "
@@ -337,31 +338,30 @@ RecordSpec time_variation() {
 }
 
 RecordSpec thermal_options() {
-  return record(
-      "3.5", "Thermal options", "kTherm > 0",
-      {with_option_table(
-           choice("kCoolant", {},
-                  "Coolant that carries the heat away; 0 for no circulating coolant."),
-           "@coolants"),
-       choice("kBaseTemp",
-              {{"0", "outer race at housing interface"},
-               {"1", "housing outer diameter"},
-               {"2", "coolant outlet"},
-               {"3", "coolant inlet"},
-               {"4", "inner race at shaft interface"},
-               {"5", "shaft bore"}},
-              "Location of the reference temperature baseTemp (record 9.7)."),
-       choice("kHTC", {{"0", "computed"}, {"1", "given on record 9.7"}},
-              "Source of the convection coefficients of rolling elements and cage."),
-       choice("kGeoMod",
-              {{"0", "geometry not changed"},
-               {"1", "changed at each thermal step"},
-               {"n", "changed at every n-th thermal step"}},
-              "Interval between changes of the geometry by thermal growth."),
-       choice("kMatPropMod",
-              {{"0", "constant properties"},
-               {"1", "properties follow the temperature and are updated before the geometry"}},
-              "Temperature dependence of the material properties.")});
+  return record("3.5", "Thermal options", "kTherm > 0",
+                {with_option_table(
+                     choice("kCoolant", {},
+                            "Coolant that carries the heat away. 0 means no circulating coolant."),
+                     "@coolants"),
+                 choice("kBaseTemp",
+                        {{"0", "outer race at housing interface"},
+                         {"1", "housing outer diameter"},
+                         {"2", "coolant outlet"},
+                         {"3", "coolant inlet"},
+                         {"4", "inner race at shaft interface"},
+                         {"5", "shaft bore"}},
+                        "Location of the reference temperature baseTemp (record 9.7)."),
+                 choice("kHTC", {{"0", "computed"}, {"1", "given on record 9.7"}},
+                        "Source of the convection coefficients of rolling elements and cage."),
+                 choice("kGeoMod",
+                        {{"0", "geometry not updated"},
+                         {"1", "geometry updated at each thermal step"},
+                         {"n", "geometry updated at every n-th thermal step"}},
+                        "Interval between updates of the geometry for thermal expansion."),
+                 choice("kMatPropMod",
+                        {{"0", "constant properties"},
+                         {"1", "temperature-dependent properties, updated before the geometry"}},
+                        "Temperature dependence of the material properties.")});
 }
 
 }  // namespace

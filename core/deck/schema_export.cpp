@@ -140,7 +140,7 @@ std::string schema_markdown() {
     out += fmt::format("\n## {} {}\n\n", record.id, record.title);
     out +=
         is_extension(record.id)
-            ? std::string("Optional, in ADORE.json next to the deck.\n\n")
+            ? std::string("Optional. The record is in ADORE.json in the folder of the deck.\n\n")
             : fmt::format("Required when `{}`{}.\n\n", record.condition,
                           record.repeat.empty() ? "" : fmt::format(", `{}` times", record.repeat));
     out +=

@@ -23,7 +23,8 @@ RecordSpec ratings() {
             "Fatigue load limit Cu (Pu) that the maker publishes. It replaces the ISO 281 "
             "estimate."),
        real("ratingE", kPure, kNotNegative,
-            "Limit e of the ratio of axial to radial load, above which X and Y apply."),
+            "Limit e of the ratio of axial to radial load. Above this ratio, the load factors X "
+            "and Y apply."),
        real("ratingX", kPure, kNotNegative,
             "Radial load factor X for axial loads above e times the radial load."),
        real("ratingY", kPure, kNotNegative,
@@ -41,28 +42,30 @@ RecordSpec oil() {
       {text("oilName", 36, "Name of the oil; for documentation only."),
        choice("kOilBase",
               {{"1", "mineral oil"}, {"2", "polyalphaolefin"}, {"3", "ester"}, {"4", "polyglycol"}},
-              "Base oil, for estimates of properties that are not given. Not given: mineral oil."),
-       choice("kGrease", {{"0", "oil"}, {"1", "grease; all values are those of its base oil"}},
+              "Base oil. It is used to estimate the oil properties that are not given. If not "
+              "given: mineral oil."),
+       choice("kGrease", {{"0", "oil"}, {"1", "grease (all values are those of its base oil)"}},
               "Oil or grease."),
        integer("oilGrade", between(2.0, 3200.0),
                "ISO viscosity grade: the viscosity at 40 °C in mm^2/s."),
        real("oilVisc1", kKinematic, between(2.0, 1e6),
-            "Kinematic viscosity at oilTemp1, instead of a grade."),
+            "Kinematic viscosity at oilTemp1. Give either this value or oilGrade."),
        real("oilTemp1", unit::kTemperature, between(200.0, 500.0),
-            "Temperature of oilVisc1. Not given: 40 °C."),
+            "Temperature of oilVisc1. If not given: 40 °C."),
        real("oilVisc2", kKinematic, between(2.0, 1e6), "Kinematic viscosity at oilTemp2."),
        real("oilTemp2", unit::kTemperature, between(200.0, 500.0),
-            "Temperature of oilVisc2. Not given: 100 °C."),
-       real("oilIndex", kPure, between(0.0, 400.0),
-            "Viscosity index, with a grade or with oilVisc1 at 40 °C. Not given: 95 for mineral "
-            "oil, 140 for polyalphaolefin and ester, 200 for polyglycol (estimates)."),
+            "Temperature of oilVisc2. If not given: 100 °C."),
+       real(
+           "oilIndex", kPure, between(0.0, 400.0),
+           "Viscosity index. It is used with oilGrade, or with oilVisc1 at 40 °C. Estimates if not "
+           "given: 95 for mineral oil, 140 for polyalphaolefin and ester, 200 for polyglycol."),
        real("oilDen", unit::kDensity, between(500.0, 2500.0),
-            "Density at 15 °C. Not given: estimated from the base oil."),
+            "Density of the oil at 15 °C. If not given: estimated from the base oil."),
        real("oilPrCoeff", unit::kPerStress, between(1e-9, 1e-7),
-            "Pressure-viscosity coefficient at 40 °C. Not given: estimated from viscosity and base "
-            "oil."),
+            "Pressure-viscosity coefficient of the oil at 40 °C. If not given: estimated from "
+            "viscosity and base oil."),
        real("oilTemp", unit::kTemperature, between(200.0, 500.0),
-            "Temperature of the bearing for the viscosity ratio of ISO 281. Not given: mean of the "
+            "Bearing temperature for the viscosity ratio of ISO 281. If not given: mean of the "
             "race temperatures.")});
 }
 
@@ -70,9 +73,10 @@ RecordSpec materials() {
   const auto of_parts = [](VariableSpec variable) { return array(std::move(variable), "3"); };
   return record(
       "X3", "Materials by single properties", "true",
-      {of_parts(real("matEM", unit::kStress, kPositive,
-                     "Elastic modulus of outer race, inner race and rolling elements. One value "
-                     "applies to all three. It replaces the value of the material.")),
+      {of_parts(real(
+           "matEM", unit::kStress, kPositive,
+           "Elastic modulus of outer race, inner race and rolling elements. A single value applies "
+           "to all three. A given value replaces the elastic modulus of the material.")),
        of_parts(real("matPR", kPure, range::kPoisson,
                      "Poisson ratio of outer race, inner race and rolling elements.")),
        of_parts(real("matDen", unit::kDensity, kPositive,
@@ -83,11 +87,11 @@ RecordSpec materials() {
 }
 
 RecordSpec start() {
-  return record(
-      "X4", "Start position of the element set", "true",
-      {real("startAngle", unit::kAngle, between(-360.0, 360.0),
-            "Azimuth of element 1 at the start and in the quasi-static solution, positive "
-            "from the radial direction z about the bearing axis. Not given: 0.")});
+  return record("X4", "Start position of the element set", "true",
+                {real("startAngle", unit::kAngle, between(-360.0, 360.0),
+                      "Azimuth of rolling element 1 at the start and in the quasi-static solution. "
+                      "It is measured from the radial direction z and is positive about the "
+                      "bearing axis x. If not given: 0.")});
 }
 
 }  // namespace

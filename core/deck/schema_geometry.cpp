@@ -24,10 +24,10 @@ using unit::kPure;
 VariableSpec roughness(int race, std::string_view name) {
   return real(
       intern_string(fmt::format("rmsAspHt{}", race)), kLength, kNotNegative,
-      intern_string(fmt::format(
-          "Composite rms roughness of rolling element and {} race: square root of the sum of both "
-          "squared values. The film parameter is film thickness divided by this value.",
-          name)));
+      intern_string(fmt::format("Composite rms roughness of rolling element and {} race: square "
+                                "root of the sum of their squared rms roughness values. The film "
+                                "parameter is the film thickness divided by this value.",
+                                name)));
 }
 
 RecordSpec envelope() {
@@ -51,7 +51,7 @@ RecordSpec ball_geometry() {
        real("pitchDia", kLength, kSize, "Pitch diameter: diameter of the circle of ball centers."),
        real("freeConAng", kAngle, range::kBallAngle,
             "Free contact angle. A value above 0 determines the clearance. With 0, the angle is "
-            "computed from freeIntCls. 90 is a thrust bearing."),
+            "computed from freeIntCls. Enter 90 degrees for a thrust bearing."),
        real("freeIntCls", kLength, range::kPlay,
             "Free internal diametral clearance, used when freeConAng is 0. Negative means "
             "interference."),
@@ -111,8 +111,8 @@ std::vector<VariableSpec> straight_raceways() {
 
 VariableSpec crown_radius() {
   return real("bReCrn", kLength, kNotNegative,
-              "Crown radius of the roller profile. 0 is a straight roller without crown, whatever "
-              "bReCenLen is.");
+              "Crown radius of the roller profile. 0 means a straight roller without crown; "
+              "bReCenLen is then not used.");
 }
 
 VariableSpec spherical_crown_radius() {
@@ -125,9 +125,8 @@ VariableSpec roller_length() {
 }
 
 VariableSpec central_land() {
-  return real(
-      "bReCenLen", kLength, kNotNegative,
-      "Length of the central part of the roller that has no crown; at most the roller length.");
+  return real("bReCenLen", kLength, kNotNegative,
+              "Length of the uncrowned central part of the roller; at most the roller length.");
 }
 
 VariableSpec roller_groove(int race, std::string_view name) {
@@ -139,17 +138,17 @@ VariableSpec roller_groove(int race, std::string_view name) {
 }
 
 VariableSpec cone_angle(int race, std::string_view name) {
-  return real(intern_string(fmt::format("raceTaper{}", race)), kAngle, kConeAngle,
-              intern_string(
-                  fmt::format("Half cone angle of the {} race. Both cones have a common apex, and "
-                              "the pitch diameter follows from the two angles.",
-                              name)));
+  return real(
+      intern_string(fmt::format("raceTaper{}", race)), kAngle, kConeAngle,
+      intern_string(fmt::format("Half cone angle of the {} race. The cones of both races have a "
+                                "common apex. The pitch diameter follows from the two cone angles.",
+                                name)));
 }
 
 VariableSpec end_radius(int end, std::string_view where) {
   return real(intern_string(fmt::format("bReEndRad{}", end)), kLength, kNotNegative,
               intern_string(fmt::format(
-                  "Sphere radius of the {} of the roller, which can touch a flange.", where)));
+                  "Sphere radius of the {} of the roller. This end can touch a flange.", where)));
 }
 
 RecordSpec cylindrical_roller() {
@@ -165,7 +164,7 @@ RecordSpec cylindrical_roller() {
 
 RecordSpec spherical_roller() {
   return record("5C", "Spherical roller bearing geometry", "kBrg == 3",
-                {real("bReDia", kLength, kSize, "Nominal roller diameter at its largest section."),
+                {real("bReDia", kLength, kSize, "Nominal roller diameter at the largest section."),
                  spherical_crown_radius(), roller_length(), corner_radius(1, "negative x end"),
                  corner_radius(2, "positive x end"),
                  real("pitchDia", kLength, kSize,

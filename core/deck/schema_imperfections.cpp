@@ -26,18 +26,18 @@ VariableSpec rms_length(std::string_view name, std::string_view what) {
 void add_random_errors(std::vector<RecordSpec>& out) {
   out.push_back(
       record("5G.1A", "Random ball imperfections", "kReGeoImp == 1 && kBrg == 1",
-             {rms_length("reDiaVar", "the ball diameters; the random numbers have a fixed seed")}));
+             {rms_length("reDiaVar", "the ball diameters. The random numbers have a fixed seed")}));
   out.push_back(record(
       "5G.1B", "Random roller imperfections, cylindrical and tapered",
       "kReGeoImp == 1 && kBrg in (2,4)",
-      {rms_length("reDiaVar", "the roller diameters; the random numbers have a fixed seed"),
+      {rms_length("reDiaVar", "the roller diameters. The random numbers have a fixed seed"),
        rms_length("reCrnVar", "the crown radii"), rms_length("reLenVar", "the roller lengths"),
-       rms_length("reCLVar", "the lengths of the central land"),
+       rms_length("reCLVar", "the lengths of the central lands of the rollers"),
        real("reCLOffset", kLength, kNotNegative,
-            "Root-mean-square axial offset of the central land.")}));
+            "Root-mean-square axial offset of the central lands of the rollers.")}));
   out.push_back(record(
       "5G.1C", "Random roller imperfections, spherical types", "kReGeoImp == 1 && kBrg in (3,5)",
-      {rms_length("reDiaVar", "the roller diameters; the random numbers have a fixed seed")}));
+      {rms_length("reDiaVar", "the roller diameters. The random numbers have a fixed seed")}));
 }
 
 /// Four records of ten diameters, always all four (N33).
@@ -88,7 +88,8 @@ std::vector<VariableSpec> roundness(bool elliptical, const RaceNames& race) {
                intern_string(
                    fmt::format("Semi-minor axis minus nominal radius of the {} race.", race.name))),
           real(name(3), kAngle, kAny,
-               "Angle of the major axis from the race-fixed z axis, positive about x.")};
+               "Angle of the major axis of the elliptical race, measured from the race-fixed z "
+               "axis and positive about x.")};
 }
 
 void append(std::vector<VariableSpec>& to, std::vector<VariableSpec> more) {

@@ -45,11 +45,13 @@ RecordSpec traction_options() {
        curve_source("kCPTrac", "element to cage"), curve_form("kCPTracType", "element to cage"),
        curve_source("kCRTrac", "cage to race"), curve_form("kCRTracType", "cage to race"),
        curve_source("kRFTrac", "roller to flange"), curve_form("kRFTracType", "roller to flange"),
-       curve_source("kRRTrac", "element to element", " Used only without a cage."),
-       curve_form("kRRTracType", "element to element", " Used only without a cage."),
-       choice(
-           "iTherm", {{"0", "off"}, {"1", "on"}},
-           "Simplified thermal correction of the visco-elastic model; applies only to kTrac 12.")});
+       curve_source("kRRTrac", "element to element",
+                    " It is used only if the bearing has no cage."),
+       curve_form("kRRTracType", "element to element",
+                  " It is used only if the bearing has no cage."),
+       choice("iTherm", {{"0", "off"}, {"1", "on"}},
+              "Simplified thermal correction of the visco-elastic model. It is used only if kTrac "
+              "is 12.")});
 }
 
 /// The four forms A to D of one traction pair; k is the traction coefficient, u the slip speed.
@@ -86,11 +88,14 @@ void add_traction_curves(std::vector<RecordSpec>& out, std::string_view id, std:
                  "u) + D at slip speed u"))});
   add('B', 0, "two slopes",
       {real(name(1), kPure, kAny, at_rest),
-       real(name(2), kPerSpeed, kAny,
-            intern_string(fmt::format("Slope of the curve up to slip speed {}.", name(4)))),
-       real(name(3), kPerSpeed, kAny,
-            intern_string(fmt::format("Slope of the curve above slip speed {}.", name(4)))),
-       real(name(4), kSpeed, kNotNegative, help("Slip speed where the slope changes"))});
+       real(
+           name(2), kPerSpeed, kAny,
+           intern_string(fmt::format("Slope of the traction curve up to slip speed {}.", name(4)))),
+       real(
+           name(3), kPerSpeed, kAny,
+           intern_string(fmt::format("Slope of the traction curve above slip speed {}.", name(4)))),
+       real(name(4), kSpeed, kNotNegative,
+            help("Slip speed at which the slope of the traction curve changes"))});
   add('C', 1, "four conditions",
       {real(name(1), kPure, kAny, at_rest),
        real(name(2), kPure, kAny, help("Largest traction coefficient")),
@@ -100,8 +105,8 @@ void add_traction_curves(std::vector<RecordSpec>& out, std::string_view id, std:
   add('D', 2, "asymptote",
       {real(name(1), kPure, kAny, at_rest),
        real(name(2), kPure, kAny,
-            help("Traction coefficient that the curve approaches at infinite slip")),
-       real(name(3), kPerSpeed, kAny, help("Slope of the curve at zero slip")),
+            help("Traction coefficient that the traction curve approaches at infinite slip")),
+       real(name(3), kPerSpeed, kAny, help("Slope of the traction curve at zero slip")),
        real(name(4), kPure, kAny, "Not used; set 0.", "0")});
 }
 
@@ -113,24 +118,28 @@ void add_user_lubricant(std::vector<RecordSpec>& out) {
   out.push_back(
       record("10.4.1", "User lubricant, low-pressure properties", "kTrac == 9",
              {real("refTemp", unit::kTemperature, kPositive,
-                   "Reference temperature T0 (absolute) of the properties."),
+                   "Reference temperature T0 (absolute) of the lubricant properties."),
               real("refVis", unit::kViscosity, kPositive,
-                   "Viscosity at the reference temperature and low pressure."),
-              real("prVisCoeff", unit::kPerStress, kNotNegative, "Pressure-viscosity coefficient."),
+                   "Viscosity of the lubricant at the reference temperature and low pressure."),
+              real("prVisCoeff", unit::kPerStress, kNotNegative,
+                   "Pressure-viscosity coefficient of the lubricant."),
               real("tempVisCoeff", unit::kTemperature, kNotNegative,
                    "Temperature coefficient b of the viscosity, in the law exp(b (1/T - 1/T0))."),
               real("lubTherCond", unit::kConductivity, kPositive,
-                   "Thermal conductivity (a real number, not an integer)."),
-              real("lubDen", unit::kDensity, kPositive, "Density (a real number, not an integer)."),
+                   "Thermal conductivity of the lubricant (a real number, not an integer)."),
+              real("lubDen", unit::kDensity, kPositive,
+                   "Density of the lubricant (a real number, not an integer)."),
               real("lubSpHeat", unit::kSpecificHeat, kPositive,
-                   "Specific heat (a real number, not an integer).")}));
-  out.push_back(record("10.4.4", "User lubricant, high-pressure traction viscosity", "kTrac == 9",
-                       {real("refTracVis", unit::kViscosity, kPositive,
-                             "Reference viscosity for traction in the contact."),
-                        real("tracVisCoeff1", unit::kPerStress, kNotNegative,
-                             "Pressure coefficient a of the law exp(a p + b (T0 - T))."),
-                        real("tracVisCoeff2", unit::kPerTemperature, kNotNegative,
-                             "Temperature coefficient b of the law exp(a p + b (T0 - T)).")}));
+                   "Specific heat of the lubricant (a real number, not an integer).")}));
+  out.push_back(record(
+      "10.4.4", "User lubricant, high-pressure traction viscosity", "kTrac == 9",
+      {real("refTracVis", unit::kViscosity, kPositive,
+            "Reference viscosity of the lubricant for traction in the contact."),
+       real("tracVisCoeff1", unit::kPerStress, kNotNegative,
+            "Pressure coefficient a of the traction viscosity, in the law exp(a p + b (T0 - T))."),
+       real("tracVisCoeff2", unit::kPerTemperature, kNotNegative,
+            "Temperature coefficient b of the traction viscosity, in the law exp(a p + b (T0 - "
+            "T)).")}));
 }
 
 }  // namespace
@@ -159,21 +168,22 @@ void add_lubrication_records(std::vector<RecordSpec>& out) {
   out.push_back(record("10.6", "Oil for cage hydrodynamics",
                        "kTrac <= 0 && nCseg > 0 && (kPocHydro != 0 || kGsHydro != 0)",
                        {real("pocVis", unit::kViscosity, kPositive,
-                             "Effective viscosity of the oil in the pockets."),
+                             "Effective viscosity of the oil in the cage pockets."),
                         real("gsVis", unit::kViscosity, kPositive,
-                             "Effective viscosity of the oil at the guide lands.")}));
-  out.push_back(record("10.7A", "Churning medium, given properties", "kChrn == 2",
-                       {real("chnDen", unit::kDensity, kPositive,
-                             "Effective density of the oil-air mixture that causes drag."),
-                        real("chnVis", unit::kViscosity, kPositive,
-                             "Effective viscosity of the oil-air mixture that causes drag.")}));
-  out.push_back(record("10.7B", "Churning medium, ratios to built-in data",
-                       "kChrn == 1 || kChrn > 2",
-                       {real("denRatio", kPure, kNotNegative,
-                             "Effective density of the medium divided by the built-in value. It is "
-                             "far below 1 for an oil mist."),
-                        real("visRatio", kPure, kNotNegative,
-                             "Effective viscosity of the medium divided by the built-in value.")}));
+                             "Effective viscosity of the oil at the guide lands of the cage.")}));
+  out.push_back(
+      record("10.7A", "Churning medium, given properties", "kChrn == 2",
+             {real("chnDen", unit::kDensity, kPositive,
+                   "Effective density of the oil-air mixture that causes churning drag."),
+              real("chnVis", unit::kViscosity, kPositive,
+                   "Effective viscosity of the oil-air mixture that causes churning drag.")}));
+  out.push_back(
+      record("10.7B", "Churning medium, ratios to built-in data", "kChrn == 1 || kChrn > 2",
+             {real("denRatio", kPure, kNotNegative,
+                   "Effective density of the churning medium divided by the built-in value. It is "
+                   "far below 1 for an oil mist."),
+              real("visRatio", kPure, kNotNegative,
+                   "Effective viscosity of the churning medium divided by the built-in value.")}));
 }
 
 }  // namespace adore::deck

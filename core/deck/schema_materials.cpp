@@ -31,11 +31,13 @@ std::vector<VariableSpec> material_variables(std::string_view prefix, std::strin
       real(name("TC"), unit::kConductivity, kPositive, of("Thermal conductivity"))};
   if (extent == Extent::Conduction) return variables;
   variables.push_back(real(name("SH"), unit::kSpecificHeat, kPositive, of("Specific heat")));
-  variables.push_back(real(name("ESL"), kPure, kNotNegative,
-                           of("Elastic strain limit", " Larger strains are reported as plastic.")));
-  variables.push_back(real(
-      name("H"), unit::kRockwell, range::kRockwell,
-      of("Rockwell C hardness", " It is converted to the indentation pressure of the wear law.")));
+  variables.push_back(
+      real(name("ESL"), kPure, kNotNegative,
+           of("Elastic strain limit", " Strains above this limit are reported as plastic.")));
+  variables.push_back(
+      real(name("H"), unit::kRockwell, range::kRockwell,
+           of("Rockwell C hardness",
+              " The indentation pressure of the wear law is computed from this hardness.")));
   variables.push_back(
       real(name("WC"), kPure, kNotNegative,
            of("Wear coefficient K",
@@ -96,21 +98,20 @@ std::vector<VariableSpec> life_factors(const LifeFactorNames& names, std::string
     return real(name, kPure, kNotNegative,
                 intern_string(fmt::format("{}, {}.{}", what, part, more)), value);
   };
-  return {
-      factor(names.material, "Tallian material factor",
-             " 1.197 for 52100, 1.773 for 8620, 2.267 for M50."),
-      factor(
-          names.contamination, "Tallian contamination factor",
-          " The standard value is 1. VIMVAR steel in aerospace use has about 0.25, down to 0.10.",
-          "1.0"),
-      factor(names.process, "Tallian process factor",
-             " Published values: 2.58 for CVD steel before 1975, 0.077 for CVD steel since 1975, "
-             "4.85 for carburizing CVD steel, 0.0050 down to 0.003 for VIMVAR steel. Their spread "
-             "is suspicious: check a value before you rely on it.",
-             "0.077"),
-      factor(names.material_stle, "STLE material factor", " 1 does not change the life."),
-      factor(names.process_stle, "STLE process factor", " 1 does not change the life."),
-      factor(names.hardness_stle, "STLE hardness factor", " 1 does not change the life.")};
+  return {factor(names.material, "Tallian material factor",
+                 " 1.197 for 52100, 1.773 for 8620, 2.267 for M50."),
+          factor(names.contamination, "Tallian contamination factor",
+                 " The standard value is 1. For VIMVAR steel in aerospace use, it is about 0.25 "
+                 "and can be as low as 0.10.",
+                 "1.0"),
+          factor(names.process, "Tallian process factor",
+                 " Published values: 2.58 for CVD steel before 1975, 0.077 for CVD steel since "
+                 "1975, 4.85 for carburizing CVD steel, 0.003 to 0.0050 for VIMVAR steel. These "
+                 "values differ so much that they may be wrong. Check a value before you use it.",
+                 "0.077"),
+          factor(names.material_stle, "STLE material factor", " 1 does not change the life."),
+          factor(names.process_stle, "STLE process factor", " 1 does not change the life."),
+          factor(names.hardness_stle, "STLE hardness factor", " 1 does not change the life.")};
 }
 
 RecordSpec race_life_factors(std::string_view id, int race, std::string_view name) {
@@ -122,15 +123,13 @@ RecordSpec race_life_factors(std::string_view id, int race, std::string_view nam
       record(id, intern_string(fmt::format("Life modification factors of the {} race", name)),
              intern_string(fmt::format("kRaceMat{} == 1", race)),
              {real(with_race("rmsAspSlope"), kRadian, kNotNegative,
-                   intern_string(fmt::format(
-                       "Composite rms asperity slope of the {} race contact, for the Tallian "
-                       "factors.",
-                       name))),
+                   intern_string(fmt::format("Composite rms asperity slope of the {} race contact, "
+                                             "used in the Tallian life factors.",
+                                             name))),
               real(with_race("aspTrac"), kPure, kNotNegative,
-                   intern_string(fmt::format(
-                       "Asperity traction coefficient of the {} race contact, for the Tallian "
-                       "factors.",
-                       name)))});
+                   intern_string(fmt::format("Asperity traction coefficient of the {} race "
+                                             "contact, used in the Tallian life factors.",
+                                             name)))});
   const LifeFactorNames names{with_race("facMat"),    with_race("facCont"),
                               with_race("facProc"),   with_race("facMatLF"),
                               with_race("facProcLF"), with_race("hardnessLF")};

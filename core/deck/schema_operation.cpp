@@ -36,11 +36,11 @@ RecordSpec room_and_fits() {
        real("angVelOrient", kAngle, kAny,
             "Angle between the ball spin axis and the x axis, in the plane through ball center and "
             "bearing axis, relative to the orbiting ball frame. It is used only when kAngVel is 2. "
-            "With a positive angle, the end of the axis towards -x is tilted outwards. If the "
+            "With a positive angle, the end of the spin axis towards -x is tilted outwards. If the "
             "angle equals the contact angle, the ball rolls without spin. If the inner race "
-            "rotates in the positive direction, the spin vector points to -x. The listing gives "
-            "theta, the angle of the total angular velocity, which includes the orbit. Theta is "
-            "slightly below 180 degrees minus this angle."),
+            "rotates in the positive direction, the spin vector points to -x. The file PRINT.txt "
+            "contains theta, the angle of the total angular velocity, which includes the orbit. "
+            "Theta is slightly below 180 degrees minus the angle of the spin axis."),
        real("res1", unit::kStress, kResidual,
             "Residual stress of the outer race in operation, positive in tension. It enters the "
             "STLE life factor."),
@@ -49,8 +49,8 @@ RecordSpec room_and_fits() {
             "STLE life factor."),
        real("facStrLimit", kPure, kNotNegative,
             "Multiplier on the fatigue limit stress. With 1, the limit is the octahedral shear "
-            "stress at the von Mises limit stress of the race material. 1.28 reproduces ISO 281 "
-            "for AISI 52100.",
+            "stress at the von Mises limit stress of the race material. A multiplier of 1.28 "
+            "reproduces ISO 281 for AISI 52100 steel.",
             "1.0")});
 }
 
@@ -69,13 +69,14 @@ RecordSpec loads() {
         intern_string(fmt::format("appDisp{}", axis)), kLength, range::kShift,
         intern_string(fmt::format(
             "Displacement of the inner race relative to the outer race along {1} when kFS{0} is 1. "
-            "When kFS{0} is 0, it is the first guess of the static solution, and 0 selects an "
-            "estimate. The displacement is measured from the unmounted bearing at rest and at room "
-            "temperature. {2}. Fits, thermal growth and speed do not change this datum.",
+            "When kFS{0} is 0, it is the first guess of the static solution. If this guess is 0, "
+            "the program estimates the first guess. The displacement is measured from the "
+            "unmounted bearing at rest and at room temperature. {2}. Fits, thermal growth and "
+            "speed do not change this reference position.",
             number, static_cast<char>(axis - 'A' + 'a'),
-            axis == 'X' ? "At displacement 0, balls at freeConAng (towards +x) and tapered rollers "
-                          "just touch both races; in other bearings, the mid planes of the races "
-                          "coincide"
+            axis == 'X' ? "At displacement 0, balls just touch both races at the contact angle "
+                          "freeConAng (towards +x), and tapered rollers just touch both races. In "
+                          "other bearings, the mid planes of the races coincide at displacement 0"
                         : "At displacement 0, the races are coaxial"))));
   return spec;
 }
@@ -92,11 +93,11 @@ RecordSpec moments_and_speeds() {
        real("appMis21", unit::kRadian, range::kLean,
             "Misalignment of the reference (outer) race about z."),
        real("appMis12", unit::kRadian, range::kLean,
-            "Misalignment of the moving (inner) race about y when kFS4 is 1; otherwise the first "
-            "guess of the static solution."),
+            "Misalignment of the moving (inner) race about y when kFS4 is 1. When kFS4 is 0, it is "
+            "the first guess of the static solution."),
        real("appMis22", unit::kRadian, range::kLean,
-            "Misalignment of the moving (inner) race about z when kFS5 is 1; otherwise the first "
-            "guess of the static solution."),
+            "Misalignment of the moving (inner) race about z when kFS5 is 1. When kFS5 is 0, it is "
+            "the first guess of the static solution."),
        real("rpm1", kRotation, range::kSpeed, "Speed of the outer race, positive about x."),
        real("rpm2", kRotation, range::kSpeed, "Speed of the inner race, positive about x.")});
 }
@@ -111,24 +112,27 @@ RecordSpec temperatures() {
        {"reTemp", "rolling elements"},
        {"cageTemp", "cage"}}};
   for (const auto& [name, part] : kParts)
-    spec.variables.push_back(
-        real(name, kTemperature, range::kHeat,
-             intern_string(
-                 fmt::format("Temperature (absolute) of the {} at the start. Dimensions grow with "
-                             "the difference from room temperature.",
-                             part))));
+    spec.variables.push_back(real(
+        name, kTemperature, range::kHeat,
+        intern_string(fmt::format("Temperature (absolute) of the {} at the start. Thermal "
+                                  "expansion is computed from the difference to room temperature.",
+                                  part))));
   return spec;
 }
 
 RecordSpec stiffness_table() {
-  return record(
-      "9.2", "Stiffness table", "kStif > 0",
-      {real("pctDisp", unit::kPercent, kPositive,
-            "Displacement increment for the stiffness, in percent of the contact deflection."),
-       real("rpmRange11", kRotation, range::kSpeed, "First outer race speed of the table."),
-       real("rpmRange21", kRotation, range::kSpeed, "Last outer race speed of the table."),
-       real("rpmRange12", kRotation, range::kSpeed, "First inner race speed of the table."),
-       real("rpmRange22", kRotation, range::kSpeed, "Last inner race speed of the table.")});
+  return record("9.2", "Stiffness table", "kStif > 0",
+                {real("pctDisp", unit::kPercent, kPositive,
+                      "Displacement increment for computing the stiffness, in percent of the "
+                      "contact deflection."),
+                 real("rpmRange11", kRotation, range::kSpeed,
+                      "First speed of the outer race in the stiffness table."),
+                 real("rpmRange21", kRotation, range::kSpeed,
+                      "Last speed of the outer race in the stiffness table."),
+                 real("rpmRange12", kRotation, range::kSpeed,
+                      "First speed of the inner race in the stiffness table."),
+                 real("rpmRange22", kRotation, range::kSpeed,
+                      "Last speed of the inner race in the stiffness table.")});
 }
 
 RecordSpec race_vibration() {
@@ -185,16 +189,16 @@ RecordSpec thermal_inputs() {
        real("cFlowRate", unit::kVolumeFlow, kNotNegative,
             "Volume flow of the coolant; not used when kCoolant is 0."),
        real("reHTC", unit::kConvection, kNotNegative,
-            "Convection coefficient of the rolling elements. Enter 0 when it is computed (kHTC = "
-            "0)."),
+            "Convection coefficient of the rolling elements. Enter 0 if the program computes it "
+            "(kHTC = 0)."),
        real("cageHTC", unit::kConvection, kNotNegative,
-            "Convection coefficient of the cage. Enter 0 when it is computed (kHTC = 0)."),
+            "Convection coefficient of the cage. Enter 0 if the program computes it (kHTC = 0)."),
        real("aveTime", unit::kTime, kPositive,
-            "Time over which heat is averaged for one thermal step (in seconds, not "
+            "Duration over which the heat is averaged for one thermal step (in seconds, not "
             "dimensionless)."),
        real("skipTime", unit::kTime, kNotNegative,
-            "Time at the start of the run without thermal updates of the geometry (in seconds, not "
-            "dimensionless).")});
+            "Duration of the first part of the run, in which the geometry is not updated for "
+            "thermal expansion (in seconds, not dimensionless).")});
 }
 
 }  // namespace
@@ -228,15 +232,16 @@ void add_operation_records(std::vector<RecordSpec>& out) {
             "Time at which the inner race starts to accelerate."),
        real("endTime2", unit::kTime, kNotNegative,
             "Time at which the inner race stops accelerating.")}));
-  out.push_back(record("9.4B", "Sinusoidal race speed", "mode >= 0 && kVarSpeed == 2",
-                       {real("raceSpeedAmp1", kRotation, kAny,
-                             "Amplitude A of the outer race speed, rpm1 + A sin(2 pi f t)."),
-                        real("raceSpeedAmp2", kRotation, kAny,
-                             "Amplitude A of the inner race speed, rpm2 + A sin(2 pi f t)."),
-                        real("raceSpeedFreq1", unit::kFrequency, kNotNegative,
-                             "Frequency f of the outer race speed."),
-                        real("raceSpeedFreq2", unit::kFrequency, kNotNegative,
-                             "Frequency f of the inner race speed.")}));
+  out.push_back(record(
+      "9.4B", "Sinusoidal race speed", "mode >= 0 && kVarSpeed == 2",
+      {real("raceSpeedAmp1", kRotation, kAny,
+            "Amplitude A of the sinusoidal part of the outer race speed, rpm1 + A sin(2 pi f t)."),
+       real("raceSpeedAmp2", kRotation, kAny,
+            "Amplitude A of the sinusoidal part of the inner race speed, rpm2 + A sin(2 pi f t)."),
+       real("raceSpeedFreq1", unit::kFrequency, kNotNegative,
+            "Frequency f of the sinusoidal part of the outer race speed."),
+       real("raceSpeedFreq2", unit::kFrequency, kNotNegative,
+            "Frequency f of the sinusoidal part of the inner race speed.")}));
   out.push_back(record(
       "9.5", "Rotating base frame", "mode >= 0 && kRotFrame == 1",
       {real("brgOrbitRad", kLength, kNotNegative, "Orbit radius of the bearing center."),
@@ -266,11 +271,10 @@ void add_final_records(std::vector<RecordSpec>& out) {
     gravity.variables.push_back(
         real(intern_string(fmt::format("gravityVec{}", static_cast<char>(axis - 'a' + 'A'))),
              unit::kAcceleration, kAny,
-             intern_string(fmt::format(
-                 "Gravity acceleration along {}.{}", axis,
-                 axis == 'z'
-                     ? " A negative value points away from the usual direction of the radial load."
-                     : ""))));
+             intern_string(fmt::format("Gravity acceleration along {}.{}", axis,
+                                       axis == 'z' ? " With a negative value, gravity acts against "
+                                                     "the usual direction of the radial load."
+                                                   : ""))));
   out.push_back(std::move(gravity));
   RecordSpec user{"12", "User routine inputs", "user() > 0", "user()", {}};
   user.variables.push_back(text("userLine", 0,

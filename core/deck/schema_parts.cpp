@@ -33,8 +33,8 @@ VariableSpec text(std::string_view name, int max_length, std::string_view help,
 
 VariableSpec record_label() {
   return text("recID", 12,
-              "Label of the record, at most 12 characters in single quotes. It is only printed in "
-              "the listing. Use the record number, such as 'Rec 5A'.");
+              "Label of the record, at most 12 characters in single quotes. It is printed in "
+              "PRINT.txt and has no other effect. Use the record number, such as 'Rec 5A'.");
 }
 
 VariableSpec integer(std::string_view name, Range range, std::string_view help,
@@ -113,18 +113,17 @@ std::vector<VariableSpec> inertia_variables(std::string_view prefix, std::string
              intern_string(
                  fmt::format("Principal moment of inertia of the {} about its {}.", body, what))));
   for (const char axis : {'X', 'Y', 'Z'})
-    variables.push_back(real(name(fmt::format("GeoCen{}", axis)), unit::kLength, range::kAny,
-                             intern_string(fmt::format(
-                                 "{} component of the vector from the mass center to the geometric "
-                                 "center of the {}, in {}. Zero for a balanced body.",
-                                 axis, body, frame))));
+    variables.push_back(real(
+        name(fmt::format("GeoCen{}", axis)), unit::kLength, range::kAny,
+        intern_string(fmt::format("{} component of the vector from the mass center to the "
+                                  "geometric center of the {}, in {}. Enter 0 for a balanced body.",
+                                  axis, body, frame))));
   for (const char axis : {'X', 'Y', 'Z'})
-    variables.push_back(
-        real(name(fmt::format("Frame{}", axis)), unit::kAngle, range::kAny,
-             intern_string(
-                 fmt::format("Rotation angle about {} from the principal axes of inertia to the "
-                             "geometric frame of the {}. Zero when both coincide.",
-                             axis, body))));
+    variables.push_back(real(
+        name(fmt::format("Frame{}", axis)), unit::kAngle, range::kAny,
+        intern_string(fmt::format("Rotation angle about {} from the principal axes of inertia to "
+                                  "the geometric frame of the {}. Enter 0 if both coincide.",
+                                  axis, body))));
   return variables;
 }
 

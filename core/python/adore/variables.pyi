@@ -12,16 +12,17 @@ class DeckVariables:
     """Record 1. Source of the constraints on the motion of the races. With the built-in constraints, both races keep
     the position of the static solution and rotate at their given speeds."""
     kDOF: int
-    """Record 1. Degrees of freedom that are suppressed besides the effect of mode. A suppressed degree of freedom
-    keeps its initial velocity. Its acceleration is zero, and no force balance is solved for it."""
+    """Record 1. Degrees of freedom that are suppressed in addition to those that mode replaces by force balance. A
+    suppressed degree of freedom keeps its initial velocity. Its acceleration is zero, and no force balance is
+    solved for it."""
     kIcOpt: int
     """Record 1. Initial state of a dynamic run. Use -1 to start a new run from an earlier final state, and 1 to
     continue a stopped run."""
     kFnOpt: int
     """Record 1. Names of the data files. The defaults are MASTER, FINAL and SOL1 to SOL8."""
     kPrtOpt: int
-    """Record 1. Contents of each printed step in PRINT.txt. The sections are: 1 rolling elements, 2 races and cage,
-    3 applied parameters, 4 summary of the step."""
+    """Record 1. Contents of each printed step in PRINT.txt. The sections are 1 (rolling elements), 2 (races and
+    cage), 3 (applied parameters) and 4 (summary of the step)."""
     kPrtFreq: int
     """Record 1. Interval between printed steps. Step 0 is time zero."""
     kPltFreq: int
@@ -29,8 +30,8 @@ class DeckVariables:
     kAGraf: int
     """Record 1. Interval between the steps that are stored for animation in SOL8. 0 stores no animation."""
     kLifeFreq: int
-    """Record 1. Interval between the steps for which SOL7 contains a fatigue life, computed from the loads of that
-    step alone. The life of the whole run uses the loads of every step."""
+    """Record 1. Interval between the steps for which SOL7 contains a fatigue life. The life of a step is computed
+    from the loads of that step alone. The life of the whole run uses the loads of every step."""
     kTherm: int
     """Record 1. Thermal analysis. When it is on, temperatures follow from the heat that the run generates. Records
     3.5 and 9.7 then specify coolant and heat transfer."""
@@ -72,25 +73,25 @@ class DeckVariables:
     kFD32: int
     """Record 2.2. Translation constraint of the inner race along z. With 0, the race moves freely under its load."""
     kMD11: int
-    """Record 2.2. Rotation constraint of the outer race about x. With 0, the moments on the race change its speed;
-    without ADRX1 the external moment is zero."""
+    """Record 2.2. Rotation constraint of the outer race about x. With 0, the moments on the race change its speed.
+    Without user routine ADRX1, the external moment is zero."""
     kMD21: int
-    """Record 2.2. Rotation constraint of the outer race about y. With 0, the moments on the race change its speed;
-    without ADRX1 the external moment is minus appMomY."""
+    """Record 2.2. Rotation constraint of the outer race about y. With 0, the moments on the race change its speed.
+    Without user routine ADRX1, the external moment is minus appMomY."""
     kMD31: int
-    """Record 2.2. Rotation constraint of the outer race about z. With 0, the moments on the race change its speed;
-    without ADRX1 the external moment is minus appMomZ."""
+    """Record 2.2. Rotation constraint of the outer race about z. With 0, the moments on the race change its speed.
+    Without user routine ADRX1, the external moment is minus appMomZ."""
     kMD12: int
-    """Record 2.2. Rotation constraint of the inner race about x. With 0, the moments on the race change its speed;
-    without ADRX1 the external moment is zero."""
+    """Record 2.2. Rotation constraint of the inner race about x. With 0, the moments on the race change its speed.
+    Without user routine ADRX1, the external moment is zero."""
     kMD22: int
-    """Record 2.2. Rotation constraint of the inner race about y. With 0, the moments on the race change its speed;
-    without ADRX1 the external moment is appMomY."""
+    """Record 2.2. Rotation constraint of the inner race about y. With 0, the moments on the race change its speed.
+    Without user routine ADRX1, the external moment is appMomY."""
     kMD32: int
-    """Record 2.2. Rotation constraint of the inner race about z. With 0, the moments on the race change its speed;
-    without ADRX1 the external moment is appMomZ."""
+    """Record 2.2. Rotation constraint of the inner race about z. With 0, the moments on the race change its speed.
+    Without user routine ADRX1, the external moment is appMomZ."""
     masName: str
-    """Record 2.3. Name of the file with the data for a continuation, at most 10 characters."""
+    """Record 2.3. Name of the file with the data for continuing a run, at most 10 characters."""
     finName: str
     """Record 2.3. Name of the file of the final state, at most 10 characters. A run can start from this state
     (kIcOpt)."""
@@ -132,34 +133,34 @@ class DeckVariables:
     kRaceGeoImp2: int
     """Record 3.2. Geometry errors of the inner race."""
     kFlngInd11: int
-    """Record 3.2. Roller guide flange on the outer race, negative x side. Ball and spherical roller bearings have
-    none."""
+    """Record 3.2. Roller guide flange on the outer race, negative x side. Ball and spherical roller bearings have no
+    guide flanges."""
     kFlngInd21: int
-    """Record 3.2. Roller guide flange on the outer race, positive x side. Ball and spherical roller bearings have
-    none."""
+    """Record 3.2. Roller guide flange on the outer race, positive x side. Ball and spherical roller bearings have no
+    guide flanges."""
     kFlngInd12: int
-    """Record 3.2. Roller guide flange on the inner race, negative x side. Ball and spherical roller bearings have
-    none."""
+    """Record 3.2. Roller guide flange on the inner race, negative x side. Ball and spherical roller bearings have no
+    guide flanges."""
     kFlngInd22: int
-    """Record 3.2. Roller guide flange on the inner race, positive x side. Ball and spherical roller bearings have
-    none."""
+    """Record 3.2. Roller guide flange on the inner race, positive x side. Ball and spherical roller bearings have no
+    guide flanges."""
     kFS1: int
-    """Record 3.3. Force or displacement along x, the bearing axis (thrust is normally positive) as input to the
-    static solution."""
+    """Record 3.3. Force or displacement along x (bearing axis, thrust normally positive) as input to the static
+    solution."""
     kFS2: int
     """Record 3.3. Force or displacement along y as input to the static solution."""
     kFS3: int
-    """Record 3.3. Force or displacement along z, the usual radial load axis as input to the static solution."""
+    """Record 3.3. Force or displacement along z (usual radial load axis) as input to the static solution."""
     kFS4: int
     """Record 3.3. Moment or misalignment about y as input to the static solution."""
     kFS5: int
     """Record 3.3. Moment or misalignment about z as input to the static solution."""
     kAngVel: int
-    """Record 3.3. Rule for the spin axis of balls in the static solution. Race control suits fast bearings, and
-    least heat suits the others. Codes 0 and 1 are not used for balls in friction equilibrium (run option
+    """Record 3.3. Rule for the spin axis of balls in the static solution. Race control suits fast bearings. Least
+    frictional heat suits slow bearings. Codes 0 and 1 are not used for balls in friction equilibrium (run option
     ballFriction)."""
     kStif: int
-    """Record 3.3. Number of speeds in the table of stiffness against speed; 0 for no table."""
+    """Record 3.3. Number of speeds in the table of stiffness against speed. 0 means no table."""
     kChrn: int
     """Record 3.3. Medium that causes churning drag on rolling elements and cage."""
     kReMat: int
@@ -188,22 +189,23 @@ class DeckVariables:
     kReIP: int
     """Record 3.4. Source of mass and inertia of the rolling elements."""
     kRaceIP1: int
-    """Record 3.4. Source of mass and inertia of the outer race; needed only when that race is free to move."""
+    """Record 3.4. Source of mass and inertia of the outer race. It is needed only if that race is free to move."""
     kRaceIP2: int
-    """Record 3.4. Source of mass and inertia of the inner race; needed only when that race is free to move."""
+    """Record 3.4. Source of mass and inertia of the inner race. It is needed only if that race is free to move."""
     kNumPltElem: int
-    """Record 3.4. Number of bodies whose motion is stored for plots. The classic files SOL1 to SOL6 contain six."""
+    """Record 3.4. Number of bodies whose motion is stored for plots. The classic files SOL1 to SOL6 contain at most
+    six bodies."""
     kPltElemInd: np.ndarray
     """Record 3.4. Numbers of the bodies whose motion is stored, in increasing order. 1 to nRe are rolling elements.
     The nCseg cage segments, the outer race and the inner race follow."""
     kCoolant: int
-    """Record 3.5. Coolant that carries the heat away; 0 for no circulating coolant."""
+    """Record 3.5. Coolant that carries the heat away. 0 means no circulating coolant."""
     kBaseTemp: int
     """Record 3.5. Location of the reference temperature baseTemp (record 9.7)."""
     kHTC: int
     """Record 3.5. Source of the convection coefficients of rolling elements and cage."""
     kGeoMod: int
-    """Record 3.5. Interval between changes of the geometry by thermal growth."""
+    """Record 3.5. Interval between updates of the geometry for thermal expansion."""
     kMatPropMod: int
     """Record 3.5. Temperature dependence of the material properties."""
     brgBore: float
@@ -226,7 +228,7 @@ class DeckVariables:
     """Record 5A [m]. Pitch diameter: diameter of the circle of ball centers."""
     freeConAng: float
     """Record 5A [deg]. Free contact angle. A value above 0 determines the clearance. With 0, the angle is computed
-    from freeIntCls. 90 is a thrust bearing."""
+    from freeIntCls. Enter 90 degrees for a thrust bearing."""
     freeIntCls: float
     """Record 5A [m]. Free internal diametral clearance, used when freeConAng is 0. Negative means interference."""
     raceCurFac1: float
@@ -246,18 +248,18 @@ class DeckVariables:
     shimThickness2: float
     """Record 5A [m]. Thickness of the grinding shim of a split inner race (gothic arch); 0 if the race is not split."""
     rmsAspHt1: float
-    """Record 5A [m]. Composite rms roughness of rolling element and outer race: square root of the sum of both
-    squared values. The film parameter is film thickness divided by this value."""
+    """Record 5A [m]. Composite rms roughness of rolling element and outer race: square root of the sum of their
+    squared rms roughness values. The film parameter is the film thickness divided by this value."""
     rmsAspHt2: float
-    """Record 5A [m]. Composite rms roughness of rolling element and inner race: square root of the sum of both
-    squared values. The film parameter is film thickness divided by this value."""
+    """Record 5A [m]. Composite rms roughness of rolling element and inner race: square root of the sum of their
+    squared rms roughness values. The film parameter is the film thickness divided by this value."""
     bReCrn: float
-    """Record 5B.1 [m]. Crown radius of the roller profile. 0 is a straight roller without crown, whatever bReCenLen
-    is."""
+    """Record 5B.1 [m]. Crown radius of the roller profile. 0 means a straight roller without crown; bReCenLen is
+    then not used."""
     bReLen: float
     """Record 5B.1 [m]. Roller length from end to end."""
     bReCenLen: float
-    """Record 5B.1 [m]. Length of the central part of the roller that has no crown; at most the roller length."""
+    """Record 5B.1 [m]. Length of the uncrowned central part of the roller; at most the roller length."""
     bReCorRad1: float
     """Record 5B.1 [m]. Corner radius of the roller at the negative x end. It shortens the contact length."""
     bReCorRad2: float
@@ -279,15 +281,15 @@ class DeckVariables:
     """Record 5B.2 [m]. Crown radius of the inner raceway on both sides of the flat land; 0 means no crown. The crown
     curves away from the rollers."""
     bReEndRad1: float
-    """Record 5D.1 [m]. Sphere radius of the large end of the roller, which can touch a flange."""
+    """Record 5D.1 [m]. Sphere radius of the large end of the roller. This end can touch a flange."""
     bReEndRad2: float
-    """Record 5D.1 [m]. Sphere radius of the small end of the roller, which can touch a flange."""
+    """Record 5D.1 [m]. Sphere radius of the small end of the roller. This end can touch a flange."""
     raceTaper1: float
-    """Record 5D.1 [deg]. Half cone angle of the outer race. Both cones have a common apex, and the pitch diameter
-    follows from the two angles."""
+    """Record 5D.1 [deg]. Half cone angle of the outer race. The cones of both races have a common apex. The pitch
+    diameter follows from the two cone angles."""
     raceTaper2: float
-    """Record 5D.1 [deg]. Half cone angle of the inner race. Both cones have a common apex, and the pitch diameter
-    follows from the two angles."""
+    """Record 5D.1 [deg]. Half cone angle of the inner race. The cones of both races have a common apex. The pitch
+    diameter follows from the two cone angles."""
     flngAng11: float
     """Record 5F [deg]. Layback angle of the flange on the outer race, negative x side; used when kFlngInd11 is 1."""
     flngAng21: float
@@ -311,15 +313,15 @@ class DeckVariables:
     """Record 5F [m]. Total free axial travel of a roller between the two flanges of the inner race; used if
     kFlngInd12 and kFlngInd22 are both 1."""
     reDiaVar: float
-    """Record 5G.1A [m]. Root-mean-square deviation of the ball diameters; the random numbers have a fixed seed."""
+    """Record 5G.1A [m]. Root-mean-square deviation of the ball diameters. The random numbers have a fixed seed."""
     reCrnVar: float
     """Record 5G.1B [m]. Root-mean-square deviation of the crown radii."""
     reLenVar: float
     """Record 5G.1B [m]. Root-mean-square deviation of the roller lengths."""
     reCLVar: float
-    """Record 5G.1B [m]. Root-mean-square deviation of the lengths of the central land."""
+    """Record 5G.1B [m]. Root-mean-square deviation of the lengths of the central lands of the rollers."""
     reCLOffset: float
-    """Record 5G.1B [m]. Root-mean-square axial offset of the central land."""
+    """Record 5G.1B [m]. Root-mean-square axial offset of the central lands of the rollers."""
     reDiaVar1: float
     """Record 5G.1D.1 [m]. Diameter of rolling element 1 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar2: float
@@ -405,7 +407,8 @@ class DeckVariables:
     rndVar21: float
     """Record 5G.2.1A [m]. Semi-minor axis minus nominal radius of the outer race."""
     rndVar31: float
-    """Record 5G.2.1A [deg]. Angle of the major axis from the race-fixed z axis, positive about x."""
+    """Record 5G.2.1A [deg]. Angle of the major axis of the elliptical race, measured from the race-fixed z axis and
+    positive about x."""
     cFacVar11: float
     """Record 5G.2.1A. Amplitude a of the error of the curvature factor of the outer race, a sin(w theta + phi)."""
     cFacVar21: float
@@ -431,7 +434,8 @@ class DeckVariables:
     rndVar22: float
     """Record 5G.2.2A [m]. Semi-minor axis minus nominal radius of the inner race."""
     rndVar32: float
-    """Record 5G.2.2A [deg]. Angle of the major axis from the race-fixed z axis, positive about x."""
+    """Record 5G.2.2A [deg]. Angle of the major axis of the elliptical race, measured from the race-fixed z axis and
+    positive about x."""
     cFacVar12: float
     """Record 5G.2.2A. Amplitude a of the error of the curvature factor of the inner race, a sin(w theta + phi)."""
     cFacVar22: float
@@ -462,22 +466,22 @@ class DeckVariables:
     """Record 6.1 [kg.m^2]. Principal moment of inertia of the rolling element about its transverse z axis."""
     bReGeoCenX: float
     """Record 6.1 [m]. X component of the vector from the mass center to the geometric center of the rolling element,
-    in its geometric frame. Zero for a balanced body."""
+    in its geometric frame. Enter 0 for a balanced body."""
     bReGeoCenY: float
     """Record 6.1 [m]. Y component of the vector from the mass center to the geometric center of the rolling element,
-    in its geometric frame. Zero for a balanced body."""
+    in its geometric frame. Enter 0 for a balanced body."""
     bReGeoCenZ: float
     """Record 6.1 [m]. Z component of the vector from the mass center to the geometric center of the rolling element,
-    in its geometric frame. Zero for a balanced body."""
+    in its geometric frame. Enter 0 for a balanced body."""
     bReFrameX: float
     """Record 6.1 [deg]. Rotation angle about X from the principal axes of inertia to the geometric frame of the
-    rolling element. Zero when both coincide."""
+    rolling element. Enter 0 if both coincide."""
     bReFrameY: float
     """Record 6.1 [deg]. Rotation angle about Y from the principal axes of inertia to the geometric frame of the
-    rolling element. Zero when both coincide."""
+    rolling element. Enter 0 if both coincide."""
     bReFrameZ: float
     """Record 6.1 [deg]. Rotation angle about Z from the principal axes of inertia to the geometric frame of the
-    rolling element. Zero when both coincide."""
+    rolling element. Enter 0 if both coincide."""
     raceMass1: float
     """Record 6.2.1 [kg]. Mass of the outer race."""
     raceMIx1: float
@@ -488,22 +492,22 @@ class DeckVariables:
     """Record 6.2.1 [kg.m^2]. Principal moment of inertia of the outer race about its transverse z axis."""
     raceGeoCenX1: float
     """Record 6.2.1 [m]. X component of the vector from the mass center to the geometric center of the outer race, in
-    the race frame. Zero for a balanced body."""
+    the race frame. Enter 0 for a balanced body."""
     raceGeoCenY1: float
     """Record 6.2.1 [m]. Y component of the vector from the mass center to the geometric center of the outer race, in
-    the race frame. Zero for a balanced body."""
+    the race frame. Enter 0 for a balanced body."""
     raceGeoCenZ1: float
     """Record 6.2.1 [m]. Z component of the vector from the mass center to the geometric center of the outer race, in
-    the race frame. Zero for a balanced body."""
+    the race frame. Enter 0 for a balanced body."""
     raceFrameX1: float
     """Record 6.2.1 [deg]. Rotation angle about X from the principal axes of inertia to the geometric frame of the
-    outer race. Zero when both coincide."""
+    outer race. Enter 0 if both coincide."""
     raceFrameY1: float
     """Record 6.2.1 [deg]. Rotation angle about Y from the principal axes of inertia to the geometric frame of the
-    outer race. Zero when both coincide."""
+    outer race. Enter 0 if both coincide."""
     raceFrameZ1: float
     """Record 6.2.1 [deg]. Rotation angle about Z from the principal axes of inertia to the geometric frame of the
-    outer race. Zero when both coincide."""
+    outer race. Enter 0 if both coincide."""
     raceMass2: float
     """Record 6.2.2 [kg]. Mass of the inner race."""
     raceMIx2: float
@@ -514,35 +518,38 @@ class DeckVariables:
     """Record 6.2.2 [kg.m^2]. Principal moment of inertia of the inner race about its transverse z axis."""
     raceGeoCenX2: float
     """Record 6.2.2 [m]. X component of the vector from the mass center to the geometric center of the inner race, in
-    the race frame. Zero for a balanced body."""
+    the race frame. Enter 0 for a balanced body."""
     raceGeoCenY2: float
     """Record 6.2.2 [m]. Y component of the vector from the mass center to the geometric center of the inner race, in
-    the race frame. Zero for a balanced body."""
+    the race frame. Enter 0 for a balanced body."""
     raceGeoCenZ2: float
     """Record 6.2.2 [m]. Z component of the vector from the mass center to the geometric center of the inner race, in
-    the race frame. Zero for a balanced body."""
+    the race frame. Enter 0 for a balanced body."""
     raceFrameX2: float
     """Record 6.2.2 [deg]. Rotation angle about X from the principal axes of inertia to the geometric frame of the
-    inner race. Zero when both coincide."""
+    inner race. Enter 0 if both coincide."""
     raceFrameY2: float
     """Record 6.2.2 [deg]. Rotation angle about Y from the principal axes of inertia to the geometric frame of the
-    inner race. Zero when both coincide."""
+    inner race. Enter 0 if both coincide."""
     raceFrameZ2: float
     """Record 6.2.2 [deg]. Rotation angle about Z from the principal axes of inertia to the geometric frame of the
-    inner race. Zero when both coincide."""
+    inner race. Enter 0 if both coincide."""
     kPocType: int
-    """Record 7.0. Shape of the pockets. The codes depend on the bearing type (kBrg). For rollers, a positive value
-    is the number of guide surface pairs on records 7.3.i."""
+    """Record 7.0. Shape of the pockets. The meaning of a code depends on the bearing type (kBrg). For rollers, a
+    positive value is the number of guide surface pairs on records 7.3.i."""
     kCagePocImp: int
     """Record 7.0. Geometry errors of the pockets."""
     kCageGsImp: int
-    """Record 7.0. Geometry errors of the guide lands of the cage, used when nGL is above 0."""
+    """Record 7.0. Geometry errors of the guide lands of the cage. The code is used only if nGL (number of guide
+    lands) is above 0."""
     kRaceGsImp: int
-    """Record 7.0. Geometry errors of the guide lands of the race, used when nGL is above 0."""
+    """Record 7.0. Geometry errors of the guide lands of the race. The code is used only if nGL (number of guide
+    lands) is above 0."""
     kPocHydro: int
-    """Record 7.0. Hydrodynamic film forces in the pockets. They are not available with a segmented cage."""
+    """Record 7.0. Hydrodynamic forces of the oil film in the pockets. They are not available with a segmented cage."""
     kGsHydro: int
-    """Record 7.0. Hydrodynamic film forces at the guide lands. They are not available with a segmented cage."""
+    """Record 7.0. Hydrodynamic forces of the oil film at the guide lands. They are not available with a segmented
+    cage."""
     kCageMat: int
     """Record 7.0. Material of the cage. 0 is mild steel, and 1 takes the properties from the deck. The material
     table lists the other codes."""
@@ -551,11 +558,11 @@ class DeckVariables:
     nGL: int
     """Record 7.0. Number of cage lands that are guided by a race, at most 4; 0 for none."""
     iCageGuide: np.ndarray
-    """Record 7.0. Race that guides each land."""
+    """Record 7.0. Race that guides each land of the cage."""
     lSeg: np.ndarray
-    """Record 7.0.1. Number of the rolling element at the start of each segment, in increasing absolute values. A
-    positive number cuts the cage just before the element, a negative number cuts it through the pocket of the
-    element."""
+    """Record 7.0.1. Number of the first rolling element of each cage segment, in increasing absolute values. With a
+    positive number, the cage is cut just before this element. With a negative number, the cage is cut through the
+    pocket of this element."""
     cageDia1: float
     """Record 7.1 [m]. Outer diameter of the cage."""
     cageDia2: float
@@ -570,24 +577,25 @@ class DeckVariables:
     lands are on records 7.2.i."""
     bPocCls1: float
     """Record 7.1 [m]. Pocket clearance I: circumferential pocket size minus element diameter. For elongated ball
-    pockets it is the axial clearance, and for conical ball pockets the inner opening minus ball diameter. It is
-    not used for rollers with guide surface pairs."""
+    pockets, it is the axial clearance. For conical ball pockets, it is the inner opening minus the ball diameter.
+    It is not used for roller pockets with guide surface pairs."""
     bPocCls2: float
     """Record 7.1 [m]. Pocket clearance II of ball pockets. Elongated pocket: center offset. Rectangular pocket:
-    axial clearance. Conical pocket: outer opening minus ball diameter. Enter 0 for other pockets and for rollers."""
+    axial clearance. Conical pocket: outer opening minus ball diameter. Enter 0 for other ball pockets and for
+    rollers."""
     cageAngCut: float
-    """Record 7.1 [deg]. Angular width of the cut between two segments; 0 for a one-piece cage."""
+    """Record 7.1 [deg]. Angular width of the cut between two cage segments; 0 for a one-piece cage."""
     cageConeAng: float
-    """Record 7.1 [deg]. Half cone angle of a conical cage; 0 for a cylindrical one."""
+    """Record 7.1 [deg]. Half cone angle of a conical cage; 0 for a cylindrical cage."""
     cageGsDia: np.ndarray
-    """Record 7.2.i [m]. Diameter of the land on the cage."""
+    """Record 7.2.i [m]. Diameter of the guide land of the cage."""
     cageGsWidth: np.ndarray
-    """Record 7.2.i [m]. Width of the land."""
+    """Record 7.2.i [m]. Width of the guide land."""
     cageGsPos: np.ndarray
-    """Record 7.2.i [m]. Axial distance from the cage center to the outer edge of the land; negative on the negative
-    x side."""
+    """Record 7.2.i [m]. Axial distance from the cage center to the outer edge of the guide land. It is negative for
+    a land on the negative x side."""
     cageGsCls: np.ndarray
-    """Record 7.2.i [m]. Diametral clearance between the land and the race that guides it."""
+    """Record 7.2.i [m]. Diametral clearance between the guide land of the cage and the race that guides the cage."""
     bPocGsAng1: np.ndarray
     """Record 7.3.i [deg]. Rotation about x from the pocket frame to the frame of the guide surface."""
     bPocGsAng2: np.ndarray
@@ -595,20 +603,22 @@ class DeckVariables:
     bPocGsAng3: np.ndarray
     """Record 7.3.i [deg]. Rotation about z from the pocket frame to the frame of the guide surface."""
     bPocGsCen1: np.ndarray
-    """Record 7.3.i [m]. x coordinate of the surface center, measured from the pocket center."""
+    """Record 7.3.i [m]. x coordinate of the center of the guide surface, measured from the pocket center."""
     bPocGsCen2: np.ndarray
-    """Record 7.3.i [m]. y coordinate of the surface center, measured from the pocket center to the positive side.
-    The second surface of the pair is the mirror image in the x-z plane of the pocket."""
+    """Record 7.3.i [m]. y coordinate of the center of the guide surface on the positive y side, measured from the
+    pocket center. The second surface of the pair is its mirror image in the x-z plane of the pocket."""
     bPocGsCen3: np.ndarray
-    """Record 7.3.i [m]. z coordinate of the surface center, measured from the pocket center."""
+    """Record 7.3.i [m]. z coordinate of the center of the guide surface, measured from the pocket center."""
     bPocGsLen1: np.ndarray
-    """Record 7.3.i [m]. Extent of the surface along z (width)."""
+    """Record 7.3.i [m]. Width of the guide surface (along z)."""
     bPocGsLen2: np.ndarray
-    """Record 7.3.i [m]. Extent of the surface along x (length)."""
+    """Record 7.3.i [m]. Length of the guide surface (along x)."""
     bPocClsVar1: float
-    """Record 7.4 [m]. Deviation of pocket clearance I; when kCagePocImp is 3, the rms value of the deviation."""
+    """Record 7.4 [m]. Deviation of pocket clearance I from its nominal value (bPocCls1). If kCagePocImp is 3
+    (random), enter the rms value of the deviation."""
     bPocClsVar2: float
-    """Record 7.4 [m]. Deviation of pocket clearance II; when kCagePocImp is 3, the rms value of the deviation."""
+    """Record 7.4 [m]. Deviation of pocket clearance II from its nominal value (bPocCls2). If kCagePocImp is 3
+    (random), enter the rms value of the deviation."""
     bPocThknsVar: float
     """Record 7.4 [m]. Deviation of the pocket thickness from the cage thickness (outer minus inner cage radius)."""
     bPocCenVar1: float
@@ -622,23 +632,23 @@ class DeckVariables:
     bPocAngVar3: float
     """Record 7.4 [deg]. Tilt of the pocket frame, third angle (about the z axis after both rotations)."""
     cageGsRadVar1: np.ndarray
-    """Record 7.5.i [m]. Cage land: semi-axis along y minus nominal radius (kCageGsImp = 1), or amplitude of the
-    radius wave (kCageGsImp = 2)."""
+    """Record 7.5.i [m]. Cage guide land: if kCageGsImp is 1, semi-axis along y minus nominal radius; if kCageGsImp
+    is 2, amplitude of the radius wave."""
     cageGsRadVar2: np.ndarray
-    """Record 7.5.i [m]. Cage land: semi-axis along z minus nominal radius (kCageGsImp = 1), or number of waves per
-    revolution, without unit (kCageGsImp = 2)."""
+    """Record 7.5.i [m]. Cage guide land: if kCageGsImp is 1, semi-axis along z minus nominal radius; if kCageGsImp
+    is 2, number of waves per revolution (no unit)."""
     cageGsRadVar3: np.ndarray
-    """Record 7.5.i [deg]. Cage land: phase of the radius wave (kCageGsImp = 2). With kCageGsImp = 1 the value is not
-    used; enter 0."""
+    """Record 7.5.i [deg]. Cage guide land: phase of the radius wave if kCageGsImp is 2. If kCageGsImp is 1, the
+    value is not used; enter 0."""
     raceGsRadVar1: np.ndarray
-    """Record 7.6.i [m]. Race land: semi-axis along y minus nominal radius (kRaceGsImp = 1), or amplitude of the
-    radius wave (kRaceGsImp = 2)."""
+    """Record 7.6.i [m]. Race guide land: if kRaceGsImp is 1, semi-axis along y minus nominal radius; if kRaceGsImp
+    is 2, amplitude of the radius wave."""
     raceGsRadVar2: np.ndarray
-    """Record 7.6.i [m]. Race land: semi-axis along z minus nominal radius (kRaceGsImp = 1), or number of waves per
-    revolution, without unit (kRaceGsImp = 2)."""
+    """Record 7.6.i [m]. Race guide land: if kRaceGsImp is 1, semi-axis along z minus nominal radius; if kRaceGsImp
+    is 2, number of waves per revolution (no unit)."""
     raceGsRadVar3: np.ndarray
-    """Record 7.6.i [deg]. Race land: phase of the radius wave (kRaceGsImp = 2). With kRaceGsImp = 1 the value is not
-    used; enter 0."""
+    """Record 7.6.i [deg]. Race guide land: phase of the radius wave if kRaceGsImp is 2. If kRaceGsImp is 1, the
+    value is not used; enter 0."""
     cageMass: float
     """Record 7.7 [kg]. Mass of the cage."""
     cageMIx: float
@@ -649,22 +659,22 @@ class DeckVariables:
     """Record 7.7 [kg.m^2]. Principal moment of inertia of the cage about its transverse z axis."""
     cageGeoCenX: float
     """Record 7.7 [m]. X component of the vector from the mass center to the geometric center of the cage, in the
-    cage frame. Zero for a balanced body."""
+    cage frame. Enter 0 for a balanced body."""
     cageGeoCenY: float
     """Record 7.7 [m]. Y component of the vector from the mass center to the geometric center of the cage, in the
-    cage frame. Zero for a balanced body."""
+    cage frame. Enter 0 for a balanced body."""
     cageGeoCenZ: float
     """Record 7.7 [m]. Z component of the vector from the mass center to the geometric center of the cage, in the
-    cage frame. Zero for a balanced body."""
+    cage frame. Enter 0 for a balanced body."""
     cageFrameX: float
     """Record 7.7 [deg]. Rotation angle about X from the principal axes of inertia to the geometric frame of the
-    cage. Zero when both coincide."""
+    cage. Enter 0 if both coincide."""
     cageFrameY: float
     """Record 7.7 [deg]. Rotation angle about Y from the principal axes of inertia to the geometric frame of the
-    cage. Zero when both coincide."""
+    cage. Enter 0 if both coincide."""
     cageFrameZ: float
     """Record 7.7 [deg]. Rotation angle about Z from the principal axes of inertia to the geometric frame of the
-    cage. Zero when both coincide."""
+    cage. Enter 0 if both coincide."""
     reDen: float
     """Record 8.1 [kg/m^3]. Density of the rolling elements."""
     reEM: float
@@ -678,10 +688,10 @@ class DeckVariables:
     reSH: float
     """Record 8.1 [J/kg/K]. Specific heat of the rolling elements."""
     reESL: float
-    """Record 8.1. Elastic strain limit of the rolling elements. Larger strains are reported as plastic."""
+    """Record 8.1. Elastic strain limit of the rolling elements. Strains above this limit are reported as plastic."""
     reH: float
-    """Record 8.1 [HRC]. Rockwell C hardness of the rolling elements. It is converted to the indentation pressure of
-    the wear law."""
+    """Record 8.1 [HRC]. Rockwell C hardness of the rolling elements. The indentation pressure of the wear law is
+    computed from this hardness."""
     reWC: float
     """Record 8.1. Wear coefficient K of the rolling elements. The worn volume is K times load times sliding
     distance, divided by hardness."""
@@ -701,10 +711,10 @@ class DeckVariables:
     raceSH1: float
     """Record 8.2.1 [J/kg/K]. Specific heat of the outer race."""
     raceESL1: float
-    """Record 8.2.1. Elastic strain limit of the outer race. Larger strains are reported as plastic."""
+    """Record 8.2.1. Elastic strain limit of the outer race. Strains above this limit are reported as plastic."""
     raceH1: float
-    """Record 8.2.1 [HRC]. Rockwell C hardness of the outer race. It is converted to the indentation pressure of the
-    wear law."""
+    """Record 8.2.1 [HRC]. Rockwell C hardness of the outer race. The indentation pressure of the wear law is
+    computed from this hardness."""
     raceWC1: float
     """Record 8.2.1. Wear coefficient K of the outer race. The worn volume is K times load times sliding distance,
     divided by hardness."""
@@ -724,10 +734,10 @@ class DeckVariables:
     raceSH2: float
     """Record 8.2.2 [J/kg/K]. Specific heat of the inner race."""
     raceESL2: float
-    """Record 8.2.2. Elastic strain limit of the inner race. Larger strains are reported as plastic."""
+    """Record 8.2.2. Elastic strain limit of the inner race. Strains above this limit are reported as plastic."""
     raceH2: float
-    """Record 8.2.2 [HRC]. Rockwell C hardness of the inner race. It is converted to the indentation pressure of the
-    wear law."""
+    """Record 8.2.2 [HRC]. Rockwell C hardness of the inner race. The indentation pressure of the wear law is
+    computed from this hardness."""
     raceWC2: float
     """Record 8.2.2. Wear coefficient K of the inner race. The worn volume is K times load times sliding distance,
     divided by hardness."""
@@ -767,10 +777,10 @@ class DeckVariables:
     cageSH: float
     """Record 8.5 [J/kg/K]. Specific heat of the cage."""
     cageESL: float
-    """Record 8.5. Elastic strain limit of the cage. Larger strains are reported as plastic."""
+    """Record 8.5. Elastic strain limit of the cage. Strains above this limit are reported as plastic."""
     cageH: float
-    """Record 8.5 [HRC]. Rockwell C hardness of the cage. It is converted to the indentation pressure of the wear
-    law."""
+    """Record 8.5 [HRC]. Rockwell C hardness of the cage. The indentation pressure of the wear law is computed from
+    this hardness."""
     cageWC: float
     """Record 8.5. Wear coefficient K of the cage. The worn volume is K times load times sliding distance, divided by
     hardness."""
@@ -859,18 +869,18 @@ class DeckVariables:
     wbDisRe: float
     """Record 8.6.3. Weibull slope of the rolling elements."""
     rmsAspSlope1: float
-    """Record 8.6.4 [rad]. Composite rms asperity slope of the outer race contact, for the Tallian factors."""
+    """Record 8.6.4 [rad]. Composite rms asperity slope of the outer race contact, used in the Tallian life factors."""
     aspTrac1: float
-    """Record 8.6.4. Asperity traction coefficient of the outer race contact, for the Tallian factors."""
+    """Record 8.6.4. Asperity traction coefficient of the outer race contact, used in the Tallian life factors."""
     facMat1: float
     """Record 8.6.4. Tallian material factor, outer race. 1.197 for 52100, 1.773 for 8620, 2.267 for M50."""
     facCont1: float
-    """Record 8.6.4. Tallian contamination factor, outer race. The standard value is 1. VIMVAR steel in aerospace use
-    has about 0.25, down to 0.10."""
+    """Record 8.6.4. Tallian contamination factor, outer race. The standard value is 1. For VIMVAR steel in aerospace
+    use, it is about 0.25 and can be as low as 0.10."""
     facProc1: float
     """Record 8.6.4. Tallian process factor, outer race. Published values: 2.58 for CVD steel before 1975, 0.077 for
-    CVD steel since 1975, 4.85 for carburizing CVD steel, 0.0050 down to 0.003 for VIMVAR steel. Their spread is
-    suspicious: check a value before you rely on it."""
+    CVD steel since 1975, 4.85 for carburizing CVD steel, 0.003 to 0.0050 for VIMVAR steel. These values differ so
+    much that they may be wrong. Check a value before you use it."""
     facMatLF1: float
     """Record 8.6.4. STLE material factor, outer race. 1 does not change the life."""
     facProcLF1: float
@@ -878,18 +888,18 @@ class DeckVariables:
     hardnessLF1: float
     """Record 8.6.4. STLE hardness factor, outer race. 1 does not change the life."""
     rmsAspSlope2: float
-    """Record 8.6.5 [rad]. Composite rms asperity slope of the inner race contact, for the Tallian factors."""
+    """Record 8.6.5 [rad]. Composite rms asperity slope of the inner race contact, used in the Tallian life factors."""
     aspTrac2: float
-    """Record 8.6.5. Asperity traction coefficient of the inner race contact, for the Tallian factors."""
+    """Record 8.6.5. Asperity traction coefficient of the inner race contact, used in the Tallian life factors."""
     facMat2: float
     """Record 8.6.5. Tallian material factor, inner race. 1.197 for 52100, 1.773 for 8620, 2.267 for M50."""
     facCont2: float
-    """Record 8.6.5. Tallian contamination factor, inner race. The standard value is 1. VIMVAR steel in aerospace use
-    has about 0.25, down to 0.10."""
+    """Record 8.6.5. Tallian contamination factor, inner race. The standard value is 1. For VIMVAR steel in aerospace
+    use, it is about 0.25 and can be as low as 0.10."""
     facProc2: float
     """Record 8.6.5. Tallian process factor, inner race. Published values: 2.58 for CVD steel before 1975, 0.077 for
-    CVD steel since 1975, 4.85 for carburizing CVD steel, 0.0050 down to 0.003 for VIMVAR steel. Their spread is
-    suspicious: check a value before you rely on it."""
+    CVD steel since 1975, 4.85 for carburizing CVD steel, 0.003 to 0.0050 for VIMVAR steel. These values differ so
+    much that they may be wrong. Check a value before you use it."""
     facMatLF2: float
     """Record 8.6.5. STLE material factor, inner race. 1 does not change the life."""
     facProcLF2: float
@@ -899,12 +909,12 @@ class DeckVariables:
     facMatRe: float
     """Record 8.6.6. Tallian material factor, rolling elements. 1.197 for 52100, 1.773 for 8620, 2.267 for M50."""
     facContRe: float
-    """Record 8.6.6. Tallian contamination factor, rolling elements. The standard value is 1. VIMVAR steel in
-    aerospace use has about 0.25, down to 0.10."""
+    """Record 8.6.6. Tallian contamination factor, rolling elements. The standard value is 1. For VIMVAR steel in
+    aerospace use, it is about 0.25 and can be as low as 0.10."""
     facProcRe: float
     """Record 8.6.6. Tallian process factor, rolling elements. Published values: 2.58 for CVD steel before 1975,
-    0.077 for CVD steel since 1975, 4.85 for carburizing CVD steel, 0.0050 down to 0.003 for VIMVAR steel. Their
-    spread is suspicious: check a value before you rely on it."""
+    0.077 for CVD steel since 1975, 4.85 for carburizing CVD steel, 0.003 to 0.0050 for VIMVAR steel. These values
+    differ so much that they may be wrong. Check a value before you use it."""
     facMatLFre: float
     """Record 8.6.6. STLE material factor, rolling elements. 1 does not change the life."""
     facProcLFre: float
@@ -922,10 +932,10 @@ class DeckVariables:
     angVelOrient: float
     """Record 9.0 [deg]. Angle between the ball spin axis and the x axis, in the plane through ball center and
     bearing axis, relative to the orbiting ball frame. It is used only when kAngVel is 2. With a positive angle,
-    the end of the axis towards -x is tilted outwards. If the angle equals the contact angle, the ball rolls
-    without spin. If the inner race rotates in the positive direction, the spin vector points to -x. The listing
-    gives theta, the angle of the total angular velocity, which includes the orbit. Theta is slightly below 180
-    degrees minus this angle."""
+    the end of the spin axis towards -x is tilted outwards. If the angle equals the contact angle, the ball rolls
+    without spin. If the inner race rotates in the positive direction, the spin vector points to -x. The file
+    PRINT.txt contains theta, the angle of the total angular velocity, which includes the orbit. Theta is slightly
+    below 180 degrees minus the angle of the spin axis."""
     res1: float
     """Record 9.0 [N/m^2]. Residual stress of the outer race in operation, positive in tension. It enters the STLE
     life factor."""
@@ -934,7 +944,7 @@ class DeckVariables:
     life factor."""
     facStrLimit: float
     """Record 9.0. Multiplier on the fatigue limit stress. With 1, the limit is the octahedral shear stress at the
-    von Mises limit stress of the race material. 1.28 reproduces ISO 281 for AISI 52100."""
+    von Mises limit stress of the race material. A multiplier of 1.28 reproduces ISO 281 for AISI 52100 steel."""
     appLoadX: float
     """Record 9.1.1 [N]. Force that the shaft applies to the inner race along x, used when kFS1 is 0."""
     appLoadY: float
@@ -943,20 +953,21 @@ class DeckVariables:
     """Record 9.1.1 [N]. Force that the shaft applies to the inner race along z, used when kFS3 is 0."""
     appDispX: float
     """Record 9.1.1 [m]. Displacement of the inner race relative to the outer race along x when kFS1 is 1. When kFS1
-    is 0, it is the first guess of the static solution, and 0 selects an estimate. The displacement is measured
-    from the unmounted bearing at rest and at room temperature. At displacement 0, balls at freeConAng (towards
-    +x) and tapered rollers just touch both races; in other bearings, the mid planes of the races coincide. Fits,
-    thermal growth and speed do not change this datum."""
+    is 0, it is the first guess of the static solution. If this guess is 0, the program estimates the first guess.
+    The displacement is measured from the unmounted bearing at rest and at room temperature. At displacement 0,
+    balls just touch both races at the contact angle freeConAng (towards +x), and tapered rollers just touch both
+    races. In other bearings, the mid planes of the races coincide at displacement 0. Fits, thermal growth and
+    speed do not change this reference position."""
     appDispY: float
     """Record 9.1.1 [m]. Displacement of the inner race relative to the outer race along y when kFS2 is 1. When kFS2
-    is 0, it is the first guess of the static solution, and 0 selects an estimate. The displacement is measured
-    from the unmounted bearing at rest and at room temperature. At displacement 0, the races are coaxial. Fits,
-    thermal growth and speed do not change this datum."""
+    is 0, it is the first guess of the static solution. If this guess is 0, the program estimates the first guess.
+    The displacement is measured from the unmounted bearing at rest and at room temperature. At displacement 0,
+    the races are coaxial. Fits, thermal growth and speed do not change this reference position."""
     appDispZ: float
     """Record 9.1.1 [m]. Displacement of the inner race relative to the outer race along z when kFS3 is 1. When kFS3
-    is 0, it is the first guess of the static solution, and 0 selects an estimate. The displacement is measured
-    from the unmounted bearing at rest and at room temperature. At displacement 0, the races are coaxial. Fits,
-    thermal growth and speed do not change this datum."""
+    is 0, it is the first guess of the static solution. If this guess is 0, the program estimates the first guess.
+    The displacement is measured from the unmounted bearing at rest and at room temperature. At displacement 0,
+    the races are coaxial. Fits, thermal growth and speed do not change this reference position."""
     appMomY: float
     """Record 9.1.2 [N.m]. Moment that the shaft applies to the inner race about y, used when kFS4 is 0."""
     appMomZ: float
@@ -966,43 +977,43 @@ class DeckVariables:
     appMis21: float
     """Record 9.1.2 [rad]. Misalignment of the reference (outer) race about z."""
     appMis12: float
-    """Record 9.1.2 [rad]. Misalignment of the moving (inner) race about y when kFS4 is 1; otherwise the first guess
-    of the static solution."""
+    """Record 9.1.2 [rad]. Misalignment of the moving (inner) race about y when kFS4 is 1. When kFS4 is 0, it is the
+    first guess of the static solution."""
     appMis22: float
-    """Record 9.1.2 [rad]. Misalignment of the moving (inner) race about z when kFS5 is 1; otherwise the first guess
-    of the static solution."""
+    """Record 9.1.2 [rad]. Misalignment of the moving (inner) race about z when kFS5 is 1. When kFS5 is 0, it is the
+    first guess of the static solution."""
     rpm1: float
     """Record 9.1.2 [rpm]. Speed of the outer race, positive about x."""
     rpm2: float
     """Record 9.1.2 [rpm]. Speed of the inner race, positive about x."""
     hsngTemp: float
-    """Record 9.1.3 [K]. Temperature (absolute) of the housing at the start. Dimensions grow with the difference from
-    room temperature."""
+    """Record 9.1.3 [K]. Temperature (absolute) of the housing at the start. Thermal expansion is computed from the
+    difference to room temperature."""
     shftTemp: float
-    """Record 9.1.3 [K]. Temperature (absolute) of the shaft at the start. Dimensions grow with the difference from
-    room temperature."""
+    """Record 9.1.3 [K]. Temperature (absolute) of the shaft at the start. Thermal expansion is computed from the
+    difference to room temperature."""
     raceTemp1: float
-    """Record 9.1.3 [K]. Temperature (absolute) of the outer race at the start. Dimensions grow with the difference
-    from room temperature."""
+    """Record 9.1.3 [K]. Temperature (absolute) of the outer race at the start. Thermal expansion is computed from
+    the difference to room temperature."""
     raceTemp2: float
-    """Record 9.1.3 [K]. Temperature (absolute) of the inner race at the start. Dimensions grow with the difference
-    from room temperature."""
+    """Record 9.1.3 [K]. Temperature (absolute) of the inner race at the start. Thermal expansion is computed from
+    the difference to room temperature."""
     reTemp: float
-    """Record 9.1.3 [K]. Temperature (absolute) of the rolling elements at the start. Dimensions grow with the
-    difference from room temperature."""
+    """Record 9.1.3 [K]. Temperature (absolute) of the rolling elements at the start. Thermal expansion is computed
+    from the difference to room temperature."""
     cageTemp: float
-    """Record 9.1.3 [K]. Temperature (absolute) of the cage at the start. Dimensions grow with the difference from
-    room temperature."""
+    """Record 9.1.3 [K]. Temperature (absolute) of the cage at the start. Thermal expansion is computed from the
+    difference to room temperature."""
     pctDisp: float
-    """Record 9.2 [%]. Displacement increment for the stiffness, in percent of the contact deflection."""
+    """Record 9.2 [%]. Displacement increment for computing the stiffness, in percent of the contact deflection."""
     rpmRange11: float
-    """Record 9.2 [rpm]. First outer race speed of the table."""
+    """Record 9.2 [rpm]. First speed of the outer race in the stiffness table."""
     rpmRange21: float
-    """Record 9.2 [rpm]. Last outer race speed of the table."""
+    """Record 9.2 [rpm]. Last speed of the outer race in the stiffness table."""
     rpmRange12: float
-    """Record 9.2 [rpm]. First inner race speed of the table."""
+    """Record 9.2 [rpm]. First speed of the inner race in the stiffness table."""
     rpmRange22: float
-    """Record 9.2 [rpm]. Last inner race speed of the table."""
+    """Record 9.2 [rpm]. Last speed of the inner race in the stiffness table."""
     rotLoadFrac1: float
     """Record 9.3A. Orbit radius of the outer race divided by the radial deflection between the races."""
     rotLoadFrac2: float
@@ -1040,13 +1051,13 @@ class DeckVariables:
     endTime2: float
     """Record 9.4A [s]. Time at which the inner race stops accelerating."""
     raceSpeedAmp1: float
-    """Record 9.4B [rpm]. Amplitude A of the outer race speed, rpm1 + A sin(2 pi f t)."""
+    """Record 9.4B [rpm]. Amplitude A of the sinusoidal part of the outer race speed, rpm1 + A sin(2 pi f t)."""
     raceSpeedAmp2: float
-    """Record 9.4B [rpm]. Amplitude A of the inner race speed, rpm2 + A sin(2 pi f t)."""
+    """Record 9.4B [rpm]. Amplitude A of the sinusoidal part of the inner race speed, rpm2 + A sin(2 pi f t)."""
     raceSpeedFreq1: float
-    """Record 9.4B [Hz]. Frequency f of the outer race speed."""
+    """Record 9.4B [Hz]. Frequency f of the sinusoidal part of the outer race speed."""
     raceSpeedFreq2: float
-    """Record 9.4B [Hz]. Frequency f of the inner race speed."""
+    """Record 9.4B [Hz]. Frequency f of the sinusoidal part of the inner race speed."""
     brgOrbitRad: float
     """Record 9.5 [m]. Orbit radius of the bearing center."""
     brgAngPos: float
@@ -1075,14 +1086,15 @@ class DeckVariables:
     cFlowRate: float
     """Record 9.7 [m^3/s]. Volume flow of the coolant; not used when kCoolant is 0."""
     reHTC: float
-    """Record 9.7 [W/m^2/K]. Convection coefficient of the rolling elements. Enter 0 when it is computed (kHTC = 0)."""
+    """Record 9.7 [W/m^2/K]. Convection coefficient of the rolling elements. Enter 0 if the program computes it (kHTC
+    = 0)."""
     cageHTC: float
-    """Record 9.7 [W/m^2/K]. Convection coefficient of the cage. Enter 0 when it is computed (kHTC = 0)."""
+    """Record 9.7 [W/m^2/K]. Convection coefficient of the cage. Enter 0 if the program computes it (kHTC = 0)."""
     aveTime: float
-    """Record 9.7 [s]. Time over which heat is averaged for one thermal step (in seconds, not dimensionless)."""
+    """Record 9.7 [s]. Duration over which the heat is averaged for one thermal step (in seconds, not dimensionless)."""
     skipTime: float
-    """Record 9.7 [s]. Time at the start of the run without thermal updates of the geometry (in seconds, not
-    dimensionless)."""
+    """Record 9.7 [s]. Duration of the first part of the run, in which the geometry is not updated for thermal
+    expansion (in seconds, not dimensionless)."""
     xRo: float
     """Record 9.8 [kg/m^3]. Density of the coolant at base temperature."""
     xMu: float
@@ -1109,11 +1121,13 @@ class DeckVariables:
     kRFTracType: int
     """Record 10.0. Form of the hypothetical traction curve, roller to flange."""
     kRRTrac: int
-    """Record 10.0. Source of the traction coefficient, element to element. Used only without a cage."""
+    """Record 10.0. Source of the traction coefficient, element to element. It is used only if the bearing has no
+    cage."""
     kRRTracType: int
-    """Record 10.0. Form of the hypothetical traction curve, element to element. Used only without a cage."""
+    """Record 10.0. Form of the hypothetical traction curve, element to element. It is used only if the bearing has
+    no cage."""
     iTherm: int
-    """Record 10.0. Simplified thermal correction of the visco-elastic model; applies only to kTrac 12."""
+    """Record 10.0. Simplified thermal correction of the visco-elastic model. It is used only if kTrac is 12."""
     reRaceTC1: float
     """Record 10.1A. Coefficient A of the traction coefficient (A + B u) exp(-C u) + D at slip speed u, element to
     race."""
@@ -1147,25 +1161,25 @@ class DeckVariables:
     lubName: str
     """Record 10.4.0. Name of the lubricant, at most 36 characters; for documentation only."""
     refTemp: float
-    """Record 10.4.1 [K]. Reference temperature T0 (absolute) of the properties."""
+    """Record 10.4.1 [K]. Reference temperature T0 (absolute) of the lubricant properties."""
     refVis: float
-    """Record 10.4.1 [N.s/m^2]. Viscosity at the reference temperature and low pressure."""
+    """Record 10.4.1 [N.s/m^2]. Viscosity of the lubricant at the reference temperature and low pressure."""
     prVisCoeff: float
-    """Record 10.4.1 [m^2/N]. Pressure-viscosity coefficient."""
+    """Record 10.4.1 [m^2/N]. Pressure-viscosity coefficient of the lubricant."""
     tempVisCoeff: float
     """Record 10.4.1 [K]. Temperature coefficient b of the viscosity, in the law exp(b (1/T - 1/T0))."""
     lubTherCond: float
-    """Record 10.4.1 [W/m/K]. Thermal conductivity (a real number, not an integer)."""
+    """Record 10.4.1 [W/m/K]. Thermal conductivity of the lubricant (a real number, not an integer)."""
     lubDen: float
-    """Record 10.4.1 [kg/m^3]. Density (a real number, not an integer)."""
+    """Record 10.4.1 [kg/m^3]. Density of the lubricant (a real number, not an integer)."""
     lubSpHeat: float
-    """Record 10.4.1 [J/kg/K]. Specific heat (a real number, not an integer)."""
+    """Record 10.4.1 [J/kg/K]. Specific heat of the lubricant (a real number, not an integer)."""
     refTracVis: float
-    """Record 10.4.4 [N.s/m^2]. Reference viscosity for traction in the contact."""
+    """Record 10.4.4 [N.s/m^2]. Reference viscosity of the lubricant for traction in the contact."""
     tracVisCoeff1: float
-    """Record 10.4.4 [m^2/N]. Pressure coefficient a of the law exp(a p + b (T0 - T))."""
+    """Record 10.4.4 [m^2/N]. Pressure coefficient a of the traction viscosity, in the law exp(a p + b (T0 - T))."""
     tracVisCoeff2: float
-    """Record 10.4.4 [1/K]. Temperature coefficient b of the law exp(a p + b (T0 - T))."""
+    """Record 10.4.4 [1/K]. Temperature coefficient b of the traction viscosity, in the law exp(a p + b (T0 - T))."""
     reCageTC1: float
     """Record 10.5.1A. Coefficient A of the traction coefficient (A + B u) exp(-C u) + D at slip speed u, element to
     cage."""
@@ -1203,25 +1217,25 @@ class DeckVariables:
     """Record 10.5.3A. Coefficient D (value at large slip) of the traction coefficient (A + B u) exp(-C u) + D at
     slip speed u, element to element."""
     pocVis: float
-    """Record 10.6 [N.s/m^2]. Effective viscosity of the oil in the pockets."""
+    """Record 10.6 [N.s/m^2]. Effective viscosity of the oil in the cage pockets."""
     gsVis: float
-    """Record 10.6 [N.s/m^2]. Effective viscosity of the oil at the guide lands."""
+    """Record 10.6 [N.s/m^2]. Effective viscosity of the oil at the guide lands of the cage."""
     chnDen: float
-    """Record 10.7A [kg/m^3]. Effective density of the oil-air mixture that causes drag."""
+    """Record 10.7A [kg/m^3]. Effective density of the oil-air mixture that causes churning drag."""
     chnVis: float
-    """Record 10.7A [N.s/m^2]. Effective viscosity of the oil-air mixture that causes drag."""
+    """Record 10.7A [N.s/m^2]. Effective viscosity of the oil-air mixture that causes churning drag."""
     denRatio: float
-    """Record 10.7B. Effective density of the medium divided by the built-in value. It is far below 1 for an oil
-    mist."""
+    """Record 10.7B. Effective density of the churning medium divided by the built-in value. It is far below 1 for an
+    oil mist."""
     visRatio: float
-    """Record 10.7B. Effective viscosity of the medium divided by the built-in value."""
+    """Record 10.7B. Effective viscosity of the churning medium divided by the built-in value."""
     gravityVecX: float
     """Record 11 [m/s^2]. Gravity acceleration along x."""
     gravityVecY: float
     """Record 11 [m/s^2]. Gravity acceleration along y."""
     gravityVecZ: float
-    """Record 11 [m/s^2]. Gravity acceleration along z. A negative value points away from the usual direction of the
-    radial load."""
+    """Record 11 [m/s^2]. Gravity acceleration along z. With a negative value, gravity acts against the usual
+    direction of the radial load."""
     ratingC: float
     """Record X1 [N]. Dynamic load rating C that the maker publishes. It replaces the ISO 281 estimate."""
     ratingC0: float
@@ -1229,7 +1243,7 @@ class DeckVariables:
     ratingCu: float
     """Record X1 [N]. Fatigue load limit Cu (Pu) that the maker publishes. It replaces the ISO 281 estimate."""
     ratingE: float
-    """Record X1. Limit e of the ratio of axial to radial load, above which X and Y apply."""
+    """Record X1. Limit e of the ratio of axial to radial load. Above this ratio, the load factors X and Y apply."""
     ratingX: float
     """Record X1. Radial load factor X for axial loads above e times the radial load."""
     ratingY: float
@@ -1240,32 +1254,33 @@ class DeckVariables:
     oilName: str
     """Record X2. Name of the oil; for documentation only."""
     kOilBase: int
-    """Record X2. Base oil, for estimates of properties that are not given. Not given: mineral oil."""
+    """Record X2. Base oil. It is used to estimate the oil properties that are not given. If not given: mineral oil."""
     kGrease: int
     """Record X2. Oil or grease."""
     oilGrade: int
     """Record X2. ISO viscosity grade: the viscosity at 40 °C in mm^2/s."""
     oilVisc1: float
-    """Record X2 [mm^2/s]. Kinematic viscosity at oilTemp1, instead of a grade."""
+    """Record X2 [mm^2/s]. Kinematic viscosity at oilTemp1. Give either this value or oilGrade."""
     oilTemp1: float
-    """Record X2 [K]. Temperature of oilVisc1. Not given: 40 °C."""
+    """Record X2 [K]. Temperature of oilVisc1. If not given: 40 °C."""
     oilVisc2: float
     """Record X2 [mm^2/s]. Kinematic viscosity at oilTemp2."""
     oilTemp2: float
-    """Record X2 [K]. Temperature of oilVisc2. Not given: 100 °C."""
+    """Record X2 [K]. Temperature of oilVisc2. If not given: 100 °C."""
     oilIndex: float
-    """Record X2. Viscosity index, with a grade or with oilVisc1 at 40 °C. Not given: 95 for mineral oil, 140 for
-    polyalphaolefin and ester, 200 for polyglycol (estimates)."""
+    """Record X2. Viscosity index. It is used with oilGrade, or with oilVisc1 at 40 °C. Estimates if not given: 95
+    for mineral oil, 140 for polyalphaolefin and ester, 200 for polyglycol."""
     oilDen: float
-    """Record X2 [kg/m^3]. Density at 15 °C. Not given: estimated from the base oil."""
+    """Record X2 [kg/m^3]. Density of the oil at 15 °C. If not given: estimated from the base oil."""
     oilPrCoeff: float
-    """Record X2 [m^2/N]. Pressure-viscosity coefficient at 40 °C. Not given: estimated from viscosity and base oil."""
+    """Record X2 [m^2/N]. Pressure-viscosity coefficient of the oil at 40 °C. If not given: estimated from viscosity
+    and base oil."""
     oilTemp: float
-    """Record X2 [K]. Temperature of the bearing for the viscosity ratio of ISO 281. Not given: mean of the race
+    """Record X2 [K]. Bearing temperature for the viscosity ratio of ISO 281. If not given: mean of the race
     temperatures."""
     matEM: np.ndarray
-    """Record X3 [N/m^2]. Elastic modulus of outer race, inner race and rolling elements. One value applies to all
-    three. It replaces the value of the material."""
+    """Record X3 [N/m^2]. Elastic modulus of outer race, inner race and rolling elements. A single value applies to
+    all three. A given value replaces the elastic modulus of the material."""
     matPR: np.ndarray
     """Record X3. Poisson ratio of outer race, inner race and rolling elements."""
     matDen: np.ndarray
@@ -1273,5 +1288,5 @@ class DeckVariables:
     matCTE: np.ndarray
     """Record X3 [1/K]. Thermal expansion coefficient of outer race, inner race and rolling elements."""
     startAngle: float
-    """Record X4 [deg]. Azimuth of element 1 at the start and in the quasi-static solution, positive from the radial
-    direction z about the bearing axis. Not given: 0."""
+    """Record X4 [deg]. Azimuth of rolling element 1 at the start and in the quasi-static solution. It is measured
+    from the radial direction z and is positive about the bearing axis x. If not given: 0."""
