@@ -325,7 +325,7 @@ QWidget* DeckWindow::makeButtons() {
       button(tr("&Next Rec"), "next", tr("Next record (Page Down)"), &DeckWindow::nextRecord));
   row->addStretch();
   row->addWidget(button(tr("Run &quasi-static now"), "run-statics",
-                        tr("Equilibrium, contacts, stiffness and life of this deck (F6)"),
+                        tr("Compute equilibrium, contacts, stiffness and fatigue life for this deck (F6)"),
                         &DeckWindow::runQuasiStatic));
   row->addWidget(
       button(tr("R&un"), "run-deck", tr("Save the deck and run it (F7)"), &DeckWindow::runDeck));

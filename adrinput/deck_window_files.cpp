@@ -391,7 +391,7 @@ void DeckWindow::saveDraft() {
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
     try {
       document_.save_draft(file.toStdString());
-      statusBar()->showMessage(tr("Saved as draft %1. Save it as a deck to run it.").arg(file),
+      statusBar()->showMessage(tr("Saved as draft %1. To run it, save it as a deck.").arg(file),
                                8000);
     } catch (const std::exception& error) {
       desktop::show_message(this, QString::fromUtf8(error.what()), true);

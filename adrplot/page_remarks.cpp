@@ -114,8 +114,7 @@ void tell_life(ChartPage& chart, const SolFile& file, const PageSpec& page, cons
                                "that step are not included.",
                                life, start ? "at step 0" : "at a step before the first step shown")
                  : fmt::format(
-                       "Fatigue life {} is constant in {}: it was computed once, and loads after "
-                       "that are not included.",
+                       "Fatigue life {} is constant in {}: it was computed once, and later loads are not included.",
                        life, file.part ? "these steps" : "this file"));
   }
 }
@@ -226,7 +225,7 @@ std::string aliasing_note(const SolFile& file, const PageContext& context) {
     return fmt::format("Aliased: the fastest contact vibration is {}, but steps are stored at {}",
                        fastest, rate);
   return fmt::format(
-      "Aliased: the fastest contact vibration is {}, but only one of every {} is drawn (at {})",
+      "Aliased: the fastest contact vibration is {}, but only one of every {} is drawn (rate {})",
       fastest, counted(file.every, "step"), rate);
 }
 

@@ -339,7 +339,7 @@ void set_initial_spectrum_view(ChartPage& chart, SpectrumScale scale, Domain dom
   }
   if (beyond > 0.0)
     add_note(chart,
-             fmt::format("Lines outside the initial view are at most {} % of the maximum (at {}).",
+             fmt::format("Highest line outside the initial view: {} % of the maximum, at {}.",
                          desktop::pretty_number(100.0 * beyond, 2),
                          desktop::pretty_quantity(at, chart.x_unit, 3)));
 }

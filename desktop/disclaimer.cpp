@@ -20,8 +20,7 @@ DisclaimerDialog::DisclaimerDialog(const QString& program, QWidget* parent) : QD
                     "fitness for a particular purpose.</p><p>Bearing failures can have serious "
                     "consequences. Check every result against experience, tests or a second method "
                     "before you rely on it.</p><p>Adore is an <b>independent implementation</b>. "
-                    "It is not affiliated with, endorsed by or derived from the code of the owner "
-                    "of the classic program whose file formats it reads.</p>"),
+                    "It is not affiliated with or endorsed by the owner of the classic program whose file formats it reads, and it is not derived from the code of that program.</p>"),
                  this);
   text->setWordWrap(true);
   auto* buttons = new QDialogButtonBox(this);
