@@ -47,7 +47,8 @@ deck::RecordData record_in(const Json& json) {
   deck::RecordData record;
   record.id = json.at("id").get<std::string>();
   if (deck::find_record(record.id) == nullptr)
-    throw InputError("the file contains a record that is unknown in this version of AdrInput: " + record.id);
+    throw InputError("the file contains a record that is unknown in this version of AdrInput: " +
+                     record.id);
   record.instance = json.at("instance").get<int>();
   record.line = json.at("line").get<int>();
   for (const Json& list : json.at("values")) {

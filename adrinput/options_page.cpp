@@ -138,8 +138,8 @@ void Document::find_option_problems() {
   if (!option_file_.problem().empty()) {
     issue.message = "the option file in the folder of the deck " + option_file_.problem();
     issue.remedy =
-        "correct the file in an editor, or change an option here and save the deck (the old file is kept as "
-        "ADORE.json.bak)";
+        "correct the file in an editor, or change an option here and save the deck (the old file "
+        "is kept as ADORE.json.bak)";
     add_problem(issue);
   }
   for (const std::string& name : option_file_.strange()) {

@@ -76,12 +76,12 @@ QString headline_of(const runs::RunOutcome& outcome) {
   switch (outcome.status) {
     case runs::RunStatus::Done:
       // A message reports that the run was already complete.
-      return text_of(
-          "Done: " + (message.empty() ? done : message) +
-          (outcome.missed_end > 0.0
-               ? fmt::format(" The run stopped after maxStps steps, before its end time of {:.6g} s (fTime).",
-                             outcome.missed_end)
-               : ""));
+      return text_of("Done: " + (message.empty() ? done : message) +
+                     (outcome.missed_end > 0.0
+                          ? fmt::format(" The run stopped after maxStps steps, before its end time "
+                                        "of {:.6g} s (fTime).",
+                                        outcome.missed_end)
+                          : ""));
     case runs::RunStatus::Interrupted:
       return text_of(
           "Cancelled. The files are valid up to the last stored step. " +

@@ -324,14 +324,16 @@ const std::vector<StudyTableSpec>& study_tables() {
          kWithLaw},
         {"Limits", "Limits that truncate a normal distribution: low, high", kSampled},
         {"Lots",
-         "Correlation (0 to 1) of the values within one production lot, for names with # (one value for each element)",
+         "Correlation (0 to 1) of the values within one production lot, for names with # (one "
+         "value for each element)",
          kSampled},
         {"Link", "Other deck variables that get the same value, e.g. A; B", kWithLaw},
         {"Step", "Step of the central difference, in deck units (default: 0.1 % of the value)",
          only(Kind::Sensitivity)}}},
       {"correlation",
        "Correlation",
-       "Correlation between two random variables (for elements of one production lot, use the column \"Lots\")",
+       "Correlation between two random variables (for elements of one production lot, use the "
+       "column \"Lots\")",
        kSampled & ~only(Kind::WorstCase),
        {{"First", "Name of a variable of the study"},
         {"Second", "Name of a variable of the study"},

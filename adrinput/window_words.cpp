@@ -30,7 +30,8 @@ constexpr std::pair<std::string_view, std::string_view> kWords[]{
     {"adore run --verify estimates", "Accuracy (F9) estimates"},
     {"give only one --set with a range", "enter only one range"},
     {"; for the quasi-static solution only, use --set mode=-1",
-     "; for the quasi-static solution only, press \"Run quasi-static now\" (F6), or enter mode = -1"},
+     "; for the quasi-static solution only, press \"Run quasi-static now\" (F6), or enter mode = "
+     "-1"},
     {" with --user PLUG-IN", " on the command line with `adore run --user PLUG-IN`"},
     {" of --user ", " of `adore run --user` "},
     {"give --over-budget", "press \"Run anyway\""},

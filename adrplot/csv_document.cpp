@@ -86,7 +86,8 @@ Table read_table(const std::filesystem::path& path) {
   };
   if (first.size() < 2) throw refuse("the file has only one column");
   if (first.size() > kMaxColumns)
-    throw refuse(fmt::format("the file has {} columns, but at most {} are possible", first.size(), kMaxColumns));
+    throw refuse(fmt::format("the file has {} columns, but at most {} are possible", first.size(),
+                             kMaxColumns));
   Table out;
   const bool numbers = std::all_of(first.begin(), first.end(), [](const std::string& text) {
     return std::isfinite(number(text));

@@ -170,7 +170,8 @@ int main(int argc, char** argv) {
       ->type_name("BAND");
   command_line::one_of(
       cli.add_option("--orders-of", orders_of,
-                     "part whose revolutions define the orders (default: shaft; without this option, envelope spectra have a frequency axis in Hz)")
+                     "part whose revolutions define the orders (default: shaft; without this "
+                     "option, envelope spectra have a frequency axis in Hz)")
           ->type_name("PART"),
       {"shaft", "cage", "element"});
   // An existing window accepts only files.

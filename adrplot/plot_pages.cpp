@@ -146,7 +146,7 @@ std::vector<PageSpec> element_pages(const SolHeader& header) {
   slip.panels.push_back(both_races("Lubricant film", "contact.film"));
   if (!ball) {
     slip.note += slip.note.empty() ? "" : " ";
-    slip.note += "Slip velocity: largest value of all slices (jumps when the slice changes).";
+    slip.note += "Slip velocity: largest value of all slices (jumps when another slice has it).";
   }
   pages.push_back(std::move(slip));
 

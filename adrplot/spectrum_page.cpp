@@ -282,7 +282,8 @@ void note_spectrum_lines(ChartPage& chart, const std::vector<double>& distances,
   const auto [low, high] = std::minmax_element(distances.begin(), distances.end());
   std::string apart = desktop::pretty_quantity(*low, chart.x_unit, 3);
   if (*high > 1.001 * *low) apart += " to " + desktop::pretty_quantity(*high, chart.x_unit, 3);
-  const char* over = options.scale == SpectrumScale::Relative  ? "1 is the maximum of the curve. "
+  const char* over = options.scale == SpectrumScale::Relative
+                         ? "Amplitude 1 is the maximum of the curve. "
                      : options.scale == SpectrumScale::Decibel ? "Level of the amplitude. "
                                                                : "";
   add_note(chart, fmt::format("{}{}, mean removed, line spacing {}.", over,
