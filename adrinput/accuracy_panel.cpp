@@ -77,9 +77,10 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   budget_ = number(tr("time limit"), "accuracy-budget", 120.0, 1.0, 100000.0, " s");
   revolutions_box_ = number(tr("run length"), "accuracy-turns", studies::AccuracyRequest().turns,
                             0.1, 10000.0, tr(" rev"));
-  revolutions_box_->setToolTip(tr(
-      "Simulated shaft revolutions of the runs that compare the best settings (fewer if the time "
-      "limit is reached). The first round compares all settings in shorter runs (see the table)."));
+  revolutions_box_->setToolTip(
+      tr("Shaft revolutions simulated in each run of the second round, which compares the best "
+         "settings. The time limit can reduce this number. The first round compares all settings "
+         "in shorter runs."));
   row->addStretch();
   layout->addLayout(row);
   row = new desktop::FlowLayout;  // two short rows: one long one would widen the whole window
@@ -90,8 +91,8 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   apply_ = button(tr("Apply to deck"), "apply-accuracy",
                   tr("Set the recommended values in this deck"), &AccuracyPanel::applyRequested);
   note_ = new QLabel(
-      tr("Runs this deck with different integrators, tolerances and maximum steps, and compares "
-         "error and computing time (as `adore accuracy` does). Writes no files."),
+      tr("The study runs this deck with different integrators, tolerances and maximum steps, and "
+         "compares their errors and computing times (like `adore accuracy`). It writes no files."),
       this);
   note_->setObjectName("study-note");
   note_->setWordWrap(true);

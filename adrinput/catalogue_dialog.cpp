@@ -88,7 +88,7 @@ CatalogueDialog::CatalogueDialog(QWidget* parent)
   fields->addLayout(published);
   fields->addLayout(operating);
   candidates_->setObjectName("candidates");
-  candidates_->setAccessibleName(tr("Internal geometries that agree with the published facts"));
+  candidates_->setAccessibleName(tr("Internal geometries that agree with the published values"));
   candidates_->setMaximumHeight(6 * fontMetrics().lineSpacing());
   candidates_->hide();
   description_label_->setObjectName("story");
@@ -135,7 +135,7 @@ std::optional<design::BearingFacts> CatalogueDialog::publishedFacts() const {
     if (value && !(*value > 0.0))
       throw InputError("published values must be above 0. Enter a positive number");
   if (count && (*count > kMaxElements || *count != std::floor(*count)))
-    throw InputError("the number of elements must be a whole number up to 400");
+    throw InputError("the number of elements must be an integer from 1 to 400");
   if (count) out.count = static_cast<int>(*count);
   if (out.C) *out.C *= kKilonewton;
   if (out.C0) *out.C0 *= kKilonewton;

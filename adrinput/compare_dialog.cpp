@@ -76,7 +76,7 @@ void CompareDialog::sync() {
   if (labels > 0)
     text += tr("; %1 (no effect on a run)")
                 .arg(counted(labels, tr("record label differs"), tr("record labels differ")));
-  text += tr(". \"Here\" is the deck in the window, \"there\" is %1.").arg(other_deck_name_);
+  text += tr(". \"Here\" is the deck in the window, and \"there\" is %1.").arg(other_deck_name_);
   summary_->setText(text);
   include_labels_box_->setEnabled(labels > 0);
 

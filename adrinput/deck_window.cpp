@@ -324,9 +324,10 @@ QWidget* DeckWindow::makeButtons() {
   row->addWidget(
       button(tr("&Next Rec"), "next", tr("Next record (Page Down)"), &DeckWindow::nextRecord));
   row->addStretch();
-  row->addWidget(button(tr("Run &quasi-static now"), "run-statics",
-                        tr("Equilibrium, contacts, stiffness and life of this deck (F6)"),
-                        &DeckWindow::runQuasiStatic));
+  row->addWidget(
+      button(tr("Run &quasi-static now"), "run-statics",
+             tr("Compute equilibrium, contacts, stiffness and fatigue life for this deck (F6)"),
+             &DeckWindow::runQuasiStatic));
   row->addWidget(
       button(tr("R&un"), "run-deck", tr("Save the deck and run it (F7)"), &DeckWindow::runDeck));
   row->addWidget(button(tr("Save && E&xit"), "save-exit", tr("Save the deck and close AdrInput"),

@@ -288,9 +288,8 @@ void DeckWindow::makeToolBar() {
   bar->addAction(undo_);
   bar->addAction(redo_);
   bar->addSeparator();
-  button(tr("Plan"), tr("Effects that this deck simulates, with reasons (F5)"),
-         &DeckWindow::showPlan);
-  button(tr("Quasi-static"), tr("Equilibrium, contacts and life (F6)"),
+  button(tr("Plan"), tr("List the simulated effects, with reasons (F5)"), &DeckWindow::showPlan);
+  button(tr("Quasi-static"), tr("Compute equilibrium, contacts and fatigue life (F6)"),
          &DeckWindow::runQuasiStatic);
   button(tr("Run"), tr("Save the deck and run it (F7)"), &DeckWindow::runDeck);
   button(tr("Accuracy"), tr("Compare integrators, tolerances and step sizes for this deck (F9)"),
@@ -391,7 +390,7 @@ void DeckWindow::saveDraft() {
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
     try {
       document_.save_draft(file.toStdString());
-      statusBar()->showMessage(tr("Saved as draft %1. Save it as a deck to run it.").arg(file),
+      statusBar()->showMessage(tr("Saved as draft %1. To run it, save it as a deck.").arg(file),
                                8000);
     } catch (const std::exception& error) {
       desktop::show_message(this, QString::fromUtf8(error.what()), true);

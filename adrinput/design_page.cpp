@@ -85,7 +85,7 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
   move->setAutoDefault(true);
   auto* records = new QPushButton(tr("Al&l records"), this);
   records->setObjectName("design-records");
-  records->setToolTip(tr("All values of the same deck in the record forms"));
+  records->setToolTip(tr("Show all values of this deck in the record forms"));
   records->setAutoDefault(true);
   connect(move, &QPushButton::clicked, this, &DesignPage::convertToDynamicDeck);
   connect(records, &QPushButton::clicked, this, &DesignPage::recordsRequested);

@@ -354,7 +354,7 @@ void Document::find_problems() {
     const deck::VariableSpec& variable = *variable_of(cell);
     deck::NumberProblem problem = parse(cell, typed).problem;
     if (!problem)  // of a session that was cut off
-      problem = {"was typed but not accepted yet", "press Enter in its field"};
+      problem = {"the typed value is not accepted yet", "press Enter in its field"};
     Issue issue;
     issue.record = cell.record;
     issue.variable = variable.name;

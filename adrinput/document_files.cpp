@@ -221,8 +221,8 @@ void Document::save(const fs::path& name) {
       Issue issue;
       issue.record = back.deck.records == plain.records ? "12" : "";
       issue.message = issue.record.empty()
-                          ? "a title or label would differ when the saved deck is read again"
-                          : "the lines of user routines would differ when the saved deck is read "
+                          ? "a title or label would change when the saved deck is read again"
+                          : "the lines of user routines would change when the saved deck is read "
                             "again: the first line looks like a record, or a line is blank";
       issue.remedy = "change that text";
       reasons.push_back(std::move(issue));

@@ -47,7 +47,8 @@ deck::RecordData record_in(const Json& json) {
   deck::RecordData record;
   record.id = json.at("id").get<std::string>();
   if (deck::find_record(record.id) == nullptr)
-    throw InputError("the file contains a record that is unknown in this version: " + record.id);
+    throw InputError("the file contains a record that is unknown in this version of AdrInput: " +
+                     record.id);
   record.instance = json.at("instance").get<int>();
   record.line = json.at("line").get<int>();
   for (const Json& list : json.at("values")) {
@@ -56,7 +57,7 @@ deck::RecordData record_in(const Json& json) {
   }
   if (record.values.size() != deck::find_record(record.id)->variables.size())
     throw InputError("record " + record.id +
-                     " has a different number of variables in this version");
+                     " has a different number of variables in this version of AdrInput");
   for (const Json& at : json.at("defaulted"))
     record.defaulted.push_back({at.at(0).get<std::size_t>(), at.at(1).get<std::size_t>()});
   return record;

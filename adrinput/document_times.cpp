@@ -126,7 +126,7 @@ TypedValue Document::parse(const Cell& cell, std::string_view text) const {
   if (turns && now->turns_per_second == 0.0)
     return {{},
             {"is in revolutions, but both races rotate at the same speed",
-             "enter it in s or as a multiple of the time scale"}};
+             "enter the value in s or as a multiple of the time scale"}};
   if (turns) seconds = angle / (2.0 * kPi) / now->turns_per_second;
   double value = 0.0;
   const deck::NumberProblem problem = deck::parse_quantity(

@@ -15,11 +15,11 @@ MotionAssumptionsDialog::MotionAssumptionsDialog(const std::vector<std::string>&
   setObjectName("moving");
   desktop::delete_when_done(*this);
   setWindowTitle(tr("Make it move"));
-  QString html = tr("<p>The deck becomes a simulation of motion with these assumptions:</p>") +
+  QString html = tr("<p>The deck will simulate motion with these assumptions:</p>") +
                  "<ul style='margin-left:0'>";
   for (const std::string& one : assumptions)
     html += "<li>" + QString::fromStdString(one).toHtmlEscaped() + "</li>";
-  html += "</ul>" + tr("<p>You can change all of them in the records. Undo with Ctrl+Z.</p>");
+  html += "</ul>" + tr("<p>You can change all assumptions in the records. Undo with Ctrl+Z.</p>");
   auto* text = new QLabel(html, this);
   text->setObjectName("assumptions");
   text->setTextFormat(Qt::RichText);

@@ -136,14 +136,14 @@ void Document::find_option_problems() {
   issue.severity = Severity::Warning;
   issue.record = kOptionsPage;
   if (!option_file_.problem().empty()) {
-    issue.message = "the option file next to the deck " + option_file_.problem();
+    issue.message = "the option file in the folder of the deck " + option_file_.problem();
     issue.remedy =
-        "correct the file in an editor, or change an option here and save (the old file is kept as "
-        "ADORE.json.bak)";
+        "correct the file in an editor, or change an option here and save the deck (the old file "
+        "is kept as ADORE.json.bak)";
     add_problem(issue);
   }
-  for (const std::string& name : option_file_.unknown_names()) {
-    issue.message = "the option file next to the deck: " + runs::unknown_name_text(name);
+for (const std::string& name : option_file_.unknown_names()) {
+    issue.message = "the option file in the folder of the deck: " + runs::unknown_name_text(name);
     issue.remedy = "correct the file in an editor; until then, runs of this deck are rejected";
     add_problem(issue);
   }

@@ -156,7 +156,7 @@ QToolButton* RecordPage::makeEffectsButton(const Cell& cell) {
       if (!names.contains(QString::fromStdString(name))) names << QString::fromStdString(name);
     names.sort();
     if (names.isEmpty())
-      menu->addAction(tr("No effects to switch off: the deck has errors or no motion"))
+      menu->addAction(tr("No effects can be switched off: the deck has errors or no motion"))
           ->setEnabled(false);
     for (const QString& name : names) {
       QAction* action = menu->addAction(tr("without %1").arg(name));

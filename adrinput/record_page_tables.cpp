@@ -103,7 +103,7 @@ void RecordPage::addUserLines(QVBoxLayout* layout) {
   });
   finish(user_lines_edit_);
   layout->addWidget(make_text_label(
-      "User routines read these lines from the end of the deck. Blank lines are removed. "
+      "User routines read these lines, which are at the end of the deck. Blank lines are removed. "
       "Leave the field empty if the deck has no user routines.",
       desktop::current_theme().muted, this));
   layout->addWidget(user_lines_edit_);

@@ -76,12 +76,12 @@ QString headline_of(const runs::RunOutcome& outcome) {
   switch (outcome.status) {
     case runs::RunStatus::Done:
       // A message reports that the run was already complete.
-      return text_of(
-          "Done: " + (message.empty() ? done : message) +
-          (outcome.missed_end > 0.0
-               ? fmt::format(" The run reached maxStps steps before its end at {:.6g} s (fTime).",
-                             outcome.missed_end)
-               : ""));
+      return text_of("Done: " + (message.empty() ? done : message) +
+                     (outcome.missed_end > 0.0
+                          ? fmt::format(" The run stopped after maxStps steps, before its end time "
+                                        "of {:.6g} s (fTime).",
+                                        outcome.missed_end)
+                          : ""));
     case runs::RunStatus::Interrupted:
       return text_of(
           "Cancelled. The files are valid up to the last stored step. " +
@@ -283,7 +283,7 @@ void RunPanel::show(const RunEnd& end) {
             ? tr("The run stopped at %1 %: %2").arg(100 * bar_->value() / kBarSteps).arg(reason)
             : tr("The deck was not run: %1").arg(reason);
     if (has_stored_steps_ && since.moved)
-      headline_ += tr(" The results stored until then can be opened.");
+      headline_ += tr(" The results stored before the stop can be opened.");
   }
   view_->setVisible(!view_->toPlainText().isEmpty());
   showNote();

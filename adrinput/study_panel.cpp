@@ -52,14 +52,15 @@ StudyPanel::StudyPanel(StudyDocument& document, QWidget* parent)
     return push;
   };
   auto* grid = new QGridLayout;
-  plan_ = button(tr("&Plan"), "study-plan",
-                 tr("Save the study, make up to three pilot runs, and estimate the number of runs, "
-                    "computing time and disk space (F5)"));
+  plan_ =
+      button(tr("&Plan"), "study-plan",
+             tr("Save the study, compute up to three pilot runs, and estimate the number of runs, "
+                "computing time and disk space (F5)"));
   start_ = button(tr("&Run"), "study-run",
-                  tr("Save the study and make all runs that have no result yet (F7)"));
+                  tr("Save the study and start all runs that have no result yet (F7)"));
   cancel_ = button(
       tr("&Cancel"), "study-cancel",
-      tr("Stop the active runs. Finished runs are kept. \"Resume\" makes the remaining runs."));
+      tr("Stop the active runs. Finished runs are kept. \"Resume\" starts the remaining runs."));
   results_ = button(tr("Res&ults"), "study-results", tr("Open the charts of the study in AdrPlot"));
   retry_ = button(tr("Retr&y failed"), "study-retry", tr("Repeat the failed runs"));
   over_budget_button_ =
@@ -179,7 +180,7 @@ void StudyPanel::startPlan() {
   over_budget_study_.clear();
   view_->clear();
   bar_->setRange(0, 0);
-  note_->setText(tr("Making up to three pilot runs …"));
+  note_->setText(tr("Computing up to three pilot runs …"));
   run_.plan(request());
   enableButtons();
 }
@@ -232,7 +233,7 @@ void StudyPanel::show(const StudyEnd& end) {
         text_of(studies::outcome_text(*end.outcome)) +
         (end.outcome->complete
              ? QString()
-             : tr("\nCancelled. Finished runs are kept. \"Resume\" makes the remaining runs.")));
+             : tr("\nCancelled. Finished runs are kept. \"Resume\" starts the remaining runs.")));
     if (end.outcome->runs > 0)
       bar_->setValue(static_cast<int>(kStudyBarSteps * end.outcome->done / end.outcome->runs));
   }
@@ -270,7 +271,7 @@ void StudyPanel::showStatus() {
                                        status.runs, status.failed,
                                        status.at_work ? "Another program is running the study."
                                        : complete_    ? "The study is complete."
-                                                      : "\"Resume\" makes the remaining runs.")));
+                                                      : "\"Resume\" starts the remaining runs.")));
     std::string failures;
     for (const std::string& text : status.diagnoses) failures += replace_cli_terms(text) + "\n";
     view_->setPlainText(text_of(failures));

@@ -112,7 +112,7 @@ StudyWindow::StudyWindow(QWidget* parent) : QMainWindow(parent) {
     if (document_.comments_lost())
       statusBar()->showMessage(
           tr("This change removed the comments after values and in lists. Undo restores them. To "
-             "keep comments, edit the text in the tab File."));
+             "keep comments, edit the text in the tab \"File\"."));
     study_panel_->changed();
     if (!store_timer_->isActive()) store_timer_->start();
   };
@@ -127,7 +127,7 @@ StudyWindow::~StudyWindow() {
 void StudyWindow::addKindActions(QMenu& menu, const std::function<void(const QString&)>& chosen) {
   constexpr std::array<const char*, studies::kKinds> kWhat{
       "Sweep — grids, lists and samples",
-      "Part tolerances — their effect (Monte Carlo)",
+      "Part tolerances — effect on the results (Monte Carlo)",
       "Cage map — regions where the cage rests, whirls or moves irregularly",
       "Sensitivity — derivatives of all quantities with respect to all variables",
       "Worst case — within given ranges",
@@ -315,10 +315,11 @@ void StudyWindow::withSavedStudy(std::function<void()> then) {
   if (study_panel_->busy()) return;
   study_panel_->checkNow();
   if (!study_panel_->finding().problem.empty())
-    return desktop::show_message(this,
-                                 tr("The study has an error. Press F8 to go to the field.\n\n%1")
-                                     .arg(text_of(study_panel_->finding().problem)),
-                                 true);
+    return desktop::show_message(
+        this,
+        tr("The study has an error. Press F8 to go to the field with the error.\n\n%1")
+            .arg(text_of(study_panel_->finding().problem)),
+        true);
   if (document_.modified()) return saveTo(document_.path(), std::move(then));
   then();
 }
@@ -344,7 +345,7 @@ void StudyWindow::confirmLeave(std::function<void()> then) {
     auto* box =
         new QMessageBox(QMessageBox::Warning, "AdrInput",
                         tr("The study is running. Closing the window stops the active runs. "
-                           "Finished runs are kept. \"Resume\" makes the remaining runs."),
+                           "Finished runs are kept. \"Resume\" starts the remaining runs."),
                         QMessageBox::Cancel, this);
     box->setDefaultButton(QMessageBox::Cancel);
     box->setObjectName("running");

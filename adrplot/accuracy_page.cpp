@@ -150,8 +150,8 @@ desktop::ChartPage page_of(const nlohmann::json& rows, const std::string& title,
   page.note = "Each point is a completed run. The best runs are at the bottom left.";
   if (const std::string tolerances = tolerances_of(rows); !tolerances.empty())
     page.note += fmt::format(
-        " Each point of a method is one tolerance ({}), usually in this order from left to right. "
-        "The study table lists them.",
+        " Each point of a method has one tolerance ({}), usually in this order from left to right "
+        "(see the study table).",
         tolerances);
   page.x_title = "Computing time";
   page.x_unit = "s";

@@ -45,7 +45,7 @@ BandDialog::BandDialog(const PassBand& band, QWidget* parent) : QDialog(parent) 
     high_frequency_box_->setEnabled(!automatic);
     ok->setEnabled(automatic || high_frequency_box_->value() > low_frequency_box_->value());
     ok->setToolTip(ok->isEnabled() ? QString()
-                                   : tr("Enter an upper frequency above the lower one."));
+                                   : tr("Enter an upper frequency above the lower frequency."));
   };
   connect(automatic_check_box_, &QCheckBox::toggled, this, check);
   connect(low_frequency_box_, &QDoubleSpinBox::valueChanged, this, check);

@@ -86,7 +86,8 @@ Table read_table(const std::filesystem::path& path) {
   };
   if (first.size() < 2) throw refuse("the file has only one column");
   if (first.size() > kMaxColumns)
-    throw refuse(fmt::format("{} columns are too many (at most {})", first.size(), kMaxColumns));
+    throw refuse(fmt::format("the file has {} columns, but at most {} are possible", first.size(),
+                             kMaxColumns));
   Table out;
   const bool numbers = std::all_of(first.begin(), first.end(), [](const std::string& text) {
     return std::isfinite(number(text));
@@ -109,7 +110,7 @@ Table read_table(const std::filesystem::path& path) {
     return std::count_if(c.values.begin(), c.values.end(),
                          [](double v) { return std::isfinite(v); }) > 1;
   });
-  if (many < 2) throw refuse("fewer than two columns have numbers");
+  if (many < 2) throw refuse("fewer than two columns contain numbers");
   return out;
 }
 

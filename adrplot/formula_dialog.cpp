@@ -40,7 +40,7 @@ FormulaDialog::FormulaDialog(const std::vector<const PlotDocument*>& files,
   formula_ = field(tr("&Formula"), "formula", "sqrt(a^2 + b^2)");
   unit_ = field(tr("&Unit"), "unit", "N");
   column->addLayout(form);
-  column->addWidget(new QLabel(tr("Channels: double-click to use one in the formula."), this));
+  column->addWidget(new QLabel(tr("Double-click a channel to use it in the formula."), this));
   tree_ = new ChannelTree(this);
   tree_->fill(files);
   column->addWidget(tree_, 3);

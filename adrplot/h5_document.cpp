@@ -196,10 +196,13 @@ class H5Pages {
     set_axis(chart, motion, every, options);
     add_curves(chart, page, channel, values_of(channel, every));
     if (every > asked_every_)
-      add_note(chart, fmt::format("Shown: one of every {}; peaks between them are missing.",
-                                  counted(every, "stored step")));
+      add_note(chart,
+               fmt::format("Shown: one of every {}; peaks between the shown steps are missing.",
+                           counted(every, "stored step")));
     if (!channel.known)
-      add_note(chart, "This version does not know the channel. Label and unit are from the file.");
+      add_note(
+          chart,
+          "This version of AdrPlot does not know the channel. Label and unit are from the file.");
     show_domain(chart, motion, options);
     return chart;
   }

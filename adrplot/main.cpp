@@ -165,13 +165,13 @@ int main(int argc, char** argv) {
           ->type_name("WHAT"),
       {"time", "speed"});
   cli.add_option("--band", band,
-                 "frequencies of an envelope in Hz, LOW:HIGH (default: the band with the most "
+                 "frequency band of an envelope in Hz, LOW:HIGH (default: the band with the most "
                  "impulsive vibration, or else the strongest modulation)")
       ->type_name("BAND");
   command_line::one_of(
       cli.add_option("--orders-of", orders_of,
-                     "part whose revolutions orders refer to (default: shaft; envelopes without "
-                     "this option have a frequency in Hz)")
+                     "part whose revolutions define the orders (default: shaft; without this "
+                     "option, envelope spectra have a frequency axis in Hz)")
           ->type_name("PART"),
       {"shaft", "cage", "element"});
   // An existing window accepts only files.

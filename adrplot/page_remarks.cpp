@@ -113,10 +113,9 @@ void tell_life(ChartPage& chart, const SolFile& file, const PageSpec& page, cons
                  ? fmt::format("Fatigue life {} was computed only {} (kLifeFreq = 0). Loads after "
                                "that step are not included.",
                                life, start ? "at step 0" : "at a step before the first step shown")
-                 : fmt::format(
-                       "Fatigue life {} is constant in {}: it was computed once, and loads after "
-                       "that are not included.",
-                       life, file.part ? "these steps" : "this file"));
+                 : fmt::format("Fatigue life {} is constant in {}: it was computed once, and later "
+                               "loads are not included.",
+                               life, file.part ? "these steps" : "this file"));
   }
 }
 
@@ -226,7 +225,7 @@ std::string aliasing_note(const SolFile& file, const PageContext& context) {
     return fmt::format("Aliased: the fastest contact vibration is {}, but steps are stored at {}",
                        fastest, rate);
   return fmt::format(
-      "Aliased: the fastest contact vibration is {}, but only one of every {} is drawn (at {})",
+      "Aliased: the fastest contact vibration is {}, but only one of every {} is drawn (rate {})",
       fastest, counted(file.every, "step"), rate);
 }
 
@@ -236,7 +235,7 @@ void note_speed_ratios(ChartPage& chart, const SolFile& file, const PageSpec& pa
     const std::string& column = panel.curves.front().column;
     if (column != "cage.whirl_ratio" && column != "cage.speed_ratio") continue;
     if (has_reversals(file)) {
-      add_note(chart, panel.title + ": divided by the speed of a race, which passes through 0.");
+      add_note(chart, panel.title + ": divided by a race speed that passes through 0.");
       continue;
     }
     const auto speeds = race_speeds(file, context);

@@ -146,7 +146,7 @@ std::vector<PageSpec> element_pages(const SolHeader& header) {
   slip.panels.push_back(both_races("Lubricant film", "contact.film"));
   if (!ball) {
     slip.note += slip.note.empty() ? "" : " ";
-    slip.note += "Slip velocity: largest value of all slices (jumps when the slice changes).";
+    slip.note += "Slip velocity: largest value of all slices (jumps when another slice has it).";
   }
   pages.push_back(std::move(slip));
 
@@ -168,20 +168,20 @@ std::vector<PageSpec> element_pages(const SolHeader& header) {
   if (!ball && header.outer_flange) flanges("Outer race flange interactions", "outer");
   if (!ball && header.inner_flange) flanges("Inner race flange interactions", "inner");
   if (columns.has("second_contact.load.inner")) {  // behind the manual's pages
-    const std::string note = "0: no contact there, or the race is not split.";
+    const std::string note = "0: no contact on this half, or the race is not split.";
     const auto panel = [](const char* title, const std::string& quantity) {
       return both_races(title, "second_contact." + quantity);
     };
-    pages.push_back(history("Other half of a split race 1: load and angle",
+    pages.push_back(history("Other half of a split race (1): load and angle",
                             {panel("Contact load", "load"), panel("Contact angle", "angle"),
                              panel("Spin/roll", "spin_to_roll")},
                             note));
-    pages.push_back(history("Other half of a split race 2: slip and film",
+    pages.push_back(history("Other half of a split race (2): slip and film",
                             {panel("Slip velocity", "slip"), panel("Load × slip", "load_slip"),
                              panel("Lubricant film", "film")},
                             note));
     pages.push_back(
-        history("Other half of a split race 3: heat and temperature",
+        history("Other half of a split race (3): heat and temperature",
                 {panel("Heat generation", "heat"), panel("Contact temp. rise", "temperature_rise"),
                  panel("Race contact temp.", "temperature")},
                 note));

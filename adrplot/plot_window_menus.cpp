@@ -113,13 +113,13 @@ void PlotWindow::makeMenus() {
   makeChartMenu(menuBar()->addMenu(tr("&Chart")));
   desktop::add_help_menu(
       *this, "AdrPlot", tr("AdrPlot plots the results of Adore."),
-      {{tr("Page Up, Page Down"), tr("previous, next page")},
+      {{tr("Page Up, Page Down"), tr("previous or next page")},
        {tr("Ctrl+G"), tr("go to a page by number")},
        {tr("F5"), tr("reload the file")},
        {tr("wheel"), tr("zoom the horizontal axis (Ctrl: vertical axis; orbits: both axes)")},
        {tr("drag"), tr("move the curves; with Shift: zoom to a box")},
        {tr("double click, Home"), tr("show all")},
-       {tr("Alt+Left, Alt+Right"), tr("previous, next view")},
+       {tr("Alt+Left, Alt+Right"), tr("previous or next view")},
        {tr("click a panel"), tr("use the first curve of the panel for spectrograms")},
        {tr("drag a name in a legend or the title of a panel"),
         tr("move the curves to another panel, or to a new one")},
@@ -127,17 +127,17 @@ void PlotWindow::makeMenus() {
        {tr("Ctrl+T"), tr("statistics table")},
        {tr("click a name in a legend"), tr("show or hide the curve")},
        {tr("Ctrl+click or drag, Ctrl+Shift+click or drag"),
-        tr("set or move cursor A, B (Esc removes both cursors)")},
+        tr("set or move cursor A or B (Esc removes both cursors)")},
        {tr("Tab"), tr("focus the chart for the keys below (a frame shows the focus)")},
-       {tr("+ or =, -"), tr("zoom in, out at the current point or the center")},
+       {tr("+ or =, -"), tr("zoom in or out at the current point or the center")},
        {tr("Left, Right"), tr("move by a tenth of the visible range")},
        {tr("Shift+Left, Shift+Right"), tr("move by the whole visible range")},
        {tr("Up, Down"), tr("move an orbit or the enlarged values of a panel")},
-       {tr("Ctrl++, Ctrl+-"), tr("enlarge, reduce the values of a panel")},
-       {tr("Ctrl+Up, Ctrl+Down"), tr("select the panel for these keys (marked by a bar)")},
+       {tr("Ctrl++, Ctrl+-"), tr("enlarge or reduce the values of a panel")},
+       {tr("Ctrl+Up, Ctrl+Down"), tr("select the panel that keys act on (marked by a bar)")},
        {tr("Ctrl+Left, Ctrl+Right"),
-        tr("read the previous, next stored point; with Shift: move several points")},
-       {tr("A, B"), tr("place or remove cursor A, B at the current point")},
+        tr("read the previous or next stored point; with Shift: move several points")},
+       {tr("A, B"), tr("place or remove cursor A or B at the current point")},
        {tr("Z"), tr("zoom to the range between the cursors")},
        {tr("1 to 9"), tr("show or hide curve 1 to 9 of the legends")}});
 }
@@ -176,8 +176,8 @@ void PlotWindow::makeChartMenu(QMenu* menu) {
   choices(tr("Spectrogram: Vertical A&xis"), {tr("time"), tr("shaft speed")},
           [](PageOptions& o, int i) { o.spectrum.over_speed = i == 1; });
   choices(tr("Orders &Of"),
-          {tr("automatic (order spectrum: shaft; envelope: none, in Hz)"), tr("shaft"), tr("cage"),
-           tr("rolling element")},
+          {tr("automatic (order spectrum: shaft; envelope spectrum: in Hz)"), tr("shaft"),
+           tr("cage"), tr("rolling element")},
           [](PageOptions& o, int i) { o.spectrum.orders_of = static_cast<OrderReference>(i); });
   band_action_ = menu->addAction(tr("Envelope: &Band..."), this, &PlotWindow::askForBand);
   band_action_->setObjectName("band");
@@ -201,7 +201,7 @@ void PlotWindow::enableChoices(PageKind kind, const desktop::ChartPage& chart) {
   const QString not_of_steps = kind == PageKind::Chart
                                    ? tr("This page has its own horizontal axis.")
                                    : tr("This page has only one chart type.");
-  offer(abscissa_, steps && over_time, steps ? tr("Spectra use frequency.") : not_of_steps);
+  offer(abscissa_, steps && over_time, steps ? tr("Spectra have a frequency axis.") : not_of_steps);
   offer(domain_, steps, not_of_steps);
   const QString no_axes = chart.study        ? tr("Charts of a study have fixed axes.")
                           : chart.equal_axes ? tr("This page uses equal axis scales.")

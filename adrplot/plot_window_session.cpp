@@ -126,7 +126,7 @@ bool PlotWindow::openSession(const QString& path) {
     if (complete)
       addFormula(channel);
     else
-      missing << tr("Formula \"%1\": a file of its channels is missing")
+      missing << tr("Formula \"%1\": a file with one of its channels is missing")
                      .arg(QString::fromStdString(formula.title));
   }
   options_ = session.view;
@@ -150,7 +150,7 @@ bool PlotWindow::openSession(const QString& path) {
     if (!own->curves.empty()) addUserChart(std::move(own));
   }
   if (lost > 0)
-    missing << tr("%1 of the charts left out, because files or pages are missing")
+    missing << tr("%1 left out of the charts because files or pages are missing")
                    .arg(lost == 1 ? tr("1 curve") : tr("%1 curves").arg(lost));
   {
     const QSignalBlocker quiet_a(abscissa_), quiet_d(domain_);

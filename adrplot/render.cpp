@@ -119,7 +119,7 @@ std::vector<fs::path> draw_document(const PlotDocument& document, const std::str
   }
   const bool left_out = options.figure.is_for_print() || options.format != "png";
   if (left_out && options.tell && !written.empty() && !findings.empty())
-    options.tell(fmt::format("{}: the figures do not show {} of the run; the first: {}",
+    options.tell(fmt::format("{}: the figures do not show {} of the run. First finding: {}",
                              document.path.string(), counted(findings.size(), "finding"),
                              findings.front().message));
   return written;

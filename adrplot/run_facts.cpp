@@ -118,8 +118,8 @@ std::string prescribed_motion_note(const ValidColumns& columns, bool moments) {
   };
   if (moments) {
     if (!held("race.theta") || !held("race.phi") || !held("race.angular_velocity")) return {};
-    return "Direction and speed of the race are prescribed: these are reaction moments, not loads "
-           "of the deck.";
+    return "Direction and speed of the race are prescribed: the values are reaction moments, not "
+           "loads of the deck.";
   }
   std::string names;
   int count = 0;
@@ -132,8 +132,8 @@ std::string prescribed_motion_note(const ValidColumns& columns, bool moments) {
   if (const auto comma = names.rfind(", "); comma != std::string::npos)
     names.replace(comma, 2, " and ");
   return fmt::format(
-      "The position of the race is prescribed in {}: these are reaction forces, not loads of the "
-      "deck.",
+      "The position of the race is prescribed in {}: the values are reaction forces, not loads of "
+      "the deck.",
       names);
 }
 

@@ -230,11 +230,11 @@ void to_spectrogram(desktop::ChartPage& page, const RunMotion& motion,
   page.x_title = "Frequency";
   page.x_unit = "Hz";
   page.marks = marks_of(motion, steady, gram, rows);
-  std::string told = fmt::format(
-      "{} ({}) of {} each, line spacing {}; mean and trend of each are removed.",
-      capitalize_first(counted(gram.time.size(), "spectrum", "spectra")),
-      signal::window_name(options.window), desktop::pretty_quantity(gram.length, "s", 3),
-      desktop::pretty_quantity(gram.frequency.front(), "Hz", 3));
+  std::string told = fmt::format("{} ({}) of {} each, line spacing {}; mean and trend are removed.",
+                                 capitalize_first(counted(gram.time.size(), "spectrum", "spectra")),
+                                 signal::window_name(options.window),
+                                 desktop::pretty_quantity(gram.length, "s", 3),
+                                 desktop::pretty_quantity(gram.frequency.front(), "Hz", 3));
   if (options.over_speed && !rows.speed)
     told += steady
                 ? " The shaft speed is constant, so the axis is time."

@@ -282,7 +282,8 @@ void note_spectrum_lines(ChartPage& chart, const std::vector<double>& distances,
   const auto [low, high] = std::minmax_element(distances.begin(), distances.end());
   std::string apart = desktop::pretty_quantity(*low, chart.x_unit, 3);
   if (*high > 1.001 * *low) apart += " to " + desktop::pretty_quantity(*high, chart.x_unit, 3);
-  const char* over = options.scale == SpectrumScale::Relative  ? "1 is the maximum of the curve. "
+  const char* over = options.scale == SpectrumScale::Relative
+                         ? "Amplitude 1 is the maximum of the curve. "
                      : options.scale == SpectrumScale::Decibel ? "Level of the amplitude. "
                                                                : "";
   add_note(chart, fmt::format("{}{}, mean removed, line spacing {}.", over,
@@ -339,7 +340,7 @@ void set_initial_spectrum_view(ChartPage& chart, SpectrumScale scale, Domain dom
   }
   if (beyond > 0.0)
     add_note(chart,
-             fmt::format("Lines outside the initial view are at most {} % of the maximum (at {}).",
+             fmt::format("Highest line outside the initial view: {} % of the maximum, at {}.",
                          desktop::pretty_number(100.0 * beyond, 2),
                          desktop::pretty_quantity(at, chart.x_unit, 3)));
 }

@@ -49,7 +49,7 @@ PartRotation rotation_of(const RunMotion& motion, OrderReference part) {
     if (out.turns.empty() || out.turns.size() != motion.times.size())
       return none(
           "The speed of the shaft is not known, so there are no orders. It is read from result "
-          "files, and from a column of a table with the unit rpm.");
+          "files or from a table column with the unit rpm.");
   } else {
     const std::string label = out.part == "cage" ? "FTF" : "BSF";
     out.source = out.part == "cage" ? "element.orbital_position in RESULTS.h5"
@@ -64,10 +64,10 @@ PartRotation rotation_of(const RunMotion& motion, OrderReference part) {
   }
   for (std::size_t i = 1; i < out.turns.size(); ++i)
     if (!(out.turns[i] > out.turns[i - 1]))
-      return none(fmt::format(
-          "The {} does not rotate, or turns back, at {}, so there are no orders. Open steps with "
-          "rotation in one direction only.",
-          out.part, desktop::pretty_quantity(motion.times[i - 1], "s", 4)));
+      return none(
+          fmt::format("The {} stops or reverses at {}, so there are no orders. Open steps with "
+                      "rotation in one direction only.",
+                      out.part, desktop::pretty_quantity(motion.times[i - 1], "s", 4)));
   return out;
 }
 
@@ -110,8 +110,8 @@ SpectrumSamples SpectrumSource::envelope_of(SpectrumSamples of) const {
   }
   if (band_.high > nyquist * (1.0 + 1e-9))
     return none(
-        fmt::format("No envelope spectrum: the band, {}, exceeds {} (half of the rate of "
-                    "the steps). Enter a band below it.",
+        fmt::format("No envelope spectrum: the band, {}, exceeds {} (half of the sampling rate). "
+                    "Enter a band below this frequency.",
                     band_text(band_), hertz(nyquist)));
   if (band_.high - band_.low < kMinLines * spacing)
     return none(

@@ -238,8 +238,8 @@ void check_frames(const results::Sol8File& file, const std::string& name) {
   for (const auto& frame : file.frames)
     if (static_cast<int>(frame.elements.size()) != file.elements)
       throw InputError(fmt::format(
-          "{}: step {} has {} rolling elements, but the header says {}; the file is damaged", name,
-          frame.step, frame.elements.size(), file.elements));
+          "{}: step {} has {} rolling elements, but the header states {}; the file is damaged",
+          name, frame.step, frame.elements.size(), file.elements));
   if (!(file.geometry.pitch_diameter > 0.0) || !(file.geometry.element_radius > 0.0))
     throw InputError(name + " has no pitch diameter or rolling element size; the file is damaged");
 }
@@ -295,8 +295,8 @@ Animation finish(Animation animation) {
       animation.source += "; " + behind;
   } else {
     animation.source = curves_beside(animation)
-                           ? "SOL8: three digits, stored frames only; curves from SOL files"
-                           : "SOL8 only: three digits, stored frames only";
+                           ? "SOL8: three-digit values of stored frames; curves from SOL files"
+                           : "SOL8 only: three-digit values of stored frames";
     if (!animation.unused.empty()) animation.source += "; RESULTS.h5 is not used";
   }
   if (!animation.file.gaps.empty()) animation.source += "; " + animation.file.gaps;

@@ -186,8 +186,8 @@ int main(int argc, char** argv) {
                     ->needs(folder)
                     ->excludes(frame);
   auto* html = cli.add_option("--html", request.html,
-                              "page with the 3D scene to write in the folder of --render, which a "
-                              "browser plays: NAME.html (needs libjs-three)")
+                              "3D scene for a browser, written to the folder of --render: "
+                              "NAME.html (needs libjs-three)")
                    ->type_name("FILE")
                    ->needs(folder)
                    ->excludes(frame)

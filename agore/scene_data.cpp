@@ -205,7 +205,7 @@ std::string scene_data(const Animation& animation, const ViewOptions& view,
   out["title"] = run.empty() ? std::string("Bearing motion") : run;
   out["origin"] = fmt::format("{} · {}", speed_text(animation), animation.source);
   out["drawn"] = fmt::format(
-      "{}. {}Lengths in m, forces in N, pressures in Pa in the file.",
+      "{}. {}In the file, lengths are in m, forces in N, pressures in Pa.",
       animation.has_cage ? fmt::format("Radial clearances × {}", desktop::pretty_number(factor, 3))
                          : std::string("To scale"),
       every > 1 ? fmt::format("One in {} of the frames. ", every) : std::string());

@@ -51,10 +51,9 @@ std::pair<std::size_t, std::size_t> range_of(const Animation& animation,
   const auto frames = static_cast<int>(animation.exact);
   const int last = options.last > 0 ? std::min(options.last, frames) : frames;
   if (options.first < 1 || options.first > last)
-    throw InputError(
-        fmt::format("frames {} to {}: the file has frames 1 to {}. Enter a range "
-                    "within them.",
-                    options.first, options.last, frames));
+    throw InputError(fmt::format(
+        "frames {} to {}: the file has frames 1 to {}. Enter a range within these frames.",
+        options.first, options.last, frames));
   return {static_cast<std::size_t>(options.first - 1), static_cast<std::size_t>(last - 1)};
 }
 

@@ -67,8 +67,9 @@ ColorScaleChoice parse_color_scale(const std::string& name) {
   if (name == "usual") return {};
   if (name == "run") return {ColorScaleKind::Run, 0.0, 0.0};
   if (name == "moment") return {ColorScaleKind::Moment, 0.0, 0.0};
-  const InputError refusal("a color scale cannot be '" + name +
-                           "'; use usual, run, moment or two increasing limits such as 0:0.02");
+  const InputError refusal(
+      "a color scale cannot be '" + name +
+      "'; use \"usual\", \"run\", \"moment\" or two increasing limits such as 0:0.02");
   std::istringstream text(name);
   text.imbue(std::locale::classic());
   ColorScaleChoice out{ColorScaleKind::Typed, 0.0, 0.0};
@@ -186,9 +187,9 @@ void check_view(const Animation& animation, const ViewOptions& options) {
     throw InputError(fmt::format("The {} race has no flange. Select the other race.",
                                  options.flange_race == 0 ? "outer" : "inner"));
   if (options.element < 1 || options.element > animation.file.elements)
-    throw InputError(
-        fmt::format("there is no rolling element or pocket {}; this bearing has numbers 1 to {}",
-                    options.element, animation.file.elements));
+    throw InputError(fmt::format(
+        "there is no rolling element or pocket {}; in this bearing, their numbers are 1 to {}",
+        options.element, animation.file.elements));
 }
 
 namespace {

@@ -187,8 +187,8 @@ void AgoreWindow::checkForFileChanges() {
 void AgoreWindow::askForFile() {
   desktop::ask_number(
       this, tr("Open animation"),
-      tr("Maximum number of frames. Longer runs show every 2nd, 3rd ... stored step.\nYou select "
-         "the file in the next dialog."),
+      tr("Maximum number of frames. Runs with more steps show every 2nd, 3rd ... stored step.\nYou "
+         "select the file in the next dialog."),
       static_cast<int>(results::MotionFile::kMostFrames), 1, 100'000'000, [this](int steps) {
         desktop::ask_file(
             this, kApp, tr("Open animation file"), "SOL8* RESULTS.h5 PROJECT.json",

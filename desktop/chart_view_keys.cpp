@@ -108,7 +108,7 @@ QString ChartView::zoomDisabledReason(ChartAction chart_action) const {
 
 QString ChartView::moveDisabledReason(ChartAction chart_action) const {
   const bool upright = way_of(chart_action).y() != 0.0;
-  const QString nothing = tr("There is nothing more in this direction.");
+  const QString nothing = tr("There are no more values in this direction.");
   if (!upright && scene_->everything().width() < scene_->plotAreas().front().width() + kEdge)
     return nothing;
   if (!upright || scene_->isPlane()) {
@@ -153,7 +153,7 @@ QString ChartView::readDisabledReason(ChartAction chart_action) const {
       return std::isfinite(abscissaOf(*reading_)) ? QString()
                                                   : tr("The time of this point is unknown.");
     return storedPointAfter(chart_action) ? QString()
-                                          : tr("There is nothing more in this direction.");
+                                          : tr("There are no more values in this direction.");
   }
   for (StoredPoint at; at.curve < (page.equal_axes ? page.panels.front().curves.size() : 1);
        ++at.curve, at.index = 0)

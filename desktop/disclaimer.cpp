@@ -14,15 +14,15 @@ DisclaimerDialog::DisclaimerDialog(const QString& program, QWidget* parent) : QD
   setWindowTitle(program);
   auto* title = new QLabel(tr("Before you start"), this);
   title->setFont(ui_font(18, true));
-  auto* text =
-      new QLabel(tr("<p>Adore is free software under the GNU General Public License, version 3 or "
-                    "later. It comes <b>without any warranty</b>, not even the implied warranty of "
-                    "fitness for a particular purpose.</p><p>Bearing failures can have serious "
-                    "consequences. Check every result against experience, tests or a second method "
-                    "before you rely on it.</p><p>Adore is an <b>independent implementation</b>. "
-                    "It is not affiliated with, endorsed by or derived from the code of the owner "
-                    "of the classic program whose file formats it reads.</p>"),
-                 this);
+  auto* text = new QLabel(
+      tr("<p>Adore is free software under the GNU General Public License, version 3 or "
+         "later. It comes <b>without any warranty</b>, not even the implied warranty of "
+         "fitness for a particular purpose.</p><p>Bearing failures can have serious "
+         "consequences. Check every result against experience, tests or a second method "
+         "before you rely on it.</p><p>Adore is an <b>independent implementation</b>. "
+         "It is not affiliated with or endorsed by the owner of the classic program whose file "
+         "formats it reads, and it is not derived from the code of that program.</p>"),
+      this);
   text->setWordWrap(true);
   auto* buttons = new QDialogButtonBox(this);
   auto* accept = buttons->addButton(tr("&Accept"), QDialogButtonBox::AcceptRole);

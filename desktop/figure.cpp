@@ -79,8 +79,9 @@ void check_figure(const Figure& figure) {
   check_length("width", figure.width);
   check_length("height", figure.paper().height());
   if (!(figure.letters >= kLeastLetters && figure.letters <= kLargestLetters))
-    throw InputError(fmt::format("letters of a figure: {:g} pt; give a number from {:g} to {:g}",
-                                 figure.letters, kLeastLetters, kLargestLetters));
+    throw InputError(
+        fmt::format("letter size of a figure: {:g} pt; give a number from {:g} to {:g}",
+                    figure.letters, kLeastLetters, kLargestLetters));
   constexpr double kLeastWidth = 220.0, kLeastHeight = 150.0;  // pixels that axes and legend need
   const QSizeF layout = layout_of(figure);
   if (const double over = std::max(kLeastWidth / layout.width(), kLeastHeight / layout.height());

@@ -127,7 +127,7 @@ std::optional<ChartPage> heat_page(const StaticTables& all) {
   ChartPage page;
   page.title = "Thermal network";
   page.note =
-      "Schematic: the radius increases upward, coolant or medium is at the right. Arrows show the "
+      "Schematic: the radius increases upward; coolant or medium is at the right. Arrows show the "
       "direction of the heat flow.";
   page.equal_axes = true;
   page.closed_outline = true;

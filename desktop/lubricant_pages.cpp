@@ -75,8 +75,8 @@ std::vector<ChartPage> lubricant_pages(const calculators::LubricantContact& cont
     add_note(pages[1], "the viscosity is limited to 10¹² Pa·s (glass)");
   if (all.beyond_heating)
     add_note(pages.back(),
-             "the inlet heating factor is limited to 0.1; an increase of the film thickness after "
-             "a minimum is extrapolated");
+             "the inlet heating factor is limited to 0.1; beyond a minimum of the film thickness, "
+             "the curve is extrapolated");
   return pages;
 }
 

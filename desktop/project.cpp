@@ -56,12 +56,12 @@ Project Project::open(const fs::path& named) {
   }
   const auto& json = out.json_;
   if (!json.is_object())
-    refuse(out.file_, "damaged, it is not a JSON object", "Restore it from a copy. " + kept);
+    refuse(out.file_, "damaged (it is not a JSON object)", "Restore it from a copy. " + kept);
   if (json.value(kFormat, nlohmann::ordered_json()) != kName)
     refuse(out.file_, "not a project of Adore", "Select another file. " + kept);
   const auto version = json.find("version");
   if (version == json.end() || !version->is_number_integer())
-    refuse(out.file_, "damaged, it has no version", "Restore it from a copy. " + kept);
+    refuse(out.file_, "damaged (it has no version)", "Restore it from a copy. " + kept);
   if (*version > kVersion)
     refuse(out.file_,
            fmt::format("format version {}, but this program supports version {}",
@@ -72,7 +72,7 @@ Project Project::open(const fs::path& named) {
         found != json.end() &&
         (!found->is_array() || !std::all_of(found->begin(), found->end(),
                                             [](const auto& one) { return one.is_string(); })))
-      refuse(out.file_, fmt::format("damaged, \"{}\" is not a list of names", list),
+      refuse(out.file_, fmt::format("damaged (\"{}\" is not a list of names)", list),
              "Restore it from a copy. " + kept);
   return out;
 }

@@ -208,7 +208,7 @@ TEST_CASE("envelope and order spectra: impossible → the reason instead of an e
   SpectrumOptions options;
   options.band = {3000.0, 12000.0};
   CHECK_THAT(reason(motion, options, Domain::Envelope, modulated),
-             Contains("exceeds 10 kHz") && Contains("Enter a band below it."));
+             Contains("exceeds 10 kHz") && Contains("Enter a band below this frequency."));
   options.band = {4000.0, 4004.0};
   CHECK_THAT(reason(motion, options, Domain::Envelope, modulated),
              Contains("narrower than 4 lines"));
@@ -232,7 +232,7 @@ TEST_CASE("envelope and order spectra: impossible → the reason instead of an e
   RunMotion still = motion;
   for (std::size_t i = 4000; i < still.turns.size(); ++i) still.turns[i] = still.turns[4000];
   CHECK_THAT(reason(still, {}, Domain::Orders, modulated),
-             Contains("The shaft does not rotate, or turns back, at 200 ms"));
+             Contains("The shaft stops or reverses at 200 ms"));
   RunMotion oscillating = motion;
   oscillating.oscillates = true;
   CHECK_THAT(reason(oscillating, {}, Domain::Orders, modulated), Contains("The shaft oscillates"));
@@ -315,7 +315,7 @@ TEST_CASE("plot_window: user-defined chart → orders of each curve; table witho
   CHECK(highest(page).first == Approx(3.0).margin(0.15));
   const desktop::ChartPage none = without.build(1, options);
   CHECK(none.panels.empty());
-  CHECK_THAT(none.note, Contains("a column of a table with the unit rpm"));
+  CHECK_THAT(none.note, Contains("a table column with the unit rpm"));
   CHECK_THAT(combine_curves({{&without, 1, 0, 0}}, Combine::Overlay, options).note,
              Contains("The speed of the shaft is not known"));
 }
