@@ -142,7 +142,7 @@ void Document::find_option_problems() {
         "is kept as ADORE.json.bak)";
     add_problem(issue);
   }
-for (const std::string& name : option_file_.unknown_names()) {
+  for (const std::string& name : option_file_.unknown_names()) {
     issue.message = "the option file in the folder of the deck: " + runs::unknown_name_text(name);
     issue.remedy = "correct the file in an editor; until then, runs of this deck are rejected";
     add_problem(issue);
