@@ -14,8 +14,7 @@ namespace adore::runs {
 
 std::string user_routine_motion_text(const Prepared& prepared) {
   const auto& laws = prepared.options.system.user;
-  return laws && laws->motion != nullptr ? "routine ADRX1 specifies loads or motions of the races, "
-                                           "which an equilibrium does not include"
+  return laws && laws->motion != nullptr ? "routine ADRX1 specifies loads or motions of the races, which the equilibrium does not include"
                                          : std::string();
 }
 
@@ -38,7 +37,7 @@ std::string user_routine_jumps_text(const Prepared& prepared) {
   }
   return out.empty()
              ? out
-             : "routine ADRX1 specifies impulses and steps, which do not count as excess energy: " +
+             : "routine ADRX1 specifies jumps of loads or speeds, which do not count as excess energy: " +
                    out;
 }
 
@@ -64,8 +63,7 @@ std::optional<Finding> equilibrium_change_finding(const dynamics::EquilibriumCha
     return excess_energy_finding(text + ": " + specified + "; the run continues", ratio);
   if (ratio > dynamics::kExcessRefused)
     throw SolverError(text +
-                      ": this change of the bearing acts like an impact on the contacts. Change "
-                      "it in smaller steps, or start from the equilibrium (kIcOpt = 0)");
+                      ": this change of the bearing acts like an impact on the contacts. Change the bearing in smaller steps, or start from the equilibrium (kIcOpt = 0)");
   return excess_energy_finding(text + ", so the loads of the next revolutions contain a vibration",
                                ratio);
 }

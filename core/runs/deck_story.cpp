@@ -97,7 +97,7 @@ std::vector<std::string> deck_story(const deck::Deck& deck) {
     // Features that only the dynamics lacks; the equilibrium of the same deck is available.
     if (issue.code != "deck.refused") continue;
     lines.push_back(fmt::format(
-        "problem:    {}; for the quasi-static solution only, use --set mode=-1", issue.message));
+        "problem:    {}; to compute only the quasi-static solution, use --set mode=-1", issue.message));
     break;
   }
   return lines;

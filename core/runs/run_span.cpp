@@ -21,8 +21,7 @@ double parse_until(const std::string& text, double shaft_speed, double time_scal
   if (error != std::errc() || !(value > 0.0) || !std::isfinite(value) ||
       (unit != "" && unit != "rev" && unit != "s"))
     throw InputError(
-        fmt::format("--until {}: give shaft revolutions (5rev), seconds (0.02s) or a dimensionless "
-                    "time (1000), above 0",
+        fmt::format("--until {}: give a value above 0 in shaft revolutions (5rev), in seconds (0.02s) or as a dimensionless time (1000)",
                     text));
   if (unit == "s") return value;
   if (unit == "") return value * time_scale;

@@ -84,7 +84,7 @@ TEST_CASE("ADRX1: accelerated inner race → speed and rotation of the closed fo
   const Ran by_formula = ran_with(formula);
   CHECK(difference(ran, by_formula) < 1e-9);
   CHECK_THAT(text_of(by_formula.folder / "RUN.json"),
-             Catch::Contains("routine ADRX1 specifies impulses and steps") &&
+             Catch::Contains("routine ADRX1 specifies jumps of loads or speeds") &&
                  Catch::Contains("the loads jump at t = 0.0001 s"));
 }
 
