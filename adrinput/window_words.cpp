@@ -14,9 +14,11 @@ constexpr std::pair<std::string_view, std::string_view> kWords[]{
     {"continue that run with --continue, replace its results with --overwrite",
      "continue that run (Run > Continue the run), replace its results"},
     {"--continue: the deck ", "Continue the run: the deck "},
-    {"there is nothing to continue; remove --continue", "there is nothing to continue; run it (F7)"},
+    {"there is nothing to continue; remove --continue",
+     "there is nothing to continue; run it (F7)"},
     {"continue the run with --continue", "continue the run (Run > Continue the run)"},
-    {"Start the run without --continue. Add --overwrite if the folder still contains files of the earlier run",
+    {"Start the run without --continue. Add --overwrite if the folder still contains files of the "
+     "earlier run",
      "Run the deck (F7) and replace the earlier results"},
     {"; add --overwrite if the folder still contains files of the earlier run",
      " and replace the earlier results"},
@@ -29,7 +31,8 @@ constexpr std::pair<std::string_view, std::string_view> kWords[]{
     {"`adore run --verify` estimates", "Accuracy (F9) estimates"},
     {"give only one --set with a range", "enter only one range"},
     {"; to compute only the quasi-static solution, use --set mode=-1",
-     "; to compute only the quasi-static solution, press Run quasi-static now (F6), or enter mode = -1"},
+     "; to compute only the quasi-static solution, press Run quasi-static now (F6), or enter mode "
+     "= -1"},
     {" with --user PLUG-IN", " on the command line with `adore run --user PLUG-IN`"},
     {" of --user ", " of `adore run --user` "},
     {"give --over-budget", "press Run anyway"},

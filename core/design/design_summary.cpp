@@ -66,16 +66,19 @@ void add_lives(Writer& out, const runs::Prepared& ready) {
   };
   const std::optional<life::IsoReport>& iso = ready.life.iso;
   out.add("life_iso281", "L10h, ISO 281", kHours, iso ? hours(iso->L10) : std::nullopt,
-          iso && iso->L10 ? why("rating life at the loads of the deck")
-                          : why("ISO 281 does not define an equivalent load for the loads of the deck"));
+          iso && iso->L10
+              ? why("rating life at the loads of the deck")
+              : why("ISO 281 does not define an equivalent load for the loads of the deck"));
   out.add("life_iso16281", "L10rh, ISO/TS 16281", kHours,
           iso && iso->reference ? hours(iso->reference->L10r) : std::nullopt,
           iso && iso->reference ? why("life computed from the loads of all contacts")
-                                : why("the deck does not have the roller slices or the geometry that ISO/TS 16281 needs"));
+                                : why("the deck does not have the roller slices or the geometry "
+                                      "that ISO/TS 16281 needs"));
   out.add("life_modified", "Lnmh, with aISO", kHours,
           iso && iso->L_nm ? hours(iso->L_nm) : std::nullopt,
-          iso && iso->L_nm ? why("with the viscosity ratio and the contamination factor (isoContamination)")
-                           : why("needs an oil and the run option isoContamination"));
+          iso && iso->L_nm
+              ? why("with the viscosity ratio and the contamination factor (isoContamination)")
+              : why("needs an oil and the run option isoContamination"));
   out.add(
       "life_lundberg_palmgren", "L10h, Lundberg-Palmgren", kHours,
       hours(ready.life.state.of(bearing::LifeModel::Original, bearing::LifeModification::None).L10),
@@ -97,7 +100,8 @@ void add_contacts(Writer& out, const runs::Prepared& ready) {
     safety = std::min(safety.value_or(here), here);
   }
   out.add("static_safety", "Safety s0", kPure, safety,
-          safety ? "from the larger of the maximum contact pressures of the two races" : "no contact has a load");
+          safety ? "from the larger of the maximum contact pressures of the two races"
+                 : "no contact has a load");
   for (std::size_t j = 0; j < 2; ++j) {
     const listing::RaceSummary& race = all.race[j];
     out.add(fmt::format("pressure_{}", kRace[j]), fmt::format("Pressure, {} race", kRace[j]),
@@ -139,12 +143,14 @@ void add_films(Writer& out, const runs::Prepared& ready) {
     const std::string none = films ? "no contact has a film" : "the deck has no oil";
     out.add(fmt::format("film_{}", kRace[j]), fmt::format("Film, {} race", kRace[j]), kFilm, least,
             least ? films->lubricant : none);
-    out.add(fmt::format("lambda_{}", kRace[j]), fmt::format("Lambda, {} race", kRace[j]), kPure,
-            films && least ? std::optional(films->lambda[j]) : std::nullopt,
-            films && least ? (std::isnan(films->lambda[j])
-                                  ? "the roughness is 0"
-                                  : "smallest film thickness divided by roughness, for the most loaded contact")
-                           : none);
+    out.add(
+        fmt::format("lambda_{}", kRace[j]), fmt::format("Lambda, {} race", kRace[j]), kPure,
+        films && least ? std::optional(films->lambda[j]) : std::nullopt,
+        films && least
+            ? (std::isnan(films->lambda[j])
+                   ? "the roughness is 0"
+                   : "smallest film thickness divided by roughness, for the most loaded contact")
+            : none);
   }
 }
 
@@ -152,7 +158,8 @@ void add_friction(Writer& out, const runs::Prepared& ready) {
   out.group("Friction torque");
   const statics::FrictionEstimate* f = ready.friction ? &*ready.friction : nullptr;
   const std::string none =
-      f == nullptr ? "the user traction routine is called only in a simulation of the motion" : f->why_none();
+      f == nullptr ? "the user traction routine is called only in a simulation of the motion"
+                   : f->why_none();
   const bool known = f != nullptr && none.empty();
   const auto add = [&](const char* id, const char* label, double power, const std::string& note,
                        const std::string& why_not = {}) {
@@ -220,9 +227,12 @@ void add_fault_frequencies(Writer& out, const runs::Prepared& ready) {
     out.add(id, label, kFrequency, moves ? std::optional(value) : std::nullopt,
             moves ? note : "the races do not rotate relative to each other");
   };
-  add("bpfo", "BPFO (outer)", speeds.outer_pass, "frequency at which elements pass a point of the outer race");
-  add("bpfi", "BPFI (inner)", speeds.inner_pass, "frequency at which elements pass a point of the inner race");
-  add("bsf", "BSF (spin)", speeds.spin_frequency, "spin frequency; a defect of an element strikes the races at twice this frequency");
+  add("bpfo", "BPFO (outer)", speeds.outer_pass,
+      "frequency at which elements pass a point of the outer race");
+  add("bpfi", "BPFI (inner)", speeds.inner_pass,
+      "frequency at which elements pass a point of the inner race");
+  add("bsf", "BSF (spin)", speeds.spin_frequency,
+      "spin frequency; a defect of an element strikes the races at twice this frequency");
   add("ftf", "FTF (cage)", std::abs(speeds.cage_frequency), "rotation frequency of the cage");
 }
 

@@ -178,7 +178,8 @@ void add_cage(Changes& changes, const bearing::Bearing& b) {
     if (one.code == fmt::format("{}", cage.material)) material = one.meaning;
   if (cage.material == 0) material = "mild steel";
   changes.say(
-      fmt::format("ESTIMATED cage of {}: outer diameter {:.4g} mm, inner diameter {:.4g} mm, width {:.4g} mm. Pocket clearance: {:.3g} mm.",
+      fmt::format("ESTIMATED cage of {}: outer diameter {:.4g} mm, inner diameter {:.4g} mm, width "
+                  "{:.4g} mm. Pocket clearance: {:.3g} mm.",
                   material, cage.outer * kMillimeters, cage.inner * kMillimeters,
                   cage.width * kMillimeters, cage.pocket * kMillimeters));
   if (cage.guide > 0) {
@@ -239,7 +240,8 @@ void add_friction(Changes& changes, const deck::Deck& deck, const bearing::Beari
   changes.number("reRaceTC3", 0.04);
   changes.si("reRaceTC4", 0.5);
   changes.say(
-      "ESTIMATED friction coefficient between elements and races: 0.06 at a slip of 0.5 m/s, 0.04 at much higher slip; the deck specifies no friction.");
+      "ESTIMATED friction coefficient between elements and races: 0.06 at a slip of 0.5 m/s, 0.04 "
+      "at much higher slip; the deck specifies no friction.");
 }
 
 void add_gravity(Changes& changes, const deck::Deck& deck) {
@@ -291,7 +293,8 @@ void add_run(Changes& changes, const runs::RunScales& scales) {
   changes.number("tol", 1e-5);
   changes.number("qFac", 0.0);
   changes.say(
-      fmt::format("Mode 0: the motion is simulated for {} ({:.3g} ms), with about {} stored frames. Both races keep the position of the static solution.",
+      fmt::format("Mode 0: the motion is simulated for {} ({:.3g} ms), with about {} stored "
+                  "frames. Both races keep the position of the static solution.",
                   counted(fmt::format("{:.3g}", kDynamicDeckRevolutions), "revolution"), end * 1e3,
                   steps / between));
 }

@@ -175,9 +175,10 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
             ? "the shape errors of records 7.5.i and 7.6.i exceed the clearance left by the "
               "static solution"
             : "the static solution moved the elements toward the race by more than the clearance");
-    issue.remedy = faces ? fmt::format("move the guide faces at least {} further away from the rollers",
-                                       length(worst))
-                         : fmt::format("give at least {} more clearance", length(2.0 * worst));
+    issue.remedy =
+        faces ? fmt::format("move the guide faces at least {} further away from the rollers",
+                            length(worst))
+              : fmt::format("give at least {} more clearance", length(2.0 * worst));
   }
   throw InputError(std::vector<Issue>{issue});
 }

@@ -71,11 +71,12 @@ std::optional<Finding> CageStateMonitor::finding() const {
     turned += 0.5 * (instants_[i].omega + instants_[i - 1].omega) * (times_[i] - times_[i - 1]);
   const double turns = std::abs(turned) / (2.0 * std::numbers::pi);
   if (turns < kMinCageRevolutions)
-    return make_finding(
-               "cage.not_judged",
-               fmt::format("State of the cage: not determined, because the cage makes only {} in the second half of the run. Increase the length of the run by a factor of at least {:.3g}",
-                           counted(fmt::format("{:.3g}", turns), "revolution"),
-                           turns > 0.0 ? std::ceil(kMinCageRevolutions / turns) : 2.0))
+    return make_finding("cage.not_judged",
+                        fmt::format("State of the cage: not determined, because the cage makes "
+                                    "only {} in the second half of the run. Increase the length of "
+                                    "the run by a factor of at least {:.3g}",
+                                    counted(fmt::format("{:.3g}", turns), "revolution"),
+                                    turns > 0.0 ? std::ceil(kMinCageRevolutions / turns) : 2.0))
         .measure(turns)
         .of("cage");
   const results::Whirl whirl = results::classify_whirl(late);

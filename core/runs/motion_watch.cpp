@@ -187,7 +187,9 @@ std::vector<Finding> MotionLimitMonitor::findings(results::UnitSystem units) con
     const WorstExceedance& over = worst_shoulder_excess_[race];
     if (over.steps > 0)
       add("motion.shoulder",
-          fmt::format("in {} of the stored steps contact ellipses extend beyond the shoulder of the {} race. The worst case is ball {} at t = {:.6g} s (by {}). The model does not truncate the ellipse, so the computed contact loads are optimistic",
+          fmt::format("in {} of the stored steps contact ellipses extend beyond the shoulder of "
+                      "the {} race. The worst case is ball {} at t = {:.6g} s (by {}). The model "
+                      "does not truncate the ellipse, so the computed contact loads are optimistic",
                       over.steps, kRaceName[race], over.element, over.time,
                       quantity(over.value, results::unit::kLength, units)))
           .of(fmt::format("ball {}, {} race", over.element, kRaceName[race]))
@@ -226,7 +228,9 @@ std::vector<Finding> MotionLimitMonitor::findings(results::UnitSystem units) con
   }
   if (worst_segment_overlap_.steps > 0)
     add("cage.overlap",
-        fmt::format("in {} of the stored steps segments of the cage overlap. The largest overlap is between segments {}: {} at t = {:.6g} s. Contact between segments is not modeled. Enter a wider cut (cageAngCut) or a smaller pocket clearance",
+        fmt::format("in {} of the stored steps segments of the cage overlap. The largest overlap "
+                    "is between segments {}: {} at t = {:.6g} s. Contact between segments is not "
+                    "modeled. Enter a wider cut (cageAngCut) or a smaller pocket clearance",
                     worst_segment_overlap_.steps, worst_segment_overlap_.where,
                     quantity(worst_segment_overlap_.value, results::unit::kLength, units),
                     worst_segment_overlap_.time))

@@ -173,9 +173,11 @@ std::string strange_name_text(std::string_view name) {
   for (const RunOptionInfo& option : run_options())
     if (edit_distance(name.substr(0, 40), option.name) <= 2) add(option.name);
   return fmt::format(
-      "there is no run option and no variable of records X named \"{}\"; {}", name,
-      names.empty() ? std::string("`adore run --list-options` and `adore schema` list the valid names")
-                    : fmt::format("did you mean {}?", names));
+      "there is no run option named \"{}\", and records X have no variable with this name; {}",
+      name,
+      names.empty()
+          ? std::string("`adore run --list-options` and `adore schema` list the valid names")
+          : fmt::format("did you mean {}?", names));
 }
 
 OptionFile usable_options_beside(const fs::path& deck_file) {

@@ -188,10 +188,13 @@ void set_film_options(Prepared& out) {
   oil.user->limit_softening = out.options.user_softening;
   if (oil.stress_limit && !out.options.user_limit)
     add_remark(
-        out, make_finding(
-                 "film.stress_limit_assumed",
-                 fmt::format("limiting shear stress of the user-defined lubricant: not given. At 40 °C, {:g} times the pressure is assumed (estimate). Set run option lubStressLimit.",
-                             tribology::kUserLimit)));
+        out,
+        make_finding(
+            "film.stress_limit_assumed",
+            fmt::format(
+                "limiting shear stress of the user-defined lubricant: not given. At 40 °C, {:g} "
+                "times the pressure is assumed (estimate). Set run option lubStressLimit.",
+                tribology::kUserLimit)));
 }
 
 /// Reports where films, the oil at the cage and a churning medium are outside their known
@@ -263,7 +266,8 @@ void report_stiffness_fallbacks(Prepared& out) {
   constexpr double kRpm = 30.0 / std::numbers::pi;
   add_remark(
       out, make_finding("statics.friction_balance",
-                        fmt::format("stiffness over speed: {} without a friction equilibrium, the first one at rpm1 = {:g} and rpm2 = {:g}: {}",
+                        fmt::format("stiffness over speed: {} without a friction equilibrium, the "
+                                    "first one at rpm1 = {:g} and rpm2 = {:g}: {}",
                                     counted(without, "row"), kRpm * first->speed[0],
                                     kRpm * first->speed[1], first->result.notes.front().message)));
 }
@@ -327,15 +331,17 @@ void report_fluid_uncertainty(Prepared& out) {
 void report_contact_damping(Prepared& out) {
   const auto given = out.input.option_values.find("contactDamping");
   if (!out.plan.has(scene::Effect::ContactDamping))
-    add_remark(
-        out,
-        make_finding("damping.off",
-                     "contact damping is off: contact vibrations do not decay, so the largest loads, the life and the spectra are not realistic. Set contactDamping = material"));
-  else if (given != out.input.option_values.end() && out.plan.has(scene::Effect::ElementBalance))
     add_remark(out,
-               make_finding("damping.idle",
-                            fmt::format("contactDamping = {} has no effect at the races, because mode = {} keeps all elements in force balance with the races",
-                                        given->second, out.input.deck.integer("mode"))));
+               make_finding(
+                   "damping.off",
+                   "contact damping is off: contact vibrations do not decay, so the largest loads, "
+                   "the life and the spectra are not realistic. Set contactDamping = material"));
+  else if (given != out.input.option_values.end() && out.plan.has(scene::Effect::ElementBalance))
+    add_remark(out, make_finding(
+                        "damping.idle",
+                        fmt::format("contactDamping = {} has no effect at the races, because mode "
+                                    "= {} keeps all elements in force balance with the races",
+                                    given->second, out.input.deck.integer("mode"))));
 }
 
 /// The bearing for the statics of rollers: with the radii of rollers that are not round.
@@ -486,7 +492,8 @@ Prepared prepare_model(LoadedDeck input) {
             make_finding(
                 "statics.guide_force",
                 fmt::format(
-                    "the equilibrium holds each roller along its axis with a force of {:.4g} N, as a guide ring does. In motion, only the groove and friction hold the roller",
+                    "the equilibrium holds each roller along its axis with a force of {:.4g} N, as "
+                    "a guide ring does. In motion, only the groove and friction hold the roller",
                     out.rollers->guide_force))
                 .measure(out.rollers->guide_force));
     }
@@ -514,7 +521,12 @@ Prepared prepare_model(LoadedDeck input) {
         make_finding(
             "rolling.thick_oil",
             fmt::format(
-                "rolling resistance of the balls in oil: the law does not include the pressure-viscosity coefficient of the oil. Its result is {:.2g} times the result of the line-contact law, which includes this coefficient and is applied to strips of the contact. Solutions of Reynolds' equation for point contacts are between these two results (up to 2.5 times the result for strips). At this viscosity and speed, the resistance and its heat may be about {:.0f} % too large",
+                "rolling resistance of the balls in oil: the law does not include the "
+                "pressure-viscosity coefficient of the oil. Its result is {:.2g} times the result "
+                "of the line-contact law, which includes this coefficient and is applied to strips "
+                "of the contact. Solutions of Reynolds' equation for point contacts are between "
+                "these two results (up to 2.5 times the result for strips). At this viscosity and "
+                "speed, the resistance and its heat may be about {:.0f} % too large",
                 ratio, 100.0 * (statics::rolling_resistance_excess(ratio) - 1.0)))
             .measure(ratio, validity::range("rolling.strips").bounds.most));
   judge(life::contact_strength(out.bearing, out.statics));

@@ -55,9 +55,10 @@ void apply_overrides(const RunRequest& request, Prepared& prepared) {
 RunOutcome run_quasi_static(const RunRequest& request, const Prepared& prepared,
                             const WriteFolder& folder) {
   if (request.go_on)
-    throw InputError(fmt::format(
-        "--continue: the deck {} is quasi-static, so there is nothing to continue; remove --continue",
-        prepared.input.path.string()));
+    throw InputError(
+        fmt::format("--continue: the deck {} is quasi-static, so there is nothing to continue; "
+                    "remove --continue",
+                    prepared.input.path.string()));
   RunOutcome out;
   RunOutputs outputs(prepared, folder, request_digest(request, prepared.input), request.overwrite);
   out.results = outputs.write_quasi_static();

@@ -291,8 +291,8 @@ std::string step_limits_text(const StepRequest& request, const StepLimits& limit
           "factor of {:.4g}",
           why, limits.highest_order, now, limits.growth);
     default:
-      return fmt::format("{}. The method would need {} (number of steps per revolution: {:.2g})", why, now,
-                         request.turn / limits.maximum);
+      return fmt::format("{}. The method would need {} (number of steps per revolution: {:.2g})",
+                         why, now, request.turn / limits.maximum);
   }
 }
 

@@ -86,7 +86,8 @@ std::string traction_spread(const Prepared& p) {
   std::vector<double> slips;
   for (const double ratio : kSlipRatio) slips.push_back(ratio * speed);
   std::string out = fmt::format(
-      "Friction coefficients of {} from its traction laws at {} {}, {} race ({:.3g} GPa, {:.4g} K, {:.3g} m/s), slip 1 % and 10 %: ",
+      "Friction coefficients of {} from its traction laws at {} {}, {} race ({:.3g} GPa, {:.4g} K, "
+      "{:.3g} m/s), slip 1 % and 10 %: ",
       oil.name, p.rollers ? "roller" : "ball", at.element + 1, at.race == 0 ? "outer" : "inner",
       1e-9 * at.contact.point.peak_pressure, at.contact.temperature, speed);
   for (const tribology::LawSpreadRow& row :

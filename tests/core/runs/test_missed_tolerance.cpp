@@ -49,7 +49,7 @@ TEST_CASE("missed tolerance: judged by the mean error of the steps", "[unit][run
   CHECK_THAT(judged(1e-6, 0.1).text, !Catch::Contains("are about as accurate as"));
   // As a run at ten times the tolerance; at a hundred times; at more than 1e-4.
   CHECK(judged(1e-6, 10.0).trusted);
-  CHECK_THAT(judged(1e-6, 10.0).text, Catch::Contains("are about as accurate as tol = 1e-05"));
+  CHECK_THAT(judged(1e-6, 10.0).text, Catch::Contains("are about as accurate as with tol = 1e-05"));
   CHECK(judged(1e-6, 99.0).trusted);
   CHECK_FALSE(judged(1e-6, 101.0).trusted);
   CHECK_THAT(judged(1e-6, 101.0).text, Catch::Contains("cannot be trusted. Decrease stpMin"));

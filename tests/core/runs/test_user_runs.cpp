@@ -628,7 +628,7 @@ TEST_CASE("user surfaces: not supported → rejected with the reason", "[user][u
   CHECK_THROWS_WITH(says("spherical", {}, R"~({"adrx5": {"radius": "1e-3*x*sin(psi)"}})~"),
                     Catch::Contains("ADRX5") && Catch::Contains("azimuth only"));
   CHECK_THAT(says("cylindrical", {{"mode", "-1"}}, R"~({"adrx5": {"radius": "1e-6*sin(psi)"}})~"),
-             Catch::Contains("the equilibrium uses their mean radius"));
+             Catch::Contains("the equilibrium uses the mean radius"));
   CHECK_THAT(says("ball", {{"mode", "-1"}}, R"~({"adrx5": {"radius": "1e-6*cos(2*psi)"}})~"),
              Catch::Contains("gives out-of-round balls"));
   CHECK_THROWS_WITH(says("ball", {}, R"~({"adrx5": {"radius": "psi > 1 ? 1e-6 : 0"}})~"),
