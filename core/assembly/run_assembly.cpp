@@ -106,9 +106,8 @@ AssemblyOutcome run_assembly(const AssemblyRunRequest& request, std::stop_token 
   if (!away.empty())
     out.result.findings.push_back(make_finding(
         "run.moved_results",
-        fmt::format(
-            "result files of an earlier run that this run does not replace were moved to {}",
-            away.string())));
+        fmt::format("older result files that this run does not replace were moved to {}",
+                    away.string())));
   for (const runs::RunRequest& row : rows) {
     const runs::RunOutcome done = runs::run(row, {}, stop);
     out.files.insert(out.files.end(), done.files.begin(), done.files.end());

@@ -35,7 +35,8 @@ Json kinematics(const runs::Prepared& p) {
 const life::IsoReport& iso_of(const runs::Prepared& p, std::string_view calculator) {
   if (!p.life.iso)
     throw InputError(fmt::format(
-        "calculator {} needs the ISO rating, which this deck does not have", calculator));
+        "calculator {} needs the ISO rating of the bearing, which is not available for this deck",
+        calculator));
   return *p.life.iso;
 }
 
@@ -68,8 +69,8 @@ Json iso16281(const runs::Prepared& p) {
   const life::IsoReport& r = iso_of(p, "iso16281");
   if (p.rollers)
     throw InputError(
-        "calculator iso16281 accepts only decks with balls, because rollers have different lamina "
-        "loads");
+        "calculator iso16281 accepts only decks with balls, because it uses the same distribution "
+        "of lamina loads for all rollers");
   Json outer = Json::array(), inner = Json::array();
   for (const statics::StaticBall& ball : p.statics.balls) {
     outer.push_back(ball.Q[0]);
@@ -150,12 +151,13 @@ Json clearance(const runs::Prepared& p) {
   const bearing::Bearing& made = p.as_built;
   if (made.mounting.material_laws)
     throw InputError(
-        "calculator clearance uses constant expansion coefficients. Set kMatPropMod to 0, or see "
-        "the clearance in the results of the deck.");
+        "calculator \"clearance\" uses constant expansion coefficients. Set kMatPropMod to 0, or "
+        "read the clearance from the results of the deck.");
   const bool rollers = made.rollers() != nullptr;
   if (rollers && made.type != bearing::Type::Cylindrical && made.type != bearing::Type::Spherical)
     throw InputError(
-        "calculator clearance accepts decks with balls, cylindrical rollers or spherical rollers");
+        "calculator \"clearance\" accepts only decks with balls, cylindrical rollers or spherical "
+        "rollers");
   Json in{{"type", !rollers                                  ? "ball"
                    : made.type == bearing::Type::Cylindrical ? "cylindrical_roller"
                                                              : "spherical_roller"},

@@ -396,7 +396,9 @@ std::vector<Contradiction> contradictions_of(const Search& search,
   for (const NamedFact& one : facts)
     if (!search.find(all & ~static_cast<unsigned>(one.fact)).empty())
       out.push_back({one.text, "all other facts together"});
-  if (out.empty()) out.push_back({"the facts", "each other: no two of them alone contradict"});
+  if (out.empty())
+    out.push_back(
+        {"the set of all facts", "any bearing geometry, although any two of the facts agree"});
   return out;
 }
 
@@ -541,11 +543,14 @@ void check_bounds(const BearingFacts& f, const deck::CatalogueBearing& b,
     const double ratio = *f.C0 / *f.Cu;
     const double low = is_ball(b.type) ? 12.0 : 5.0, high = is_ball(b.type) ? 40.0 : 16.0;
     if (ratio < low || ratio > high)
-      wrong.push_back({fmt::format("Cu = {:.4g} kN", *f.Cu / 1e3),
-                       fmt::format("C0 = {:.4g} kN (C0/Cu of this type is {:g} to {:g})",
-                                   *f.C0 / 1e3, low, high)});
+      wrong.push_back(
+          {fmt::format("Cu = {:.4g} kN", *f.Cu / 1e3),
+           fmt::format("C0 = {:.4g} kN (the ratio C0/Cu of this bearing type is {:g} to {:g})",
+                       *f.C0 / 1e3, low, high)});
   }
-  if (f.Cu) fact_use.emplace_back("Cu is compared with C0; it does not rank the candidates.");
+  if (f.Cu)
+    fact_use.emplace_back(
+        "Cu is only compared with C0; it does not change the ranking of the candidates.");
   if (f.mass && e.outside > e.bore && e.width > 0.0) {
     constexpr double kSteel = 7800.0;
     const double solid =
@@ -555,24 +560,28 @@ void check_bounds(const BearingFacts& f, const deck::CatalogueBearing& b,
                        fmt::format("{} (a solid steel ring has {:.3g} kg)", kBoundary, solid)});
   }
   if (f.mass)
-    fact_use.emplace_back("The mass is compared with the boundary dimensions; it does not rank.");
+    fact_use.emplace_back(
+        "The mass is only compared with the boundary dimensions; it does not change the ranking of "
+        "the candidates.");
   if (f.limiting_speed && e.outside > e.bore) {
     const double factor = *f.limiting_speed * 0.5 * (e.bore + e.outside) / kMm;  // n dm [mm/min]
     if (factor < 2e4 || factor > 4e6)
       wrong.push_back({fmt::format("limiting_speed = {:.4g} rpm", *f.limiting_speed), kBoundary});
   }
   if (f.limiting_speed)
-    fact_use.emplace_back("The limiting speed is compared with the size; it does not rank.");
+    fact_use.emplace_back(
+        "The limiting speed is only compared with the size of the bearing; it does not change the "
+        "ranking of the candidates.");
   if (!f.cage.empty() && f.cage != "full complement")
     fact_use.push_back(fmt::format(
         "cage = {}: only \"full complement\" has an effect on the candidates.", f.cage));
   if (f.rows.value_or(1) > 1)
     fact_use.push_back(
-        fmt::format("The ratings apply to {} rows together. The deck describes one row: enter the "
-                    "load of one row.",
+        fmt::format("The ratings are those of the bearing with {} rows. The deck describes one "
+                    "row: enter the load of one row.",
                     *f.rows));
   if (!b.left_out.empty())
-    fact_use.push_back(fmt::format("Not used of the designation: {}.", b.left_out));
+    fact_use.push_back(fmt::format("Unused part of the designation: {}.", b.left_out));
 }
 
 }  // namespace
@@ -590,8 +599,8 @@ CandidateReport find_candidates(const BearingFacts& facts) {
     all = twice.find(kAllFacts);
     if (!all.empty())
       out.fact_use.emplace_back(
-          "BSF is assumed to be twice the spin frequency of an element (a defect strikes both "
-          "races).");
+          "BSF is assumed to be twice the spin frequency of an element, because a defect of the "
+          "element strikes both races.");
   }
   if (all.empty()) {
     out.contradictions = contradictions_of(search, named_facts(facts));
@@ -621,7 +630,8 @@ deck::CatalogueBearing candidate_bearing(const CandidateReport& report, int numb
   if (number < 1 || number > count)
     throw InputError(count == 0
                          ? candidates_text(report)
-                         : fmt::format("candidate {} does not exist; give 1 to {}", number, count));
+                         : fmt::format("candidate {} does not exist; give a number from 1 to {}",
+                                       number, count));
   const BearingCandidate& one = report.candidates[static_cast<std::size_t>(number - 1)];
   deck::CatalogueBearing out = report.bearing;
   out.angle = one.angle;

@@ -116,7 +116,8 @@ Json calculator_inputs(const runs::Prepared& p, const std::string& calculator, i
   if (calculator == "film") {
     if (!p.bearing.lubrication)
       throw InputError(
-          "the deck has no lubricant between elements and races; set kTrac to a lubricant");
+          "the deck has no lubricant between elements and races; set kTrac to the code of a "
+          "lubricant");
     const statics::LubricantFilms films = p.rollers ? statics::contact_films(p.bearing, *p.rollers)
                                                     : statics::contact_films(p.bearing, p.statics);
     for (std::size_t j = 0; j < 2; ++j)
@@ -129,10 +130,12 @@ Json calculator_inputs(const runs::Prepared& p, const std::string& calculator, i
     return out;
   }
   if (calculator != "hertz")
-    throw InputError(fmt::format("calculator {} does not accept a deck. These calculators do: {}",
-                                 calculator, fmt::join(deck_calculators(), ", ")));
+    throw InputError(fmt::format(
+        "calculator {} does not accept a deck. The calculators that accept a deck are: {}",
+        calculator, fmt::join(deck_calculators(), ", ")));
   if (p.rollers)
-    throw InputError("calculator hertz needs a deck with balls. Use line-contact for rollers");
+    throw InputError(
+        "calculator hertz needs a deck with balls. For rollers, use calculator line-contact");
   for (std::size_t j = 0; j < 2; ++j) out[kRaces[j]] = hertz_of_ball(p, k, j);
   return out;
 }

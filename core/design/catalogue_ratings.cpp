@@ -67,8 +67,8 @@ std::vector<std::string> describe_ratings(const deck::RatedBearing& b) {
                       mm(b.pitch), b.angle),
           fmt::format("ESTIMATED ratings (ISO 281, ISO 76), {}: C {:.3g} kN, C0 {:.3g} kN.",
                       r.axial ? "axial" : "radial", 1e-3 * r.C, 1e-3 * r.C0),
-          "Decks cannot describe this type yet, so it cannot be simulated. Use the calculators "
-          "static-safety, reference-speed, minimum-load and iso281."};
+          "Decks cannot describe this bearing type yet, so the bearing cannot be simulated. Use "
+          "the calculators static-safety, reference-speed, minimum-load and iso281."};
 }
 
 }  // namespace adore::design

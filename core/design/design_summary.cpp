@@ -66,20 +66,23 @@ void add_lives(Writer& out, const runs::Prepared& ready) {
   };
   const std::optional<life::IsoReport>& iso = ready.life.iso;
   out.add("life_iso281", "L10h, ISO 281", kHours, iso ? hours(iso->L10) : std::nullopt,
-          iso && iso->L10 ? why("rating life at the loads of the deck")
-                          : why("ISO 281 has no equivalent load for these loads"));
+          iso && iso->L10
+              ? why("rating life at the loads of the deck")
+              : why("ISO 281 does not define an equivalent load for the loads of the deck"));
   out.add("life_iso16281", "L10rh, ISO/TS 16281", kHours,
           iso && iso->reference ? hours(iso->reference->L10r) : std::nullopt,
-          iso && iso->reference ? why("from the loads of all contacts")
-                                : why("the deck has no slices or no geometry for ISO/TS 16281"));
+          iso && iso->reference ? why("life computed from the loads of all contacts")
+                                : why("the deck does not have the roller slices or the geometry "
+                                      "that ISO/TS 16281 needs"));
   out.add("life_modified", "Lnmh, with aISO", kHours,
           iso && iso->L_nm ? hours(iso->L_nm) : std::nullopt,
-          iso && iso->L_nm ? why("with film and contamination of the run options")
-                           : why("needs an oil and the run option for contamination"));
+          iso && iso->L_nm
+              ? why("with the viscosity ratio and the contamination factor (isoContamination)")
+              : why("needs an oil and the run option isoContamination"));
   out.add(
       "life_lundberg_palmgren", "L10h, Lundberg-Palmgren", kHours,
       hours(ready.life.state.of(bearing::LifeModel::Original, bearing::LifeModification::None).L10),
-      why("original theory, from the loads of all contacts"));
+      why("original Lundberg-Palmgren theory with the loads of all contacts"));
 }
 
 void add_contacts(Writer& out, const runs::Prepared& ready) {
@@ -97,7 +100,8 @@ void add_contacts(Writer& out, const runs::Prepared& ready) {
     safety = std::min(safety.value_or(here), here);
   }
   out.add("static_safety", "Safety s0", kPure, safety,
-          safety ? "by the largest pressure of both races" : "no contact has a load");
+          safety ? "from the larger of the maximum contact pressures of the two races"
+                 : "no contact has a load");
   for (std::size_t j = 0; j < 2; ++j) {
     const listing::RaceSummary& race = all.race[j];
     out.add(fmt::format("pressure_{}", kRace[j]), fmt::format("Pressure, {} race", kRace[j]),
@@ -117,7 +121,7 @@ void add_contacts(Writer& out, const runs::Prepared& ready) {
     if (angle && rollers)
       note = "angle of the raceway at mid-length of the roller";
     else if (angle)
-      note = fmt::format("most loaded ball; all: {:.3g} to {:.3g}°",
+      note = fmt::format("most loaded ball; all balls: {:.3g} to {:.3g}°",
                          race.least_angle.value * kAngle.factor,
                          race.most_angle.value * kAngle.factor);
     out.add(fmt::format("contact_angle_{}", kRace[j]), fmt::format("Angle, {} race", kRace[j]),
@@ -139,12 +143,14 @@ void add_films(Writer& out, const runs::Prepared& ready) {
     const std::string none = films ? "no contact has a film" : "the deck has no oil";
     out.add(fmt::format("film_{}", kRace[j]), fmt::format("Film, {} race", kRace[j]), kFilm, least,
             least ? films->lubricant : none);
-    out.add(fmt::format("lambda_{}", kRace[j]), fmt::format("Lambda, {} race", kRace[j]), kPure,
-            films && least ? std::optional(films->lambda[j]) : std::nullopt,
-            films && least ? (std::isnan(films->lambda[j])
-                                  ? "the roughness is 0"
-                                  : "smallest film over roughness, most loaded contact")
-                           : none);
+    out.add(
+        fmt::format("lambda_{}", kRace[j]), fmt::format("Lambda, {} race", kRace[j]), kPure,
+        films && least ? std::optional(films->lambda[j]) : std::nullopt,
+        films && least
+            ? (std::isnan(films->lambda[j])
+                   ? "the roughness is 0"
+                   : "smallest film thickness divided by roughness, for the most loaded contact")
+            : none);
   }
 }
 
@@ -152,7 +158,8 @@ void add_friction(Writer& out, const runs::Prepared& ready) {
   out.group("Friction torque");
   const statics::FrictionEstimate* f = ready.friction ? &*ready.friction : nullptr;
   const std::string none =
-      f == nullptr ? "the traction routine is used only in motion" : f->why_none();
+      f == nullptr ? "the user traction routine is called only in a simulation of the motion"
+                   : f->why_none();
   const bool known = f != nullptr && none.empty();
   const auto add = [&](const char* id, const char* label, double power, const std::string& note,
                        const std::string& why_not = {}) {
@@ -179,9 +186,9 @@ void add_friction(Writer& out, const runs::Prepared& ready) {
   add("flange", "Flanges", known ? f->flange[0] + f->flange[1] : 0.0,
       ready.rollers ? "roller ends" : "balls have no flanges");
   add("drag", "Drag of medium", known ? f->drag() : 0.0, known ? f->medium : none,
-      known && f->medium.empty() ? "the deck has no medium (kChrn = 0)" : "");
+      known && f->medium.empty() ? "the deck has no churning medium (kChrn = 0)" : "");
   out.add("torque_cage", "Cage, seals", kTorque, std::nullopt,
-          "needs the motion of the cage; seals are not modeled");
+          "cage friction needs a simulation of the motion; seals are not modeled");
   out.add("heat", "Heat", kPower, known ? std::optional(f->power()) : std::nullopt,
           known ? "without cage and seals" : none);
 }
@@ -220,17 +227,20 @@ void add_fault_frequencies(Writer& out, const runs::Prepared& ready) {
     out.add(id, label, kFrequency, moves ? std::optional(value) : std::nullopt,
             moves ? note : "the races do not rotate relative to each other");
   };
-  add("bpfo", "BPFO (outer)", speeds.outer_pass, "elements pass a point of the outer race");
-  add("bpfi", "BPFI (inner)", speeds.inner_pass, "elements pass a point of the inner race");
-  add("bsf", "BSF (spin)", speeds.spin_frequency, "a defect strikes a race twice as often");
-  add("ftf", "FTF (cage)", std::abs(speeds.cage_frequency), "revolutions of the cage");
+  add("bpfo", "BPFO (outer)", speeds.outer_pass,
+      "frequency at which elements pass a point of the outer race");
+  add("bpfi", "BPFI (inner)", speeds.inner_pass,
+      "frequency at which elements pass a point of the inner race");
+  add("bsf", "BSF (spin)", speeds.spin_frequency,
+      "spin frequency; a defect of an element strikes the races at twice this frequency");
+  add("ftf", "FTF (cage)", std::abs(speeds.cage_frequency), "rotation frequency of the cage");
 }
 
 void add_temperatures(Writer& out, const runs::Prepared& ready) {
   out.group("Temperatures");
   const bool computed = ready.thermal.has_value();
   const std::string note =
-      computed ? "steady state" : "as entered: no thermal analysis (kTherm = 0)";
+      computed ? "steady state" : "temperature of the deck; no thermal analysis (kTherm = 0)";
   const auto add = [&](const char* id, const char* label, double kelvin) {
     out.add(id, label, kTemperature, kelvin, note);
   };

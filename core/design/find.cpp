@@ -45,12 +45,12 @@ std::string lacking(const std::string& id, const results::KeyResults& results, b
   std::string has;
   for (const results::KeyResult& one : results)
     has += fmt::format("{}{}", has.empty() ? "" : ", ", one.of.id);
-  return fmt::format("{}: the equilibrium of this deck does not have this result.{} Available: {}.",
-                     id,
-                     quasi_static ? ""
-                                  : " Friction and temperatures need a quasi-static deck: set mode "
-                                    "to -1.",
-                     has);
+  return fmt::format(
+      "{}: the equilibrium of this deck does not have this result.{} Available results: {}.", id,
+      quasi_static ? ""
+                   : " Friction and temperatures need a quasi-static deck: set mode "
+                     "to -1.",
+      has);
 }
 
 struct Variable {
@@ -82,8 +82,9 @@ Variable variable_of(const FindRequest& request) {
   }
   const deck::VariableSpec& spec = found.front().spec();
   if (spec.type == deck::VarType::String)
-    throw InputError(fmt::format("unknown {}: the value is text. Choose a numeric variable.",
-                                 request.unknown.name));
+    throw InputError(fmt::format(
+        "variable {} cannot be the unknown: its value is text. Choose a numeric variable.",
+        request.unknown.name));
   return {false, spec.type == deck::VarType::Integer, runs::variable_unit(request, bare)};
 }
 
@@ -157,50 +158,52 @@ FindReport find_in_deck(const FindRequest& request, std::stop_token stop,
   }
   if (!idle.empty())
     throw InputError(
-        fmt::format("unknown {}: the deck does not use it ({}). Choose another "
-                    "variable, or change the deck.",
+        fmt::format("variable {} cannot be the unknown: the deck does not use it ({}). Choose "
+                    "another variable, or change the deck.",
                     request.unknown.name, idle));
   return out;
 }
 
 const std::vector<FindQuestion>& find_questions() {
   static const std::vector<FindQuestion> list{
-      {"all-loaded", "least thrust that keeps all elements loaded", "", "appLoadX",
+      {"all-loaded", "smallest thrust that keeps all elements loaded", "", "appLoadX",
        "least_element_load_N", "0", "",
        "adore find DATA.txt --question all-loaded --between 1:5000 --set appLoadZ=2000"},
-      {"preload-for-stiffness", "thrust for a radial stiffness [N/m]", "", "appLoadX",
-       "stiffness_z_N_per_m", "", "",
+      {"preload-for-stiffness", "thrust that gives a specified radial stiffness [N/m]", "",
+       "appLoadX", "stiffness_z_N_per_m", "", "",
        "adore find DATA.txt --question preload-for-stiffness=1e8 --between 10:5000"},
-      {"clearance-for-life", "diametral clearance for a life [hr] (up to two solutions)", "",
+      {"clearance-for-life",
+       "diametral clearance that gives a specified life [hr] (up to two solutions)", "",
        "freeIntCls", "life_lp_hours", "", "freeConAng=0",
        "adore find DATA.txt --question clearance-for-life=20000 --between -2e-5:1e-4"},
       {"pivot-speed", "inner race speed at which a ball starts to pivot gyroscopically [rpm]", "",
        "rpm2", "gyroscopic_ratio", "1", "",
        "adore find DATA.txt --question pivot-speed --between 1000:60000"},
-      {"load-for-pressure", "radial load for a largest contact pressure [Pa]", "", "appLoadZ",
-       "largest_pressure_Pa", "", "",
+      {"load-for-pressure", "radial load that gives a specified maximum contact pressure [Pa]", "",
+       "appLoadZ", "largest_pressure_Pa", "", "",
        "adore find DATA.txt --question load-for-pressure=2e9 --between 10:50000"},
-      {"load-for-approach", "radial load for a largest elastic approach [m]", "", "appLoadZ",
-       "largest_approach_m", "", "",
+      {"load-for-approach", "radial load that gives a specified maximum elastic approach [m]", "",
+       "appLoadZ", "largest_approach_m", "", "",
        "adore find DATA.txt --question load-for-approach=1e-5 --between 10:50000"},
-      {"fit-for-clearance", "fit of the inner race for an operating clearance [m]", "", "raceFit2",
-       "operating_clearance_m", "", "",
+      {"fit-for-clearance", "fit of the inner race that gives a specified operating clearance [m]",
+       "", "raceFit2", "operating_clearance_m", "", "",
        "adore find DATA.txt --question fit-for-clearance=5e-6 --between 0:4e-5"},
-      {"viscosity-for-kappa", "viscosity of the user lubricant (kTrac = 9) for a ratio kappa", "",
-       "refVis", "viscosity_ratio", "", "",
+      {"viscosity-for-kappa",
+       "viscosity of the user lubricant (kTrac = 9) that gives a specified viscosity ratio kappa",
+       "", "refVis", "viscosity_ratio", "", "",
        "adore find DATA.txt --question viscosity-for-kappa=2 --between 1e-3:1"},
       {"quiet-load", "radial load at which the variable compliance changes its sign", "",
        "appLoadZ", "variable_compliance_m", "0", "",
        "adore find DATA.txt --question quiet-load --between 20:2000"},
-      {"contact-load-for-approach", "load of one contact for an approach [m]", "hertz", "load",
-       "delta", "", "",
-       "adore find --question contact-load-for-approach=1e-5 contact.json --between 1:1e5"},
-      {"contact-load-for-pressure", "load of one contact for a largest pressure [Pa]", "hertz",
-       "load", "p_max", "", "",
-       "adore find --question contact-load-for-pressure=2e9 contact.json --between 1:1e5"},
-      {"contact-load-for-half-width", "load of one contact for a minor half axis [m]", "hertz",
-       "load", "b", "", "",
-       "adore find --question contact-load-for-half-width=1e-4 contact.json --between 1:1e5"},
+      {"contact-load-for-approach",
+       "load of one contact that gives a specified elastic approach [m]", "hertz", "load", "delta",
+       "", "", "adore find --question contact-load-for-approach=1e-5 contact.json --between 1:1e5"},
+      {"contact-load-for-pressure",
+       "load of one contact that gives a specified maximum pressure [Pa]", "hertz", "load", "p_max",
+       "", "", "adore find --question contact-load-for-pressure=2e9 contact.json --between 1:1e5"},
+      {"contact-load-for-half-width",
+       "load of one contact that gives a specified minor half axis [m]", "hertz", "load", "b", "",
+       "", "adore find --question contact-load-for-half-width=1e-4 contact.json --between 1:1e5"},
   };
   return list;
 }
@@ -218,8 +221,8 @@ ParsedFindQuestion parse_question(std::string_view text) {
   const std::string value(equal == std::string_view::npos ? out.question->value
                                                           : text.substr(equal + 1));
   if (value.empty())
-    throw InputError(fmt::format("question {}: it needs a value. Write {}=value, for example {}.",
-                                 name, name, out.question->example));
+    throw InputError(fmt::format("question {} needs a value. Write {}=value, for example {}.", name,
+                                 name, out.question->example));
   out.unknown.name = out.question->unknown;
   out.target = parse_target(fmt::format("{}={}", out.question->target, value));
   return out;

@@ -179,7 +179,7 @@ void add_cage(Changes& changes, const bearing::Bearing& b) {
   if (cage.material == 0) material = "mild steel";
   changes.say(
       fmt::format("ESTIMATED cage of {}: outer diameter {:.4g} mm, inner diameter {:.4g} mm, width "
-                  "{:.4g} mm. Clearance in the pockets {:.3g} mm.",
+                  "{:.4g} mm. Pocket clearance: {:.3g} mm.",
                   material, cage.outer * kMillimeters, cage.inner * kMillimeters,
                   cage.width * kMillimeters, cage.pocket * kMillimeters));
   if (cage.guide > 0) {
@@ -201,7 +201,7 @@ void add_cage(Changes& changes, const bearing::Bearing& b) {
         fmt::format("Two lands guide the cage at the {} race with a clearance of {:.3g} mm.",
                     cage.guide == 1 ? "outer" : "inner", clearance * kMillimeters));
   } else {
-    changes.say("The rollers guide the cage; it has no lands.");
+    changes.say("The rollers guide the cage; the cage has no guide lands.");
   }
   // The elements' speed, and off the center so that the motion does not start symmetric.
   changes.si("pocLubFilm", 1e-6);
@@ -220,7 +220,7 @@ void add_cage(Changes& changes, const bearing::Bearing& b) {
     changes.number(stem + "4", 0.0);
   };
   curve("reCageTC", 0.08);
-  std::string friction = "ESTIMATED dry friction of the cage: 0.08 in the pockets";
+  std::string friction = "ESTIMATED dry friction coefficient of the cage: 0.08 in the pockets";
   if (cage.guide > 0) {
     changes.code("kCRTrac", 0);
     changes.code("kCRTracType", 2);
@@ -240,8 +240,8 @@ void add_friction(Changes& changes, const deck::Deck& deck, const bearing::Beari
   changes.number("reRaceTC3", 0.04);
   changes.si("reRaceTC4", 0.5);
   changes.say(
-      "ESTIMATED friction between elements and races: 0.06 at a slip of 0.5 m/s, 0.04 at much "
-      "higher slip; the deck specifies no friction.");
+      "ESTIMATED friction coefficient between elements and races: 0.06 at a slip of 0.5 m/s, 0.04 "
+      "at much higher slip; the deck specifies no friction.");
 }
 
 void add_gravity(Changes& changes, const deck::Deck& deck) {
@@ -293,8 +293,8 @@ void add_run(Changes& changes, const runs::RunScales& scales) {
   changes.number("tol", 1e-5);
   changes.number("qFac", 0.0);
   changes.say(
-      fmt::format("Mode 0: every body moves for {} ({:.3g} ms), about {} "
-                  "stored pictures. Both races keep the position of the static solution.",
+      fmt::format("Mode 0: the motion is simulated for {} ({:.3g} ms), with about {} stored "
+                  "frames. Both races keep the position of the static solution.",
                   counted(fmt::format("{:.3g}", kDynamicDeckRevolutions), "revolution"), end * 1e3,
                   steps / between));
 }

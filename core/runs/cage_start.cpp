@@ -138,7 +138,7 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
       by_record = by_record || cage.start_of(k).start_offset.x() != 0.0;
   }
   if (by_record) {
-    issue.message = segments ? found + ", because of cageGcPos and cageAngPos of its segments"
+    issue.message = segments ? found + ", because of cageGcPos and cageAngPos of the cage segments"
                              : fmt::format("{}, because of {} and {}", found, triple("cageGcPos"),
                                            triple("cageAngPos"));
     issue.remedy = fmt::format(
@@ -155,8 +155,7 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
         found, prepared.bearing.cage->cone_angle * kDegreesPerRadian,
         std::abs(lean) * kDegreesPerRadian);
     issue.remedy = fmt::format(
-        "give {:.6g} degrees (the angle of the rollers), or a larger "
-        "bPocCls1",
+        "enter a cone angle of {:.6g} degrees (the angle of the rollers), or a larger bPocCls1",
         prepared.bearing.rollers()->axis_angle * kDegreesPerRadian);
   } else {
     const bool second = axial && (cage.pocket == bearing::PocketShape::Rectangular);
@@ -170,15 +169,16 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
         pocket > 0.0 && worst_pocket_wall != nullptr
             ? fmt::format(", more than the interference of the pockets ({})", length(pocket))
             : std::string(),
-        moved || turned ? ", which is not caused by record 9.6" : ", although the cage is centered",
+        moved || turned ? ". Record 9.6 is not the cause" : ", although the cage is centered",
         !land ? "the static solution shifted or tilted the elements by more than the clearance"
         : uneven
             ? "the shape errors of records 7.5.i and 7.6.i exceed the clearance left by the "
               "static solution"
-            : "the static solution moved the elements towards the race by more than the clearance");
-    issue.remedy = faces ? fmt::format("move the guide faces at least {} further from the rollers",
-                                       length(worst))
-                         : fmt::format("give at least {} more clearance", length(2.0 * worst));
+            : "the static solution moved the elements toward the race by more than the clearance");
+    issue.remedy =
+        faces ? fmt::format("move the guide faces at least {} further away from the rollers",
+                            length(worst))
+              : fmt::format("give at least {} more clearance", length(2.0 * worst));
   }
   throw InputError(std::vector<Issue>{issue});
 }

@@ -57,7 +57,7 @@ std::optional<Finding> CageStateMonitor::finding() const {
   if (segment_count_ > 1)
     return make_finding(
                "cage.not_judged",
-               "State of the cage: not determined, because its segments have no common center")
+               "State of the cage: not determined, because the cage segments have no common center")
         .of("cage");
   std::size_t first = 0;
   if (!times_.empty()) {
@@ -71,20 +71,20 @@ std::optional<Finding> CageStateMonitor::finding() const {
     turned += 0.5 * (instants_[i].omega + instants_[i - 1].omega) * (times_[i] - times_[i - 1]);
   const double turns = std::abs(turned) / (2.0 * std::numbers::pi);
   if (turns < kMinCageRevolutions)
-    return make_finding(
-               "cage.not_judged",
-               fmt::format("State of the cage: not determined, because the cage makes only {} in "
-                           "the second half of the run. Simulate at least {:.3g} times as long",
-                           counted(fmt::format("{:.3g}", turns), "revolution"),
-                           turns > 0.0 ? std::ceil(kMinCageRevolutions / turns) : 2.0))
+    return make_finding("cage.not_judged",
+                        fmt::format("State of the cage: not determined, because the cage makes "
+                                    "only {} in the second half of the run. Increase the length of "
+                                    "the run by a factor of at least {:.3g}",
+                                    counted(fmt::format("{:.3g}", turns), "revolution"),
+                                    turns > 0.0 ? std::ceil(kMinCageRevolutions / turns) : 2.0))
         .measure(turns)
         .of("cage");
   const results::Whirl whirl = results::classify_whirl(late);
   const double scatter = std::abs(whirl.deviation / whirl.ratio);
   const std::string orbit =
-      fmt::format("The orbit of its center is {:.3g} times the clearance ({})", whirl.orbit,
+      fmt::format("The orbit of the cage center is {:.3g} times the clearance ({})", whirl.orbit,
                   results::name_of(of_));
-  const std::string span = fmt::format("Evaluated over the last {} of the cage",
+  const std::string span = fmt::format("The evaluation covers the last {} of the cage",
                                        counted(fmt::format("{:.3g}", turns), "revolution"));
   switch (whirl.of) {
     case results::WhirlClass::Resting:

@@ -15,7 +15,7 @@ namespace adore::runs {
 std::string user_routine_motion_text(const Prepared& prepared) {
   const auto& laws = prepared.options.system.user;
   return laws && laws->motion != nullptr ? "routine ADRX1 specifies loads or motions of the races, "
-                                           "which an equilibrium does not include"
+                                           "which the equilibrium does not include"
                                          : std::string();
 }
 
@@ -36,10 +36,10 @@ std::string user_routine_jumps_text(const Prepared& prepared) {
       add(fmt::format("the {} race starts with an additional speed of {:.4g} rad/s", race,
                       motion_declaration.start_spin[j]));
   }
-  return out.empty()
-             ? out
-             : "routine ADRX1 specifies impulses and steps, which do not count as excess energy: " +
-                   out;
+  return out.empty() ? out
+                     : "routine ADRX1 specifies jumps of loads or speeds, which do not count as "
+                       "excess energy: " +
+                           out;
 }
 
 Finding excess_energy_finding(const std::string& text, double ratio) {
@@ -65,7 +65,7 @@ std::optional<Finding> equilibrium_change_finding(const dynamics::EquilibriumCha
   if (ratio > dynamics::kExcessRefused)
     throw SolverError(text +
                       ": this change of the bearing acts like an impact on the contacts. Change "
-                      "it in smaller steps, or start from the equilibrium (kIcOpt = 0)");
+                      "the bearing in smaller steps, or start from the equilibrium (kIcOpt = 0)");
   return excess_energy_finding(text + ", so the loads of the next revolutions contain a vibration",
                                ratio);
 }

@@ -90,8 +90,8 @@ std::vector<Issue> compare_with_stored(const std::string& stored, const deck::De
                                        const std::filesystem::path& file, setup::StartState start) {
   if (stored.empty())
     return {note(file,
-                 "the file does not contain the deck of its run. Only the number of elements and "
-                 "the cage can be compared with this deck")};
+                 "the file does not contain the deck of the run that wrote it. Only the number of "
+                 "elements and the cage can be compared with the deck of this run")};
   const deck::Deck before = read_stored_deck(stored, file);
   const bool continues = start == setup::StartState::Continue;
   std::vector<Issue> refused;

@@ -96,8 +96,9 @@ std::vector<std::string> deck_story(const deck::Deck& deck) {
   for (const Issue& issue : check_model(deck)) {
     // Features that only the dynamics lacks; the equilibrium of the same deck is available.
     if (issue.code != "deck.refused") continue;
-    lines.push_back(fmt::format(
-        "problem:    {}; for the quasi-static solution only, use --set mode=-1", issue.message));
+    lines.push_back(
+        fmt::format("problem:    {}; to compute only the quasi-static solution, use --set mode=-1",
+                    issue.message));
     break;
   }
   return lines;

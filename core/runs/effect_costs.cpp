@@ -48,7 +48,7 @@ std::string effect_costs_text(const Prepared& prepared) {
   const Measured found = measure(prepared);
   if (found.shares.empty()) return {};
   std::string text =
-      fmt::format("cost of the effects at the start state: {:.3g} us per evaluation in total\n",
+      fmt::format("CPU time of the effects at the start state: {:.3g} us per evaluation in total\n",
                   1e6 * found.per_call);
   for (const EffectCost& cost : found.shares)
     if (cost.share >= 5e-4)

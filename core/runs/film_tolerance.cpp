@@ -22,8 +22,8 @@ double FilmTolerance::wanted(const dynamics::System& system, double now) const {
 
 std::string film_tolerance_text(double tolerance, double tightest, double share) {
   return fmt::format(
-      "for {:.3g} % of the time, the run used a smaller tolerance (down to {:.2g}; specified: "
-      "{:g}), because oil films collapsed in contacts that slid without rolling",
+      "for {:.3g} % of the time, the run used a smaller tolerance (down to {:.2g}) than specified "
+      "({:g}), because oil films collapsed in contacts that slid without rolling",
       100.0 * share, tightest, tolerance);
 }
 

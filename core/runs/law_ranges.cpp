@@ -439,7 +439,7 @@ std::vector<validity::Finding> LawValidityMonitor::findings() const {
     if (!limit && use.above_limit >= kJudgedShare * use.slip_power) continue;  // said once
     validity::Finding one = found;
     one.detail =
-        fmt::format("exceeded in contacts with {:.2g} % of the sum of load times slip speed",
+        fmt::format("range exceeded in contacts with {:.2g} % of the sum of load times slip speed",
                     100.0 * above / use.slip_power);
     out.push_back(std::move(one));
   }
@@ -485,7 +485,7 @@ std::optional<Finding> LawValidityMonitor::friction_coefficient_finding() const 
   const bool at_rest = std::isnan(s.given_time);
   Finding out = make_finding(
       "friction.coefficient",
-      fmt::format("Friction coefficient from the deck or a routine: largest {:.3g}, at {}{}.",
+      fmt::format("Largest friction coefficient from the deck or a user routine: {:.3g}, at {}{}.",
                   s.given_largest, s.given_body,
                   at_rest ? std::string(", quasi-static solution")
                           : fmt::format(", t = {:.6g} s", s.given_time)));

@@ -20,8 +20,8 @@ MissedTolerance judge_missed_tolerance(const setup::RunControl& control,
       counters.at_minimum, counters.steps, 100.0 * static_cast<double>(counters.at_minimum) / steps,
       control.tolerance, mean);
   if (mean > 1.0)
-    out.text +=
-        fmt::format(": the results correspond to about tol = {:.1g}", mean * control.tolerance);
+    out.text += fmt::format(": the results are about as accurate as with tol = {:.1g}",
+                            mean * control.tolerance);
   out.text += out.trusted ? "; decrease stpMin, or increase tol"
                           : ". The results of this run cannot be trusted. Decrease stpMin; if that "
                             "takes too long, try an implicit method (arkode-dirk, cvode-bdf)";

@@ -102,7 +102,8 @@ std::string model_json(const ModelStudy& study) {
 ModelStudy read_model_study(const std::string& text, const std::string& name) {
   const Json json = parse_json<Json>(text, name);
   try {
-    if (json.at("study") != "models") throw InputError(name + " is not a study of model errors");
+    if (json.at("study") != "models")
+      throw InputError(name + " does not contain a study of model errors");
     ModelStudy out;
     out.stamp = json.at("stamp").get<std::string>();
     out.deck = json.at("deck").get<std::string>();
@@ -129,7 +130,7 @@ ModelStudy read_model_study(const std::string& text, const std::string& name) {
     }
     return out;
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(name + " is not a study of model errors: " + error.what());
+    throw InputError(name + " does not contain a study of model errors: " + error.what());
   }
 }
 

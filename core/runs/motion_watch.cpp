@@ -138,7 +138,7 @@ void MotionLimitMonitor::check_cage(const scene::Snapshot& at) {
           bearing_.rollers() != nullptr ? line_stress_ratio_ : point_stress_ratio_, [&] {
             return element < at.elements.size()
                        ? fmt::format("in the pocket of element {}", element + 1)
-                       : std::string("in the half pocket at the end of a segment");
+                       : std::string("in the half pocket at the end of a cage segment");
           });
   for (const scene::CageSnapshot& piece : at.cages)
     for (std::size_t i = 0; i < piece.lands.size() && i < cage.lands.size(); ++i) {
@@ -188,8 +188,8 @@ std::vector<Finding> MotionLimitMonitor::findings(results::UnitSystem units) con
     if (over.steps > 0)
       add("motion.shoulder",
           fmt::format("in {} of the stored steps contact ellipses extend beyond the shoulder of "
-                      "the {} race, most for ball {} at t = {:.6g} s (by {}). The model does not "
-                      "truncate the ellipse, so loads there are optimistic",
+                      "the {} race. The worst case is ball {} at t = {:.6g} s (by {}). The model "
+                      "does not truncate the ellipse, so the computed contact loads are optimistic",
                       over.steps, kRaceName[race], over.element, over.time,
                       quantity(over.value, results::unit::kLength, units)))
           .of(fmt::format("ball {}, {} race", over.element, kRaceName[race]))
@@ -230,8 +230,7 @@ std::vector<Finding> MotionLimitMonitor::findings(results::UnitSystem units) con
     add("cage.overlap",
         fmt::format("in {} of the stored steps segments of the cage overlap. The largest overlap "
                     "is between segments {}: {} at t = {:.6g} s. Contact between segments is not "
-                    "modeled. Give a wider "
-                    "cut (cageAngCut) or less pocket clearance",
+                    "modeled. Enter a wider cut (cageAngCut) or a smaller pocket clearance",
                     worst_segment_overlap_.steps, worst_segment_overlap_.where,
                     quantity(worst_segment_overlap_.value, results::unit::kLength, units),
                     worst_segment_overlap_.time))

@@ -30,7 +30,8 @@ int oil_code(const std::string& oil) {
   }
   if (found != 0) return found;
   throw InputError(fmt::format(
-      "unknown oil \"{:.60}\"; give a number or the beginning of a name: {}", oil, known));
+      "unknown oil \"{:.60}\"; give the number of an oil or the beginning of its name: {}", oil,
+      known));
 }
 
 }  // namespace

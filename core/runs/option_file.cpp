@@ -173,9 +173,11 @@ std::string unknown_name_text(std::string_view name) {
   for (const RunOptionInfo& option : run_options())
     if (edit_distance(name.substr(0, 40), option.name) <= 2) add(option.name);
   return fmt::format(
-      "there is no run option named \"{}\", nor a variable of records X; {}", name,
-      names.empty() ? std::string("`adore run --list-options` and `adore schema` list the names")
-                    : fmt::format("did you mean {}?", names));
+      "there is no run option named \"{}\", and records X have no variable with this name; {}",
+      name,
+      names.empty()
+          ? std::string("`adore run --list-options` and `adore schema` list the valid names")
+          : fmt::format("did you mean {}?", names));
 }
 
 OptionFile usable_options_of_deck(const fs::path& deck_file) {
@@ -210,8 +212,8 @@ std::vector<Issue> set_extension(deck::Deck& deck, const OptionFile& file,
       const std::vector<deck::RecordData> before = deck.records;
       deck.set(name, value);
       if (given && deck.records != before)
-        add(deck.issue(Severity::Error, name, "has another value in the deck file",
-                       "give it in one of the two files"));
+        add(deck.issue(Severity::Error, name, "has a different value in the deck file",
+                       "give the variable in only one of the two files"));
     } catch (const InputError& error) {
       for (const Issue& issue : error.issues()) add(issue);
     }

@@ -59,8 +59,8 @@ std::string whoami() {
 
 [[noreturn]] void refuse_folder(const fs::path& folder, int error, std::string_view elsewhere) {
   throw InputError(
-      fmt::format("{}: nothing can be written into this folder ({}); make it writable, free some "
-                  "disk space, or {}",
+      fmt::format("{}: nothing can be written into this folder ({}); make the folder writable, "
+                  "free some disk space, or {}",
                   folder.string(), std::generic_category().message(error), elsewhere));
 }
 
@@ -121,8 +121,8 @@ FolderLock::FolderLock(WriteFolder folder, std::string_view elsewhere)
     const int descriptor = folder_.open_lock(kName);
     if (descriptor < 0 && (errno == ELOOP || errno == EMLINK || errno == EINVAL || errno == ENXIO))
       throw InputError(
-          fmt::format("{}: a run uses this name for its lock file, but it is a link or not a "
-                      "regular file; remove it, or {}",
+          fmt::format("{}: this name is reserved for the lock file of a run, but the file is a "
+                      "link or not a regular file; remove the file, or {}",
                       path.string(), elsewhere));
     if (descriptor < 0) refuse_folder(folder_.path(), errno, elsewhere);
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
@@ -137,10 +137,10 @@ FolderLock::FolderLock(WriteFolder folder, std::string_view elsewhere)
         who.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
         who = who.substr(0, who.find('\n'));
         ::close(descriptor);
-        throw InputError(
-            fmt::format("{}: another run is writing into this folder ({}); wait for its end, or {}",
-                        folder_.path().string(),
-                        who.empty() ? "a process that did not store its name" : who, elsewhere));
+        throw InputError(fmt::format(
+            "{}: another run is writing into this folder ({}); wait until that run ends, or {}",
+            folder_.path().string(), who.empty() ? "a process that did not store its name" : who,
+            elsewhere));
       }
       ::close(descriptor);  // a file system without locks
       return;
@@ -158,8 +158,8 @@ FolderLock::FolderLock(WriteFolder folder, std::string_view elsewhere)
   if (!is_lock(descriptor_)) {
     ::close(descriptor_);
     throw InputError(
-        fmt::format("{}: a run uses this name for its lock file, but the file is not a lock file; "
-                    "rename it, or choose another folder with --out",
+        fmt::format("{}: this name is reserved for the lock file of a run, but the file is not a "
+                    "lock file; rename the file, or choose another folder with --out",
                     path.string()));
   }
   const std::string who = whoami();
@@ -225,10 +225,10 @@ void check_names(const Outputs& outputs) {
                !is_written_by_adore(path)) {
       issue.message = "this output file exists and was not written by this program";
       issue.remedy =
-          "move it away, choose another name on record 2.3, or another folder with --out";
+          "move the file away, choose another name on record 2.3, or another folder with --out";
     } else if (write_protected(path)) {
       issue.message = "this output file is write-protected and was not changed";
-      issue.remedy = "make it writable (chmod u+w), or choose another folder with --out";
+      issue.remedy = "make the file writable (chmod u+w), or choose another folder with --out";
     } else {
       continue;
     }

@@ -20,7 +20,7 @@ std::string cost_text(const RunCost& cost) {
   if (!(cost.seconds > 0.0))
     return fmt::format("\nprocessor time of the whole run\n  not measured: {}\n", cost.failure);
   const std::string pilot =
-      cost.whole ? "the pilot run reached the end"
+      cost.whole ? "the pilot run simulated the whole run"
                  : fmt::format("estimated from a pilot run of {}",
                                cost.pilot_turns > 0.0
                                    ? counted(fmt::format("{:.3g}", cost.pilot_turns), "revolution")

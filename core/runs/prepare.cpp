@@ -93,7 +93,7 @@ bool disable_user_traction(Prepared& out) {
                                            "ADRX7, so it computes no friction torque and no heat{}",
                                            code,
                                            races && !out.as_built.rollers()
-                                               ? ", and the ball speeds follow kAngVel"
+                                               ? ", and kAngVel determines the ball speeds"
                                                : "")));
   return true;
 }
@@ -188,12 +188,13 @@ void set_film_options(Prepared& out) {
   oil.user->limit_softening = out.options.user_softening;
   if (oil.stress_limit && !out.options.user_limit)
     add_remark(
-        out, make_finding(
-                 "film.stress_limit_assumed",
-                 fmt::format("limiting shear stress of the user-defined lubricant: not given; {:g} "
-                             "times the pressure at 40 °C is assumed (estimate). Set run option "
-                             "lubStressLimit.",
-                             tribology::kUserLimit)));
+        out,
+        make_finding(
+            "film.stress_limit_assumed",
+            fmt::format(
+                "limiting shear stress of the user-defined lubricant: not given. At 40 °C, {:g} "
+                "times the pressure is assumed (estimate). Set run option lubStressLimit.",
+                tribology::kUserLimit)));
 }
 
 /// Reports where films, the oil at the cage and a churning medium are outside their known
@@ -265,8 +266,8 @@ void report_stiffness_fallbacks(Prepared& out) {
   constexpr double kRpm = 30.0 / std::numbers::pi;
   add_remark(
       out, make_finding("statics.friction_balance",
-                        fmt::format("stiffness over speed: {} without a friction equilibrium, "
-                                    "first at rpm1 = {:g} and rpm2 = {:g}: {}",
+                        fmt::format("stiffness over speed: {} without a friction equilibrium, the "
+                                    "first one at rpm1 = {:g} and rpm2 = {:g}: {}",
                                     counted(without, "row"), kRpm * first->speed[0],
                                     kRpm * first->speed[1], first->result.notes.front().message)));
 }
@@ -301,7 +302,7 @@ void report_fluid_uncertainty(Prepared& out) {
                           const char* what) {
     const char* const known = provenance == "estimated" ? "are partly estimates"
                               : provenance == "recalled"
-                                  ? "are partly quoted from memory, not from a publication"
+                                  ? "are partly unverified (not compared with a publication)"
                                   : nullptr;
     if (known != nullptr)
       add_remark(out,
@@ -330,17 +331,17 @@ void report_fluid_uncertainty(Prepared& out) {
 void report_contact_damping(Prepared& out) {
   const auto given = out.input.option_values.find("contactDamping");
   if (!out.plan.has(scene::Effect::ContactDamping))
-    add_remark(
-        out,
-        make_finding("damping.off",
-                     "contact damping is off: contact vibrations do not decay, so largest loads, "
-                     "life and spectra are not realistic. Set contactDamping = material"));
-  else if (given != out.input.option_values.end() && out.plan.has(scene::Effect::ElementBalance))
     add_remark(out,
-               make_finding("damping.idle",
-                            fmt::format("contactDamping = {} has no effect at the races, because "
-                                        "mode = {} keeps all elements in force balance there",
-                                        given->second, out.input.deck.integer("mode"))));
+               make_finding(
+                   "damping.off",
+                   "contact damping is off: contact vibrations do not decay, so the largest loads, "
+                   "the life and the spectra are not realistic. Set contactDamping = material"));
+  else if (given != out.input.option_values.end() && out.plan.has(scene::Effect::ElementBalance))
+    add_remark(out, make_finding(
+                        "damping.idle",
+                        fmt::format("contactDamping = {} has no effect at the races, because mode "
+                                    "= {} keeps all elements in force balance with the races",
+                                    given->second, out.input.deck.integer("mode"))));
 }
 
 /// The bearing for the statics of rollers: with the radii of rollers that are not round.
@@ -399,7 +400,7 @@ Prepared prepare_model(LoadedDeck input) {
   if (out.as_built.thermal && deck.integer("mode") < 0) {
     const auto interrupt = [&] {
       if (out.input.stop.stop_requested())
-        throw Interrupted("interrupted in the thermal analysis; no files were written");
+        throw Interrupted("interrupted during the thermal analysis; no files were written");
     };
     if (out.options.thermal_transient) {
       out.time_line =
@@ -492,7 +493,7 @@ Prepared prepare_model(LoadedDeck input) {
                 "statics.guide_force",
                 fmt::format(
                     "the equilibrium holds each roller along its axis with a force of {:.4g} N, as "
-                    "from a guide ring. In motion, only the groove and friction hold the roller",
+                    "a guide ring does. In motion, only the groove and friction hold the roller",
                     out.rollers->guide_force))
                 .measure(out.rollers->guide_force));
     }
@@ -522,10 +523,10 @@ Prepared prepare_model(LoadedDeck input) {
             fmt::format(
                 "rolling resistance of the balls in oil: the law does not include the "
                 "pressure-viscosity coefficient of the oil. Its result is {:.2g} times the result "
-                "of the line-contact law for strips of the contact, which includes this "
-                "coefficient. Solutions of Reynolds' equation for point contacts are between the "
-                "two (up to 2.5 times the strips). At this viscosity and speed, the "
-                "resistance and its heat may be about {:.0f} % too large",
+                "of the line-contact law, which includes this coefficient and is applied to strips "
+                "of the contact. Solutions of Reynolds' equation for point contacts are between "
+                "these two results (up to 2.5 times the result for strips). At this viscosity and "
+                "speed, the resistance and its heat may be about {:.0f} % too large",
                 ratio, 100.0 * (statics::rolling_resistance_excess(ratio) - 1.0)))
             .measure(ratio, validity::range("rolling.strips").bounds.most));
   judge(life::contact_strength(out.bearing, out.statics));
@@ -589,7 +590,7 @@ fs::path deck_path(const fs::path& path) {
   }
   if (!fs::exists(path, error))
     throw InputError(
-        fmt::format("there is no deck {}; `adore new ball --out {}` writes a complete one",
+        fmt::format("there is no deck {}; `adore new ball --out {}` writes a complete deck",
                     path.string(), path.string()));
   return path;
 }
@@ -737,7 +738,7 @@ std::string step_stability_text(const Prepared& prepared) {
 std::string end_text(const Prepared& prepared, const scene::ScenePlan& plan) {
   const double speed = std::abs(prepared.bearing.speed[1] - prepared.bearing.speed[0]);
   if (!(speed > 0.0) || !(plan.steps_per_revolution > 0.0) || speeds_vary(prepared))
-    return "by fTime or maxStps, whichever comes first";
+    return "set by fTime or maxStps, whichever is reached first";
   const double by_time = prepared.control.end_time * make_system(prepared).scales().time * speed /
                          (2.0 * std::numbers::pi);
   const double by_steps = static_cast<double>(prepared.control.max_steps) *

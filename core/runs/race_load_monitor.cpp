@@ -37,13 +37,12 @@ void RaceLoadMonitor::check(double t, const dynamics::RaceLoad& load, double con
                specified = specified_load_integral_ / length;
   begin(t);
   if (bad_windows_ < kMaxWindows) return;
-  throw SolverError(
-      fmt::format("at t = {:.9g} s the inner race is not in balance (mode = 2): its specified "
-                  "load is {:.4g} N, but the load of the elements differs by {:.4g} N on average "
-                  "over the last {:.3g} s. Elements with little contact cannot support a race "
-                  "without inertia. Increase load or preload, or set mode to 0 with kDCR = 1 and "
-                  "kFD = 0",
-                  t, specified, difference, length));
+  throw SolverError(fmt::format(
+      "at t = {:.9g} s the inner race is not in balance (mode = 2): its specified load is {:.4g} "
+      "N, but the load of the elements differs from it by {:.4g} N on average over the last {:.3g} "
+      "s. Elements with little contact cannot support a race without inertia. Increase load or "
+      "preload, or set mode to 0 with kDCR = 1 and kFD = 0",
+      t, specified, difference, length));
 }
 
 }  // namespace adore::runs

@@ -17,16 +17,15 @@ namespace {
 void warn_about_tolerance(Prepared& prepared) {
   const setup::RunControl& control = prepared.control;
   if (control.tolerance <= kMissedLimit || control.step_minimum == control.step_maximum) return;
-  add_remark(
-      prepared,
-      make_finding(
-          "run.loose_tolerance",
-          fmt::format(
-              "the tolerance of {:g} (tol on record 2.1, or --tol) is loose: errors may reach 5 % "
-              "in loads and 20 % in lives even if the energy balance closes. Use {:g} or less for "
-              "reliable results; adore run --verify estimates the error of a run's settings",
-              control.tolerance, kMissedLimit))
-          .measure(control.tolerance, kMissedLimit));
+  add_remark(prepared,
+             make_finding(
+                 "run.loose_tolerance",
+                 fmt::format(
+                     "the tolerance of {:g} (tol on record 2.1, or --tol) is loose: errors may "
+                     "reach 5 % in loads and 20 % in lives even if the energy balance closes. Use "
+                     "{:g} or less for reliable results; `adore run --verify` estimates the errors",
+                     control.tolerance, kMissedLimit))
+                 .measure(control.tolerance, kMissedLimit));
 }
 
 /// The steps that the run takes. A change becomes a remark on the deck and part of its
@@ -58,8 +57,8 @@ std::unique_ptr<integrators::Stepper> make_checked_stepper(const setup::RunContr
         "arkode-erk (intMet 31)");
   if (stepper->name() == "arkode-imex" && !ode.has_stiff_part())
     throw InputError(
-        "arkode-imex treats the normal contacts of elements and races implicitly, and this deck "
-        "has none; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
+        "arkode-imex treats the normal contacts of elements and races implicitly, but this deck "
+        "has no such contacts; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
   if (control.step_minimum == control.step_maximum && !stepper->can_hold_constant_step())
     throw InputError(
         fmt::format("record 2.1 specifies a constant step (stpMin = stpMax), which {} does not "
@@ -140,11 +139,11 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const RunPlace
   limits = name_integrator(request, deck, [&] { return apply_step_limits(prepared, time_scale); });
   warn_about_tolerance(prepared);
   if (request.go_on && !fs::exists(master))
-    throw InputError(fmt::format(
-        "{}: there is no run to continue: it was never started here, or ended before its first "
-        "checkpoint; start it again without --continue; add --overwrite if the folder still "
-        "contains files of the earlier run",
-        master.string()));
+    throw InputError(
+        fmt::format("{}: there is no run to continue: no run was started here, or the run ended "
+                    "before its first checkpoint. Start the run without --continue. Add "
+                    "--overwrite if the folder still contains files of the earlier run",
+                    master.string()));
   outputs.emplace(prepared, place, request_digest(request, prepared.input), request.overwrite);
   growth.emplace(prepared);
   // Times, limits and estimates above are those of the bearing of the deck at the start of

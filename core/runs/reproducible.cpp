@@ -13,7 +13,7 @@ void require_reproducible() {
   if (!has_portable_math())
     throw InputError(
         "--reproducible: this program was built with the math functions of the C library, which "
-        "differ between processors; build it where musl is installed (Debian: musl-dev)");
+        "differ between processors; build the program on a system with musl (Debian: musl-dev)");
   ::setenv("ADORE_ISA", "baseline", 1);
   // The kernel is chosen once, at its first use.
   if (std::string_view(dynamics::race_contact_instruction_set()) != "baseline")

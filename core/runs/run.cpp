@@ -43,7 +43,7 @@ void apply_overrides(const RunRequest& request, Prepared& prepared) {
   if (request.tolerance) {
     if (!(*request.tolerance > 0.0 && *request.tolerance < 1.0))
       throw InputError(fmt::format(
-          "--tol {} is not a local error limit; give a number between 0 and 1, e.g. 1e-6",
+          "--tol {}: the tolerance (local error limit) must be between 0 and 1, e.g. 1e-6",
           *request.tolerance));
     prepared.control.tolerance = *request.tolerance;
     for (bearing::Bearing* one : {&prepared.as_built, &prepared.bearing})
@@ -55,9 +55,10 @@ void apply_overrides(const RunRequest& request, Prepared& prepared) {
 RunOutcome run_quasi_static(const RunRequest& request, const Prepared& prepared,
                             const WriteFolder& folder) {
   if (request.go_on)
-    throw InputError(fmt::format(
-        "--continue: the deck {} is quasi-static, so there is nothing to continue; omit the option",
-        prepared.input.path.string()));
+    throw InputError(
+        fmt::format("--continue: the deck {} is quasi-static, so there is nothing to continue; "
+                    "remove --continue",
+                    prepared.input.path.string()));
   RunOutcome out;
   RunOutputs outputs(prepared, folder, request_digest(request, prepared.input), request.overwrite);
   out.results = outputs.write_quasi_static();
@@ -77,7 +78,7 @@ std::string continuation_hint(const fs::path& master) {
   return fs::exists(master, error)
              ? "the files are valid up to their last complete step: continue the run with "
                "--continue"
-             : "the run did not reach its first checkpoint: start it again, with --overwrite";
+             : "the run did not reach its first checkpoint: start the run again with --overwrite";
 }
 
 RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const WriteFolder& folder,

@@ -62,7 +62,8 @@ RunCost run_cost(const RunRequest& request, double budget, std::stop_token stop)
   } catch (const Interrupted&) {
     if (stop.stop_requested()) throw;
     out.failure =
-        "the stiffness table before the motion takes longer than the time limit of the pilot run";
+        "computing the stiffness table, before the motion starts, takes longer than the time limit "
+        "of the pilot run";
   } catch (const InputError& error) {
     out.failure = error.what();
   } catch (const SolverError& error) {

@@ -41,7 +41,7 @@ RunFiles::RunFiles(const Prepared& prepared, RunPlace place)
       channels_(dynamics::energy_terms()) {}
 
 const WriteFolder& RunFiles::folder() const {
-  demand(place_.folder.has_value(), "a run that writes needs an open folder");
+  demand(place_.folder.has_value(), "a run that writes files needs an open output folder");
   return *place_.folder;
 }
 

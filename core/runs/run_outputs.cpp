@@ -238,9 +238,8 @@ void RunOutputs::Impl::make_room() {
   if (!away.empty())
     remark(make_finding(
         "run.moved_results",
-        fmt::format(
-            "result files of an earlier run that this run does not replace were moved to {}",
-            away.string())));
+        fmt::format("older result files that this run does not replace were moved to {}",
+                    away.string())));
 }
 
 results::FinalState RunOutputs::Impl::final_state(dynamics::System& system, const Snapshot& at,
@@ -379,23 +378,24 @@ StartPoint RunOutputs::find_start_point(dynamics::System& system, setup::StartSt
   const bool final_exists = fs::exists(s.path(s.control.final_file), error);
   const deck::Deck& deck = s.prepared.input.deck;
   if (start == setup::StartState::FromFinal && !final_exists)
-    throw InputError(
-        {deck.issue(Severity::Error, "kIcOpt",
-                    fmt::format("starts from {}, but this file does not exist",
-                                s.path(s.control.final_file).string()),
-                    "copy the FINAL of a run there, or start from statics (kIcOpt = 0)")});
+    throw InputError({deck.issue(
+        Severity::Error, "kIcOpt",
+        fmt::format("starts from {}, but this file does not exist",
+                    s.path(s.control.final_file).string()),
+        "copy the file FINAL of a run to this place, or start from statics (kIcOpt = 0)")});
   if (start == setup::StartState::Continue && !master_exists && !final_exists)
     throw InputError(
         {deck.issue(Severity::Error, "kIcOpt",
-                    fmt::format("continues a run, but neither {} nor {} exists: the run was never "
-                                "started here, or ended before its first checkpoint",
+                    fmt::format("continues a run, but neither {} nor {} exists: no run was started "
+                                "here, or the run ended before its first checkpoint",
                                 s.path(s.control.master_file).string(), s.control.final_file),
-                    "start it with kIcOpt = 0; add --overwrite if the folder still contains files "
-                    "of the earlier run")});
+                    "start the run with kIcOpt = 0; add --overwrite if the folder still contains "
+                    "files of the earlier run")});
   if (start == setup::StartState::Continue && !master_exists) {
-    s.remark(make_finding("run.no_restart_file",
-                          fmt::format("kIcOpt = 1, but there is no {}: a new run starts from {}",
-                                      s.control.master_file, s.control.final_file)));
+    s.remark(
+        make_finding("run.no_restart_file",
+                     fmt::format("kIcOpt = 1, but there is no file {}: a new run starts from {}",
+                                 s.control.master_file, s.control.final_file)));
     start = setup::StartState::FromFinal;
   }
   bool changed = false;  // the equilibrium may be another one
@@ -513,11 +513,10 @@ StartPoint RunOutputs::find_start_point(dynamics::System& system, setup::StartSt
       check_room(s.files.outputs(), s.overwrite);
     } catch (const ResultsExist&) {
       if (start != setup::StartState::FromFinal) throw;
-      throw ResultsExist(
-          s.files.outputs().folder,
-          {s.control.final_file + " (this run starts from it because of kIcOpt = -1, and keeps it "
-                                  "until the first checkpoint)",
-           "others"});
+      throw ResultsExist(s.files.outputs().folder,
+                         {s.control.final_file + " (the start state of this run, because kIcOpt = "
+                                                 "-1; kept until the first checkpoint)",
+                          "others"});
     }
   }
   return out;

@@ -21,8 +21,8 @@ double parse_until(const std::string& text, double shaft_speed, double time_scal
   if (error != std::errc() || !(value > 0.0) || !std::isfinite(value) ||
       (unit != "" && unit != "rev" && unit != "s"))
     throw InputError(
-        fmt::format("--until {}: give shaft revolutions (5rev), seconds (0.02s) or a dimensionless "
-                    "time (1000), above 0",
+        fmt::format("--until {}: give a value above 0 in shaft revolutions (5rev), in seconds "
+                    "(0.02s) or as a dimensionless time (1000)",
                     text));
   if (unit == "s") return value;
   if (unit == "") return value * time_scale;
@@ -97,9 +97,9 @@ bool has_reached_end(const RunSpan& span, long last_step, const StartPoint& star
   if (ends_before || last_step < start.stored_step)
     throw InputError(fmt::format(
         "the run to be continued has stored results up to step {}, {:.6g} s. Its last checkpoint "
-        "is at step {}, {:.6g} s. The specified end, {}, is before the stored results and would "
-        "delete them. Give a later end with --until, fTime or maxStps, or start a new run (kIcOpt "
-        "= 0) in another folder",
+        "is at step {}, {:.6g} s. The specified end, {}, is earlier than the last stored step, so "
+        "later results would be deleted. Give a later end with --until, fTime or maxStps, or start "
+        "a new run (kIcOpt = 0) in another folder",
         start.stored_step, start.stored_time, start.step, start.time,
         ends_before ? fmt::format("{:.6g} s", span.end) : fmt::format("step {}", last_step)));
   return start.time >= span.end || last_step == start.step;

@@ -51,8 +51,8 @@ std::string continued_remark(const StartPoint& start, bool remembers,
   if (!start.continued) return {};
   if (!remembers)
     return fmt::format(
-        "continued from step {}: {} restarts there without its history, because method, tolerance "
-        "or step limits changed, or the run ended with a failure",
+        "continued from step {}: {} restarts without its step history, because the method, the "
+        "tolerance or the step limits changed, or the run ended with a failure",
         start.step, stepper.name());
   if (!stepper.loses().empty())
     return fmt::format(

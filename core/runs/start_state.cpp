@@ -75,7 +75,7 @@ std::optional<Finding> judge_start_energy(const Prepared& prepared, dynamics::Sy
       dynamics::assess_start_excess(moving_scene(prepared, system), 0.0, y);
   if (!start.why_not.empty())
     return make_finding("run.start_unknown",
-                        "excess energy of the start not computed: " + start.why_not);
+                        "the excess energy at the start is not computed: " + start.why_not);
   if (!(start.ratio() > dynamics::kExcessWarned)) return std::nullopt;
   const std::string text = fmt::format(
       "start: excess energy = {:.3g} J, {:.0f} % of the elastic energy of the equilibrium ({:.3g} "

@@ -44,16 +44,16 @@ void add_contact_model(Entries& out, const Prepared& p) {
   const Bearing& b = p.bearing;
   if (!b.rollers()) {
     out.add("ball / race contact", true,
-            "kBrg = 1: elliptical Hertz contact, curvatures at each contact's own angle");
+            "kBrg = 1: elliptical Hertz contact with the curvatures at the angle of each contact");
     const char* rule = b.spin_rule == bearing::SpinRule::MinimumHeat   ? "least frictional heat"
                        : b.spin_rule == bearing::SpinRule::RaceControl ? "race control"
                                                                        : "specified angle";
     out.add("ball speeds", true,
             statics::has_friction_balance(b, ball_statics_options(p))
-                ? fmt::format("friction equilibrium (ballFriction); for balls without equilibrium: "
-                              "{}, spin axis by {}",
+                ? fmt::format("friction equilibrium (ballFriction); balls without a friction "
+                              "equilibrium: {}, spin axis from {}",
                               given(deck, "kAngVel"), rule)
-                : fmt::format("{}: pure rolling at both contact centers, spin axis by {}",
+                : fmt::format("{}: pure rolling at both contact centers, spin axis from {}",
                               given(deck, "kAngVel"), rule));
     for (std::size_t j = 0; j < 2; ++j)
       if (b.balls().shim[j] > 0.0)
@@ -68,12 +68,11 @@ void add_contact_model(Entries& out, const Prepared& p) {
                                p.options.rollers.slices)
                  : fmt::format("{}: one elliptical Hertz contact per race (run option)",
                                given(deck, "kBrg")));
-  out.add(
-      "roller speeds", true,
-      statics::has_friction_balance(b, p.options.rollers)
-          ? "friction equilibrium with skew (rollerFriction); rollers without it: pure rolling at "
-            "nominal geometry, zero skew"
-          : "pure rolling at nominal geometry, zero skew");
+  out.add("roller speeds", true,
+          statics::has_friction_balance(b, p.options.rollers)
+              ? "friction equilibrium with skew (rollerFriction); rollers without a friction "
+                "equilibrium: pure rolling at nominal geometry, zero skew"
+              : "pure rolling at nominal geometry, zero skew");
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t side = 0; side < 2; ++side) {
       const std::string name = fmt::format("kFlngInd{}{}", side + 1, j + 1);
@@ -138,15 +137,17 @@ void add_results(Entries& out, const Prepared& p) {
   out.add("cage", false,
           "mode = -1 computes only the cage clearances (nCseg = " +
               std::to_string(deck.integer("nCseg")) + ")");
-  out.add(
-      "friction torque", true,
-      statics::has_friction_balance(p.bearing, p.options.rollers)
-          ? "rollers in friction equilibrium with the friction laws of motion; no cage"
-      : p.bearing.rollers()
-          ? "estimated from speeds and loads of the equilibrium, which does not include friction"
-      : statics::has_friction_balance(p.bearing, ball_statics_options(p))
-          ? "balls in friction equilibrium with the friction laws of motion; no cage"
-          : "estimated from speeds and loads of the equilibrium (kAngVel); no cage");
+  out.add("friction torque", true,
+          statics::has_friction_balance(p.bearing, p.options.rollers)
+              ? "rollers in friction equilibrium, with the friction laws of the simulated motion; "
+                "cage friction is not included"
+          : p.bearing.rollers() ? "estimated from the speeds and loads of the equilibrium, which "
+                                  "does not include friction"
+          : statics::has_friction_balance(p.bearing, ball_statics_options(p))
+              ? "balls in friction equilibrium, with the friction laws of the simulated motion; "
+                "cage friction is not included"
+              : "estimated from speeds and loads of the equilibrium (kAngVel); cage friction is "
+                "not included");
   out.add("thermal steady state", p.thermal.has_value(),
           p.thermal ? fmt::format("kTherm = 1, kCoolant = {}, {}", p.as_built.thermal->coolant,
                                   given(deck, "kBaseTemp"))

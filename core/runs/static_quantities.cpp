@@ -103,8 +103,8 @@ VariableCompliance variable_compliance(const Prepared& prepared) {
         "appLoadZ to a value other than 0");
   if (given.displacement_given[3] != given.displacement_given[4])
     throw InputError(
-        "variable compliance needs both tilts or both moments given: set kFS4 and kFS5 to the same "
-        "code");
+        "variable compliance needs either both tilts or both moments: set kFS4 and kFS5 to the "
+        "same code");
   const auto azimuth_of = [](double y, double z) { return std::atan2(-y, z); };
   const double load_azimuth = azimuth_of(given.load[1], given.load[2]);
   const int count = prepared.bearing.element_count();

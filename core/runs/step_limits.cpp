@@ -261,7 +261,7 @@ std::string steps_text(double minimum, double maximum, double time_scale) {
 std::string step_limits_text(const StepRequest& request, const StepLimits& limits,
                              double time_scale) {
   if (limits.frequency == 0.0)
-    return request.method + ": no contact vibration that could limit the step";
+    return request.method + ": there is no contact vibration that could limit the step";
   const std::string asked = steps_text(request.minimum, request.maximum, time_scale);
   const std::string hertz =
       fmt::format("{:.4g} Hz ({})", limits.frequency / (2.0 * std::numbers::pi), limits.vibration);
@@ -291,8 +291,8 @@ std::string step_limits_text(const StepRequest& request, const StepLimits& limit
           "factor of {:.4g}",
           why, limits.highest_order, now, limits.growth);
     default:
-      return fmt::format("{}. It would need {} (number of steps per revolution: {:.2g})", why, now,
-                         request.turn / limits.maximum);
+      return fmt::format("{}. The method would need {} (number of steps per revolution: {:.2g})",
+                         why, now, request.turn / limits.maximum);
   }
 }
 

@@ -20,15 +20,14 @@ void StepErrorMonitor::check(const integrators::Stepper& stepper) {
     last_good_step_ = now.steps;
   }
   if (is_step_constant_ || now.steps - last_good_step_ < kMaxMissedSteps) return;
-  throw SolverError(
-      fmt::format("at t = {:.9g} s: each of the last {} steps of {} missed the tolerance of {:g}, "
-                  "although each had the smallest size that record 2.1 allows (stpMin {:g}, {:.3g} "
-                  "s). The error is therefore unknown. A process decays or vibrates faster than "
-                  "this step, often an oil film or a friction law with a steep slope at high "
-                  "pressure. Decrease stpMin; if that takes too long, try an implicit method "
-                  "(arkode-dirk, cvode-bdf) or a less steep law",
-                  stepper.time(), now.steps - last_good_step_, control_.integrator,
-                  control_.tolerance, control_.step_minimum, minimum_step_));
+  throw SolverError(fmt::format(
+      "at t = {:.9g} s: each of the last {} steps of {} missed the tolerance of {:g}, although "
+      "each had the smallest size that record 2.1 allows (stpMin {:g}, {:.3g} s). The error is "
+      "therefore unknown. A process decays or vibrates faster than this step, often an oil film or "
+      "a friction law with a steep slope at high pressure. Decrease stpMin; if that takes too "
+      "long, try an implicit method (arkode-dirk, cvode-bdf) or a less steep friction law",
+      stepper.time(), now.steps - last_good_step_, control_.integrator, control_.tolerance,
+      control_.step_minimum, minimum_step_));
 }
 
 std::string invalid_state_message(dynamics::System& system, double t, std::span<const double> y,

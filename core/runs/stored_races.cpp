@@ -84,10 +84,10 @@ std::vector<std::string> describe_race_jumps(const dynamics::PrescribedRaces& be
     out.push_back(fmt::format(
         "at the start of the continuation the {} race jumps, as the deck specifies: it is {}{}",
         kRace[j], what,
-        law || speed_jumps
-            ? ". Time in records 9.3 and 9.4 begins with the first run, so a changed frequency "
-              "also changes the phase. The jump acts as an impact in the first revolutions"
-            : ". The jump acts as an impact in the first revolutions"));
+        law || speed_jumps ? ". Time in records 9.3 and 9.4 is counted from the start of the first "
+                             "run, so a changed frequency also changes the phase. The jump acts as "
+                             "an impact in the first revolutions"
+                           : ". The jump acts as an impact in the first revolutions"));
   }
   return out;
 }

@@ -257,9 +257,8 @@ bool ThermalRun::restore(const std::map<std::string, double>& state,
     const auto found = state.find(name);
     if (found == state.end() || !(found->second >= least && found->second <= most))
       throw InputError(
-          fmt::format("{}: the thermal analysis of the run is incomplete or impossible ({}{}); "
-                      "restore the file "
-                      "or start again with --overwrite",
+          fmt::format("{}: the stored thermal analysis is incomplete or has an impossible value "
+                      "({}{}); restore the file or start again with --overwrite",
                       file.string(), name,
                       found == state.end() ? std::string(" is missing")
                                            : fmt::format(" = {:g}", found->second)));

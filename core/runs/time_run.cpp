@@ -168,10 +168,10 @@ void TimeRun::add_thermal_remark(const ThermalRun::Step& done, bool settles) {
     parts_.outputs.remark(
         make_finding(
             "thermal.window",
-            fmt::format("thermal analysis: aveTime = {:.3g} ms is shorter than one element "
-                        "passage ({:.3g} ms), so the heat varies from one thermal step to the "
-                        "next, and each printed network shows one step only. The temperatures "
-                        "follow the mean heat. For steady values, increase aveTime",
+            fmt::format("thermal analysis: aveTime = {:.3g} ms is shorter than one element passage "
+                        "({:.3g} ms), so the heat varies from one thermal step to the next, and "
+                        "each printed thermal network shows only one step. The temperatures follow "
+                        "the mean heat. For steady values, increase aveTime",
                         1e3 * done.window, 1e3 * done.passing))
             .measure(1e3 * done.window)
             .at(t));
@@ -214,10 +214,11 @@ bool TimeRun::apply_ring_growth() {
   growth_levels_ = levels;
   try {
     apply_race_speeds(parts_.prepared, parts_.thermal, growth_.speeds(levels, speed));
-    move_into_system(make_system(parts_.prepared), t, y, "growth of the rings with their speed");
+    move_into_system(make_system(parts_.prepared), t, y, "centrifugal growth of the rings");
   } catch (const InputError& error) {
-    throw SolverError(fmt::format("at t = {:.9g} s, after growth of the rings with their speed: {}",
-                                  t, error.what()));
+    throw SolverError(
+        fmt::format("at t = {:.9g} s, after the update of the centrifugal growth of the rings: {}",
+                    t, error.what()));
   }
   restart_stepper(y);
   return true;
@@ -236,8 +237,8 @@ void TimeRun::begin(bool remembers) {
       parts_.stepper.start(parts_.ode, start_.time, start_.y, control_);
   } catch (const std::out_of_range&) {
     throw InputError(
-        fmt::format("{}: the stored state of {} is incomplete; the file is damaged. Restore it, "
-                    "or start again with --overwrite",
+        fmt::format("{}: the stored state of the integrator {} is incomplete; the file is damaged. "
+                    "Restore it, or start again with --overwrite",
                     parts_.master.string(), parts_.prepared.control.integrator));
   }
   started_ = true;
@@ -261,7 +262,7 @@ bool TimeRun::take_rest_step() {
     rest_start_time_ = t;
     parts_.outputs.remark(
         make_finding("run.rest",
-                     fmt::format("the bearing is at rest from t = {:.4g} s on: time advances in "
+                     fmt::format("the bearing is at rest after t = {:.4g} s: time advances in "
                                  "steps of up to {:.3g} s without integration",
                                  t, length))
             .at(t));

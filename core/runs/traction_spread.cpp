@@ -86,7 +86,7 @@ std::string traction_spread(const Prepared& p) {
   std::vector<double> slips;
   for (const double ratio : kSlipRatio) slips.push_back(ratio * speed);
   std::string out = fmt::format(
-      "Friction coefficients of {} by its traction laws at {} {}, {} race ({:.3g} GPa, {:.4g} K, "
+      "Friction coefficients of {} from its traction laws at {} {}, {} race ({:.3g} GPa, {:.4g} K, "
       "{:.3g} m/s), slip 1 % and 10 %: ",
       oil.name, p.rollers ? "roller" : "ball", at.element + 1, at.race == 0 ? "outer" : "inner",
       1e-9 * at.contact.point.peak_pressure, at.contact.temperature, speed);
@@ -96,7 +96,7 @@ std::string traction_spread(const Prepared& p) {
                        row.recommended ? " (recommended)" : "", row.kappa[0], row.kappa[1]);
   out.resize(out.size() - 2);
   const bool other = !lubrication->recommended && lubrication->code != oil.recommended;
-  return out + (other ? ". For the recommended law set run option filmLaw = recommended."
+  return out + (other ? ". For the recommended law, set run option filmLaw = recommended."
                       : ". This run uses the recommended law.");
 }
 

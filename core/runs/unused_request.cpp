@@ -85,9 +85,11 @@ std::optional<Issue> no_step_note(const deck::Deck& deck) {
   out.variable = steps ? "maxStps" : "fTime";
   out.value = "0";
   out.message = "the run makes no steps, so it computes no motion";
-  out.remedy = std::string(steps ? "give the number of steps, such as 2000, or an end with --until"
-                                 : "give the end time, such as 1000, or an end with --until") +
-               ". To store every step, set kPltFreq = 1 and kAGraf = 1";
+  out.remedy =
+      std::string(
+          steps ? "enter the number of steps, such as 2000, or give the end of the run with --until"
+                : "enter the end time, such as 1000, or give the end of the run with --until") +
+      ". To store every step, set kPltFreq = 1 and kAGraf = 1";
   return out;
 }
 

@@ -128,12 +128,12 @@ std::vector<std::string> unused_routines(const Prepared& prepared) {
     idle(6, "the deck does not use user-defined races (kRaceGeoImp1, kRaceGeoImp2 = 3)");
   if (session.has_out_of_round_elements())
     out.push_back(
-        fmt::format("user routine ADRX5 of {} gives out-of-round {}: in motion they rotate; the "
-                    "equilibrium uses their mean radius",
+        fmt::format("user routine ADRX5 of {} gives out-of-round {}: in motion the shapes rotate "
+                    "with the elements, but the equilibrium uses the mean radius",
                     session.source(), prepared.bearing.rollers() != nullptr ? "rollers" : "balls"));
   if (!prepared.control.dynamic) {
     for (const int hook : {1, 2, 3, 4, 7, 9})
-      idle(hook, "it acts only in motion, but mode = -1 computes only the equilibrium");
+      idle(hook, "the routine acts only in motion, but mode = -1 computes only the equilibrium");
     return out;
   }
   bool free = false;
@@ -144,7 +144,9 @@ std::vector<std::string> unused_routines(const Prepared& prepared) {
   if (session.active(1) && !session.drives()[0] && !session.drives()[1] && !session.moves_frame() &&
       !session.suppressed().any() && !free &&
       find_routine_loads(prepared) == std::array<std::array<bool, 6>, 2>{})
-    idle(1, "it gives no load at the sampled times, drives no race and moves no frame");
+    idle(1,
+         "the routine applies no load at the sampled times, drives no race and does not move the "
+         "base frame");
   const bearing::RollerGeometry* const rollers = prepared.bearing.rollers();
   if (rollers == nullptr || (!rollers->has_flange(0) && !rollers->has_flange(1)))
     idle(2, "the bearing has no flanges");
@@ -184,10 +186,11 @@ std::vector<Issue> loads_on_fixed_races(const Prepared& prepared) {
     if (where.empty()) continue;
     out.push_back(deck.issue(
         Severity::Warning, mode == 2 ? "mode" : "kDCR",
-        fmt::format("fixes the {} race {}, but user routine ADRX1 of {} applies a load in this "
-                    "direction. The support of the race carries this load, which cannot move the "
-                    "race (reaction in PRINT and SOL, work in the energy ledger)",
-                    j == 0 ? "outer" : "inner", where, session.source()),
+        fmt::format(
+            "fixes the {} race {}, but user routine ADRX1 of {} applies a load in this direction. "
+            "The support of the race carries this load, so the load does not move the race. PRINT "
+            "and SOL contain the reaction, and the energy ledger contains the work",
+            j == 0 ? "outer" : "inner", where, session.source()),
         mode == 2         ? "set mode to 0 or 1 and kDCR to 1"
         : j == 1 && force ? "set kDCR to 1 and free these directions, or set mode to 2"
                           : "set kDCR to 1 and free these directions"));

@@ -174,12 +174,11 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   effect(Effect::RaceContact, element + " / race contact", true, mode);
   const bool elastic = std::erase(left_out, kContactDamping) > 0;
   effect(Effect::ContactDamping, kContactDamping, !elastic,
-         elastic
-             ? std::string(
-                   "run option contactDamping = 0, or effectsOff: elastic contacts. Contact "
-                   "vibrations do not decay, so largest loads, life and spectra are not realistic")
-             : damping_reason(options.system.damping, element, bearing, mode,
-                              deck.integer("mode") > 0, control.light_load_ratio));
+         elastic ? std::string("run option contactDamping = 0, or effectsOff: elastic contacts. "
+                               "Contact vibrations do not decay, so the largest loads, the life "
+                               "and the spectra are not realistic")
+                 : damping_reason(options.system.damping, element, bearing, mode,
+                                  deck.integer("mode") > 0, control.light_load_ratio));
   effect(Effect::RaceTraction, element + " / race traction",
          can_push(bearing.race_traction) || bearing.lubrication || own_law("kTrac"),
          bearing.lubrication ? film_reason(bearing)

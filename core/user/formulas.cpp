@@ -87,7 +87,7 @@ struct Section {
       for (const Json& one : list) {
         if (!one.is_string())
           throw InputError(where +
-                           ", read: give a list of names, one for each number of records 12.x");
+                           ", \"read\": give a list of names, one for each number of records 12.x");
         read.push_back(one.get<std::string>());
         (*names)[read.back()] = 0.0;
       }
@@ -146,8 +146,7 @@ class Preamble {
       const auto wanted = static_cast<std::int32_t>(values.size());
       if (wanted > 0 && call.services->read_numbers(call.host, values.data(), wanted) != wanted)
         throw std::runtime_error(fmt::format(
-            "it reads {} ({}), but records 12.x do not contain "
-            "{}",
+            "the formulas need {} ({}), but records 12.x do not contain {}",
             counted(wanted, "number"), fmt::join(read_, ", "), wanted == 1 ? "it" : "them"));
       for (std::size_t k = 0; k < read_.size(); ++k) (*names_)[read_[k]] = values[k];
       for (int pass = 0; pass < 2; ++pass)  // a constant may need another one
@@ -232,9 +231,9 @@ Call motion(Section& section) {
   }
   auto kinks = std::make_shared<std::vector<Formula>>();
   if (const Json* list = section.find("kinks"))
-    for (const Json& one : *list) kinks->emplace_back(one, names, section.where + ", kinks");
+    for (const Json& one : *list) kinks->emplace_back(one, names, section.where + ", \"kinks\"");
   if (kinks->size() > 8)
-    throw InputError(section.where + ", kinks: give at most eight points in time");
+    throw InputError(section.where + ", \"kinks\": give at most eight points in time");
   auto longest =
       std::make_shared<std::optional<Formula>>(section.formula(section.json, "longest_step", ""));
   section.used.insert("longest_step");
@@ -245,7 +244,7 @@ Call motion(Section& section) {
       const std::vector<std::string> known{"element_axial", "element_tilt", "element_all",
                                            "cage_axial", "cage_tilt"};
       if (std::find(known.begin(), known.end(), suppress->back()) == known.end())
-        throw InputError(fmt::format("{}, suppress: \"{}\" is not known; known names: {}",
+        throw InputError(fmt::format("{}, \"suppress\": \"{}\" is not known; known names: {}",
                                      section.where, suppress->back(), fmt::join(known, ", ")));
     }
   section.check_keys();
@@ -575,8 +574,7 @@ Call step_output(Section& section) {
       const auto k = found - a.channel_name;
       if (one.at >= a.channel_size[k])
         throw std::runtime_error(
-            fmt::format("channel {} ends with value {}; value {} does not "
-                        "exist",
+            fmt::format("channel {}: the last value has the number {}; value {} does not exist",
                         one.channel, a.channel_size[k], one.at + 1));
       line += fmt::format(" {:.17g}", a.channel_value[a.channel_first[k] + one.at]);
     }

@@ -123,7 +123,7 @@ class Parcel {
     char* out = arena_ + at_;
     at_ += (bytes + 63) / 64 * 64;
     if (at_ > kArena)
-      throw std::runtime_error("its arguments are too large for a separate process");
+      throw std::runtime_error("the arguments of the routine are too large for a separate process");
     return out;
   }
 
@@ -161,7 +161,8 @@ class Worker {
   }
   std::int32_t call(adore_call& call) {
     if (child_ == 0) start(false);
-    if (child_ < 0) throw std::runtime_error("the separate process ended in an earlier call");
+    if (child_ < 0)
+      throw std::runtime_error("the separate process of the plug-in ended in an earlier call");
     Parcel parcel(arena_);
     (void)parcel.pack(call);
     const char turn = 1;
@@ -208,7 +209,7 @@ class Worker {
         put_text(mail().text, error.what());
       } catch (...) {
         mail().threw = true;
-        put_text(mail().text, "it threw an object that is not a std::exception");
+        put_text(mail().text, "the plug-in threw an object that is not a std::exception");
       }
     };
     PlugIn plug_in;
@@ -240,8 +241,8 @@ class Worker {
       stop();
       child_ = -1;
       throw std::runtime_error(
-          fmt::format("the {} took more than {:g} s, so the separate process was stopped; allow "
-                      "more time with --opt userTimeout=SECONDS",
+          fmt::format("the {} took more than {:g} s, so the separate process of the plug-in was "
+                      "stopped; allow more time with --opt userTimeout=SECONDS",
                       what, timeout_));
     }
     char turn = 0;
@@ -259,10 +260,10 @@ class Worker {
     child_ = -1;
     if (found > 0 && WIFSIGNALED(status))
       throw std::runtime_error(
-          fmt::format("the process of the plug-in crashed in the {} (signal {}: {})", what,
+          fmt::format("the process of the plug-in crashed during the {} (signal {}: {})", what,
                       WTERMSIG(status), strsignal(WTERMSIG(status))));
     throw std::runtime_error(
-        fmt::format("the process of the plug-in ended in the {} (exit code {})", what,
+        fmt::format("the process of the plug-in ended during the {} (exit code {})", what,
                     found > 0 ? WEXITSTATUS(status) : -1));
   }
 

@@ -25,10 +25,10 @@ PlugIn load_plug_in(const fs::path& file) {
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     const char* why = dlerror();
-    throw InputError(fmt::format(
-        "the plug-in {} cannot be loaded: {}; give a shared object, as the makefile of `adore user "
-        "new` builds it, or a .json file of formulas",
-        file.string(), why == nullptr ? "unknown reason" : why));
+    throw InputError(
+        fmt::format("the plug-in {} cannot be loaded: {}; give a shared object (the makefile of "
+                    "`adore user new` builds one) or a .json file of formulas",
+                    file.string(), why == nullptr ? "unknown reason" : why));
   }
   PlugIn out;
   out.keeper.reset(library, [](void* handle) { dlclose(handle); });
@@ -57,10 +57,10 @@ PlugIn load_plug_in(const fs::path& file) {
     any = true;
   }
   if (!any)
-    throw InputError(fmt::format(
-        "the plug-in {} exports none of adrx0 to adrx9; in C++ declare them extern \"C\", in "
-        "Fortran give them bind(C)",
-        out.source));
+    throw InputError(
+        fmt::format("the plug-in {} exports none of the routines adrx0 to adrx9; declare the "
+                    "routines extern \"C\" in C++, or bind(C) in Fortran",
+                    out.source));
   return out;
 }
 

@@ -63,7 +63,7 @@ struct NonFinite {
       if (!std::isfinite(first[k])) {
         const std::size_t shown = columns > 0 && stride > 0 ? k % stride : k;
         found =
-            fmt::format("{} {} of its result is {}, not a finite number", what, shown, first[k]);
+            fmt::format("{} {} of the result is {}, not a finite number", what, shown, first[k]);
         return;
       }
   }
@@ -176,17 +176,18 @@ std::string UserRoutine::check_repeatability(adore_call& call, const Copies& bef
   const Copies first(call);
   for (std::size_t k = 0; k < before.read.size(); ++k)
     if (before.read[k] != first.read[k])
-      return "it changed its input arrays, which belong to the solver; treat them as read-only";
+      return "the routine changed its input arrays, which belong to the solver; treat them as "
+             "read-only";
   std::memcpy(&call, before.self.data(), before.self.size());
   visit_arguments(call, Restore{before.written});
   if (run(call) != 0)
-    return "it was called twice with the same arguments and failed the second time; keep no values "
-           "between calls";
+    return "the routine was called twice with the same arguments and failed in the second call; "
+           "keep no values between calls";
   const Copies second(call);
   if (first.written != second.written || first.self != second.self)
-    return "it was called twice with the same arguments and gave different results. Its results "
-           "must depend on its arguments only: keep no values between calls, and use no random "
-           "numbers";
+    return "the routine was called twice with the same arguments and gave different results. The "
+           "results must depend on the arguments only: keep no values between calls, and use no "
+           "random numbers";
   return {};
 }
 
@@ -210,19 +211,21 @@ Answer UserRoutine::ask(adore_call& call, std::int32_t size) {
     if (twice) before.emplace(call);
     const std::int32_t result = run(call);
     if (result == 1 && compute) {
-      reason_ = fmt::format("{}: it has no result for this state (it returned 1)", where(call));
+      reason_ =
+          fmt::format("{}: the routine has no result for this state (return value 1)", where(call));
       if (std::string why = host_.block().fail.take(); !why.empty()) reason_ += ": " + why;
       return Answer::Refused;
     }
     if (result != 0) {
       const std::string why = host_.block().fail.take();
-      return fail(call, fmt::format("it returned {}{}", result, why.empty() ? "" : ": " + why));
+      return fail(call,
+                  fmt::format("the routine returned {}{}", result, why.empty() ? "" : ": " + why));
     }
     if (twice) trouble = check_repeatability(call, *before);
   } catch (const std::exception& error) {
-    return fail(call, fmt::format("it failed: {}", error.what()));
+    return fail(call, fmt::format("the routine failed: {}", error.what()));
   } catch (...) {
-    return fail(call, "it threw an exception that is not a std::exception");
+    return fail(call, "the routine threw an exception that is not a std::exception");
   }
   if (!trouble.empty()) return fail(call, trouble);
   NonFinite answer;

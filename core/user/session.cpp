@@ -213,18 +213,20 @@ bool Session::Impl::evaluate_motion(double t, const std::array<scene::UserMotion
   };
   if (good && !motion_declaration.moves_frame && !(out.frame.isZero(0.0) && turn.isZero(0.0)))
     return wrong(
-        "it moves the base frame, but moves_frame is 0; set moves_frame = 1 in mode ADORE_START");
+        "the routine moves the base frame, but moves_frame is 0; set moves_frame = 1 in mode "
+        "ADORE_START");
   if (!good || !motion_declaration.drives[1] || !(balanced[0] || balanced[1] || balanced[2]))
     return good;
   for (int k = 0; k < 3; ++k)
     if (balanced[static_cast<std::size_t>(k)] && out.acceleration[1][k] != 0.0)
       return wrong(
-          fmt::format("it accelerates the inner race along {} by {:.6g} m/s^2, but mode = 2 "
-                      "computes the position of the race in this direction from the load; give a "
+          fmt::format("the routine accelerates the inner race along {} by {:.6g} m/s^2, but mode = "
+                      "2 computes the position of the race in this direction from the load; give a "
                       "force instead, or set mode to 0 or 1",
                       "xyz"[k], out.acceleration[1][k]));
   if (out.angular_acceleration[1][1] != 0.0 || out.angular_acceleration[1][2] != 0.0)
-    return wrong("it tilts the inner race, but mode = 2 keeps the tilt fixed; set mode to 0 or 1");
+    return wrong(
+        "the routine tilts the inner race, but mode = 2 keeps the tilt fixed; set mode to 0 or 1");
   return good;
 }
 
@@ -333,9 +335,9 @@ Session::Session(PlugIn plug_in, const std::vector<std::string>& lines,
   }
   if (const std::size_t read = s.host.block().line; read < lines.size())
     throw InputError(
-        fmt::format("no user routine read {} of the {} lines of records 12.x; the first of them "
-                    "is \"{}\" (routines {} of {} read in this order). Remove these lines, or let "
-                    "a routine read them",
+        fmt::format("no user routine read {} of the {} lines of records 12.x; the first of them is "
+                    "\"{}\" (routines {} of {} read in this order). Remove these lines, or let a "
+                    "user routine read them",
                     lines.size() - read, lines.size(), lines[read], readers, s.plug_in.source));
 }
 Session::~Session() = default;
@@ -588,7 +590,7 @@ std::string Session::step(const scene::Snapshot& snapshot, const Channels& chann
   if (s.host.block().write.lost)
     throw SolverError(
         fmt::format("user routine ADRX9 of {} wrote more than 1 MiB in the step at t = {:.9g} s; "
-                    "write less in each step",
+                    "write less text in each step",
                     source(), snapshot.time));
   return s.host.block().write.take();
 }

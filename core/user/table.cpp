@@ -67,8 +67,8 @@ MonotoneTable read_table(const std::filesystem::path& file) {
     x.push_back(a);
     y.push_back(b);
     if (x.size() > kMaxTableRows)
-      throw InputError(fmt::format("{}: a table has at most {} lines. Remove lines.", file.string(),
-                                   kMaxTableRows));
+      throw InputError(fmt::format("{}: a table has at most {} lines. Shorten the table.",
+                                   file.string(), kMaxTableRows));
   }
   if (x.size() < 2)
     throw InputError(

@@ -188,7 +188,7 @@ TEST_CASE("adrinput: plan → cost of each effect is listed", "[gui][adrinput][d
   window.showPlan();
   REQUIRE(QTest::qWaitFor([&] { return !window.planPanel().busy(); }, 60000));
   const QString text = window.planPanel().text();
-  CHECK(text.contains("cost of the effects"));
+  CHECK(text.contains("CPU time of the effects"));
   CHECK(text.contains("%"));
   CHECK(text.contains("kTracType"));  // why an effect is on
 }

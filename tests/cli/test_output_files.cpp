@@ -73,7 +73,7 @@ TEST_CASE("outputs: inputs and files of other programs are not replaced", "[cli]
   {  // of the lock
     const Folder folder;
     REQUIRE(run_adore("new ball --out " + (folder / ".adore.lock").string()).code == 0);
-    refused(folder / ".adore.lock", folder, "uses this name for its lock file");
+    refused(folder / ".adore.lock", folder, "this name is reserved for the lock file");
   }
   {  // somebody's own file
     const Folder folder;

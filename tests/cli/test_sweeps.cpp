@@ -291,7 +291,7 @@ TEST_CASE("adore plan, check and new: --until and --set act", "[cli]") {
   const Result plan = run_adore("plan " + deck + " --until 0.02rev");
   CHECK(plan.code == 0);
   CHECK(contains(plan.out, "processor time of the whole run"));
-  CHECK(contains(plan.out, "the pilot run reached the end"));
+  CHECK(contains(plan.out, "the pilot run simulated the whole run"));
   CHECK(contains(plan.out, "0.02 revolutions"));
   const json none = json::parse(run_adore("plan " + deck + " --pilot 0 --json").out);
   CHECK_FALSE(none.contains("run_cost"));

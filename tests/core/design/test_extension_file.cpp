@@ -123,7 +123,7 @@ TEST_CASE("ADORE.json: faults → errors that name file, key and remedy", "[unit
   refused(R"({"elipseMajor": 5})", "did you mean ellipseMajor");
   refused(R"({"ratingC": 5e4})", "\"version\": 1");
   refused(R"({"version": 2, "ratingC": 5e4})", "version 1");
-  refused(R"({"version": 1, "pitchDia": 0.05})", "nor a variable of records X");
+  refused(R"({"version": 1, "pitchDia": 0.05})", "records X have no variable with this name");
   refused(R"({"version": 1, "ratingC": "5 mm"})", "ratingC");
   refused(R"({"version": 1, "ratingC": {"N": 5}})", "ratingC");
   refused(R"({"version": 1, "ratingC": -5})", "out of range");
@@ -132,7 +132,7 @@ TEST_CASE("ADORE.json: faults → errors that name file, key and remedy", "[unit
   deck::Deck deck = deck::new_deck("ball");
   deck.set("ratingC", "1e4");
   folder.deck(deck);
-  refused(R"({"version": 1, "ratingC": 5e4})", "another value in the deck file");
+  refused(R"({"version": 1, "ratingC": 5e4})", "a different value in the deck file");
   folder.json(R"({"version": 1, "ratingC": 1e4})");
   CHECK(folder.refusal() == "accepted");
 }

@@ -277,7 +277,7 @@ TEST_CASE("check: every lubricant, medium and coolant → provenance reported",
     const std::string start = "the properties of " + name + ", " + what + ", ";
     CHECK(says(report, Severity::Note, start + "are partly estimates") ==
           (provenance == "estimated"));
-    CHECK(says(report, Severity::Note, start + "are partly quoted from memory") ==
+    CHECK(says(report, Severity::Note, start + "are partly unverified") ==
           (provenance == "recalled"));
   };
   int estimated = 0;

@@ -284,7 +284,7 @@ TEST_CASE(
          {}},
         mode, folder / ("dry" + name));
     CHECK(dry.outcome.status == runs::RunStatus::Done);
-    CHECK(says(dry.outcome, "Friction coefficient from the deck or a routine: largest 0.5"));
+    CHECK(says(dry.outcome, "Largest friction coefficient from the deck or a user routine: 0.5"));
   }
 }
 

@@ -84,7 +84,7 @@ TEST_CASE("ADRX1: accelerated inner race → speed and rotation of the closed fo
   const Ran by_formula = ran_with(formula);
   CHECK(difference(ran, by_formula) < 1e-9);
   CHECK_THAT(text_of(by_formula.folder / "RUN.json"),
-             Catch::Contains("routine ADRX1 specifies impulses and steps") &&
+             Catch::Contains("routine ADRX1 specifies jumps of loads or speeds") &&
                  Catch::Contains("the loads jump at t = 0.0001 s"));
 }
 
@@ -628,7 +628,7 @@ TEST_CASE("user surfaces: not supported → rejected with the reason", "[user][u
   CHECK_THROWS_WITH(says("spherical", {}, R"~({"adrx5": {"radius": "1e-3*x*sin(psi)"}})~"),
                     Catch::Contains("ADRX5") && Catch::Contains("azimuth only"));
   CHECK_THAT(says("cylindrical", {{"mode", "-1"}}, R"~({"adrx5": {"radius": "1e-6*sin(psi)"}})~"),
-             Catch::Contains("the equilibrium uses their mean radius"));
+             Catch::Contains("the equilibrium uses the mean radius"));
   CHECK_THAT(says("ball", {{"mode", "-1"}}, R"~({"adrx5": {"radius": "1e-6*cos(2*psi)"}})~"),
              Catch::Contains("gives out-of-round balls"));
   CHECK_THROWS_WITH(says("ball", {}, R"~({"adrx5": {"radius": "psi > 1 ? 1e-6 : 0"}})~"),

@@ -154,7 +154,8 @@ TEST_CASE("plug-in: unusable → error with the reason", "[user][unit]") {
   CHECK_THAT(why("/nowhere/laws.so"), Catch::Contains("there is no plug-in /nowhere/laws.so"));
   CHECK_THAT(why(library("plug_in_no_abi")), Catch::Contains("adore_user_abi()"));
   CHECK_THAT(why(library("plug_in_other_abi")), Catch::Contains("version 99"));
-  CHECK_THAT(why(library("plug_in_no_routine")), Catch::Contains("none of adrx0 to adrx9"));
+  CHECK_THAT(why(library("plug_in_no_routine")),
+             Catch::Contains("none of the routines adrx0 to adrx9"));
   CHECK_THAT(why(written("no-library.so", "text")), Catch::Contains("cannot be loaded"));
 }
 
@@ -205,7 +206,7 @@ TEST_CASE("user routines: every wrong answer → reported with routine, source a
                               return 0;
                             }),
                             {});
-    CHECK_THAT(found.failure, named && Catch::Contains("depend on its arguments only"));
+    CHECK_THAT(found.failure, named && Catch::Contains("depend on the arguments only"));
   }
   SECTION("what belongs to the solver is changed") {
     const Asked found = ask(traction_of([&](adore_adrx7& a) {
@@ -248,7 +249,7 @@ TEST_CASE("plug-in: its process ends → reported, this program continues", "[us
   };
   CHECK_THAT(failure_of("6 1"), Catch::Contains("ADRX7") && Catch::Contains("crashed"));
   CHECK_THAT(failure_of("7 1"), Catch::Contains("took more than 0.3 s"));
-  CHECK_THAT(failure_of("8 1"), Catch::Contains("ended in the call (exit code 0)"));
+  CHECK_THAT(failure_of("8 1"), Catch::Contains("ended during the call (exit code 0)"));
   CHECK_THAT(failure_of("9 1"), Catch::Contains("signal 6"));
   CHECK_THAT(failure_of("11 1"), Catch::Contains("the oil is out"));
 }
