@@ -232,8 +232,8 @@ std::string statement_text(const AccuracyStatement& statement) {
   const std::string second =
       statement.twin_failure.empty()
           ? fmt::format(
-                "a run with loads changed by 1e-6 ({:.3g} s of processor time, {:.2g} times this "
-                "run)",
+                "a run with a relative load change of 1e-6 ({:.3g} s of processor time, {:.2g} "
+                "times this run)",
                 statement.twin_seconds,
                 statement.twin_seconds / std::max(statement.run_seconds, 1e-9))
           : fmt::format("that run, because there is no run with changed loads: {}",
