@@ -208,8 +208,7 @@ std::string irregular_text(const AccuracyStudy& study) {
       "target error. Two accurate runs differ by {}{}",
       percent(study.long_reference.noise.largest()),
       study.irregular.largest() > 0.0
-          ? fmt::format(". Two runs with loads that differ by a relative 1e-6 have means that "
-                        "differ by up to {}",
+          ? fmt::format(". A relative load change of 1e-6 changes the means by up to {}",
                         percent(study.irregular.largest()))
           : std::string());
 }

@@ -416,7 +416,7 @@ std::string plan_text(const CampaignRequest& request, const Plan& plan) {
 std::string progress_text(const StudyProgress& p) {
   return fmt::format("{} of {} runs done, {} failed, {} active; time left: {}{}{}", p.done, p.total,
                      p.failed, p.workers,
-                     p.remaining >= 0.0 ? duration_text(p.remaining) : "unknown time",
+                     p.remaining >= 0.0 ? duration_text(p.remaining) : "unknown",
                      p.note.empty() ? "" : "; ", p.note);
 }
 

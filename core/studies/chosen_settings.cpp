@@ -99,7 +99,8 @@ class Choice {
       choose_resolution(prepared);
     }
     out_.text += fmt::format(
-        ". The choice depends on measured times, so another run may choose other settings. To "
+        ". The choice depends on measured processor times, so another run may choose other "
+        "settings. To "
         "repeat this run: `adore run DECK {}`",
         again());
     return std::move(out_);
