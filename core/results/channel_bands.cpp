@@ -52,7 +52,7 @@ ChannelValues band_values(Per per) {
     case Per::Race:
       return {per, 1, &fill_band<Per::Race, value>};
     default:
-      throw InternalError("a channel of this kind has no band");
+      throw InternalError("this channel does not have a min-max band");
   }
 }
 
@@ -74,12 +74,12 @@ std::vector<Channel> with_band_channels(std::span<const Channel> table) {
       out.push_back(
           {id, label, channel.unit, channel.frame, false, values, meaning, nullptr, band->what});
     };
-    constexpr std::string_view kSince =
-        "since the previous stored step, sampled once per integration step";
-    add("low", "lowest", band_values<&StepBand::low>(channel.per), kSince);
-    add("high", "highest", band_values<&StepBand::high>(channel.per), kSince);
+    add("low", "lowest", band_values<&StepBand::low>(channel.per),
+        "lowest value since the previous stored step, sampled once per integration step");
+    add("high", "highest", band_values<&StepBand::high>(channel.per),
+        "highest value since the previous stored step, sampled once per integration step");
     add("mean", "mean", band_values<&StepBand::mean>(channel.per),
-        "of the samples since the previous stored step");
+        "mean value of the samples since the previous stored step");
   }
   return out;
 }

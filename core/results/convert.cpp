@@ -291,7 +291,8 @@ std::string convert_file(const std::filesystem::path& path, std::string_view for
   const bool csv = format == "csv";
   if (!csv && format != "json")
     throw InputError(fmt::format(
-        "a result file cannot be converted to '{}'; csv and json are possible", format));
+        "a result file cannot be converted to '{}'; the possible formats are csv and json",
+        format));
   const FileKind kind = file_kind(path);
   std::string note;
   if (kind == FileKind::Final || kind == FileKind::Master || kind == FileKind::RunJson) {
@@ -310,9 +311,10 @@ std::string convert_file(const std::filesystem::path& path, std::string_view for
     note = write_json(table_of(path, kind), out);
   }
   if (!out)
-    throw InputError(fmt::format(
-        "{}: the conversion cannot be written; free some disk space or choose another file",
-        path.string()));
+    throw InputError(
+        fmt::format("{}: the output of the conversion cannot be written; free some disk space or "
+                    "choose another file",
+                    path.string()));
   return note;
 }
 

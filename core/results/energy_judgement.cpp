@@ -57,7 +57,7 @@ EnergyJudgment judge_energy(const scene::EnergyLedger& energy, double elastic, d
   };
   out.text =
       fmt::format("energy residual of {:.3g} J{}: {:.2g} times the exchanged energy of {:.3g} J{}",
-                  residual, earlier ? " at some time of the run" : "", out.over_moved, moved,
+                  residual, earlier ? " (largest value of the run)" : "", out.over_moved, moved,
                   limit(shares.by_moved(), kMovedLimit));
   if (elastic > 0.0)
     out.text += fmt::format(
@@ -65,8 +65,8 @@ EnergyJudgment judge_energy(const scene::EnergyLedger& energy, double elastic, d
         out.over_elastic, elastic, limit(shares.by_elastic(), kElasticLimit));
   if (falsifies_heat)
     out.text += fmt::format(
-        ". At the end the energy residual is {:.2g} % of the heat ({:.3g} J), so heat and power "
-        "loss have this uncertainty",
+        ". At the end of the run, the energy residual is {:.2g} % of the heat ({:.3g} J), so heat "
+        "and power loss have this uncertainty",
         100.0 * out.over_heat, heat);
   out.text += ". ";
   constexpr double kNothingElse = 0.5;  // of what moved, error of the steps
@@ -81,8 +81,8 @@ EnergyJudgment judge_energy(const scene::EnergyLedger& energy, double elastic, d
   out.text +=
       out.trust == Trust::None
           ? "The results of this run cannot be trusted. Reduce the tolerance (tol on record 2.1, "
-            "or --tol) or the maximum step (stpMax). If steps were accepted above the tolerance, "
-            "reduce stpMin. If this does not help, choose another integrator"
+            "or --tol) or the maximum step (stpMax). If the run accepted steps with errors above "
+            "the tolerance, reduce stpMin. If smaller steps do not help, choose another integrator"
           : "To reduce the energy residual, reduce the tolerance (tol on record 2.1, or --tol) or "
             "the maximum step (stpMax)";
   return out;

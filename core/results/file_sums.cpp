@@ -61,8 +61,9 @@ FileCheck compare(const fs::path& path, std::uintmax_t bytes, const std::string&
     if (found.bytes != bytes)
       out.detail = fmt::format("the file has {} bytes, but the run wrote {}", found.bytes, bytes);
     else if (hex(found.sum) != sum && hex(sum_of_start(path, UINTMAX_MAX, checksum).sum) != sum)
-      out.detail = fmt::format("the file ({} bytes) has the checksum {}, but the run wrote {}",
-                               bytes, hex(found.sum), sum);
+      out.detail =
+          fmt::format("the file ({} bytes) has the checksum {}, but the run stored the checksum {}",
+                      bytes, hex(found.sum), sum);
     else
       out = {path, State::Intact, fmt::format("{} bytes", bytes)};
   } catch (const InputError& refused) {
@@ -74,7 +75,7 @@ FileCheck compare(const fs::path& path, std::uintmax_t bytes, const std::string&
 /// The checksum of RUN.json over its own text.
 FileCheck check_summary(const fs::path& path, const std::string& text, const Json& json) {
   FileCheck out{path, State::Unchecked,
-                "the file was written by an earlier version without a checksum"};
+                "an earlier version of Adore wrote this file without a checksum"};
   const auto measured = json.find("measured");
   if (measured == json.end() || !measured->is_object() || !measured->contains(kOwnChecksum))
     return out;
@@ -82,7 +83,7 @@ FileCheck check_summary(const fs::path& path, const std::string& text, const Jso
   const bool same = stored.is_string() && stored.get<std::string>() == run_json_checksum(text);
   out.state = same ? State::Intact : State::Damaged;
   out.detail = same ? fmt::format("{} bytes", text.size())
-                    : "the text does not match the checksum in the file";
+                    : "the content of the file does not match the checksum in the file";
   return out;
 }
 
@@ -189,7 +190,8 @@ std::string describe_file_damage(const MasterFileEntry& file, const fs::path& pa
                                  long last_step) {
   if (!file.sum) return {};
   constexpr const char* kDiffers =
-      "the part up to the last checkpoint has the checksum {}, but the run wrote {}";
+      "the part of the file up to the last checkpoint has the checksum {}, but the run stored the "
+      "checksum {}";
   if (file.role == "RESULTS") {
     const H5Reader reader(path);
     const std::vector<long> steps = reader.step_numbers();

@@ -30,13 +30,13 @@ std::optional<H5Reader> open_results_of(const std::filesystem::path& file,
   const std::filesystem::path path = file.parent_path() / "RESULTS.h5";
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
-    why_not = "there is no RESULTS.h5 in the folder of the file";
+    why_not = "there is no RESULTS.h5 in the folder of the SOL file";
     return std::nullopt;
   }
   try {
     H5Reader reader(path);
     if (reader.run_id() == run_id) return reader;
-    why_not = fmt::format("RESULTS.h5 in the folder of the file belongs to the run '{}'",
+    why_not = fmt::format("RESULTS.h5 in the folder of the SOL file belongs to the run '{}'",
                           reader.run_id());
   } catch (const InputError& error) {
     why_not = error.what();
@@ -108,7 +108,8 @@ struct ChannelColumns {
 };
 
 constexpr const char* kOtherRun =
-    "RESULTS.h5 in the folder of the file contains different numbers and belongs to another run";
+    "RESULTS.h5 in the folder of the SOL file belongs to another run, because it contains "
+    "different numbers";
 
 /// Steps of the classic file at even distances in RESULTS.h5: a part of bounded size.
 struct StepBlock {
@@ -211,7 +212,8 @@ FullPrecisionStatus use_full_precision(SolFile& file, std::size_t most_added) {
       ++out.exact;
     }
     if (out.exact == 0)
-      return {"RESULTS.h5 in the folder of the file contains none of these steps"};
+      return {
+          "RESULTS.h5 in the folder of the SOL file contains none of the steps of the SOL file"};
     out.from_start = at[out.exact - 1] < reader->steps() &&
                      std::all_of(at.begin() + static_cast<std::ptrdiff_t>(out.exact), at.end(),
                                  [&](std::size_t place) { return place == reader->steps(); });

@@ -33,10 +33,10 @@ std::string_view remedy(int error) {
     case EISDIR:
       return "give the name of a file, not of a folder";
     case ELOOP:
-      return "replace the symbolic link by the file";
+      return "replace the symbolic link with a regular file";
     case EFBIG:
-      return "the file has reached the largest allowed size (ulimit -f, or the file system): "
-             "increase the limit, choose another disk, or store fewer steps";
+      return "the file has reached the size limit (ulimit -f, or the file system). Increase the "
+             "limit, choose another disk, or store fewer steps";
     default:
       return "choose another folder";
   }

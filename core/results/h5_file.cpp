@@ -144,8 +144,8 @@ File::File(const std::filesystem::path& path) {
     std::uint64_t width = sizeof(double) * dataset.width;
     if (dataset.compressed) width = width / kLargestCompression + 1;
     if (content_.steps > (size - taken) / width)
-      damaged(
-          fmt::format("the file is too short for the listed {}", counted(content_.steps, "step")));
+      damaged(fmt::format("the file is too short for the {} that it lists",
+                          counted(content_.steps, "step")));
     taken += content_.steps * width;
   }
 

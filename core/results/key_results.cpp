@@ -33,7 +33,8 @@ constexpr KeyResultSpec kSpecs[] = {
     {"run_life_hours", "Life from the loads of the run", "", &unit::kLife},
     {"run_life_samples", "Life from the loads of the run", "number of samples", &unit::kNone},
     {"run_life_spread", "Life from the loads of the run", "relative standard error", &unit::kNone},
-    {"life_stored_hours", "Life, model of the plot files", "", &unit::kLife},  // of older tables
+    {"life_stored_hours", "Life, with the life model of the plot files", "",
+     &unit::kLife},  // of older tables
 
     // Of the equilibrium.
     {"displacement_x_m", "Displacement", "x", &unit::kLength},
@@ -51,7 +52,7 @@ constexpr KeyResultSpec kSpecs[] = {
     {"least_element_load_N", "Least element load", "", &unit::kForce, "",
      "the smaller of the two race loads of the least loaded element; 0 if any element is unloaded"},
     {"largest_approach_m", "Largest approach", "", &unit::kLength, "",
-     "elastic approach of an element and a race"},
+     "largest elastic approach between an element and a race"},
     {"largest_pressure_Pa", "Largest pressure", "", &unit::kPressure},
     {"stiffness_x_N_per_m", "Stiffness", "x", &unit::kStiffness},
     {"stiffness_y_N_per_m", "Stiffness", "y", &unit::kStiffness},
@@ -61,21 +62,21 @@ constexpr KeyResultSpec kSpecs[] = {
     {"set_offset_m", "Axial offset of the set", "", &unit::kLength, "",
      "axial gap between rows of opposite orientation, closed by clamping"},
     {"preload_unmounted_N", "Preload of the set", "unmounted", &unit::kForce, "",
-     "at rest and room temperature, before mounting"},
+     "preload at rest and room temperature, before mounting"},
     {"preload_N", "Preload of the set", "in operation", &unit::kForce, "",
-     "without external load, with fits, temperatures and speed"},
+     "preload with fits, temperatures and speed, but without external load"},
     {"unloading_force_plus_N", "Unloading force", "towards +x", &unit::kForce, "",
      "smallest axial force that unloads a row of an assembly"},
     {"unloading_force_minus_N", "Unloading force", "towards -x", &unit::kForce},
     {"gyroscopic_ratio", "Gyroscopic friction ratio", "", &unit::kNone, "",
-     "friction coefficient that prevents gyroscopic pivoting (largest of all balls) divided by "
-     "that "
-     "of the traction law (0.06 without one); above 1 a ball pivots"},
+     "friction coefficient that is needed to prevent gyroscopic pivoting (largest value of all "
+     "balls), divided by the friction coefficient of the traction law (0.06 without a traction "
+     "law); above 1 a ball pivots"},
     {"viscosity_ratio", "Viscosity ratio kappa", "", &unit::kNone, "",
-     "kinematic viscosity divided by the ISO 281 reference viscosity; for an oil by grade at the "
-     "bearing temperature, otherwise at the inlet of the hotter race"},
-    {"variable_compliance_m", "Variable compliance", "load between elements minus load on element",
-     &unit::kLength, "",
+     "kinematic viscosity divided by the ISO 281 reference viscosity; for an oil specified by "
+     "grade, at the bearing temperature; otherwise, at the contact inlet of the hotter race"},
+    {"variable_compliance_m", "Variable compliance",
+     "load between two elements versus on an element", &unit::kLength, "",
      "displacement along the radial load if the load acts between two elements, minus the "
      "displacement if it acts on an element; computed only by adore find"},
     {"variable_compliance_span_m", "Variable compliance", "peak to peak", &unit::kLength, "",

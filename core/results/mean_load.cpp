@@ -94,9 +94,9 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
     if (off(load, k) > off(load, furthest)) furthest = k;
   if (load.balanced)
     return out +
-           "in mode 2 the inner race has no inertia. Centrifugal force, gravity or the cage "
-           "dominate over the load, so the elements lose contact for short times. "
-           "Increase the load or preload, or set mode = 0 with kDCR = 1 and kFD = 0";
+           "in mode 2 the inner race has no inertia. Centrifugal force, gravity or cage forces "
+           "exceed the load, so the elements lose contact for short times. Increase the load or "
+           "preload, or set mode = 0 with kDCR = 1 and kFD = 0";
   if (load.moves[furthest])
     return out + fmt::format(
                      "a race is free to move along {}, and in this short run part of the load "
@@ -118,11 +118,12 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
     return out +
            "the inner race is fixed at its quasi-static position, where the moving elements exert "
            "forces perpendicular to the specified load. A different load in the specified "
-           "direction does not correct this. A longer run or a cage distributes the elements more "
-           "evenly. A race that is free to move (kDCR = 1 and kFD = 0) has the specified mean load";
+           "direction does not correct these forces. A longer run or a cage distributes the "
+           "elements more evenly. A race that is free to move (kDCR = 1 and kFD = 0) has the "
+           "specified mean load";
   out +=
-      "the inner race is fixed at its quasi-static position, where moving elements exert different "
-      "forces. ";
+      "the inner race is fixed at its quasi-static position. There, the forces of moving elements "
+      "differ from those of the quasi-static solution. ";
   out += scalable ? fmt::format(
                         "To obtain the specified mean load, enter about {}, or specify the "
                         "displacement (kFS1-3, appDispX to Z)",

@@ -80,13 +80,13 @@ std::optional<MotionFile> MotionFile::of_sol8(const Sol8File& file, std::string&
   const std::filesystem::path path = file.path.parent_path() / "RESULTS.h5";
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
-    why_not = "there is no RESULTS.h5 in the folder of the file";
+    why_not = "there is no RESULTS.h5 in the folder of SOL8";
     return std::nullopt;
   }
   try {
     MotionFile out{H5Reader(path)};
     if (out.reader_->run_id() != file.run_id) {
-      why_not = fmt::format("RESULTS.h5 in the folder of the file belongs to the run '{}'",
+      why_not = fmt::format("RESULTS.h5 in the folder of SOL8 belongs to the run '{}'",
                             out.reader_->run_id());
       return std::nullopt;
     }
@@ -96,7 +96,8 @@ std::optional<MotionFile> MotionFile::of_sol8(const Sol8File& file, std::string&
     const auto n = static_cast<std::size_t>(file.elements);
     const auto* radius = out.reader_->find("element.radial_position");
     if (radius == nullptr || radius->size() != n) {
-      why_not = "RESULTS.h5 in the folder of the file has a different number of rolling elements";
+      why_not =
+          "RESULTS.h5 in the folder of SOL8 has a different number of rolling elements than SOL8";
       return std::nullopt;
     }
     const UnitSystem units = units_of(file);
@@ -112,9 +113,8 @@ std::optional<MotionFile> MotionFile::of_sol8(const Sol8File& file, std::string&
                                                file.frames.begin());
     // For a run that has just begun it may contain only a few frames of SOL8.
     if (2 * held < file.frames.size()) {
-      why_not = fmt::format(
-          "RESULTS.h5 in the folder of the file has only {} of the {} frames in the file", held,
-          file.frames.size());
+      why_not = fmt::format("RESULTS.h5 in the folder of SOL8 has only {} of the {} frames in SOL8",
+                            held, file.frames.size());
       return std::nullopt;
     }
     const std::size_t every = std::max<std::size_t>(1, held / kLooks);
@@ -124,8 +124,8 @@ std::optional<MotionFile> MotionFile::of_sol8(const Sol8File& file, std::string&
       const Sol8Frame& frame = file.frames[i];
       const auto found = at.find(frame.step);
       if (found == at.end()) {
-        why_not = fmt::format("RESULTS.h5 in the folder of the file does not contain step {}",
-                              frame.step);
+        why_not =
+            fmt::format("RESULTS.h5 in the folder of SOL8 does not contain step {}", frame.step);
         return std::nullopt;
       }
       const double time = out.times_[found->second];
@@ -138,14 +138,14 @@ std::optional<MotionFile> MotionFile::of_sol8(const Sol8File& file, std::string&
       }
       if (!same) {
         why_not =
-            "RESULTS.h5 in the folder of the file contains different numbers and belongs to "
-            "another run";
+            "RESULTS.h5 in the folder of SOL8 belongs to another run, because it contains "
+            "different numbers";
         return std::nullopt;
       }
       any = true;
     }
     if (!any) {
-      why_not = "the file has no frame that is also in RESULTS.h5";
+      why_not = "SOL8 has no frame that is also in RESULTS.h5";
       return std::nullopt;
     }
     MotionFile whole = open(path, units, most_frames);

@@ -57,7 +57,7 @@ void check_title(const std::filesystem::path& path, std::string_view kind, std::
   if (title.find(fmt::format(" {}: ", kind)) == std::string_view::npos ||
       title.find("Adore") == std::string_view::npos)
     throw InputError(fmt::format(
-        "{}: this is not a {} file of this program; give the {} of the run to start from",
+        "{}: this is not a {} file of this program; give the {} file of the run to start from",
         path.string(), kind, kind));
 }
 
@@ -122,7 +122,7 @@ class Reader {
   std::pair<double, std::string> named() {
     const std::string_view whole = line();
     const std::size_t blank = whole.find(' ');
-    if (blank == std::string_view::npos) fail("a number and a name are expected here");
+    if (blank == std::string_view::npos) fail("this line must contain a number and a name");
     const double value = number(whole.substr(0, blank));
     if (!std::isfinite(value)) fail(fmt::format("'{}' is not finite", whole));
     return {value, std::string(whole.substr(blank + 1))};
@@ -137,7 +137,7 @@ class Reader {
     const std::string sum = fmt::format("{:016x}", sum_);
     const std::string stored = text("end");
     if (format_ >= 3 && stored != sum)
-      fail(fmt::format("the lines have the checksum {}, but the file was written with {}", sum,
+      fail(fmt::format("the lines have the checksum {}, but the checksum in the file is {}", sum,
                        stored.empty() ? "none" : stored));
   }
   [[noreturn]] void fail(std::string_view why) const {
@@ -256,12 +256,12 @@ MasterState read_master(const std::filesystem::path& path) {
       if (error == std::errc() && read_to == end)
         sum = value;
       else if (first != "-")
-        reader.fail("a checksum is expected here");
+        reader.fail("this line must contain a checksum");
       text.erase(0, std::min(first.size() + 1, text.size()));
     }
     const std::size_t blank = text.find(' ');
     if (blank == std::string::npos || !(bytes >= 0.0) || bytes > 9e15)
-      reader.fail("bytes, role and name of a file are expected here");
+      reader.fail("this line must contain size, role and name of a file");
     state.files.push_back(
         {text.substr(0, blank), text.substr(blank + 1), static_cast<std::uintmax_t>(bytes), sum});
   }
@@ -277,23 +277,23 @@ void check_layout(const FinalState& state, const std::vector<std::string>& compo
   const auto name = [](auto at, auto end) {
     return at == end ? std::string("nothing more") : "'" + *at + "'";
   };
-  throw InputError(
-      fmt::format("{}: the stored state does not match this deck. The file has {} components, but "
-                  "the deck needs {}. The first difference is {}, where the deck needs {}. Use the "
-                  "number of elements, cage, degrees of freedom, oriented elements and qFac (on or "
-                  "off) of the stored run, or start from the quasi-static solution (kIcOpt = 0)",
-                  path.string(), state.components.size(), components.size(),
-                  name(stored, state.components.end()), name(wanted, components.end())));
+  throw InputError(fmt::format(
+      "{}: the stored state does not match this deck. The file has {} components, but the deck "
+      "needs {}. The first difference is {}, where the deck needs {}. Use the same number of "
+      "elements, cage, degrees of freedom, oriented elements and qFac (on or off) as in the stored "
+      "run, or start from the quasi-static solution (kIcOpt = 0)",
+      path.string(), state.components.size(), components.size(),
+      name(stored, state.components.end()), name(wanted, components.end())));
 }
 
 void check_bodies(const FinalState& state, const std::vector<std::string>& components,
                   const std::filesystem::path& path) {
   const std::string stored = bodies_text(state.components), wanted = bodies_text(components);
   if (stored == wanted) return;
-  throw InputError(
-      fmt::format("{}: the stored state has {}, but this deck has {}. Use the FINAL file of such a "
-                  "bearing, or start from the quasi-static solution (kIcOpt = 0)",
-                  path.string(), stored, wanted));
+  throw InputError(fmt::format(
+      "{}: the stored state has {}, but this deck has {}. Use the FINAL file of a bearing with the "
+      "same elements and cage, or start from the quasi-static solution (kIcOpt = 0)",
+      path.string(), stored, wanted));
 }
 
 }  // namespace adore::results

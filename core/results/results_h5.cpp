@@ -29,12 +29,11 @@ using namespace h5;
 
 constexpr int kFormat = 1;
 constexpr std::string_view kConventions =
-    "SI units and radians, lives in hours. X is the bearing axis, Z radial up; azimuths turn about "
-    "+X from Z: y = "
-    "-r sin(theta), z = r cos(theta). "
-    "Frames: N base, A azimuth frame of the element (x axial, z radially outward), K cage, P "
-    "pocket. Quaternions are w, x, y, z, body to "
-    "base. Races: outer, inner.";
+    "SI units and radians, lives in hours. X is the bearing axis, Z points radially up. Azimuths "
+    "are positive about +X and start at Z: y = -r sin(theta), z = r cos(theta). Frames: N = base, "
+    "A = azimuth frame of the element (x axial, z radially outward), K = cage, P = pocket. "
+    "Quaternions are w, x, y, z, from the body frame to the base frame. Order of races: outer, "
+    "inner.";
 
 [[noreturn]] void fail(const std::filesystem::path& path, std::string_view what) {
   throw WriteError(
@@ -346,8 +345,8 @@ struct H5Writer::Impl {
   void write_waiting() {
     if (waiting == 0) return;
     if (broken)
-      throw InputError(
-          fmt::format("{}: an earlier write error prevents further steps", path.string()));
+      throw InputError(fmt::format(
+          "{}: no further steps can be stored after an earlier write error", path.string()));
     // Every other dataset is on its way to the disk before /step, written last, counts the rows.
     const Series* const counts = &series.back();
     for (Series& one : series) {
@@ -494,13 +493,13 @@ void check_file(const H5Reader& file, const std::filesystem::path& path,
       continue;
     if (found == nullptr)
       throw InputError(fmt::format(
-          "{}: the file does not contain {}. An earlier version of Adore wrote the file, or the "
-          "file is incomplete. The file can be displayed, but not continued. Start new files with "
-          "kIcOpt = -1, or run the deck in another folder",
+          "{}: the file does not contain the channel {}. An earlier version of Adore wrote the "
+          "file, or the file is incomplete. The file can be displayed, but not continued. Start "
+          "new files with kIcOpt = -1, or run the deck in another folder",
           path.string(), channel.id));
     throw InputError(
-        fmt::format("{}: the size of {} does not match this bearing. Restore the file of this run, "
-                    "or start new files with kIcOpt = -1",
+        fmt::format("{}: the size of the channel {} does not match this bearing. Restore the file "
+                    "of this run, or start new files with kIcOpt = -1",
                     path.string(), channel.id));
   }
 }

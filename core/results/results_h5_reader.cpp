@@ -59,7 +59,7 @@ std::vector<long> H5Reader::step_numbers() const {
   for (double number : read("step")) {
     const bool whole = std::abs(number) < kLargest && number == std::round(number);
     if (!whole || (!out.empty() && number < static_cast<double>(out.back())))
-      throw InputError(fmt::format("{}: the file is damaged (step number {} of row {})",
+      throw InputError(fmt::format("{}: the file is damaged (invalid step number {} in row {})",
                                    impl_->path.string(), number, out.size() + 1));
     out.push_back(static_cast<long>(number));
   }
@@ -76,8 +76,8 @@ std::vector<double> H5Reader::read(std::string_view id, std::size_t first, std::
   if (every == 0 ||
       (count > 0 && (first >= steps() || (count - 1) > (steps() - 1 - first) / every)))
     throw InputError(
-        fmt::format("{}: the file does not contain {} from step {} with interval {}; number of "
-                    "stored steps: {}",
+        fmt::format("{}: the file does not contain {}, starting at stored step {} with interval "
+                    "{}; number of stored steps: {}",
                     impl_->path.string(), counted(count, "step"), first + 1, every, steps()));
   return impl_->process.read(std::string(id), info == nullptr ? 1 : info->size(), first, count,
                              every);

@@ -72,7 +72,7 @@ std::vector<Finding> stored_findings(const fs::path& results_h5) {
     const std::string text = read_findings_text(root, FindingsText::kList);
     if (!text.empty() &&
         read_findings_text(root, FindingsText::kSum) != fmt::format("{:016x}", checksum(text)))
-      throw InputError("the list of findings is damaged: the checksum differs");
+      throw InputError("the list of findings is damaged: it does not match its checksum");
     return text;
   };
   const std::string text = h5::read_in_child_process(results_h5, read, kMaxFindingsBytes);

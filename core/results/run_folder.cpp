@@ -71,11 +71,10 @@ fs::path animation_file(const fs::path& path) {
   if (!fs::is_directory(path, ignored)) return path;
   if (const auto sol8 = run_folder(path).animation) return *sol8;
   if (const fs::path file = path / "RESULTS.h5"; fs::is_regular_file(file, ignored)) return file;
-  throw InputError(
-      fmt::format("{}: this folder has no animation, neither SOL8 nor RESULTS.h5; give the folder "
-                  "of a run that "
-                  "stores its motion, or one of these files",
-                  path.string()));
+  throw InputError(fmt::format(
+      "{}: this folder has no animation, because it contains neither SOL8 nor RESULTS.h5; give the "
+      "folder of a run that stores its motion, or one of these files",
+      path.string()));
 }
 
 }  // namespace adore::results

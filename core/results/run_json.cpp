@@ -93,7 +93,7 @@ std::vector<std::pair<std::string, std::string>> arithmetic_items(const RunSumma
   std::vector<std::pair<std::string, std::string>> items{
       {"math functions", has_portable_math()
                              ? "built in, identical on every processor"
-                             : "from the C library, may differ between processors"}};
+                             : "from the C library; results may differ between processors"}};
   if (run.integrator.empty()) return items;  // the equilibrium does not use a contact kernel
   items.emplace_back("instruction set of the contacts", run.instruction_set);
   items.emplace_back("note",

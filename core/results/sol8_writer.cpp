@@ -111,12 +111,12 @@ void check_allowed(const bearing::Bearing& bearing) {
 std::optional<std::string> sol8_refusal(int elements, int cage_segments) {
   if (elements > kMaxSol8Elements)
     return fmt::format(
-        "SOL8 is not written: its format allows at most {} rolling elements, this bearing has {}; "
-        "AGORE draws the motion from RESULTS.h5",
+        "SOL8 is not written: its format allows at most {} rolling elements, but this bearing has "
+        "{}; AGORE draws the motion from RESULTS.h5",
         kMaxSol8Elements, elements);
   if (cage_segments > 1)
     return fmt::format(
-        "SOL8 is not written: its format allows one cage, this bearing has {} segments; AGORE "
+        "SOL8 is not written: its format allows one cage, but this bearing has {} segments; AGORE "
         "draws their motion from RESULTS.h5",
         cage_segments);
   return std::nullopt;

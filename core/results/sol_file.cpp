@@ -29,8 +29,9 @@ InputFile open_file(const std::filesystem::path& path) {
 void check(const SolRange& range) {
   if (range.from < 1 || range.to < range.from || range.every < 1)
     throw InputError(
-        fmt::format("stored steps {} to {}, every {}: impossible range. Give a first step of 1 or "
-                    "more, a last step not below the first, and an interval of 1 or more",
+        fmt::format("stored steps {} to {} with interval {}: this range is not possible. Give a "
+                    "first step of 1 or more, a last step that is not smaller than the first step, "
+                    "and an interval of 1 or more",
                     range.from, range.to, range.every));
 }
 
@@ -46,8 +47,9 @@ std::string for_each_step(SolParser& parser, const std::string& name, const SolR
     if (parser.next(step, kept) != BlockStatus::Complete) {
       if (position <= range.from && range.from > 1)
         throw InputError(
-            fmt::format("{}: stored steps from {} on are not available: the file contains {}", name,
-                        range.from, position - 1));
+            fmt::format("{}: stored step {} and later steps are not available: number of stored "
+                        "steps in the file: {}",
+                        name, range.from, position - 1));
       return parser.note();
     }
     last_step = step.step;
@@ -142,8 +144,8 @@ SolFile read_steps(std::istream& stream, const std::string& name, const SolRange
   SolParser parser(stream, name);
   if (parser.kind() == SolKind::Animation)
     throw InputError(
-        fmt::format("{}: this is an animation file (SOL8); `adore animate` draws it; "
-                    "give one of SOL1-SOL7",
+        fmt::format("{}: this is an animation file (SOL8). Draw it with `adore animate`, or give "
+                    "one of SOL1-SOL7",
                     name));
   SolFile file;
   file.path = name;

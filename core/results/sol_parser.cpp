@@ -65,7 +65,7 @@ std::string_view SolParser::read_header_line(std::string_view what) {
   std::string_view line;
   if (reader_.next(line)) return line;
   if (reader_.is_line_too_long()) reject("it contains binary data or a line that is too long");
-  reject(fmt::format("line {} of the header, {}, is missing", reader_.number() + 1, what));
+  reject(fmt::format("line {} of the header ({}) is missing", reader_.number() + 1, what));
 }
 
 void SolParser::read_identity(std::string_view first) {
@@ -103,7 +103,7 @@ void SolParser::read_plot_header(std::string_view, std::string_view title) {
   };
   const auto check = [&](int number, long long least, long long most) {
     if (integer(number) < least || integer(number) > most)
-      reject(fmt::format("integer {} of line 3 is {}, but {} to {} is possible", number,
+      reject(fmt::format("integer {} of line 3 is {}, but it must be from {} to {}", number,
                          integer(number), least, most));
     return static_cast<int>(integer(number));
   };
@@ -222,17 +222,17 @@ BlockStatus SolParser::next(SolStep& step, bool with_values) {
   const std::string where =
       began ? fmt::format("step {}", step.step) : std::string("the first line of a step");
   if (status == BlockStatus::Cut)
-    note_ = fmt::format("cut off in {} (line {})", where, reader_.number());
+    note_ = fmt::format("the file is cut off in {} (line {})", where, reader_.number());
   else if (status == BlockStatus::Wrong)
-    note_ =
-        fmt::format("damaged in {} (line {}); later steps are not used", where, reader_.number());
+    note_ = fmt::format("the file is damaged in {} (line {}); later steps are not used", where,
+                        reader_.number());
   return status;
 }
 
 std::string SolParser::gaps() const {
   if (missing_count_ == 0) return {};
   return fmt::format(
-      "{} not finite (stars: value too wide for its field); first occurrence: step {}",
+      "{} not finite (stars: the number is too wide for its field); first occurrence: step {}",
       missing_count_ == 1 ? "1 value is" : fmt::format("{} values are", missing_count_),
       first_missing_step_);
 }

@@ -84,8 +84,9 @@ StaticTables read_static_tables(const std::filesystem::path& run_json) {
   try {
     if (!json.is_object() || !(json.contains("quasi_static") || json.contains("thermal_network")))
       throw refuse(
-          "contains no quasi-static solution and no thermal network. These plots need the RUN.json "
-          "of a run with mode -1, or of a dynamic run with kTherm = 1 after a thermal step");
+          "contains no quasi-static solution and no thermal network. Plots of static results need "
+          "the RUN.json of a run with mode -1, or of a dynamic run with kTherm = 1 after a thermal "
+          "step");
     const Json& section =
         json.at(json.contains("quasi_static") ? "quasi_static" : "thermal_network");
     StaticTables out;

@@ -235,8 +235,9 @@ class Trials {
     AccuracyReference out{best.results, results::compare_results(check.results, best.results),
                           best.row.seconds + check.row.seconds};
     study_.unlisted_seconds -= out.seconds;
-    study_.reference = fmt::format(
-        "rkf7 at tolerance {:.0e}, checked with rkf5 at tolerance {:.0e}", tight, 10.0 * tight);
+    study_.reference =
+        fmt::format("run with rkf7 at tolerance {:.0e}, checked with rkf5 at tolerance {:.0e}",
+                    tight, 10.0 * tight);
     return out;
   }
 

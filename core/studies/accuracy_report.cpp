@@ -149,20 +149,21 @@ std::string growth_text(const AccuracyStudy& study) {
                                : own_row(study);
   if (row == nullptr || !row->failure.empty()) return {};
   if (!(study.long_turns > study.short_turns))
-    return "Error growth: not measured, because both rounds have the same span.";
+    return "Error growth: not measured, because both rounds simulate the same span.";
   const auto before =
       std::find_if(study.screening.begin(), study.screening.end(), [&](const AccuracyRow& other) {
         return other.setting.name == row->setting.name && other.failure.empty();
       });
   if (before == study.screening.end()) return {};
   return fmt::format(
-      "Measured growth ({}): from {:.4g} to {} the error changed from {} to {}, the energy "
+      "Measured error growth ({}): from {:.4g} to {} the error changed from {} to {}, the energy "
       "residual from {:.1e} to {:.1e} of the exchanged energy{}.",
       row->setting.name, before->turns, revolutions_text(row->turns),
       percent(before->errors.largest()), percent(row->errors.largest()), before->energy_share,
       row->energy_share,
       row->growth > 0.0 ? fmt::format(", a factor of {:.4g} per revolution", row->growth)
-                        : "; the spans differ by less than one revolution, too little for a rate");
+                        : "; the spans of the two rounds differ by less than one revolution, which "
+                          "is too little for a growth rate");
 }
 
 /// A row that keeps the target, takes less time than the recommended one and warns of its energy.
@@ -203,11 +204,11 @@ std::string limits_text(const AccuracyStudy& study) {
 std::string irregular_text(const AccuracyStudy& study) {
   if (study.limits().largest() <= study.target) return {};
   return fmt::format(
-      "the motion is irregular, so the means over this span scatter by more than the target error. "
-      "Two accurate runs differ by {}{}",
+      "the motion is irregular, so the means over the simulated span scatter by more than the "
+      "target error. Two accurate runs differ by {}{}",
       percent(study.long_reference.noise.largest()),
       study.irregular.largest() > 0.0
-          ? fmt::format(", and two runs with a relative load change of 1e-6 by up to {}",
+          ? fmt::format(". A relative load change of 1e-6 changes the means by up to {}",
                         percent(study.irregular.largest()))
           : std::string());
 }
@@ -231,7 +232,7 @@ std::string recommendation(const AccuracyStudy& study) {
           best.energy_share);
     else if (const AccuracyRow* cheaper = cheaper_but_warned(study, best))
       out += fmt::format(
-          "; {} is faster ({:.3g} s), but its energy residual is {:.1e} of the "
+          "; {} is faster than these settings ({:.3g} s), but its energy residual is {:.1e} of the "
           "exchanged energy",
           cheaper->setting.name, cheaper->seconds, cheaper->energy_share);
     if (best.setting.own) return out + "; these are the deck's own settings.";
@@ -245,8 +246,9 @@ std::string recommendation(const AccuracyStudy& study) {
     out += "; " + irregular;
   if (const AccuracyRow* model = other_model(study))
     out += fmt::format(
-        "; this study covers integrator and steps only: {} changes the results more ({}). `adore "
-        "run --accuracy {:g}%` also chooses nodes and slices",
+        "; this study covers integrator and steps only: {} changes the results by more than the "
+        "target error ({}). `adore run --accuracy {:g}%` also chooses the numbers of nodes and "
+        "slices",
         model->setting.name, errors_text(model->errors), 100.0 * study.target);
   return out + ".";
 }
@@ -276,12 +278,13 @@ std::string round_text(const AccuracyRow& row, const AccuracyStudy& study) {
 
 std::string accuracy_table(const AccuracyStudy& study) {
   std::string out = fmt::format(
-      "Errors: differences of means from a reference ({}).\ns: processor time of the whole run. "
-      "In the second round it is the median of three runs, if the budget allows,\nfor the "
-      "recommended settings, the deck's own settings and the rows with *.\n*: no other row is "
-      "both faster and as accurate. An error counts only if it is larger than the difference of "
-      "two accurate runs.\nThe whirl speed "
-      "is computed from the area that the cage center sweeps, not from the windings in PRINT.\n",
+      "Errors are differences of mean values from a reference ({}).\nColumn \"s\": processor time "
+      "of the whole run. In the second round, three runs are measured if the budget allows:\nwith "
+      "the recommended settings, with the deck's own settings and in the rows with *. The column "
+      "then shows the median.\nRows with *: no other row is both faster and as accurate.\nAn error "
+      "counts only if it is larger than the difference of two accurate runs.\nThe whirl speed is "
+      "computed from the area that the cage center sweeps, not from the whirl revolutions in "
+      "PRINT.\n",
       study.reference);
   const auto round = [&](const char* what, double turns, const AccuracyReference& reference,
                          const std::vector<AccuracyRow>& rows) {
@@ -293,10 +296,10 @@ std::string accuracy_table(const AccuracyStudy& study) {
   round("First round", study.short_turns, study.short_reference, study.screening);
   round("Second round", study.long_turns, study.long_reference, study.finals);
   if (study.long_turns > 0.0 && study.long_turns < study.asked)
-    out += fmt::format("Specified: {}; the time budget allows only {:.4g}. {}\n",
+    out += fmt::format("Specified length: {}; the time budget allows only {:.4g}. {}\n",
                        revolutions_text(study.asked), study.long_turns, growth_text(study));
   if (study.irregular.largest() > 0.0)
-    out += fmt::format("A relative load change of 1e-6 changes these means by up to {} ({}; {}).\n",
+    out += fmt::format("A relative load change of 1e-6 changes the means by up to {} ({}; {}).\n",
                        percent(study.irregular.largest()), errors_text(study.irregular),
                        study.irregular_by);
   else if (!study.finals.empty() && study.irregular.load < 0.0)

@@ -227,16 +227,16 @@ AccuracyStatement make_accuracy_statement(const runs::RunRequest& request,
 std::string statement_text(const AccuracyStatement& statement) {
   const Verification& tighter = statement.tighter;
   if (!tighter.failure.empty())
-    return fmt::format("accuracy:  not stated; the run with {} failed: {}\n", tighter.tighter,
-                       tighter.failure);
+    return fmt::format("accuracy:  not computed, because the run with {} failed: {}\n",
+                       tighter.tighter, tighter.failure);
   const std::string second =
       statement.twin_failure.empty()
           ? fmt::format(
-                "a run with loads changed by 1e-6 ({:.3g} s of processor time, {:.2g} times this "
-                "run)",
+                "a run with a relative load change of 1e-6 ({:.3g} s of processor time, {:.2g} "
+                "times this run)",
                 statement.twin_seconds,
                 statement.twin_seconds / std::max(statement.run_seconds, 1e-9))
-          : fmt::format("that run, because there is no run with changed loads: {}",
+          : fmt::format("the same run, because there is no run with changed loads: {}",
                         statement.twin_failure);
   std::string out = fmt::format(
       "accuracy:  over the {} of this run, 95 % intervals\n  numerical part: difference from a run "

@@ -29,7 +29,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kOtherNameRemedy =
-    "copy the study file to another name; the results of the copy are written next to it";
+    "copy the study file to a file with another name; the results of the copy are written next to "
+    "the copy";
 constexpr double kRecordMegabytes = 0.0041;  ///< a block of the disk
 constexpr double kMaxPilotSeconds = 20.0;    ///< [s]; after that no further pilot run
 
@@ -154,7 +155,7 @@ Plan plan_of(const CampaignRequest& request, const Study& study, const fs::path&
     exceeds(fmt::format("{}, but the budget is {:g}",
                         counted(fmt::format("{:.3g}", out.hours), "hour"), *study.budget.hours));
   if (study.budget.disk_megabytes && out.disk_megabytes > *study.budget.disk_megabytes)
-    exceeds(fmt::format("{:.3g} MB on disk, but the budget is {:g}", out.disk_megabytes,
+    exceeds(fmt::format("{:.3g} MB on disk, but the budget is {:g} MB", out.disk_megabytes,
                         *study.budget.disk_megabytes));
   if (!error && out.disk_megabytes > out.free_disk_megabytes)
     exceeds(fmt::format("{:.3g} MB on disk, but {:.3g} MB are free in {}", out.disk_megabytes,
@@ -328,7 +329,7 @@ class Campaign {
     }
     out_.note = search.best().empty()
                     ? "no run has a value for the objective"
-                    : fmt::format("{}; final step of the search: {:.3g} % of each range",
+                    : fmt::format("{}; final step size of the search: {:.3g} % of each range",
                                   counted(search.rounds(), "round"), 100.0 * search.step());
   }
 
@@ -415,7 +416,7 @@ std::string plan_text(const CampaignRequest& request, const Plan& plan) {
 std::string progress_text(const StudyProgress& p) {
   return fmt::format("{} of {} runs done, {} failed, {} active; time left: {}{}{}", p.done, p.total,
                      p.failed, p.workers,
-                     p.remaining >= 0.0 ? duration_text(p.remaining) : "unknown time",
+                     p.remaining >= 0.0 ? duration_text(p.remaining) : "unknown",
                      p.note.empty() ? "" : "; ", p.note);
 }
 

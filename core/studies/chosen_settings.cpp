@@ -94,12 +94,13 @@ class Choice {
     const runs::Prepared prepared = runs::prepare(request_);
     rows_ = resolutions(prepared);
     if (rows_.empty()) {
-      out_.text += ". Nodes and slices are not chosen, because run options set them";
+      out_.text += ". The numbers of nodes and slices are not chosen, because run options set them";
     } else {
       choose_resolution(prepared);
     }
     out_.text += fmt::format(
-        ". The choice depends on measured times, so another run may choose other settings. To "
+        ". The choice depends on measured processor times, so another run may choose other "
+        "settings. To "
         "repeat this run: `adore run DECK {}`",
         again());
     return std::move(out_);
@@ -141,7 +142,9 @@ class Choice {
         out_.integrator, out_.tolerance, longest,
         counted(fmt::format("{:.3g}", best.turns), "revolution"), errors_text(best.errors));
     if (study.recommended < 0)
-      out_.text += ", the most accurate settings of the study, because none is within the target";
+      out_.text +=
+          ", the most accurate settings of the study, because no settings are within the target "
+          "error";
     if (study.limits().largest() > target_) out_.text += "; " + irregular_text(study);
   }
 
@@ -211,9 +214,9 @@ class Choice {
         beside.changes.emplace_back(load, fmt::format("{:.17g}", 1.000001 * value));
     const auto other = is ? results_of(beside, finest) : std::nullopt;
     if (!is || !other) {
-      out_.text +=
-          fmt::format(". Nodes and slices are unchanged, because the run with {} failed: {}",
-                      finest.name, finest.failure);
+      out_.text += fmt::format(
+          ". The numbers of nodes and slices are unchanged, because the run with {} failed: {}",
+          finest.name, finest.failure);
       return;
     }
     out_.noise = results::compare_results(*other, *is);
@@ -242,9 +245,10 @@ class Choice {
                     counted(fmt::format("{:.3g}", out_.turns), "revolution"));
     if (out_.resolution < 0) {
       out_.options = finest.options;
-      out_.text +=
-          fmt::format(". {}: every coarser setting fails or differs from it by more than {:.2g} %",
-                      out_.finest, 100.0 * limit);
+      out_.text += fmt::format(
+          ". Resolution: {}, because every coarser resolution fails or changes the results by more "
+          "than {:.2g} %",
+          out_.finest, 100.0 * limit);
       return;
     }
     const ResolutionRow& chosen = out_.rows[static_cast<std::size_t>(out_.resolution)];
@@ -256,8 +260,9 @@ class Choice {
 
   /// Noise below which an error counts as 0.
   [[nodiscard]] static std::string noise_text(const ResolutionRow& row) {
-    return row.below_noise ? "; 0 %: not more than the effect of a relative load change of 1e-6"
-                           : "";
+    return row.below_noise
+               ? "; 0 % means: not larger than the effect of a relative load change of 1e-6"
+               : "";
   }
 
   const runs::DeckRequest& request_;

@@ -124,7 +124,7 @@ class Worker {
   [[noreturn]] static void refuse() {
     throw WriteError(
         fmt::format("no further process can be started: {}; raise the limit of processes and files "
-                    "(ulimit -u, -n), or give fewer --workers",
+                    "(ulimit -u, -n), or give a smaller number with --workers",
                     std::strerror(errno)));
   }
   pid_t pid_ = -1;
@@ -153,8 +153,8 @@ class LocalEngine {
     if (left_ > 0 && !stop.stop_requested())
       throw InputError(
           fmt::format("{} no result, because the process was killed {} times, by a user or by the "
-                      "system when memory was short. All other runs are recorded. Continue "
-                      "with `adore study resume`; if memory is short, with --workers 1",
+                      "system when memory was short. All other runs are recorded. Continue with "
+                      "`adore study resume`; if memory is short, add --workers 1",
                       counted(left_, "run has", "runs have"), kMaxKills));
   }
 

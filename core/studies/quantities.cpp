@@ -47,7 +47,7 @@ class Channels {
   [[nodiscard]] double value(const Quantity& quantity) const {
     const auto* info = file_.find(quantity.channel);
     if (info == nullptr)
-      throw InputError(fmt::format("{}: the run has no such channel", quantity.channel));
+      throw InputError(fmt::format("{}: the run does not store this channel", quantity.channel));
     const Window in = window(quantity.from, quantity.to);
     std::vector<double> values = file_.read(quantity.channel, in.first, in.count);
     std::size_t width = info->size();
@@ -98,7 +98,7 @@ class Channels {
     std::size_t at = 0;
     for (std::size_t k = 0; k < dimensions.size(); ++k) {
       if (quantity.places[k] > dimensions[k])
-        throw InputError(fmt::format("{}: index {} must be 1 to {}, but \"at\" contains {}",
+        throw InputError(fmt::format("{}: index {} must be from 1 to {}, but \"at\" contains {}",
                                      quantity.channel, k + 1, dimensions[k], quantity.places[k]));
       at = at * dimensions[k] + quantity.places[k] - 1;
     }
@@ -226,7 +226,7 @@ QuantityValues answer(const std::vector<Quantity>& quantities, const results::Ke
           value = found->value;
         } else {
           const std::string known = why(quantity);
-          value = miss(quantity, known.empty() ? "the run has no such key result" : known);
+          value = miss(quantity, known.empty() ? "the run does not have this key result" : known);
           lacks_result = true;
         }
       }

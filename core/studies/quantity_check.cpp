@@ -72,7 +72,8 @@ std::string of_result(const std::string& id, const deck::Deck& deck, const std::
   const bool oil_by_grade = deck.has("oilGrade") || deck.has("oilVisc1");
   if (id == "viscosity_ratio" && oil_by_grade) return {};
   if (id == "viscosity_ratio" && deck.integer("kTrac") <= 0)
-    return "the deck has no lubricant (kTrac = 0) and no oil by grade (record X2 in ADORE.json)";
+    return "the deck has no lubricant (kTrac = 0) and no oil specified by grade (record X2 in "
+           "ADORE.json)";
   if (starts_with_one_of(id, {"bpfo_", "bpfi_", "ftf_"}) && deck.integer("mode") < 0) return {};
   const bool of_start = starts_with_one_of(id, {"displacement_",
                                                 "load_x",

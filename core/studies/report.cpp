@@ -94,8 +94,8 @@ void Reporter::add_unused_variables() {
     for (const auto& none : runs::prepare(request).no_part)
       for (const TableColumn& column : table_.variables)
         if (none.variable == column.name)
-          text_ +=
-              fmt::format("note: {} varies but has no effect: {}\n", none.variable, none.because);
+          text_ += fmt::format("note: variable {} is varied, but it has no effect: {}\n",
+                               none.variable, none.because);
   } catch (const std::exception&) {
     // The runs report the errors.
   }
@@ -109,8 +109,8 @@ void Reporter::add_failures() {
                          table_.message[i]);
   }
   if (shown > kShownFailures)
-    text_ +=
-        fmt::format("and {} more failed; see RUNS.csv for the reasons\n", shown - kShownFailures);
+    text_ += fmt::format("{} more of the runs failed; RUNS.csv lists the reasons\n",
+                         shown - kShownFailures);
 }
 
 /// The most severe first, then by number. Quiet notes are left out.

@@ -66,10 +66,10 @@ void Reporter::add_cage_map() {
     text_ += "\n";
   }
   text_ += fmt::format(
-      "\nClasses, from the second half of each run:\n"
-      "resting: the cage center moves less than {:g} of the clearance about its mean position.\n"
-      "whirling: the center moves more, with a whirl deviation below {:g} of the whirl ratio.\n"
-      "irregular: all other motions.\n\n",
+      "\nClasses, from the second half of each run:\nresting: the orbit of the cage center about "
+      "its mean position is less than {:g} times the clearance.\nwhirling: the orbit is larger, "
+      "and the whirl deviation is less than {:g} times the whirl ratio.\nirregular: all other "
+      "motions.\n\n",
       kRestingOrbit, kSteadyDeviation);
 }
 

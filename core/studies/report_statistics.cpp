@@ -49,7 +49,7 @@ void Reporter::distribution(const TableColumn& column) {
     line.y.push_back((static_cast<double>(i) + 0.5) / static_cast<double>(values.size()));
   }
   charts_.push_back(curves_chart("distribution-" + file_name(column.name), column,
-                                 {"fraction of the runs below this value", "", {}}, {line}));
+                                 {"fraction of the runs with a smaller value", "", {}}, {line}));
 }
 
 void Reporter::add_grid_curves() {

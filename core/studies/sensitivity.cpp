@@ -34,8 +34,8 @@ double value_in(const deck::Deck& deck, const std::string& name) {
     return deck.real(bare, instance, element);
   }
   throw InputError(
-      fmt::format("variable {}: the deck does not have this variable; in \"set\", choose options "
-                  "that need its record",
+      fmt::format("variable {}: the deck does not have this variable; choose values in \"set\" "
+                  "with which the deck has the record of the variable",
                   name));
 }
 
@@ -49,15 +49,16 @@ std::vector<BaseValue> base_values(const Study& study, std::size_t deck) {
   std::vector<BaseValue> out;
   for (const Variable& variable : study.variables) {
     if (variable.option)
-      throw InputError(fmt::format(
-          "option {}: a sensitivity study varies deck variables; compare options with kind sweep",
-          variable.name));
+      throw InputError(
+          fmt::format("option {}: a sensitivity study varies deck variables only; to compare "
+                      "options, use a study with \"kind\": \"sweep\"",
+                      variable.name));
     BaseValue base;
     base.value = value_in(loaded.deck, variable.name);
     base.step = variable.step > 0.0 ? variable.step : kDefaultStepShare * std::abs(base.value);
     if (base.step == 0.0)
       throw InputError(fmt::format(
-          "variable {}: its value is 0, so a suitable difference is unknown; give \"step\"",
+          "variable {}: its value is 0, so the program cannot choose a step; give \"step\"",
           variable.name));
     out.push_back(base);
   }

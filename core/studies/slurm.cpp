@@ -122,7 +122,7 @@ int slurm_cores() {
       most = std::max(most, whole(parts[0], 0) + whole(parts[1], 0));
   if (most == 0)
     throw InputError(
-        "--engine slurm: no node is up (`sinfo` shows the reason); start one, or use --engine "
+        "--engine slurm: no node is up (`sinfo` shows the reason); start a node, or use --engine "
         "local");
   return static_cast<int>(most);
 }

@@ -279,7 +279,7 @@ class SlurmEngine {
       } else if (end.state == "CANCELLED") {
         forget_job();
         throw InputError(
-            "the job was canceled in Slurm; finished runs are recorded, continue with `adore study "
+            "the job was canceled in Slurm; finished runs are recorded. Continue with `adore study "
             "resume`");
       } else if (end.state == "FAILED" && was_killed_externally(end)) {
         ++killed_;
@@ -309,8 +309,8 @@ class SlurmEngine {
                          std::numeric_limits<double>::quiet_NaN());
     record.message = fmt::format(
         "Slurm ended the run at its {} limit {} times, although the limit was doubled each time. "
-        "The run needs far more than the pilot runs; examine it separately, then repeat it with "
-        "--retry-failed",
+        "The run needs far more time or memory than the pilot runs. Examine the run separately, "
+        "then repeat it with --retry-failed",
         late ? "time" : "memory", kMaxLimitHits);
     write_record(work_.folder, record);
     done_(record);

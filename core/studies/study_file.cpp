@@ -81,10 +81,11 @@ void check_name(JsonObject& object, std::string_view key, std::string name, bool
   name = name.substr(0, name.find('['));
   if (const auto lot = name.find('#'); lot != std::string::npos) name.replace(lot, 1, "1");
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
-  object.refuse(key, fmt::format("a {}; the nearest is \"{}\"",
-                                 option ? "run option (`adore run --list-options` lists them)"
-                                        : "variable of the deck (`adore schema` lists them)",
-                                 nearest(name, known)));
+  object.refuse(key,
+                fmt::format("a {}; the nearest is \"{}\"",
+                            option ? "run option (`adore run --list-options` lists the options)"
+                                   : "variable of the deck (`adore schema` lists the variables)",
+                            nearest(name, known)));
 }
 
 void read_law(JsonObject& object, Variable& out) {
@@ -107,7 +108,7 @@ void read_law(JsonObject& object, Variable& out) {
   if (object.has("uniform")) {
     ++laws;
     const auto range = object.numbers("uniform", 2, 2, "[low, high]");
-    if (!(range[0] < range[1])) object.refuse("uniform", "[low, high] with low below high");
+    if (!(range[0] < range[1])) object.refuse("uniform", "[low, high] with low smaller than high");
     out.law = Law::Uniform;
     out.a = range[0];
     out.b = range[1];
@@ -116,7 +117,7 @@ void read_law(JsonObject& object, Variable& out) {
     ++laws;
     const auto normal = object.numbers("normal", 2, 2, "[mean, standard deviation]");
     if (!(normal[1] > 0.0))
-      object.refuse("normal", "[mean, standard deviation] with a deviation above 0");
+      object.refuse("normal", "[mean, standard deviation] with a standard deviation above 0");
     out.law = Law::Normal;
     out.a = normal[0];
     out.b = normal[1];
@@ -128,15 +129,16 @@ void read_law(JsonObject& object, Variable& out) {
       if (!(cut[0] < cut[1]) || cut[0] > out.a + kMaxDeviations * out.b ||
           cut[1] < out.a - kMaxDeviations * out.b)
         object.refuse("within",
-                      "[low, high] with low below high; part of the interval must be within 6 "
-                      "standard deviations of the mean");
+                      "[low, high] with low smaller than high; part of the interval must be within "
+                      "6 standard deviations of the mean");
       out.low = cut[0];
       out.high = cut[1];
     }
   }
   if (laws != 1)
-    throw InputError(fmt::format("{}: give exactly one of grid, list, uniform and normal (now: {})",
-                                 object.at(out.option ? "option" : "name"), laws));
+    throw InputError(fmt::format(
+        "{}: give exactly one of \"grid\", \"list\", \"uniform\" and \"normal\" (given: {})",
+        object.at(out.option ? "option" : "name"), laws));
 }
 
 Variable read_variable(const Json& json, const std::string& where, Kind kind) {
@@ -151,14 +153,16 @@ Variable read_variable(const Json& json, const std::string& where, Kind kind) {
   check_name(object, out.option ? "option" : "name", out.name, out.option);
   if (object.has("also")) {
     if (out.option || out.is_group())
-      object.refuse("also", "\"also\" only for a single deck variable");
+      object.refuse("also",
+                    "a single deck variable in \"name\"; \"also\" is not possible for a run option "
+                    "or a name with #");
     out.also = object.texts("also", "a list of deck variables that take the same value");
     for (const std::string& name : out.also) check_name(object, "also", name, false);
   }
   if (kind == Kind::Sensitivity) {
     if (object.has("step")) {
-      out.step = object.number("step", "a difference above 0, in the deck's units");
-      if (!(out.step > 0.0)) object.refuse("step", "a difference above 0, in the deck's units");
+      out.step = object.number("step", "a step above 0, in the units of the deck");
+      if (!(out.step > 0.0)) object.refuse("step", "a step above 0, in the units of the deck");
     }
     out.targets = {out.name};
     object.reject_unknown_keys();
@@ -168,14 +172,16 @@ Variable read_variable(const Json& json, const std::string& where, Kind kind) {
   if (object.has("common")) {
     if (!out.is_group())
       object.refuse("common",
-                    "\"common\" only for a lot (a name with # in place of the element number)");
+                    "a \"name\" with # in place of the element number; \"common\" is possible only "
+                    "for such a group of elements");
     out.common = object.number("common", "a correlation from 0 to 1");
     if (out.common < 0.0 || out.common > 1.0)
-      object.refuse("common", "a correlation between elements of the same lot (0 to 1)");
+      object.refuse("common", "a correlation from 0 to 1 between the elements of the group");
   }
   if (out.is_group() && out.law == Law::Values)
     object.refuse("name",
-                  "a lot (#) with a uniform or normal distribution, so that its elements differ");
+                  "a name without #, or use \"uniform\" or \"normal\", so that the elements of the "
+                  "group differ");
   out.targets = {out.name};
   object.reject_unknown_keys();
   return out;
@@ -232,7 +238,7 @@ Quantity read_quantity(const Json& json, const std::string& where) {
   if (std::find(known.begin(), known.end(), out.channel) == known.end() &&
       !out.channel.starts_with("energy."))
     object.refuse("channel", fmt::format("a channel of RESULTS.h5 (`adore show RESULTS.h5` lists "
-                                         "them); the nearest is \"{}\"",
+                                         "the channels); the nearest is \"{}\"",
                                          nearest(out.channel, known)));
   out.statistic = read_statistic(object);
   if (out.statistic == Statistic::Percentile) {
@@ -257,7 +263,7 @@ Quantity read_quantity(const Json& json, const std::string& where) {
   out.name = object.has("name") ? object.text("name", "a heading for the column")
                                 : out.channel + "." + object.text("statistic", "");
   if (out.name.find_first_of(",\"\n/") != std::string::npos || out.name.empty())
-    object.refuse("name", "a heading without commas, quotes and slashes");
+    object.refuse("name", "a column heading without commas, quotes and slashes");
   object.reject_unknown_keys();
   return out;
 }
@@ -298,10 +304,10 @@ void read_correlations(const Json& json, const std::string& where, Study& out) {
           std::find_if(out.variables.begin(), out.variables.end(),
                        [&](const Variable& variable) { return variable.name == name; });
       if (found == out.variables.end() || found->law == Law::Values || found->lot())
-        throw InputError(fmt::format(
-            "{}: \"{}\" is not a variable with a uniform or normal distribution (elements "
-            "of a lot are correlated by \"common\")",
-            at, name));
+        throw InputError(
+            fmt::format("{}: \"{}\" is not a variable with a uniform or normal distribution (for "
+                        "elements of a group, a name with #, use \"common\")",
+                        at, name));
     }
     if (!(std::abs(next.value) <= 1.0) || next.first == next.second)
       throw InputError(at + " = " + dump_json(row) +
@@ -350,8 +356,9 @@ void check_kind(const Study& study, const std::string& name) {
   if (!study.bearing_seeds.empty() &&
       (study.kind == Kind::WhatIf || study.kind == Kind::Sensitivity ||
        study.kind == Kind::WorstCase))
-    refuse(fmt::format("bearing_seeds has no effect in kind {}; remove it, or use kind sweep",
-                       kind_name(study.kind)));
+    refuse(fmt::format(
+        "bearing_seeds has no effect in a study of kind \"{}\"; remove it, or use kind \"sweep\"",
+        kind_name(study.kind)));
   if (study.kind == Kind::WorstCase && study.decks.size() > 1)
     refuse(
         "a worst-case search uses one deck; replace \"decks\" by \"deck\", and write a separate "
@@ -359,23 +366,27 @@ void check_kind(const Study& study, const std::string& name) {
   std::set<std::string> names;
   for (const Variable& variable : study.variables)
     if (!names.insert(variable.name).second)
-      refuse(fmt::format("variables contains {} twice; give each once", variable.name));
+      refuse(
+          fmt::format("variables: {} occurs twice; remove one of the two entries", variable.name));
   for (const Variable& variable : study.variables)
     for (const auto& [set, value] : variable.option ? study.options : study.sets)
       if (set == variable.name)
-        refuse(fmt::format("{} is set to {} and is also a variable; remove one of the two", set,
-                           value));
+        refuse(fmt::format(
+            "{} is set to {} and is also in \"variables\"; remove one of the two entries", set,
+            value));
   if (study.kind == Kind::WhatIf) {
     if (!study.variables.empty())
-      refuse("a what-if study compares cases; remove variables, or use kind sweep");
+      refuse(
+          "a what-if study compares \"cases\"; remove \"variables\", or use a study of kind "
+          "\"sweep\"");
     return;
   }
   if (study.variables.empty() && study.bearing_seeds.size() < 2)
-    refuse("variables is empty; give at least one {\"name\": ..., \"grid\": [first, last, count]}");
+    refuse("variables = []: give at least one {\"name\": ..., \"grid\": [first, last, count]}");
   if (study.kind == Kind::CageMap && (values != 2 || count != 0))
     refuse(
-        fmt::format("a cage-map needs two variables with grid or list (speed and clearance), but "
-                    "this study has {} such variables and {} random variables",
+        fmt::format("a cage-map needs two variables with \"grid\" or \"list\" (speed and "
+                    "clearance), but this study has {} such variables and {} random variables",
                     values, count));
   if (study.kind == Kind::Tolerance && count == 0)
     refuse(
@@ -390,13 +401,16 @@ void check_kind(const Study& study, const std::string& name) {
             "variable {}: a worst-case search needs limits; give \"uniform\": [low, high]",
             variable.name));
     if (!study.correlations.empty())
-      refuse("correlation has no effect in a worst-case search; remove it");
+      refuse("correlation: this key has no effect in a worst-case search; remove it");
   }
   if (study.has_random_variables() && study.samples == 0)
     refuse(
-        "sampling.runs is missing: give the number of samples of the uniform and normal variables");
+        "sampling.runs is missing: give the number of samples of the variables with a \"uniform\" "
+        "or \"normal\" distribution");
   if (!study.has_random_variables() && study.samples > 0 && study.kind != Kind::Sensitivity)
-    refuse("sampling.runs has no effect without variables with a uniform or normal distribution");
+    refuse(
+        "sampling.runs has no effect, because no variable has a \"uniform\" or \"normal\" "
+        "distribution");
 }
 
 }  // namespace
@@ -443,7 +457,7 @@ Study checked_study(const Json& json, const std::filesystem::path& file) {
     for (const std::string& deck : object.texts("decks", "a list of deck files"))
       out.decks.push_back(path_of(deck));
     if (out.decks.empty() || object.has("deck"))
-      object.refuse("decks", "one or more deck files, and remove \"deck\"");
+      object.refuse("decks", "one or more deck files in \"decks\", without the key \"deck\"");
   } else {
     out.decks = {path_of(
         object.text("deck", "the base deck, a path relative to the folder of the study file"))};
@@ -527,7 +541,8 @@ Study checked_study(const Json& json, const std::filesystem::path& file) {
                          object.at("objective"));
     out.objective = objective.text("quantity", "the name of one of the quantities");
     if (!columns.contains(out.objective))
-      objective.refuse("quantity", "the name of one of the quantities: " + listed(columns));
+      objective.refuse("quantity",
+                       "the name of one of the quantities of this study: " + listed(columns));
     const std::string seek = objective.text("seek", "largest or smallest");
     if (seek != "largest" && seek != "smallest") objective.refuse("seek", "largest or smallest");
     out.seek_largest = seek == "largest";
@@ -570,8 +585,7 @@ Study parse_study(const std::string& text, const std::filesystem::path& file) {
 std::string example_study(const std::string& kind) {
   const auto* const found = std::find(kKindNames.begin(), kKindNames.end(), kind);
   if (found == kKindNames.end())
-    throw InputError(
-        fmt::format("there is no kind of study \"{}\"; give one of {}", kind, kinds()));
+    throw InputError(fmt::format("there is no study kind \"{}\"; give one of {}", kind, kinds()));
   return std::string(resources::get("studies/" + kind + ".json"));
 }
 

@@ -64,7 +64,8 @@ void check_tasks(const Study& study, const std::vector<Task>& tasks) {
     if (is.deck != expected.deck || is.label != expected.label ||
         !std::equal(is.values.begin(), is.values.end(), expected.values.begin(),
                     expected.values.end(), same))
-      refuse(fmt::format("line {}, run {}: does not match the study", i + 1, tasks[i].number));
+      refuse(
+          fmt::format("line {}, run {}: the run does not match the study", i + 1, tasks[i].number));
   }
 }
 

@@ -109,8 +109,9 @@ std::string table_h5(const StudyTable& table, const std::string& kind,
   file.attribute("solver", std::string(runs::solver_stamp()));
   file.attribute("study", kind);
   file.attribute("conventions",
-                 "one row per run in every dataset; variables in the deck's units, quantities in "
-                 "SI; exit 0 done, 1 crashed, 2 input rejected, 3 failed, -1 not finished");
+                 "every dataset has one row per run; variables are in the units of the deck, "
+                 "quantities in SI units; values of the dataset \"exit\": 0 done, 1 crashed, 2 "
+                 "input rejected, 3 failed, -1 not finished");
   file.whole("run", table.run);
   file.whole("exit", table.exit);
   for (const TableColumn& column : table.variables)

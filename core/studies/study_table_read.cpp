@@ -174,7 +174,8 @@ class H5Table {
     StudyTable out;
     out.run = whole("run");
     out.exit = whole("exit");
-    if (out.exit.size() != out.run.size()) fail_not_a_table("run and exit have different lengths");
+    if (out.exit.size() != out.run.size())
+      fail_not_a_table("the columns \"run\" and \"exit\" have different lengths");
     if (out.rows() > static_cast<std::size_t>(kMaxStudyRuns))
       fail_not_a_table("it has too many runs");
     out.variables = group("variables", out.rows());
@@ -234,7 +235,7 @@ class H5Table {
     for (const std::string& column : names) {
       const Handle set(H5Dopen2(in, column.c_str(), H5P_DEFAULT));
       if (!set.valid() || rows_of(set) != rows)
-        fail_not_a_table(column + " has a different number of rows than the dataset run");
+        fail_not_a_table(column + " has a different number of rows than the dataset \"run\"");
       TableColumn next{column, unit_of(set), std::vector<double>(rows)};
       if (rows > 0 &&
           H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, next.values.data()) < 0)

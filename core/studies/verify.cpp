@@ -102,7 +102,7 @@ nlohmann::ordered_json verification_json(const Verification& verification,
 
 std::string verification_text(const Verification& verification, const runs::RunOutcome& outcome) {
   if (!verification.failure.empty())
-    return fmt::format("verified:  no; the run with {} failed: {}\n", verification.tighter,
+    return fmt::format("verified:  no, because the run with {} failed: {}\n", verification.tighter,
                        verification.failure);
   std::string text =
       fmt::format("verified:  compared with {} ({:.3g} s of processor time): {}\n",

@@ -143,7 +143,8 @@ TEST_CASE("SOL: files of other programs → read", "[unit][sol]") {
     CHECK(file.steps[0].values[0] == 1.2345678e-100);
     CHECK(std::isnan(file.steps[0].values[1]));
     CHECK(file.gaps ==
-          "1 value is not finite (stars: value too wide for its field); first occurrence: step 1");
+          "1 value is not finite (stars: the number is too wide for its field); first occurrence: "
+          "step 1");
     CHECK(file.steps[0].values[39] == 39.0);
     CHECK(sol_columns(file.header)[39].id == "value40");
     CHECK(unit_of_column(file, sol_columns(file.header)[0]).empty());

@@ -91,7 +91,7 @@ TEST_CASE("accuracy study: includes the deck's own run and recommends the fastes
   REQUIRE(study.recommended >= 0);
   // The example moves regularly: a millionth of the loads changes its means by about as little.
   CHECK(study.irregular.largest() < 1e-4);
-  CHECK((accuracy_table(study).find("A relative load change of 1e-6 changes these means by") !=
+  CHECK((accuracy_table(study).find("A relative load change of 1e-6 changes the means by") !=
          std::string::npos) == (study.irregular.largest() > 0.0));
   const AccuracyRow& best = study.finals[static_cast<std::size_t>(study.recommended)];
   for (const AccuracyRow& row : study.finals) {
@@ -210,9 +210,8 @@ TEST_CASE("accuracy study: recommendation mentions warnings of its run and irreg
   warned.seconds = 0.5;
   warned.energy_share = 3e-4;
   study.finals.push_back(warned);
-  CHECK(recommendation(study).find(
-            "pece2, tol 1e-7 is faster (0.5 s), but its energy residual is 3.0e-04") !=
-        std::string::npos);
+  CHECK(recommendation(study).find("pece2, tol 1e-7 is faster than these settings (0.5 s), but its "
+                                   "energy residual is 3.0e-04") != std::string::npos);
   study.long_reference.noise.heat = 0.04;
   CHECK(recommendation(study).find("Two accurate runs differ by 4 %") != std::string::npos);
   CHECK(recommendation(study).find("within 1 % (heat within 6 %) over 50 revolutions") !=
@@ -223,9 +222,10 @@ TEST_CASE("accuracy study: recommendation mentions warnings of its run and irreg
   nodes.setting.name = "ellipse nodes 30 x 8";
   nodes.errors = {0.056, 0.001, 0.002, 0.0};
   study.models = {nodes};
-  CHECK(
-      recommendation(study).find("this study covers integrator and steps only: ellipse nodes 30 x "
-                                 "8 changes the results more (speeds 5.6 %") != std::string::npos);
+  CHECK(recommendation(study).find(
+            "this study covers integrator and steps only: ellipse nodes 30 x "
+            "8 changes the results by more than the target error (speeds 5.6 %") !=
+        std::string::npos);
   study.short_reference.noise.speed = 0.05;  // no more than accurate runs differ by
   CHECK(recommendation(study).find("integrator and steps only") == std::string::npos);
   study.recommended = -1;
@@ -363,7 +363,8 @@ TEST_CASE("accuracy study: budget ends early → growth between its spans is rep
       CHECK(before.energy_share * std::pow(row.growth, row.turns - before.turns) ==
             Approx(row.energy_share).epsilon(1e-6).margin(1e-12));
     }
-  CHECK(accuracy_table(study).find("Specified: 1000 revolutions; the time budget allows only") !=
+  CHECK(accuracy_table(study).find(
+            "Specified length: 1000 revolutions; the time budget allows only") !=
         std::string::npos);
   const AccuracyStudy read = read_accuracy(accuracy_json(study), "ACCURACY.json");
   CHECK(accuracy_table(read) == accuracy_table(study));
@@ -397,7 +398,7 @@ TEST_CASE("accuracy study: growth → of a row that completed both rounds", "[un
   }
   SECTION("of one span none can be") {
     study.long_turns = study.finals[0].turns = 1.0;
-    CHECK(told().find("Error growth: not measured, because both rounds have the same span.") !=
+    CHECK(told().find("Error growth: not measured, because both rounds simulate the same span.") !=
           std::string::npos);
   }
 }

@@ -60,7 +60,7 @@ TEST_CASE("study file: error → sentence with file, key, value and valid values
              Contains("variables[1].grid = [500,1500]") && Contains("[first, last, count]"));
   CHECK_THAT(refused("[500, 1500, 3]", "[500, 1500, 2.5]"), Contains("count from 2"));
   CHECK_THAT(refused("\"grid\": [500, 1500, 3]", "\"grd\": [500, 1500, 3]"),
-             Contains("exactly one of grid, list, uniform and normal"));
+             Contains("exactly one of \"grid\", \"list\", \"uniform\" and \"normal\""));
   CHECK_THAT(refused("largest_contact_load_N", "largest_contact_load"),
              Contains("quantities[1] = \"largest_contact_load\"") &&
                  Contains("nearest is \"largest_contact_load_N\""));
@@ -257,7 +257,7 @@ TEST_CASE("study file: error in TOML → with its line", "[unit][studies]") {
   CHECK_THROWS_WITH(parse_study(replaced(text, "1500, 3", "1500, 1"), "a.toml"),
                     Contains("a.toml, line 8: variables[1].grid = [500,1500,1]: give [first"));
   CHECK_THROWS_WITH(parse_study(replaced(text, "grid", "grd"), "a.toml"),
-                    Contains("a.toml, line 7: variables[1].name: give exactly one of grid"));
+                    Contains("a.toml, line 7: variables[1].name: give exactly one of \"grid\""));
   CHECK_THROWS_WITH(parse_study(replaced(text, "kind =", "kind"), "a.toml"),
                     Contains("a.toml, line 2: this is not valid TOML"));
 }
@@ -266,7 +266,7 @@ TEST_CASE("named_key(): key of a sentence about a study", "[unit][studies]") {
   CHECK(key_in_message("b/a.json: variables[2].grid = [1]: give", "b/a.json") ==
         "variables[2].grid");
   CHECK(key_in_message("a.toml, line 4: kind is missing: give", "a.toml") == "kind");
-  CHECK(key_in_message("a.json: a what-if study compares cases; remove", "a.json").empty());
+  CHECK(key_in_message("a.json: a what-if study compares \"cases\"; remove", "a.json").empty());
   CHECK(key_in_message("there is no deck DATA.txt", "a.json").empty());
 }
 

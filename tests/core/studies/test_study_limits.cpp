@@ -278,11 +278,11 @@ TEST_CASE("study: bearing seeds or several decks in a kind that ignores them →
     "objective": {"quantity": "largest_pressure_Pa", "seek": "largest"}})";
   REQUIRE(refused(worst) == "accepted");
   CHECK_THAT(refused(replaced(worst, "\"sampling\"", "\"bearing_seeds\": [1, 2], \"sampling\"")),
-             Contains("bearing_seeds has no effect in kind worst-case"));
+             Contains("bearing_seeds has no effect in a study of kind \"worst-case\""));
   CHECK_THAT(refused(replaced(worst, "\"deck\": \"DATA.txt\"", "\"decks\": [\"a\", \"b\"]")),
              Contains("one deck"));
   CHECK_THAT(refused(R"({"adore_study": 1, "kind": "sensitivity", "deck": "DATA.txt",
     "variables": [{"name": "appLoadZ"}], "quantities": ["largest_pressure_Pa"],
     "bearing_seeds": [1, 2]})"),
-             Contains("bearing_seeds has no effect in kind sensitivity"));
+             Contains("bearing_seeds has no effect in a study of kind \"sensitivity\""));
 }
