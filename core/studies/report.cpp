@@ -181,7 +181,7 @@ TableColumn Reporter::display_column(const Variable& variable) const {
     for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] += more[i];
   }
   for (double& value : out.values) value /= n;
-  out.name = variable.name + " (mean of the lot)";
+  out.name = variable.name + " (mean of the elements)";
   return out;
 }
 

@@ -303,7 +303,7 @@ void read_correlations(const Json& json, const std::string& where, Study& out) {
       const auto found =
           std::find_if(out.variables.begin(), out.variables.end(),
                        [&](const Variable& variable) { return variable.name == name; });
-      if (found == out.variables.end() || found->law == Law::Values || found->lot())
+      if (found == out.variables.end() || found->law == Law::Values || found->is_group())
         throw InputError(
             fmt::format("{}: \"{}\" is not a variable with a uniform or normal distribution (for "
                         "elements of a group, a name with #, use \"common\")",
