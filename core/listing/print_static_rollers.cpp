@@ -85,10 +85,12 @@ void summary(Report& report, const statics::RollerSolution& s) {
     report.item("Rollers in friction equilibrium", balanced);
     if (balanced > 0) {
       report.item("Largest skew of a roller", largest, unit::kAngle);
-      report.item("Mean orbital speed of these rollers", orbit / static_cast<double>(balanced),
-                  unit::kRotation);
+      report.item("Mean orbital speed of rollers in friction equilibrium",
+                  orbit / static_cast<double>(balanced), unit::kRotation);
     }
-    skew = "Rollers without friction equilibrium have no skew and the speeds of pure rolling. ";
+    skew =
+        "Rollers without friction equilibrium are assumed to have no skew and to roll without "
+        "slip. ";
   }
   report.text(skew + s.unloaded_position_rule);
 }
@@ -134,8 +136,8 @@ void contacts(Report& report, const statics::RollerSolution& s, std::size_t race
   if (std::any_of(s.rollers.begin(), s.rollers.end(),
                   [race](const auto& r) { return r.race[race].at_edge; }))
     report.text(
-        "*: the contact reaches a corner of the roller or an edge of the land. The edge stress is "
-        "higher than the printed pressure.");
+        "Rollers marked *: the contact reaches a corner of the roller or an edge of the land. The "
+        "edge stress is higher than the printed pressure.");
 }
 
 void positions(Report& report, const statics::RollerSolution& s) {
