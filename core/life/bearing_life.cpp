@@ -77,14 +77,14 @@ void note_shapes(BearingLife& out, std::size_t slices) {
     switch (state.shape[i]) {
       case ContactShape::Point:
         shape(
-            ". The contact is evaluated as a point contact, because ellipse and straight land "
-            "together are shorter than the roller (rule of Harris, recalled, not checked)");
+            ". The contact is a point contact: ellipse and straight land together are shorter than "
+            "the roller (rule of Harris, recalled)");
         break;
       case ContactShape::Line:
         shape(
-            ". The contact is evaluated as a line contact, because ellipse and straight land "
-            "together are longer than 1.5 roller lengths, or the land is at least as long as the "
-            "ellipse (rule of Harris, recalled, not checked)");
+            ". The contact is a line contact: ellipse and straight land together are longer than "
+            "1.5 roller lengths, or the land is at least as long as the ellipse (rule of Harris, "
+            "recalled)");
         break;
       case ContactShape::Between: {
         constexpr std::array<const char*, kModels> kNames{"LP", "updated LP", "GZ", "IH"};
@@ -97,11 +97,10 @@ void note_shapes(BearingLife& out, std::size_t slices) {
           return fmt::format("{} in{}", what, text);
         };
         const std::string point = list(points, "point contact"), line = list(all, "line contact");
-        shape(
-            fmt::format(". The contact is between point and line contact (rule of Harris, "
-                        "recalled, not checked). Each model uses the shorter of its two lives for "
-                        "point and line contact: {}{}{}",
-                        point, point.empty() || line.empty() ? "" : "; ", line));
+        shape(fmt::format(
+            ". The contact is between point and line contact (rule of Harris, recalled). Each "
+            "model uses the shorter of its two lives for point and line contact: {}{}{}",
+            point, point.empty() || line.empty() ? "" : "; ", line));
         break;
       }
     }

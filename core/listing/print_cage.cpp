@@ -83,8 +83,8 @@ void mass(Report& report, const Bearing& bearing, bool given) {
                   solid.mass_centre.x(), unit::kLength);
     if (bearing.rollers())
       report.text(
-          "The mass is computed for pockets that are as long as the roller. Their width is the "
-          "roller diameter at mid-length plus the pocket clearance.");
+          "Mass: pockets are assumed to be as long as the roller. Their width is its mid-length "
+          "diameter plus the pocket clearance.");
   } catch (const InputError& error) {
     report.text(fmt::format("The mass of the cage is unknown: {}.", error.what()));
   }

@@ -33,7 +33,8 @@ void print_films(Report& report, const statics::LubricantFilms& films, const std
   }
   report.item("Critical film thickness (thinner films: metallic contact)", films.critical_film,
               unit::kLength);
-  report.item("Inlet meniscus distance divided by contact half width", films.meniscus, unit::kPure);
+  report.item("Inlet meniscus distance divided by the contact half width", films.meniscus,
+              unit::kPure);
   std::vector<Report::Row> rows;
   for (std::size_t k = 0; k < films.race[0].size(); ++k) {
     Report::Row row{std::to_string(k + 1), {}};

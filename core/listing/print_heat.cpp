@@ -170,8 +170,9 @@ void print_steady_state(Report& report, const thermal::SteadyState& steady) {
   report.item("Iterations", static_cast<long>(steady.passes));
   report.item("Largest temperature change in the last iteration", steady.change,
               unit::kTemperature);
-  report.item("Change of heat per kelvin / change of heat removal per kelvin (above 1: unstable)",
-              steady.gain, unit::kPure);
+  report.item(
+      "Change of generated heat per kelvin / change of removed heat per kelvin (above 1: unstable)",
+      steady.gain, unit::kPure);
   if (steady.friction.why_none().empty()) {
     report.item("Power loss", steady.friction.power(), unit::kPower);
     report.item("Friction torque", steady.friction.torque(), unit::kMoment);

@@ -171,12 +171,13 @@ void print_imperfections(Report& report, const bearing::Bearing& b) {
   }
   for (std::size_t race = 0; race < 2; ++race)
     if (i.race_given[race]) print_race(report, b, race);
-  print_columns(report, "Rolling elements: actual minus nominal", b, element_deviations(b));
+  print_columns(report, "Deviations of the rolling elements (actual minus nominal)", b,
+                element_deviations(b));
   for (std::size_t race = 0; race < 2; ++race)
     if (i.race_given[race])
       print_columns(report,
-                    fmt::format("The {} race at the element positions of the quasi-static "
-                                "solution: actual minus nominal",
+                    fmt::format("Deviations of the {} race (actual minus nominal) at the element "
+                                "positions of the quasi-static solution",
                                 kRaceName[race]),
                     b, race_deviations(b, race));
 }

@@ -447,7 +447,7 @@ void applied(Report& report, const scene::Snapshot& snapshot, const bearing::Bea
   report.blank();
   for (int k = 0; k < 3; ++k)
     report.item(
-        fmt::format("Displacement of the inner race relative to the outer along {}", "xyz"[k]),
+        fmt::format("Displacement of the inner relative to the outer race along {}", "xyz"[k]),
         shift[k], unit::kLength);
   for (std::size_t race = 0; race < 2; ++race) {
     const auto tilt = tilt_of_axis(body_x_axis(snapshot.races[race].orientation));
@@ -625,7 +625,7 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
     if (const double heat = results::heat_scale(*run.energy); heat > 0.0)
       report.item("residual divided by the heat", run.energy->residual() / heat, unit::kPure);
     if (run.elastic && *run.elastic > 0.0)
-      report.item("residual divided by the elastic energy, quasi-static solution",
+      report.item("residual divided by the quasi-static elastic energy",
                   run.energy->residual() / *run.elastic, unit::kPure);
   }
   if (!run.momentum.empty()) {
