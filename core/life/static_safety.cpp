@@ -22,7 +22,7 @@ double angular_factor(double degrees, bool& seen) {
   if (degrees < first - 1e-9 || degrees > last + 1e-9)
     throw InputError(fmt::format(
         "contact angle = {:.4g} deg: outside the table of angular contact ball bearings. Enter an "
-        "angle from {:g} to {:g} deg. For angles below {:g} deg, select the type deep_groove.",
+        "angle from {:g} to {:g} deg. For angles below {:g} deg, select the type \"deep_groove\".",
         degrees, first, last, first));
   seen = false;
   for (const double printed : {15.0, 30.0, 40.0}) seen = seen || std::abs(degrees - printed) < 1e-9;

@@ -102,8 +102,8 @@ void print_race(Report& report, const bearing::Bearing& b, std::size_t race) {
     };
     if (const bearing::SurfaceTable* const table = bearing::table_of(&given)) {
       report.text(
-          fmt::format("User routine ADRX6 gives the surface of the {} race on a grid of {} points "
-                      "around the race and {} points across it.",
+          fmt::format("User routine ADRX6 gives the surface of the {} race on a grid of {} x {} "
+                      "points (around the race x across the race).",
                       kRaceName[race], table->around, table->across));
       if (given.curvature_factor.least != 0.0 || given.curvature_factor.largest != 0.0) {
         report.item(fmt::format("Smallest curvature factor of the {} race", kRaceName[race]),
