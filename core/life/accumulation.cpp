@@ -25,8 +25,8 @@ double stored(const std::map<std::string, double>& state, const std::string& nam
   const auto found = state.find(name);
   if (found == state.end())
     throw InputError(
-        fmt::format("MASTER is damaged: '{}' is missing; use the file of an earlier run, or start "
-                    "new files with kIcOpt = -1",
+        fmt::format("file MASTER is damaged: the entry '{}' is missing. Use the file MASTER of an "
+                    "earlier run, or start new files with kIcOpt = -1",
                     name));
   return found->second;
 }

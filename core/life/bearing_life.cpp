@@ -61,8 +61,8 @@ void note_shapes(BearingLife& out, std::size_t slices) {
     lines = lines || state.model[0].line[i];
     if (!(share > 0.0)) {
       add_note(out.notes, "life.line_unloaded",
-               fmt::format("{}: line contact, because the rollers are unloaded at this race or "
-                           "have no crown",
+               fmt::format("{}: the contacts are line contacts, because the rollers are unloaded "
+                           "at this race or have no crown",
                            name))
           .of(name);
       continue;
@@ -77,13 +77,14 @@ void note_shapes(BearingLife& out, std::size_t slices) {
     switch (state.shape[i]) {
       case ContactShape::Point:
         shape(
-            ", so the contact is a point contact (ratio below 1; rule of Harris, quoted from "
-            "memory)");
+            ". The contact is a point contact: ellipse and straight land together are shorter than "
+            "the roller (rule of Harris, recalled)");
         break;
       case ContactShape::Line:
         shape(
-            ", so the contact is a line contact (ratio above 1.5 with the straight land, or a land "
-            "longer than the ellipse; rule of Harris, quoted from memory)");
+            ". The contact is a line contact: ellipse and straight land together are longer than "
+            "1.5 roller lengths, or the land is at least as long as the ellipse (rule of Harris, "
+            "recalled)");
         break;
       case ContactShape::Between: {
         constexpr std::array<const char*, kModels> kNames{"LP", "updated LP", "GZ", "IH"};
@@ -96,11 +97,10 @@ void note_shapes(BearingLife& out, std::size_t slices) {
           return fmt::format("{} in{}", what, text);
         };
         const std::string point = list(points, "point contact"), line = list(all, "line contact");
-        shape(
-            fmt::format(", which is between point and line contact (rule of Harris, quoted from "
-                        "memory), so each model uses the shorter of its lives of point and line "
-                        "contact: {}{}{}",
-                        point, point.empty() || line.empty() ? "" : "; ", line));
+        shape(fmt::format(
+            ". The contact is between point and line contact (rule of Harris, recalled). Each "
+            "model uses the shorter of its two lives for point and line contact: {}{}{}",
+            point, point.empty() || line.empty() ? "" : "; ", line));
         break;
       }
     }
@@ -109,11 +109,12 @@ void note_shapes(BearingLife& out, std::size_t slices) {
     out.notes.push_back(
         slices > 1
             ? make_finding("life.line_slices",
-                           "line contacts are evaluated slice by slice; these lives do not include "
-                           "edge stresses above the slice pressures")
-            : make_finding("life.line_contact",
-                           "line contacts are assumed uniform over the effective length, because "
-                           "the solution has one ellipse per contact and no slices"));
+                           "line contacts: the lives are computed slice by slice. They do not "
+                           "include edge stresses above the slice pressures")
+            : make_finding(
+                  "life.line_contact",
+                  "line contacts: the load is assumed to be uniform over the effective roller "
+                  "length, because the solution has one ellipse per contact and no slices"));
 }
 
 void set_temperatures(LifeParameters& out, const bearing::Bearing& bearing) {
@@ -333,7 +334,8 @@ LifeState LifeCalculator::evaluate(const BearingContacts& contacts,
   for (const RaceContacts& race : contacts.race) {
     const auto count = static_cast<std::size_t>(geometry_.count);
     demand(contacts.slices > 0 && race.patches.size() == count * contacts.slices,
-           "the number of contact patches differs from elements times slices");
+           "the number of contact patches differs from the number of rolling elements times the "
+           "number of slices");
     demand(race.ellipses.empty() || race.ellipses.size() == count,
            "the number of contact ellipses differs from the number of rollers");
   }
@@ -429,17 +431,18 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
     const std::string& name = parameters_.part[i].name;
     if (r.Q_max > r.Q_c)
       add_note(out.notes, "life.load",
-               fmt::format("WARNING: {}: the largest load exceeds the load capacity; life models "
-                           "are not valid below 1e6 revolutions",
+               fmt::format("WARNING: {}: the largest contact load exceeds the load capacity. The "
+                           "life models are not valid for such loads (lives below 1e6 revolutions)",
                            name))
           .of(name)
           .measure(r.Q_max, r.Q_c);
     if (const validity::Range& range = validity::range("life.pressure");
         !range.bounds.contains(r.p_max))
-      add_note(out.notes, "life.pressure",
-               fmt::format("WARNING: {}: the pressure {:.3g} GPa exceeds 4.2 GPa, the static "
-                           "rating; plastic deformation is not modeled",
-                           name, 1e-9 * r.p_max))
+      add_note(
+          out.notes, "life.pressure",
+          fmt::format("WARNING: {}: the contact pressure of {:.3g} GPa exceeds 4.2 GPa, the "
+                      "pressure that defines the static rating. Plastic deformation is not modeled",
+                      name, 1e-9 * r.p_max))
           .of(name)
           .measure(r.p_max / range.per, range.bounds.most / range.per);
     if (out.state.factors.residual_refused[i])

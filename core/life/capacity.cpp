@@ -23,8 +23,8 @@ void check(const CapacityGeometry& g) {
   positive(static_cast<double>(g.count), "the number of rolling elements");
   if (const double ratio = size_ratio(g); !(ratio > 0.0 && ratio < 1.0))
     throw InputError(
-        fmt::format("load capacity of a race: D/d_m is {} (D cos(alpha)/d_m {}, cos(alpha) {}); it "
-                    "must be between 0 and 1",
+        fmt::format("load capacity of a race: the ratio D/d_m is {} (D cos(alpha)/d_m = {}, "
+                    "cos(alpha) = {}); it must be between 0 and 1",
                     ratio, g.gamma, g.cos_alpha));
 }
 

@@ -65,18 +65,19 @@ IsoGeometry iso_geometry_of_balls(const bearing::Bearing& bearing, std::vector<F
             .at_least(15.0));
   else if (degrees > 15.0 + 1e-9 && degrees < 20.0 - 1e-9)
     notes.push_back(
-        make_finding("life.iso",
-                     fmt::format("ISO: X, Y and e for {:.3g} deg are interpolated between the "
-                                 "values of the standard for 15 and 20 deg",
-                                 degrees))
+        make_finding(
+            "life.iso",
+            fmt::format("ISO: the factors X, Y and e for a contact angle of {:.3g} deg are "
+                        "interpolated between the values of the standard for 15 and 20 deg",
+                        degrees))
             .measure("contact angle", degrees, "deg"));
   const auto replaced = [&](const char* race, double own, double rated, double limit) {
     if (std::abs(own - rated) > 1e-9)
       notes.push_back(
           make_finding("life.iso",
-                       fmt::format("ISO: the {} groove with factor {:g} is rated with factor {:g}, "
-                                   "on which the tables of the standard are based. The tables are "
-                                   "valid for factors up to {:g}",
+                       fmt::format("ISO: the groove factor of the {} race is {:g}, but the rating "
+                                   "uses {:g}, on which the tables of the standard are based. The "
+                                   "tables are valid for groove factors up to {:g}",
                                    race, own, rated, limit))
               .of(fmt::format("{} race", race))
               .measure("groove factor", own, "", limit));
@@ -134,11 +135,11 @@ void add_viscosity(IsoReport& out, const bearing::Bearing& bearing, const Bearin
   constexpr double kOther = 5.0;  // [K]
   if (std::abs(out.oil_temperature - races) > kOther)
     out.notes.push_back(
-        make_finding("life.iso",
-                     fmt::format("ISO: the viscosity ratio is for {:.4g} K (oilTemp), but the mean "
-                                 "temperature of the races is {:.4g} K, which films and clearance "
-                                 "use",
-                                 out.oil_temperature, races))
+        make_finding(
+            "life.iso",
+            fmt::format("ISO: the viscosity ratio is computed at {:.4g} K (oilTemp), but films and "
+                        "clearance are computed at the temperatures of the races (mean {:.4g} K)",
+                        out.oil_temperature, races))
             .measure("temperature of the oil", out.oil_temperature, "K"));
   if (!(out.oil_temperature > 0.0)) return;
   out.viscosity = oil->kinematic_viscosity(out.oil_temperature);
@@ -201,10 +202,10 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
     out.equivalent->Y = 0.0;
   }
   if (!out.equivalent)
-    out.notes.push_back(make_finding(
-        "life.iso",
-        "ISO: factors for a thrust bearing under radial load are not available, so the equivalent "
-        "load is not computed"));
+    out.notes.push_back(
+        make_finding("life.iso",
+                     "ISO: the factors X and Y for a thrust bearing under radial load are not "
+                     "available, so the equivalent load is not computed"));
   const double p = iso_load_exponent(out.geometry.type);
   if (out.equivalent && out.equivalent->P > 0.0) {
     out.L10 = std::pow(out.C / out.equivalent->P, p);
@@ -241,8 +242,8 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
   else if (out.geometry.type != IsoType::ThrustRoller)
     out.notes.push_back(make_finding(
         "life.iso",
-        "ISO: a_ISO needs the viscosity ratio and the contamination factor, which are not in the "
-        "deck. Set the run options isoKappa (or lifeLambda) and isoContamination"));
+        "ISO: the life factor a_ISO needs the viscosity ratio and the contamination factor, which "
+        "are not in the deck. Set the run options isoKappa (or lifeLambda) and isoContamination"));
   if (condition && out.L10) {
     const AisoResult a =
         iso_life_factor(out.geometry.type, condition->kappa,

@@ -95,7 +95,7 @@ void set_limit(PartParameters& out, const Material& material, double limit_facto
         make_finding("life.fatigue_limit",
                      fmt::format("{}: no fatigue limit is known for {}. The limit is set to 0, so "
                                  "no life is infinite. The Ioannides-Harris lives are far too "
-                                 "short, because the model was calibrated with 684 MPa",
+                                 "short, because the model was calibrated with a limit of 684 MPa",
                                  out.name, material.name))
             .of(out.name));
 }
@@ -160,10 +160,11 @@ LifeParameters life_parameters(const bearing::LifeInputs& inputs, bool line,
       element.code == 150 || element.code == 151 ||
       (element.code == kDeckMaterial && element.elastic_modulus > kCeramicModulus);
   if (out.ceramic_elements && out.choices.elements == bearing::ElementLife::Zaretsky)
-    out.notes.push_back(make_finding(
-        "life.ceramic",
-        "ceramic rolling elements follow other failure laws, so the life of the bearing does not "
-        "include them (run option lifeElements=all includes them)"));
+    out.notes.push_back(
+        make_finding("life.ceramic",
+                     "ceramic rolling elements do not fail by the laws of steel, so the bearing "
+                     "life does not include the lives of the rolling elements. To include them, "
+                     "set the run option lifeElements=all"));
   return out;
 }
 

@@ -55,10 +55,11 @@ ReferenceSpeed reference_speed(const ReferenceBearing& b) {
           "bore and outside diameter: the bore must be above 0 and below the outside diameter. "
           "Enter both.");
   require(b.thrust_roller || b.width > 0.0,
-          "width: it must be above 0. Enter the width (the total width of tapered bearings).");
+          "width: it must be above 0. Enter the width (tapered bearings: the total width).");
   require(b.static_rating > 0.0, "C0: it must be above 0. Enter the static rating in N.");
-  require(b.friction.f0r > 0.0 && b.friction.f1r >= 0.0,
-          "f0r must be above 0 and f1r at least 0. Enter both, or the series.");
+  require(
+      b.friction.f0r > 0.0 && b.friction.f1r >= 0.0,
+      "f0r must be above 0, and f1r must be 0 or more. Enter both values, or enter the series.");
   const auto& conditions = bearing::rating_data("reference_conditions");
   const auto& kind = conditions.at(b.thrust_roller ? "thrust" : "radial");
   const double nu = kind.at("viscosity_mm2_s"), seat = conditions.at("seat_mm2");

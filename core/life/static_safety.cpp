@@ -13,18 +13,17 @@
 namespace adore::life {
 namespace {
 
-constexpr const char* kPrinted = "seen: maker's catalogs, see resources/ratings.json";
+constexpr const char* kPrinted = "seen: printed in makers' catalogs, see resources/ratings.json";
 
 /// Y0 of one row, linear between the angles of the table; "seen" at 15, 30 and 40 degrees.
 double angular_factor(double degrees, bool& seen) {
   const auto& rows = bearing::rating_data("static_factors").at("angular");
   const double first = rows.front().at(0).get<double>(), last = rows.back().at(0).get<double>();
   if (degrees < first - 1e-9 || degrees > last + 1e-9)
-    throw InputError(
-        fmt::format("contact angle = {:.4g} deg: outside the table of angular contact ball "
-                    "bearings. Enter {:g} "
-                    "to {:g} deg, or type deep_groove below {:g} deg.",
-                    degrees, first, last, first));
+    throw InputError(fmt::format(
+        "contact angle = {:.4g} deg: outside the table of angular contact ball bearings. Enter an "
+        "angle from {:g} to {:g} deg. For angles below {:g} deg, select the type \"deep_groove\".",
+        degrees, first, last, first));
   seen = false;
   for (const double printed : {15.0, 30.0, 40.0}) seen = seen || std::abs(degrees - printed) < 1e-9;
   for (std::size_t k = 1; k < rows.size(); ++k) {
@@ -47,13 +46,13 @@ StaticLoadFactors static_factors(StaticBearingType type, double angle, int rows)
       bool seen = false;
       const double Y0 = angular_factor(degrees, seen);
       return {pair ? 1.0 : 0.5, pair ? 2.0 * Y0 : Y0, !pair,
-              seen ? kPrinted : "recalled: not a printed angle"};
+              seen ? kPrinted : "recalled: makers' catalogs do not print this angle"};
     }
     case StaticBearingType::SelfAligning: {
       if (!(degrees > 0.0 && degrees <= 45.0 + 1e-9))
         throw InputError(fmt::format(
-            "contact angle = {:.4g} deg: it must be above 0 and up to 45 deg for this type. Enter "
-            "the contact angle (half the cup angle of tapered bearings).",
+            "contact angle = {:.4g} deg: it must be above 0 and at most 45 deg for this bearing "
+            "type. Enter the contact angle (tapered bearings: half the cup angle).",
             degrees));
       const double Y0 = 0.22 / std::tan(angle);
       return {pair ? 1.0 : 0.5, pair ? 2.0 * Y0 : Y0, !pair, kPrinted};
@@ -65,10 +64,10 @@ StaticLoadFactors static_factors(StaticBearingType type, double angle, int rows)
   }
   if (degrees > 90.0 - 1e-9) return {0.0, 1.0, false, kPrinted};
   if (degrees <= 45.0)
-    throw InputError(fmt::format(
-        "contact angle = {:.4g} deg: it must be above 45 deg for a thrust bearing. Enter the angle "
-        "or another type.",
-        degrees));
+    throw InputError(
+        fmt::format("contact angle = {:.4g} deg: it must be above 45 deg for a thrust bearing. "
+                    "Enter a larger angle, or select another bearing type.",
+                    degrees));
   return {2.3 * std::tan(angle), 1.0, false, "recalled"};
 }
 

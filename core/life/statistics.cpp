@@ -34,8 +34,8 @@ double shortest(std::span<const double> lives) {
 void check_life(double life) {
   if (!(life > 0.0))
     throw InputError(
-        fmt::format("the computed life is {} million revolutions, which is not a valid number; "
-                    "check loads, residual stresses and life factors",
+        fmt::format("the computed life is {} million revolutions, which is not a valid number. "
+                    "Check loads, residual stresses and life factors",
                     life));
 }
 

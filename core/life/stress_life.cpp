@@ -152,7 +152,8 @@ StressLife::StressMeasure StressLife::measure(const ContactPatch& patch, double 
       break;
   }
   throw InternalError(
-      "a subsurface stress was requested for the original Lundberg-Palmgren life, which has none");
+      "a subsurface stress was requested for the original Lundberg-Palmgren life, which does not "
+      "use one");
 }
 
 double StressLife::log_hazard(const ContactPatch& patch, const TrackLoading& track, double poisson,

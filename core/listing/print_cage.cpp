@@ -83,7 +83,7 @@ void mass(Report& report, const Bearing& bearing, bool given) {
                   solid.mass_centre.x(), unit::kLength);
     if (bearing.rollers())
       report.text(
-          "Mass: pockets are assumed to be as long as the roller and as wide as its mid-length "
+          "Mass: pockets are assumed to be as long as the roller. Their width is its mid-length "
           "diameter plus the pocket clearance.");
   } catch (const InputError& error) {
     report.text(fmt::format("The mass of the cage is unknown: {}.", error.what()));
@@ -114,7 +114,8 @@ void print_cage_geometry(Report& report, const Bearing& bearing, const deck::Dec
   report.item("Outer diameter", cage.outer_diameter, unit::kLength);
   report.item("Inner diameter", cage.inner_diameter, unit::kLength);
   report.item("Width", cage.width, unit::kLength);
-  report.item("Half cone angle (cage diameters: at mid-width)", cage.cone_angle, unit::kAngle);
+  report.item("Half cone angle (the cage diameters are at mid-width)", cage.cone_angle,
+              unit::kAngle);
   report.item("Pocket shape", pocket_name(cage, rollers));
   report.item(!cage.pocket_faces.empty()
                   ? "Smallest pocket clearance between guide faces, diametral"
@@ -128,9 +129,9 @@ void print_cage_geometry(Report& report, const Bearing& bearing, const deck::Dec
     report.item("Number of equal segments (mass and inertia: of one segment)",
                 static_cast<long>(cage.segments.count));
     report.item("Cut", cage.segments.through_pockets
-                           ? fmt::format("through the pockets (first: pocket of element {})",
+                           ? fmt::format("through the pockets (first cut: pocket of element {})",
                                          cage.segments.first + 1)
-                           : fmt::format("between the pockets (first: before element {})",
+                           : fmt::format("between the pockets (first cut: before element {})",
                                          cage.segments.first + 1));
     report.item("Angular width of a cut", cage.segments.cut_angle, unit::kAngle);
   }
@@ -146,7 +147,7 @@ void print_cage_operation(Report& report, const Bearing& bearing) {
     report.item(fmt::format("Diametral clearance: {}", play.name), play.operating, unit::kLength);
   if (const CageClearance* least = least_play(bearing))
     report.item(
-        "Effective cage clearance (smallest of these radial clearances)",
+        "Effective cage clearance (smallest one for radial motion)",
         fmt::format("{} {}, {}",
                     Report::number(from_si(least->operating, unit::kLength, report.units())),
                     unit_name(unit::kLength, report.units()), least->name));

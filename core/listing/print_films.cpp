@@ -14,8 +14,9 @@ namespace {
 std::string certainty(const std::string& provenance) {
   if (provenance == "given") return "from the deck";
   if (provenance == "seen") return "from a public source";
-  if (provenance == "recalled") return "at least one from memory, not checked";
-  return "AT LEAST ONE IS AN ESTIMATE for the class of the lubricant, not a measured value";
+  if (provenance == "recalled") return "at least one value is recalled, not checked";
+  return "AT LEAST ONE CONSTANT IS AN ESTIMATE for the class of the lubricant, not a measured "
+         "value";
 }
 
 }  // namespace
@@ -30,9 +31,10 @@ void print_films(Report& report, const statics::LubricantFilms& films, const std
     report.item("Viscosity " + at, films.viscosity[j], unit::kViscosity);
     report.item("Pressure-viscosity coefficient " + at, films.alpha[j], unit::kPerStress);
   }
-  report.item("Critical film thickness (below: metallic contact)", films.critical_film,
+  report.item("Critical film thickness (thinner films: metallic contact)", films.critical_film,
               unit::kLength);
-  report.item("Inlet meniscus distance divided by contact half width", films.meniscus, unit::kPure);
+  report.item("Inlet meniscus distance divided by the contact half width", films.meniscus,
+              unit::kPure);
   std::vector<Report::Row> rows;
   for (std::size_t k = 0; k < films.race[0].size(); ++k) {
     Report::Row row{std::to_string(k + 1), {}};
@@ -47,9 +49,9 @@ void print_films(Report& report, const statics::LubricantFilms& films, const std
     rows.push_back(std::move(row));
   }
   report.text(
-      "film: central thickness. least: minimum thickness. heat, starve: factors for inlet heating "
-      "and starvation (included in both). lambda: minimum thickness divided by the composite "
-      "roughness.");
+      "Columns. \"film\": central film thickness. \"least\": minimum film thickness. \"heat\", "
+      "\"starve\": factors for inlet heating and starvation, which both thicknesses include. "
+      "\"lambda\": minimum thickness divided by the composite roughness.");
   report.table(element,
                {{"film outer", &unit::kLength},
                 {"least outer", &unit::kLength},

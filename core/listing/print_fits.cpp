@@ -133,7 +133,8 @@ void warm_materials(Report& report, const bearing::Bearing& b) {
                 {"conduct.", &unit::kConductivity},
                 {"spec. heat", &unit::kSpecificHeat}},
                rows, 12);
-  report.text("Expansion: mean coefficient between 293.15 K and the temperature of the part.");
+  report.text(
+      "Column \"expansion\": mean coefficient between 293.15 K and the temperature of the part.");
 }
 
 Json growth_json(const Growth& g) {
@@ -159,8 +160,8 @@ void print_fits(Report& report, const bearing::Bearing& bearing) {
   const OperatingFits& fits = *bearing.operating;
   report.new_page("OPERATING FITS AND CLEARANCES");
   report.text(
-      "Rings in plane stress: thermal growth, centrifugal growth and growth from fit pressure are "
-      "added. Mounted: at room temperature, not rotating.");
+      "The rings are in plane stress. Thermal growth, centrifugal growth and growth from fit "
+      "pressure are added. \"Mounted\" means at room temperature and not rotating.");
   if (!fits.changed)
     report.text(
         "There is no thermal or centrifugal growth and no fit pressure. The geometry is that of "

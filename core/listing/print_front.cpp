@@ -60,8 +60,8 @@ void defaults(Report& report, const deck::Deck& deck) {
 void echo(Report& report, const deck::Deck& deck) {
   report.new_page("INPUT");
   report.text(
-      "All records as read, in the units of the deck. The descriptions are from this program. The "
-      "selected option follows the description of a code.");
+      "This page lists all records as read, in the units of the deck. The descriptions are not "
+      "part of the deck. The meaning of a selected code follows the description.");
   const deck::Deck shown = deck::with_orbit_records(deck);
   for (const deck::RecordData& record : shown.records) {
     const deck::RecordSpec* spec = deck::find_record(record.id);
@@ -249,7 +249,7 @@ void traction(Report& report, const bearing::Bearing& bearing) {
   curve("Rolling element to race", bearing.race_traction);
   if (bearing.pocket_traction) curve("Rolling element to cage pocket", *bearing.pocket_traction);
   if (bearing.land_traction) curve("Cage to race", *bearing.land_traction);
-  report.item("Slip speed below which friction at rest is smoothed", tribology::kRegularizationSlip,
+  report.item("Slip speed below which the traction law is smoothed", tribology::kRegularizationSlip,
               unit::kSpeed);
 }
 
@@ -295,7 +295,7 @@ void operation(Report& report, const FrontMatter& front) {
                   ? fmt::format("friction equilibrium (fallback: {})", spin)
                   : spin);
   if (!bearing.rollers() && bearing.spin_rule == bearing::SpinRule::Prescribed)
-    report.item("Angle of the spin axis from x", bearing.spin_angle, unit::kAngle);
+    report.item("Angle between the spin axis and the x axis", bearing.spin_angle, unit::kAngle);
   for (int k = 0; k < 3; ++k)
     report.item(fmt::format("Gravity along {}", "xyz"[k]), bearing.gravity[k], unit::kAcceleration);
   report.item("Outer race temperature", bearing.race_temperature[0], unit::kTemperature);
@@ -320,7 +320,8 @@ void operation(Report& report, const FrontMatter& front) {
     report.heading(fmt::format("Initial state of the {}", name));
     report.item("Whirl speed divided by the angular speed of the cage", start.whirl_ratio,
                 unit::kPure);
-    report.item("Angular speed divided by the epicyclic speed", start.speed_ratio, unit::kPure);
+    report.item("Angular speed of the cage divided by the epicyclic speed", start.speed_ratio,
+                unit::kPure);
     for (int k = 0; k < 3; ++k)
       report.item(fmt::format("Center position along {}", "xyz"[k]), start.start_offset[k],
                   unit::kLength);

@@ -42,8 +42,8 @@ std::vector<Cause> causes(const statics::FrictionEstimate& f) {
 std::string heat_certainty(const std::string& provenance) {
   if (provenance == "given") return "from the deck";
   if (provenance == "seen") return "from a public source";
-  if (provenance == "recalled") return "at least one from memory, not checked";
-  return "AT LEAST ONE IS AN ESTIMATE, not a measured value";
+  if (provenance == "recalled") return "at least one value is recalled, not checked";
+  return "AT LEAST ONE VALUE IS AN ESTIMATE, not a measured value";
 }
 
 void network(Report& report, const thermal::BearingHeat& heat) {
@@ -51,7 +51,7 @@ void network(Report& report, const thermal::BearingHeat& heat) {
   report.heading(is_ladder ? "Temperatures of the ladder" : "Temperatures of the network");
   for (const thermal::NodeTemperature& node : heat.nodes)
     report.item(node.name, node.temperature, unit::kTemperature);
-  report.heading("Mean temperatures used for growth and material");
+  report.heading("Mean temperatures used for growth and material properties");
   const auto list = heat.bulk.list();
   for (std::size_t k = 0; k < list.size(); ++k)
     if (k + 1 < list.size() || heat.coolant)
@@ -162,15 +162,17 @@ void print_friction(Report& report, const statics::FrictionEstimate& f,
 
 void print_steady_state(Report& report, const thermal::SteadyState& steady) {
   report.new_page("THERMAL STEADY STATE");
-  report.text(steady.as_built.thermal->geometry_every > 0
-                  ? "Temperatures, operating geometry, loads and friction are consistent."
-                  : "Temperatures, oil and friction are consistent. Geometry and material "
-                    "properties are those at the temperatures of record 9.1.3 (kGeoMod = 0).");
+  report.text(
+      steady.as_built.thermal->geometry_every > 0
+          ? "Temperatures, operating geometry, loads and friction are consistent."
+          : "Temperatures, oil properties and friction are consistent. Geometry and material "
+            "properties are those at the temperatures of record 9.1.3 (kGeoMod = 0).");
   report.item("Iterations", static_cast<long>(steady.passes));
   report.item("Largest temperature change in the last iteration", steady.change,
               unit::kTemperature);
-  report.item("Change of heat per kelvin / change of heat removal per kelvin (above 1: unstable)",
-              steady.gain, unit::kPure);
+  report.item(
+      "Change of generated heat per kelvin / change of removed heat per kelvin (above 1: unstable)",
+      steady.gain, unit::kPure);
   if (steady.friction.why_none().empty()) {
     report.item("Power loss", steady.friction.power(), unit::kPower);
     report.item("Friction torque", steady.friction.torque(), unit::kMoment);
@@ -189,9 +191,9 @@ void print_thermal_step(Report& report, const thermal::BearingHeat& heat, long s
   report.new_page("THERMAL STEP");
   report.item("Thermal step", step);
   report.item("Step end", time, unit::kTime);
-  report.text(geometry ? "Geometry and material change with this step."
-                       : "Geometry and material do not change. Properties of oil and medium follow "
-                         "the temperature.");
+  report.text(geometry ? "Geometry and material properties change with this step."
+                       : "Geometry and material properties do not change. The properties of the "
+                         "oil and of the churning medium follow the temperature.");
   network(report, heat);
 }
 

@@ -96,17 +96,17 @@ void print_race(Report& report, const bearing::Bearing& b, std::size_t race) {
                            const UnitPair& unit) {
       if (of.pairs.empty()) return;
       report.item(
-          fmt::format("User routine ADRX6, {} of the {} race: smallest", what, kRaceName[race]),
+          fmt::format("User routine ADRX6: smallest {} of the {} race", what, kRaceName[race]),
           of.least, unit);
       report.item("    largest", of.largest, unit);
     };
     if (const bearing::SurfaceTable* const table = bearing::table_of(&given)) {
       report.text(
           fmt::format("User routine ADRX6 gives the surface of the {} race on a grid of {} x {} "
-                      "points (around x across).",
+                      "points (around the race x across the race).",
                       kRaceName[race], table->around, table->across));
       if (given.curvature_factor.least != 0.0 || given.curvature_factor.largest != 0.0) {
-        report.item(fmt::format("Curvature factor of the {} race: smallest", kRaceName[race]),
+        report.item(fmt::format("Smallest curvature factor of the {} race", kRaceName[race]),
                     given.curvature_factor.least, unit::kPure);
         report.item("    largest", given.curvature_factor.largest, unit::kPure);
       }
@@ -171,12 +171,13 @@ void print_imperfections(Report& report, const bearing::Bearing& b) {
   }
   for (std::size_t race = 0; race < 2; ++race)
     if (i.race_given[race]) print_race(report, b, race);
-  print_columns(report, "Rolling elements: actual minus nominal", b, element_deviations(b));
+  print_columns(report, "Deviations of the rolling elements (actual minus nominal)", b,
+                element_deviations(b));
   for (std::size_t race = 0; race < 2; ++race)
     if (i.race_given[race])
       print_columns(report,
-                    fmt::format("The {} race at the element positions of the quasi-static "
-                                "solution: actual minus nominal",
+                    fmt::format("Deviations of the {} race (actual minus nominal) at the element "
+                                "positions of the quasi-static solution",
                                 kRaceName[race]),
                     b, race_deviations(b, race));
 }

@@ -45,9 +45,9 @@ const char* shape_text(life::ContactShape shape, bool line) {
 void lives(Report& report, const BearingLife& life) {
   const double S = life.parameters.survival.value;
   report.text(
-      "Lives at the constant loads of the quasi-static solution. Part lives and L10: 90 % "
-      "survival, in 1e6 revolutions of one race relative to the other. Values in ( ) are not "
-      "included in the bearing life.");
+      "Lives at the constant loads of the quasi-static solution. Part lives and bearing L10 are "
+      "for 90 % survival, in 1e6 revolutions of one race relative to the other. Values in ( ) are "
+      "not included in the bearing life.");
   report.blank();
   std::vector<std::vector<std::string>> rows;
   for (std::size_t m = 0; m < life::kModels; ++m)
@@ -79,11 +79,11 @@ void lives(Report& report, const BearingLife& life) {
   report.item("Specified survival probability", marked(life.parameters.survival));
   report.item("Weibull slope of the bearing", marked(life.parameters.bearing_slope));
   report.text(
-      "Column \"origin\": origin of the model constants; with +, origin of the life factors. The "
-      "constant of the original theory is published (seen). The constants of the three stress "
-      "models are CALIBRATED: at one reference contact, all models give the life of the original "
-      "theory. They are not the constants of the authors of the models. The STLE tables are from "
-      "memory (recalled; film curve +-30 %). The asperity term of the Tallian-type "
+      "Column \"origin\": origin of the model constants; in rows with +, origin of the life "
+      "factors. The constant of the original theory is published (\"seen\"). The constants of the "
+      "three stress models are CALIBRATED: at one reference contact, all models give the life of "
+      "the original theory. They are not the constants of the authors of the models. The STLE "
+      "tables are recalled, not checked (film curve +-30 %). The asperity term of the Tallian-type "
       "factor was derived for this program.");
 }
 
@@ -100,10 +100,10 @@ void races(Report& report, const BearingLife& life) {
                   life.race[1].rotating ? "yes" : "no", ""});
   const bool rollers = life.effective_length > 0.0;
   if (rollers) {
-    rows.push_back({"contact type (Harris, from memory)",
+    rows.push_back({"contact type (Harris, recalled)",
                     shape_text(life.state.shape[0], life.race[0].line),
                     shape_text(life.state.shape[1], life.race[1].line), ""});
-    row("ellipse of the most loaded roller, 2a", unit::kLength,
+    row("ellipse length 2a, most loaded roller", unit::kLength,
         [](const Race& r) { return r.major_axis; });
     row("effective length of a roller", unit::kLength,
         [&](const Race&) { return life.effective_length; });
@@ -173,9 +173,9 @@ void parameters(Report& report, const BearingLife& life) {
                      {fmt::format("residual stress [{}]", pressure), 26}},
                     rows);
   report.text(fmt::format(
-      "Fatigue limit: von Mises limit stress of the material times facStrLimit = {}. ISO 281 "
-      "corresponds to about {} {} (from a public source). Residual stress: positive in tension "
-      "(interpretation of this program).",
+      "Fatigue limit: von Mises limit stress of the material times facStrLimit = {}. The fatigue "
+      "limit of ISO 281 corresponds to about {} {} (from a public source). Residual stress is "
+      "positive in tension (interpretation of this program).",
       Report::number(life.parameters.limit_factor),
       with_unit(report, life::constants().iso_equivalent_limit.value, unit::kPressure), pressure));
   report.item("Form of the Ioannides-Harris model",
@@ -197,15 +197,14 @@ void properties(Report& report, const BearingLife& life) {
                 {"modulus", &unit::kPressure},
                 {"Poisson", &unit::kPure}},
                rows, 18);
-  report.text(
-      follows
-          ? "Moduli, pressures and ellipses are those at the temperature of each part (kMatPropMod "
-            "= 1). Outside the range of a material law, its value at the end of the range applies."
-          : "The moduli are those at room temperature, because kMatPropMod is not 1.");
+  report.text(follows ? "Moduli, pressures and ellipses are those at the temperature of each part "
+                        "(kMatPropMod = 1). Outside the temperature range of a material law, its "
+                        "value at the nearest end of the range applies."
+                      : "The moduli are those at room temperature, because kMatPropMod is not 1.");
   report.text(
       "Poisson's ratio, fatigue limit and life factors are those at room temperature, because the "
-      "material table has no law for them. The hardness factor of the deck applies at operating "
-      "temperature (default 1).");
+      "material table has no temperature law for them. The hardness factor of the deck applies at "
+      "operating temperature (default 1).");
 }
 
 void factors(Report& report, const BearingLife& life) {
@@ -264,7 +263,7 @@ void iso(Report& report, const life::IsoReport& r) {
       report.item(name, "not available");
   };
   report.item("Rating angle", r.geometry.contact_angle, unit::kAngle);
-  report.item("Rating factor bm (from memory)", r.geometry.rating_factor, unit::kPure);
+  report.item("Rating factor bm (recalled, not checked)", r.geometry.rating_factor, unit::kPure);
   report.item(r.maker.C ? "Dynamic load rating C (maker's)"
                         : "Dynamic load rating C (formula from a public source)",
               r.C, unit::kForce);
@@ -273,18 +272,18 @@ void iso(Report& report, const life::IsoReport& r) {
                       r.geometry.type == life::IsoType::ThrustRoller;
   optional_force(r.maker.C0 ? "Static load rating C0 (maker's)"
                  : roller   ? "Static load rating C0 (formula from a public source)"
-                            : "Static load rating C0 (factor f0 from memory)",
+                            : "Static load rating C0 (factor f0 recalled, not checked)",
                  r.C0);
   if (r.maker.C0) optional_force("    estimate of ISO 76", r.C0_estimate);
   optional_force(r.maker.C_u ? "Fatigue load limit Cu (maker's)"
-                 : roller    ? "Fatigue load limit Cu (C0/8.2, from a public source)"
-                             : "Fatigue load limit Cu (1500 MPa, from a public source)",
+                 : roller    ? "Fatigue load limit Cu (as C0/8.2, from a public source)"
+                             : "Fatigue load limit Cu (at 1500 MPa, from a public source)",
                  r.C_u);
   if (r.maker.C_u) optional_force("    estimate of ISO 281", r.C_u_estimate);
   report.item("Radial load", r.radial, unit::kForce);
   report.item("Axial load", r.axial, unit::kForce);
   if (r.equivalent) {
-    report.item("Equivalent load P (factors from memory or a public source)", r.equivalent->P,
+    report.item("Equivalent load P (factors recalled or from a public source)", r.equivalent->P,
                 unit::kForce);
     const auto factor = [&](std::string name, double value, const std::optional<double>& maker) {
       report.item(name + (maker ? " (maker's)" : ""), value, unit::kPure);
@@ -294,7 +293,7 @@ void iso(Report& report, const life::IsoReport& r) {
     factor("    e", r.equivalent->e, r.maker.e);
   }
   optional_life("L10 (ISO 281; sources: see C and P)", r.L10);
-  report.item("Life factor a1 for the survival probability (from memory)", r.a1, unit::kPure);
+  report.item("Factor a1 for the survival probability (recalled, not checked)", r.a1, unit::kPure);
   if (r.viscosity) {
     report.item("Oil (record X2)", r.oil);
     report.item("    temperature", r.oil_temperature, unit::kTemperature);
@@ -357,27 +356,28 @@ void print_life(Report& report, const BearingLife& life) {
 }
 
 void print_run_life(Report& report, const RunLife& run) {
-  report.heading("Fatigue life of the run (Palmgren-Miner sum over the window)");
+  report.heading("Fatigue life of the run (Palmgren-Miner sum over the evaluation window)");
   report.item("Model", life_model_name(run.model, run.modification));
   report.item("Origin of the constants", life_constants_origin(run.model, run.modification));
   report.item("Excluded at the start", run.skipped_turns * 2.0 * kPi, unit::kRevolution);
-  report.item("Window", run.damage.seconds(), unit::kTime);
-  report.item("Window, revolutions of one race relative to the other",
+  report.item("Evaluation window", run.damage.seconds(), unit::kTime);
+  report.item("Revolutions of one race relative to the other in the window",
               run.damage.revolutions() * 2.0 * kPi, unit::kRevolution);
   constexpr std::array<const char*, 3> kParts{"outer race", "inner race", "rolling elements"};
   for (std::size_t i = 0; i < kParts.size(); ++i)
     report.item(fmt::format("Damage in the window, {}", kParts[i]), run.damage.damage()[i],
                 unit::kPure);
   if (!(run.damage.seconds() > 0.0)) {
-    report.text("The window is empty. The life of the run is not computed.");
+    report.text("The evaluation window is empty, so the life of the run is not computed.");
     return;
   }
   report.item("Load samples (integration steps)", fmt::format("{}", run.steps));
   report.item("Evaluations of the full life model", fmt::format("{}", run.evaluations));
-  report.item("Mean change of damage between evaluations (equal loads)", run.change, unit::kPure);
-  report.item("Life at 90 % survival if the window repeats",
+  report.item("Mean relative change of damage, at equal loads, per evaluation", run.change,
+              unit::kPure);
+  report.item("Life at 90 % survival if the evaluation window repeats",
               format_life_value(run.damage.life_mega_revolutions(run.slopes)) + " Mrev");
-  report.item("Life at 90 % survival if the window repeats",
+  report.item("Life at 90 % survival if the evaluation window repeats",
               format_life_value(run.damage.life_hours(run.slopes)) + " hr");
   if (std::isnan(run.relative_error))
     report.text(

@@ -89,9 +89,9 @@ void balls(Report& report, const statics::StaticSolution& solution,
                ellipses);
   report.heading("Contact edges in the grooves");
   report.text(
-      "s: depth of the contact edge next to the shoulder, below the shoulder (negative: beyond the "
-      "shoulder). t: distance of the other contact edge from the middle plane of the groove (the "
-      "gap of a split race).");
+      "Columns. \"s\": depth of the contact edge next to the shoulder, below the shoulder "
+      "(negative: beyond the shoulder). \"t\": distance of the other contact edge from the middle "
+      "plane of the groove (in a split race: the plane of the split).");
   for (std::size_t race = 0; race < 2; ++race)
     report.text(edge_limits(bearing, race, report.units()));
   report.table("ball",

@@ -85,10 +85,10 @@ void summary(Report& report, const statics::RollerSolution& s) {
     report.item("Rollers in friction equilibrium", balanced);
     if (balanced > 0) {
       report.item("Largest skew of a roller", largest, unit::kAngle);
-      report.item("Mean orbital speed of these rollers", orbit / static_cast<double>(balanced),
-                  unit::kRotation);
+      report.item("Mean orbital speed of rollers in friction equilibrium",
+                  orbit / static_cast<double>(balanced), unit::kRotation);
     }
-    skew = "Rollers without friction equilibrium have no skew and the speeds of pure rolling. ";
+    skew = "Rollers without friction equilibrium have no skew and roll without slip. ";
   }
   report.text(skew + s.unloaded_position_rule);
 }
@@ -134,7 +134,7 @@ void contacts(Report& report, const statics::RollerSolution& s, std::size_t race
   if (std::any_of(s.rollers.begin(), s.rollers.end(),
                   [race](const auto& r) { return r.race[race].at_edge; }))
     report.text(
-        "*: the contact reaches a corner of the roller or an edge of the land. The edge stress is "
+        "Rollers marked *: the contact reaches a roller corner or a land edge. The edge stress is "
         "higher than the printed pressure.");
 }
 
@@ -194,7 +194,7 @@ void profile(Report& report, const statics::RollerSolution& s) {
   const auto& inner = s.rollers[heaviest[1]].race[1];
   if (outer.slice_load.empty() || !(outer.load + inner.load > 0.0)) return;
   report.heading(
-      fmt::format("Slices of the most loaded rollers (roller {} at the outer, {} at the inner "
+      fmt::format("Slices of the most loaded rollers (roller {} at the outer race, {} at the inner "
                   "race); positions from mid-length towards +x",
                   heaviest[0] + 1, heaviest[1] + 1));
   std::vector<Report::Row> rows;

@@ -193,12 +193,13 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
                                    {"temp inner", "contact.temperature", 1}});
   element_table(report, record, interval, thermal);
   if (!film)
-    report.item(
-        fmt::format("Contact temperature and its rise above the race ({})", no_films(friction)),
-        "not computed");
+    report.item(fmt::format("Contact temperature and its rise above the race temperature ({})",
+                            no_films(friction)),
+                "not computed");
   if (film) {
     report.heading(
-        "Minimum film thickness of the contacts, and lambda (divided by the composite roughness)");
+        "Minimum film thickness of the contacts, and lambda (minimum film thickness divided by the "
+        "composite roughness)");
     std::vector<ChannelColumn> films;
     for (int race = 0; race < 2; ++race) {
       films.push_back({race == 0 ? "least outer" : "least inner", "contact.least_film", race});
@@ -212,8 +213,8 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
     const char* name = race == 0 ? "outer" : "inner";
     report.heading(
         rollers
-            ? fmt::format("Contacts with the {} race (a: half the contact length; b, pressure, "
-                          "place: of the slice with the largest pressure)",
+            ? fmt::format("Contacts with the {} race (a: half the contact length; b, pressure and "
+                          "place: those of the slice with the largest pressure)",
                           name)
             : fmt::format(
                   "Contacts with the {} race (a across, b along the rolling direction; edge: {})",
@@ -267,8 +268,8 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
   if (record.shape.cages == 0) return;
   report.heading(
       rollers ? "Cage pockets (gap: negative in contact; position: contact point along the surface)"
-              : "Cage pockets (gap: negative in contact; theta = 0: the cage drives, "
-                "theta = 180 deg: the element drives)");
+              : "Cage pockets (gap: negative in contact; theta = 0: the cage drives the ball, "
+                "theta = 180 deg: the ball drives the cage)");
   std::vector<Report::Column> columns;
   const char* last = rollers ? "pocket.position" : "pocket.phi";
   for (const char* id : {"pocket.force", "pocket.gap", "pocket.theta", last})
@@ -294,8 +295,9 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
   report.table("element", columns, rows);
   if (record.shape.last_halves > 0)
     report.text(
-        "The cage is cut through pockets. In a cut pocket, the row of the element is the half at "
-        "the start of a segment; the row \"end\" is the half at the end of a segment.");
+        "The cage is cut through pockets. In a cut pocket, the row of the element belongs to the "
+        "half pocket at the start of a segment. The row \"end\" belongs to the half pocket at the "
+        "end of a segment.");
 }
 
 /// By the model that run option sol7Life names, as if the loads of `life_step` lasted for ever.
@@ -445,7 +447,7 @@ void applied(Report& report, const scene::Snapshot& snapshot, const bearing::Bea
   report.blank();
   for (int k = 0; k < 3; ++k)
     report.item(
-        fmt::format("Displacement of the inner race relative to the outer along {}", "xyz"[k]),
+        fmt::format("Displacement of the inner relative to the outer race along {}", "xyz"[k]),
         shift[k], unit::kLength);
   for (std::size_t race = 0; race < 2; ++race) {
     const auto tilt = tilt_of_axis(body_x_axis(snapshot.races[race].orientation));
@@ -561,16 +563,19 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
   for (const auto& [name, value] : run.counters)
     report.item(fmt::format("Counter: {}", name), value);
   if (run.error_sum) {
-    report.item("Step error estimates / scales of the variables, sum", *run.error_sum, unit::kPure);
-    report.item("Step error estimates / scales of the variables, largest", *run.error_largest,
+    report.item("Sum of step error estimates / scales of the variables", *run.error_sum,
+                unit::kPure);
+    report.item("Largest step error estimate / scale of the variable", *run.error_largest,
                 unit::kPure);
   } else if (!run.integrator.empty()) {
-    report.item("Step error estimates", "not computed (not available with this method)");
+    report.item("Step error estimates",
+                "not computed (not available with this integration method)");
   }
 
   if (!run.stability.empty()) report.text("Stability: " + run.stability);
   if (run.load) {
-    report.heading("Mean load on the elements over the stored steps, compared with the deck");
+    report.heading(
+        "Mean load on the elements over the stored steps, compared with the load of the deck");
     for (int k = 0; k < 3; ++k) {
       const char axis = "xyz"[k];
       if (run.load->given[static_cast<std::size_t>(k)])
@@ -580,7 +585,7 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
     report.item("relative difference from the specified load", run.load->departure(), unit::kPure);
   }
 
-  report.heading("Arithmetic settings (affect the last digits)");
+  report.heading("Arithmetic settings (they affect the last digits of the results)");
   for (const auto& [name, value] : arithmetic_items(run)) {
     if (name == "note")
       report.text(value);
@@ -620,7 +625,7 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
     if (const double heat = results::heat_scale(*run.energy); heat > 0.0)
       report.item("residual divided by the heat", run.energy->residual() / heat, unit::kPure);
     if (run.elastic && *run.elastic > 0.0)
-      report.item("residual divided by the elastic energy, quasi-static solution",
+      report.item("residual divided by the quasi-static elastic energy",
                   run.energy->residual() / *run.elastic, unit::kPure);
   }
   if (!run.momentum.empty()) {

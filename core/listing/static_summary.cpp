@@ -259,9 +259,9 @@ std::vector<std::string> iso_lines(const life::IsoReport& iso, double speed, Uni
                               rating("C", iso.C, iso.maker.C.has_value(), units)));
   if (iso.L10 && iso.reference)
     out.push_back(
-        "ISO 281 uses the outer loads and C, ISO/TS 16281 the computed load of every contact and "
-        "C. "
-        "The Lundberg-Palmgren life uses the contact loads and the geometry, without C.");
+        "ISO 281 uses the loads on the bearing and the rating C. ISO/TS 16281 uses the computed "
+        "load of every contact and the rating C. The Lundberg-Palmgren life uses the contact loads "
+        "and the geometry, without C.");
   if (iso.viscosity && iso.required_viscosity)
     out.push_back(fmt::format(
         "oil: {}; viscosity {:.4g} mm²/s at {}, required {:.4g} mm²/s, kappa {:.4g}", iso.oil,
@@ -377,9 +377,9 @@ void print_static_summary(Report& report, const StaticSummary& s, const Bearing&
   }
   lives(report, life);
   report.text(
-      "Origin of constants. seen: found in a public source. recalled: from memory, not checked. "
-      "calibrated, derived: determined by this program, not by the "
-      "authors of the model. deck: given in the deck.");
+      "Origin of constants. \"seen\": found in a public source. \"recalled\": not checked against "
+      "a source. \"calibrated\", \"derived\": determined by this program, not by the authors of "
+      "the model. \"deck\": given in the deck.");
   report.blank();
   remarks(report, warnings, notes);
 }

@@ -307,8 +307,9 @@ std::vector<Finding> FrictionBalance::findings() const {
   if (!failure.empty()) {
     out.push_back(make_finding(
         "statics.friction_balance",
-        fmt::format("no friction equilibrium: {}. The ball speeds follow the spin rule (kAngVel)",
-                    failure)));
+        fmt::format(
+            "no friction equilibrium was found: {}. The ball speeds follow the spin rule (kAngVel)",
+            failure)));
     return out;
   }
   if (!left.empty()) {
@@ -324,14 +325,14 @@ std::vector<Finding> FrictionBalance::findings() const {
     out.push_back(make_finding(
         "statics.cage_orbit",
         fmt::format("the cage pushes balls along their orbit, but no friction equilibrium with the "
-                    "cage was found: {}. The result is without the cage: lightly loaded balls "
-                    "orbit too fast, and contact loads may be several percent too large",
+                    "cage was found: {}. The result does not include the cage: lightly loaded "
+                    "balls orbit too fast, and contact loads may be several percent too large",
                     without_cage)));
   if (plain_stiffness)
     out.push_back(make_finding(
         "statics.plain_stiffness",
-        "the stiffness does not include changes of the traction forces: no equilibrium was found "
-        "with them. Loads and displacements include the traction forces"));
+        "the stiffness does not include changes of the traction forces, because no equilibrium was "
+        "found with these changes. Loads and displacements include the traction forces"));
   if (!without_turning.empty())
     out.push_back(
         make_finding(
@@ -342,8 +343,9 @@ std::vector<Finding> FrictionBalance::findings() const {
                 "orbit ({:.2g} times the friction moment): {}. {}",
                 turning_ball + 1, turning, without_turning,
                 turning > 1.0
-                    ? "Spin axes lag behind in motion, so that the race heat is a lower bound"
-                    : "Race heat and loads do not include this moment"))
+                    ? "In motion, the spin axes lag behind the contacts, so the race heat is a "
+                      "lower bound"
+                    : "Race heat and loads do not include the moment that turns the spin axis"))
             .of(fmt::format("ball {}", turning_ball + 1))
             .measure(turning, 1.0));
   return out;

@@ -166,10 +166,10 @@ BallModel make_ball_model(const bearing::Bearing& bearing, const BallStaticsOpti
   m.race_speed = bearing.speed;
   if (!(std::isfinite(m.mass) && m.mass >= 0.0 && std::isfinite(m.race_speed[0]) &&
         std::isfinite(m.race_speed[1]))) {
-    throw InputError(fmt::format(
-        "ball bearing: ball mass {} kg, race speeds {} and {} rad/s; all must be finite numbers "
-        "and the mass not negative",
-        m.mass, m.race_speed[0], m.race_speed[1]));
+    throw InputError(
+        fmt::format("ball bearing: the ball mass is {} kg, and the race speeds are {} and {} "
+                    "rad/s. All must be finite numbers, and the mass must not be negative",
+                    m.mass, m.race_speed[0], m.race_speed[1]));
   }
   m.moving = m.race_speed[0] != 0.0 || m.race_speed[1] != 0.0;
   m.per_ball_speeds = m.moving && options.orbit == Orbit::PerBall;

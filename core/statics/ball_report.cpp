@@ -380,15 +380,15 @@ std::vector<Finding> ball_notes(const BallModel& m, const std::vector<StaticBall
       balls_that(balls, [](const StaticBall& b) { return b.Q[0] > 0.0 && !b.inner_contact; });
   if (!outer_only.empty()) {
     note("statics.outer_only", outer_only,
-         "contact with the outer race only; position: where the normal of the outer groove is "
+         "contact with the outer race only, at the point where the normal of the outer groove is "
          "parallel to the centrifugal force");
   }
   const auto unloaded =
       balls_that(balls, [](const StaticBall& b) { return b.Q[0] == 0.0 && b.Q[1] == 0.0; });
   if (!unloaded.empty()) {
     note("statics.unloaded", unloaded,
-         "no load; assumed position at rest: touching the outer race, on the line between the "
-         "groove centers");
+         "no load. The position at rest is assumed: contact with the outer race, on the line "
+         "between the groove centers");
   }
   const auto steep = balls_that(balls, [](const StaticBall& b) {
     return std::abs(b.alpha[0]) > 0.5 * std::numbers::pi ||
@@ -400,7 +400,7 @@ std::vector<Finding> ball_notes(const BallModel& m, const std::vector<StaticBall
       for (const double alpha : balls[k - 1].alpha)
         if (std::isfinite(alpha)) largest = std::max(largest, std::abs(alpha));
     note("statics.steep_angle", steep,
-         "a contact angle beyond 90 degrees, which is not possible in a real groove")
+         "the contact angle exceeds 90 degrees, which is not possible in a real groove")
         .measure(largest * 180.0 / std::numbers::pi, 90.0);
   }
   for (std::size_t j = 0; j < 2; ++j) {

@@ -48,7 +48,7 @@ double steepest_contact_angle(const BallModel& m, const BallRace& state) {
     throw SolverError(fmt::format(
         "bearing equilibrium: no ball supports the inner race under {}; the inner race moved to x "
         "= {:.4g} m, y = {:.4g} m, z = {:.4g} m, which is outside the grooves{}. Prescribe the "
-        "displacement in this direction, or change load or geometry",
+        "displacement in the direction without support (kFS), or change load or geometry",
         loads, state.q(0), state.q(1), state.q(2), angles));
   }
   const double force = force_scale(race_scales(m), task, state.largest_contact);
@@ -56,20 +56,20 @@ double steepest_contact_angle(const BallModel& m, const BallRace& state) {
       std::cbrt(force * force) * std::pow(m.hertz[1].reference().K, -2.0 / 3.0);
   if (deflection < 1e-11 * m.balls.pitch_diameter) {
     throw SolverError(
-        fmt::format("bearing equilibrium: {} deflects a contact by only {:.2g} m, too small to be "
-                    "computed at a pitch diameter of {:.4g} m. Set this load to zero",
+        fmt::format("bearing equilibrium: {} deflects a contact by only {:.2g} m, which is too "
+                    "small to be computed at a pitch diameter of {:.4g} m. Set this load to zero",
                     loads, deflection, m.balls.pitch_diameter));
   }
   if (share >= 0.0) {
     throw SolverError(fmt::format(
         "bearing equilibrium: under {} the balls have an equilibrium with {:.0f} % of the orbital "
-        "speeds, gyroscopic moments and angle-dependent stiffness, but not with 100 % (residual "
-        "{:.2g} of the load) at race speeds of {:.6g} and {:.6g} rad/s{}. Increase the load, "
-        "reduce the speed, or choose another spin rule (kAngVel)",
+        "speeds, gyroscopic moments and angle-dependent stiffness, but not with 100 % (force "
+        "residual {:.2g} times the load) at race speeds of {:.6g} and {:.6g} rad/s{}. Increase the "
+        "load, reduce the speed, or choose another spin rule (kAngVel)",
         loads, 100.0 * share, solve.residual, m.race_speed[0], m.race_speed[1], angles));
   }
   throw SolverError(
-      fmt::format("bearing equilibrium: under {} Newton's iteration {}{}{}; enter a first guess of "
+      fmt::format("bearing equilibrium: under {} Newton's iteration {}{}{}. Enter a first guess of "
                   "the displacement, or prescribe the displacement in one direction",
                   loads, solve_failure_text(solve),
                   solve.element_failed ? ", because a ball lost its equilibrium" : "", angles));
@@ -246,10 +246,10 @@ StaticSolution solve_from(ColdStart start, const bearing::Bearing& bearing,
   if (staged.reached < 1.0 && (options.warm_start || has_no_guess != given)) {
     state = balls_at(model, law, cold_start(model, task, has_no_guess, start));
     staged = solve_in_stages(model, task, state, true);
-    solution.notes.push_back(make_finding(
-        "statics.first_guess",
-        "no equilibrium was found from the first guess of the displacement; this one was found "
-        "without the guess"));
+    solution.notes.push_back(
+        make_finding("statics.first_guess",
+                     "no equilibrium was found from the first guess of the displacement. The "
+                     "result is an equilibrium that was found without this guess"));
   }
   if (staged.reached < 1.0) {
     throw_no_equilibrium(model, task, staged.solve, state, staged.reached);

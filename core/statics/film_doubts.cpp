@@ -40,8 +40,8 @@ Finding beyond(const char* code, const char* range, std::string text, double val
 Finding beyond_measured(const std::string& oil, double viscosity) {
   return beyond(
       "film.viscosity", "film.viscosity",
-      fmt::format("{} has a calculated viscosity of {:.3g} Pa s, above the measured range "
-                  "(about {:g} Pa s). Films, friction and heat are extrapolated",
+      fmt::format("{} has a calculated viscosity of {:.3g} Pa s, above the measured range (up to "
+                  "about {:g} Pa s). Films, friction and heat are extrapolated",
                   oil, viscosity, most("film.viscosity")),
       viscosity);
 }
@@ -57,28 +57,28 @@ std::vector<Finding> film_doubts(const LubricantFilms& films, FilmUse use) {
     const std::string race = fmt::format("{} race", kRaceName[j]);
     const std::string oil = at(films.lubricant, films.temperature[j], "inlet of the " + race);
     if (glass(films.viscosity[j]))
-      refuse("kTrac",
-             oil + " is a glass (at least 1e12 Pa s): no film forms, and the traction is unknown");
+      refuse("kTrac", oil +
+                          " is a glass (viscosity of at least 1e12 Pa s): no film forms, and the "
+                          "traction is unknown");
     if (ratio > most("film.separation")) {
       const std::string why = fmt::format(
-          "{} is so thick ({:.3g} Pa s) that the film would be {:.2g} times the radius of the "
-          "contacting bodies. The film formulas and the contact model are valid only for much "
-          "thinner films",
+          "{} is so thick ({:.3g} Pa s) that the film thickness would be {:.2g} times the radius "
+          "of the contacting bodies. The film formulas and the contact model are valid only for "
+          "films much thinner than this radius",
           oil, films.viscosity[j], ratio);
       if (use != FilmUse::ThermalSteps) refuse("kTrac", why);
-      out.push_back(
-          beyond("film.separation", "film.separation",
-                 why + ". Until thermal steps have warmed the oil, its heat and all results that "
-                       "depend on the oil cannot be trusted. Start closer to the expected "
-                       "temperatures (record 9.1.3)",
-                 ratio)
-              .of(race));
+      out.push_back(beyond("film.separation", "film.separation",
+                           why + ". The heat and all results that depend on the oil cannot be "
+                                 "trusted until thermal steps have warmed the oil. Start closer to "
+                                 "the expected temperatures (record 9.1.3)",
+                           ratio)
+                        .of(race));
     } else if (ratio > most("film.thickness"))
       out.push_back(
           beyond("film.thick", "film.thickness",
                  fmt::format("{} forms a film whose thickness is {:.2g} times the radius of the "
-                             "contacting bodies, but film formulas are known only up to {:g} "
-                             "times. Films, lambda, friction and heat are rough estimates",
+                             "contacting bodies, but film formulas are known only up to {:g} times "
+                             "this radius. Films, lambda, friction and heat are rough estimates",
                              oil, ratio, most("film.thickness")),
                  ratio)
               .of(race));
@@ -92,7 +92,8 @@ std::optional<Finding> oil_flow_warning(const std::string& flag, const std::stri
                                         double temperature, double viscosity,
                                         const std::string& place) {
   const std::string text = at(oil, temperature, place);
-  if (glass(viscosity)) refuse(flag, text + " is a glass (at least 1e12 Pa s) and does not flow");
+  if (glass(viscosity))
+    refuse(flag, text + " is a glass (viscosity of at least 1e12 Pa s) and does not flow");
   if (!(viscosity > most("film.viscosity"))) return std::nullopt;
   return beyond_measured(text, viscosity);
 }

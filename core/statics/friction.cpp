@@ -54,8 +54,8 @@ FrictionEstimate begin(const Bearing& bearing, const ContactLaws& oil) {
                                         tribology::max_traction_coefficient(bearing.race_traction));
   out.oil = oil.given();
   if (out.oil) {
-    out.law =
-        fmt::format("film of {}; for films below the critical thickness: {}", oil.name(), curve);
+    out.law = fmt::format("film of {}; for films thinner than the critical thickness, {}",
+                          oil.name(), curve);
   } else {
     out.law = curve;
   }

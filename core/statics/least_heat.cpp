@@ -137,7 +137,7 @@ void solve_least_heat(const bearing::Bearing& bearing, const BallModel& model,
       fmt::format(
           "minimum-heat spin axis: {}. The spin axes for a constant friction coefficient are used",
           solve.converged ? "spin axes and loads did not converge"
-                          : "no equilibrium with the traction law of the deck")));
+                          : "no equilibrium was found with the traction law of the deck")));
 }
 
 }  // namespace adore::statics

@@ -144,7 +144,7 @@ Finding instability_note(const UnstableMode& mode,
         .at_least(0.0);
   };
   std::string text = fmt::format(
-      "this equilibrium is not stable: the stiffness of the inner race, mainly {}, is negative "
+      "the equilibrium is not stable: the stiffness of the inner race, mainly {}, is negative "
       "({:.3g} {}), so a disturbance grows. If the shaft prevents this displacement, prescribe "
       "it. ",
       kDirection[static_cast<std::size_t>(largest)], stiffness, unit);

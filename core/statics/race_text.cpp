@@ -38,8 +38,8 @@ std::string load_text(const RaceLoadCase& task) {
 std::string solve_failure_text(const RaceSolveResult& solve) {
   return solve.iterations == 0
              ? "could not start"
-             : fmt::format("stopped with a residual of {:.2g} of the load after {}", solve.residual,
-                           counted(solve.iterations, "step"));
+             : fmt::format("stopped with a force residual of {:.2g} times the load after {}",
+                           solve.residual, counted(solve.iterations, "step"));
 }
 
 std::vector<Finding> unsupported_direction_notes(const std::vector<int>& held,

@@ -334,7 +334,8 @@ StaticRoller report(const FrictionSet& set, FrictionRoller& roller, const Vec5& 
 std::string RollerFrictionBalance::note() const {
   if (!failure.empty())
     return fmt::format(
-        "no friction equilibrium: {}; the rollers have no skew and roll at their nominal geometry",
+        "no friction equilibrium was found: {}. The rollers are assumed to have no skew and to "
+        "roll without slip at their nominal geometry",
         failure);
   if (left.empty()) return {};
   std::vector<std::size_t> numbers;

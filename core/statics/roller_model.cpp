@@ -38,7 +38,8 @@ void check(const bearing::Bearing& b, const RollerOptions& options) {
   const bool barrel = g.shape == bearing::RollerShape::Arc;
   if (options.contact == RollerContact::Point && !barrel) {
     refuse(
-        "point contact needs rollers with one arc over their length (types 3 and 5); use slices");
+        "point contact needs rollers whose profile is one arc over the whole length (bearing types "
+        "3 and 5). Use slices (run option rollerContact=sliced)");
   }
   if (options.kinematics == RollerKinematics::Linear && b.type != bearing::Type::Cylindrical) {
     refuse("linear kinematics are available for cylindrical rollers only");
@@ -121,7 +122,7 @@ RollerContactGeometry body_of(const RollerModel& m, bearing::Type type,
       continue;
     }
     if (table->across != m.slicing.count) {
-      refuse("a race surface was given for a different number of slices");
+      refuse("the number of slices of a race surface differs from that of the rollers");
     }
     std::vector<double> radius, rise(body.slices.size());
     for (const contact::RollerSlice& slice : body.slices) {

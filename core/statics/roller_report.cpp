@@ -204,40 +204,40 @@ std::string unloaded_position_rule(const RollerModel& m) {
       "outer race. ";
   if (m.grips || m.linear) {
     return text +
-           "Friction prevents axial sliding, so its axial position is nominal, or as close to "
-           "nominal as flanges allow.";
+           "Friction prevents axial sliding, so the axial position of such a roller is nominal, or "
+           "as close to nominal as flanges allow.";
   }
   if (m.rollers.shape == bearing::RollerShape::Arc && !m.rollers.has_flange(0) &&
       !m.rollers.has_flange(1)) {
     return text +
-           "Its contact is in the middle of the groove. Guide ring or cage support the component "
-           "of the centrifugal force along the roller axis.";
+           "The contact of such a roller is in the middle of the groove. Guide ring or cage "
+           "support the component of the centrifugal force along the roller axis.";
   }
-  return text + "It slides axially without friction until a flange stops it.";
+  return text + "Such a roller slides axially without friction until a flange stops it.";
 }
 
 std::vector<Finding> roller_notes(const RollerModel& m, const std::vector<StaticRoller>& rollers) {
   Notes notes(rollers);
   notes.add(
       "statics.unloaded", [](const StaticRoller& r) { return r.idle; },
-      "no load; assumed position at rest: in the middle between both races");
+      "no load. The position at rest is assumed: in the middle between both races");
   notes.add(
       "statics.unloaded",
       [](const StaticRoller& r) {
         return !r.idle && r.race[0].load == 0.0 && r.race[1].load == 0.0;
       },
-      "no load; position: where the last contact was lost");
+      "no load. The position is where the roller lost its last contact");
   notes.add(
       "statics.outer_only",
       [](const StaticRoller& r) { return r.race[0].load > 0.0 && r.race[1].load == 0.0; },
-      "contact with the outer race only (centrifugal force); position: by the rule for "
-      "unloaded rollers");
+      "contact with the outer race only (centrifugal force), placed by the rule for unloaded "
+      "rollers");
   for (std::size_t j = 0; j < 2; ++j) {
     notes.add_at(
         j, "statics.edge_load", [j](const StaticRoller& r) { return r.race[j].at_edge; },
-        "in the contact with the {} race, the pressure at a corner of the roller or at an "
-        "edge of the land is more than a tenth of the largest pressure. The edge stress "
-        "exceeds the printed pressure; independent slices cannot determine how much",
+        "in the contact with the {} race, the pressure at a corner of the roller or at an edge of "
+        "the land is more than a tenth of the largest pressure. The edge stress exceeds the "
+        "printed pressure by an unknown amount, because the slices are independent of each other",
         kRace[j]);
     for (std::size_t side = 0; side < 2; ++side) {
       notes.add_at(

@@ -191,8 +191,8 @@ UnstableMode unstable_at(const RollerModel& m, const RaceLoadCase& task, const R
                     "the inner race moved to x = {:.4g} m, y = {:.4g} m, z = {:.4g} m{}",
                     loads, state.q(0), state.q(1), state.q(2), why),
         std::string(m.moving ? "reduce the speed, apply" : "apply") +
-            " this axial load, or prescribe x (kFS1 = 1) if a second row or the shaft supports the "
-            "thrust");
+            " the required axial load, or prescribe x (kFS1 = 1) if a second row or the shaft "
+            "supports the thrust");
   }
   const bool barrels = m.rollers.shape == bearing::RollerShape::Arc;
   const bool may_tilt = !task.given[3] || !task.given[4];
@@ -217,7 +217,7 @@ UnstableMode unstable_at(const RollerModel& m, const RaceLoadCase& task, const R
         loads, state.q(0), state.q(1), state.q(2)));
   }
   throw SolverError(
-      fmt::format("bearing equilibrium: under {} Newton's iteration {}{}; enter a first guess of "
+      fmt::format("bearing equilibrium: under {} Newton's iteration {}{}. Enter a first guess of "
                   "the displacement, or prescribe the displacement in one direction",
                   loads, solve_failure_text(solve),
                   solve.element_failed ? ", because a roller lost its equilibrium (no support "
@@ -253,10 +253,10 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
     if (!solve.converged || (second.converged && !unstable_at(model, task, from_cold))) {
       out.notes.push_back(make_finding(
           "statics.first_guess",
-          solve.converged ? "the equilibrium found from the first guess of the displacement is "
-                            "not stable; this one was found without the guess"
-                          : "the search from the first guess of the displacement found no "
-                            "equilibrium; this equilibrium was found without that guess"));
+          solve.converged ? "the equilibrium found from the first guess of the displacement is not "
+                            "stable. The result is an equilibrium that was found without this guess"
+                          : "no equilibrium was found from the first guess of the displacement. "
+                            "The result is an equilibrium that was found without this guess"));
       state = std::move(from_cold);
       solve = second;
     }
@@ -276,8 +276,8 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
       } else {
         out.notes.push_back(make_finding(
             "statics.roller_place",
-            "rollers without flange load: no equilibrium was found with them in the middle of the "
-            "race. Their axial positions are those where the search ended"));
+            "rollers without flange load: no equilibrium was found with these rollers in the "
+            "middle of the race. Their axial positions are those at the end of the search"));
       }
     }
   }

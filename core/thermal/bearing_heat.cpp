@@ -439,11 +439,11 @@ BearingHeat solve_bearing_heat(const Bearing& b, const HeatSources& sources, dou
         convection = convection_in(b, fluid_of(coolant), surfaces, cage_speed);
       }
       if (!(capacity_flow > 0.0 && convection.element > 0.0 && (!b.cage || convection.cage > 0.0)))
-        throw InputError(
-            fmt::format("the coolant {} removes no heat: flow times heat capacity is {:g} W/K, "
-                        "convection coefficients of elements and cage are {:g} and {:g} W/m^2/K. "
-                        "Enter reHTC and cageHTC (or kHTC = 0) and a specific heat above 0",
-                        coolant.name, capacity_flow, convection.element, convection.cage));
+        throw InputError(fmt::format(
+            "the coolant {} removes no heat: its flow times its specific heat is {:g} W/K, and the "
+            "convection coefficients of elements and cage are {:g} and {:g} W/m^2/K. Enter reHTC "
+            "and cageHTC above 0 (or kHTC = 0), and a specific heat above 0",
+            coolant.name, capacity_flow, convection.element, convection.cage));
       out.coolant = std::move(coolant);
     } else if (!is_ladder) {
       convection = convection_in(b, still_medium(b, T_mean), surfaces, cage_speed);
@@ -519,8 +519,8 @@ std::string describe_overheated_node(const BearingHeat& heat) {
                                           return a.temperature < b.temperature;
                                         });
   if (hottest == heat.nodes.end() || hottest->temperature <= kHottest) return {};
-  return fmt::format("{} at {:.4g} K, above {:g} K, where the thermal network is not valid",
-                     hottest->name, hottest->temperature, kHottest);
+  return fmt::format("{} at {:.4g} K; the thermal network is not valid above {:g} K", hottest->name,
+                     hottest->temperature, kHottest);
 }
 
 }  // namespace adore::thermal

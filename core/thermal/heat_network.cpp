@@ -43,7 +43,7 @@ HeatNetwork::Solution HeatNetwork::solve() const { return solve(nullptr, 0.0); }
 
 HeatNetwork::Solution HeatNetwork::step(const std::vector<double>& before, double time_step) const {
   demand(before.size() == nodes_.size() && time_step > 0.0,
-         "a thermal step lacks the temperature of a node or a positive length");
+         "a thermal step needs the temperature of every node and a duration above 0");
   return solve(&before, time_step);
 }
 

@@ -163,10 +163,11 @@ void move_play(const std::string& name, int race, double cage_diameter, double& 
     entry.operating = land_clearance(race, race_radius, u_race, cage_radius, u_cage);
   if (entry.free >= 0.0 && entry.operating < 0.0)
     report.warnings.push_back(
-        make_finding("fit.cage_clearance",
-                     fmt::format("the cage loses its clearance: the clearance of {} is {:.4g} m "
-                                 "cold and {:.4g} m in operation",
-                                 name, entry.free, entry.operating))
+        make_finding(
+            "fit.cage_clearance",
+            fmt::format(
+                "the cage loses its clearance ({}): {:.4g} m cold and {:.4g} m in operation", name,
+                entry.free, entry.operating))
             .of("cage")
             .measure(entry.operating)
             .at_least(0.0));
@@ -289,8 +290,8 @@ void warn(OperatingFits& report, const Bearing& free) {
   // determines.
   if (!report.axial_setting && report.operating.clearance < 0.0 && report.free.clearance >= 0.0)
     say("fit.clearance", "",
-        fmt::format("the clearance turns negative: {:.4g} m unmounted, {:.4g} m mounted, {:.4g} m "
-                    "in operation. Fits and growth preload the bearing radially",
+        fmt::format("the diametral clearance becomes negative: {:.4g} m unmounted, {:.4g} m "
+                    "mounted, {:.4g} m in operation. Fits and growth preload the bearing radially",
                     report.free.clearance, report.mounted.clearance, report.operating.clearance))
         .measure(report.operating.clearance)
         .at_least(0.0);
@@ -429,8 +430,8 @@ Bearing operating_bearing(const Bearing& free) {
   add_ball_states(report, free, groove, state, mounted, ball_growth);
   if (!(report.operating.clearance < 2.0 * report.operating.centre_distance))
     throw InputError(
-        fmt::format("the operating clearance is {} m: beyond {} m the free contact angle exceeds "
-                    "90 degrees; check fits, temperatures and speeds",
+        fmt::format("the operating clearance is {} m, but above {} m the free contact angle "
+                    "exceeds 90 degrees. Check fits, temperatures and speeds",
                     report.operating.clearance, 2.0 * report.operating.centre_distance));
 
   Bearing out = free;

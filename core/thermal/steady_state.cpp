@@ -66,8 +66,9 @@ constexpr const char* kRemedy =
   }
   const std::string growth =
       std::isfinite(gain) && gain > 1.0
-          ? fmt::format("; with temperature, the heat grows {:.3g} times as fast as its removal",
-                        gain)
+          ? fmt::format(
+                "; per kelvin, the generated heat grows {:.3g} times as fast as the removed heat",
+                gain)
           : std::string();
   throw SolverError(fmt::format("thermal analysis: no steady state after iteration {}: {}{}{}. {}",
                                 passes, what, state, growth, kRemedy));

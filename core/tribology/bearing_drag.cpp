@@ -75,11 +75,10 @@ ChurningMedium churning_medium(const Bearing& bearing) {
   out.medium.density *= given.density_ratio;
   out.medium.viscosity *= given.viscosity_ratio;
   if (!(out.medium.density > 0.0 && out.medium.viscosity > 0.0))
-    throw InputError(
-        fmt::format("the churning medium {} has a density of {:g} kg/m^3 and a viscosity of {:g} "
-                    "Pa s; both must be above 0: give denRatio and visRatio above 0, or set kChrn "
-                    "to 0",
-                    out.name, out.medium.density, out.medium.viscosity));
+    throw InputError(fmt::format(
+        "the churning medium {} has a density of {:g} kg/m^3 and a viscosity of {:g} Pa s; both "
+        "must be above 0. Enter denRatio and visRatio above 0, or set kChrn to 0",
+        out.name, out.medium.density, out.medium.viscosity));
   return out;
 }
 

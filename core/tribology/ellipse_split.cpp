@@ -209,7 +209,8 @@ class Integral {
 EllipseTraction ellipse_traction_split(const TractionLaw& law, const EllipseGeometry& geometry,
                                        const EllipseKinematics& motion, int points) {
   demand(points >= 4 && points <= 40,
-         "the number of points per piece of the split ellipse rule is not 4 to 40");
+         "integration over a split contact ellipse: the number of points per piece must be from 4 "
+         "to 40");
   if (!(geometry.Q > 0.0) || !(geometry.a > 0.0)) return {};
   const double peak = 1.5 * geometry.Q / (std::numbers::pi * geometry.a * geometry.b);
   const ContactConditions<double> contact{geometry.Q,         peak,

@@ -31,9 +31,10 @@ LegendrePair legendre(int k, double x) {
 
 void check_size(int major, int minor) {
   if (major < 1 || major > kLargestRule || minor < 1 || minor > kLargestRule) {
-    throw InputError(fmt::format(
-        "a contact ellipse rule of {} x {} points is not possible; each number must be 1 to {}",
-        major, minor, kLargestRule));
+    throw InputError(
+        fmt::format("integration over a contact ellipse with {} x {} points is not possible; each "
+                    "number must be from 1 to {}",
+                    major, minor, kLargestRule));
   }
 }
 

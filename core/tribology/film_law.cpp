@@ -120,7 +120,7 @@ MeasuredViscosityFilm measured_viscosity_film(const Lubricant& oil, double T) {
 }
 
 ShearThinningFriction shear_thinning_friction(const Lubricant& oil, double T) {
-  demand(oil.carreau_a == 2.0, "the shear-thinning law has an exponent a other than 2");
+  demand(oil.carreau_a == 2.0, "the exponent a of the shear-thinning law must be 2");
   const MeasuredFits fits = measured_fits(oil, T);
   return {fits.log_viscosity, fits.log_heating, oil.carreau_G * T / oil.carreau_TR,
           0.5 * (oil.carreau_n - 1.0), TractionLimiter::at(oil.limiting_ratio(T))};
@@ -169,38 +169,39 @@ TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& oil,
 
 std::string describe_film_evaluation(const Lubricant& oil, const bearing::Lubrication& lubrication,
                                      const RaceFilmInputs& s) {
-  const std::string floats = s.single ? "film evaluated in single precision, relative error of "
-                                        "traction 3e-5 (run option filmPrecision)"
+  const std::string floats = s.single ? "the film is computed in single precision with a relative "
+                                        "error of traction of 3e-5 (run option filmPrecision)"
                                       : "";
   if (oil.model == LubricantModel::ShearThinning) {
-    if (lubrication.direct_strips) return "shear stress computed at each integration point";
+    if (lubrication.direct_strips) return "the shear stress is computed at each integration point";
     const ThinningSurface at =
         thinning_surface(0.5 * (oil.carreau_n - 1.0), target_thinning_error(lubrication.tolerance));
     return floats + (floats.empty() ? "" : "; ") +
            fmt::format(
-               "shear stress interpolated in a table of {} x {} values (shear rate and heating): "
-               "error {:.2g} % at most, {:.2g} % rms at {} check points; {:.2g} % allowed for this "
-               "tolerance{}",
+               "the shear stress is interpolated in a table of {} x {} values (shear rate and "
+               "heating). The error is {:.2g} % at most and {:.2g} % rms at {} check points. The "
+               "tolerance of the run allows {:.2g} % at most{}",
                at.size[0], at.size[1], 100.0 * at.error[0], 100.0 * at.error[1], at.held_out,
-               100.0 * at.wanted, at.error[0] > at.wanted ? ", not met by the finest table" : "");
+               100.0 * at.wanted,
+               at.error[0] > at.wanted ? ". The finest table exceeds the allowed error" : "");
   }
   if (oil.model != LubricantModel::ViscoElastic) return floats;
-  if (lubrication.direct_strips) return "shear stress integrated along each strip";
+  if (lubrication.direct_strips) return "the shear stress is integrated along each strip";
   constexpr double kLeastRaceSpeed = 0.1;
   const ViscoElasticSurface at = visco_elastic_surface(
       oil, s.wall_temperature, s.width_over_pressure, std::max(s.race_speed, kLeastRaceSpeed),
       target_surface_error(lubrication.tolerance));
   return (floats.empty() || lubrication.hot_walls ? std::string() : floats + "; ") +
          fmt::format(
-             "shear stress along each strip interpolated in a table of {} x {} x {} values "
-             "(pressure to {:g} GPa, slip, transit speed {:.3g} to {:.3g} m/s; outside the table: "
-             "direct integration): error {:.2g} % rms, {:.2g} % at most at {} check points; {:.2g} "
-             "% and {:.2g} % allowed for this tolerance{}",
+             "the shear stress along each strip is interpolated in a table of {} x {} x {} values "
+             "(pressure to {:g} GPa, slip, transit speed from {:.3g} to {:.3g} m/s) and integrated "
+             "directly outside the table. The error is {:.2g} % rms and {:.2g} % at most at {} "
+             "check points. The tolerance of the run allows {:.2g} % rms and {:.2g} % at most{}",
              at.size[1], at.size[2], at.size[0], 1e-9 * kSurfacePressure[1], at.speed[0],
              at.speed[1], 100.0 * at.error[1], 100.0 * at.error[0], at.held_out, 100.0 * at.wanted,
              100.0 * kLargestOverMean * at.wanted,
              at.error[1] > at.wanted || at.error[0] > kLargestOverMean * at.wanted
-                 ? ", not met by the finest table"
+                 ? ". The finest table exceeds the allowed error"
                  : "");
 }
 

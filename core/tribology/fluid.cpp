@@ -99,8 +99,8 @@ FluidProperties fluid_properties(int code, double T) {
     std::string codes;
     for (const int valid : fluid_codes())
       codes += fmt::format("{}{}", codes.empty() ? "" : ", ", valid);
-    throw InputError(
-        fmt::format("fluid code {} is not in the fluid table; it contains {}", code, codes));
+    throw InputError(fmt::format(
+        "fluid code {} is not in the fluid table. The codes in the table are {}", code, codes));
   }
   if (!(T > 0.0 && std::isfinite(T)))
     throw InputError(fmt::format("the temperature of {} is {} K; it must be above 0 (absolute)",

@@ -75,7 +75,7 @@ LubricantModel model_of(const std::string& name) {
       {"viscoelastic", LubricantModel::ViscoElastic},
       {"shearThinning", LubricantModel::ShearThinning}};
   const auto found = kModels.find(name);
-  demand(found != kModels.end(), "lubricants.json has an unknown model");
+  demand(found != kModels.end(), "lubricants.json contains an unknown lubricant model");
   return found->second;
 }
 
@@ -204,7 +204,8 @@ const Lubricant& lubricant(int code) {
     for (const int valid : lubricant_codes())
       codes += fmt::format("{}{}", codes.empty() ? "" : ", ", valid);
     throw InputError(fmt::format(
-        "lubricant {} (kTrac) is not in the table of lubricants; it contains {}", code, codes));
+        "lubricant {} (kTrac) is not in the table of lubricants. The codes in the table are {}",
+        code, codes));
   }
   return found->second;
 }

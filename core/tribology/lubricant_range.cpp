@@ -37,7 +37,7 @@ std::map<int, PressureRange> read() {
 const PressureRange& pressure_range(int code) {
   static const std::map<int, PressureRange> kRanges = read();
   const auto found = kRanges.find(lubricant(code).code);
-  demand(found != kRanges.end(), "a lubricant of lubricants.json has no entry measuredTo");
+  demand(found != kRanges.end(), "a lubricant of lubricants.json has no entry \"measuredTo\"");
   return found->second;
 }
 
@@ -46,7 +46,7 @@ std::string extrapolation_note(const PressureRange& range, double pressure) {
   if (pressure <= *range.measured_to) return {};
   return fmt::format("extrapolated beyond {:g} GPa, the highest measured pressure{}",
                      1e-9 * *range.measured_to,
-                     range.provenance == "seen" ? "" : " (quoted from memory, not checked)");
+                     range.provenance == "seen" ? "" : " (recalled, not checked)");
 }
 
 }  // namespace adore::tribology

@@ -111,14 +111,14 @@ TractionCurve from_maximum(const std::array<double, 4>& tc) {
   }
   if (!(km > k0)) {
     throw InputError(
-        fmt::format("the maximum traction coefficient {} must exceed the one at zero slip {}; "
-                    "raise the maximum or use the asymptotic law (type 2)",
+        fmt::format("the maximum traction coefficient {} must exceed the coefficient at zero slip, "
+                    "{}; raise the maximum or use the asymptotic law (type 2)",
                     km, k0));
   }
   if (!(km > kinf)) {
     throw InputError(
-        fmt::format("the maximum traction coefficient {} must exceed the one at infinite slip {}; "
-                    "raise the maximum or use the asymptotic law (type 2)",
+        fmt::format("the maximum traction coefficient {} must exceed the coefficient at infinite "
+                    "slip, {}; raise the maximum or use the asymptotic law (type 2)",
                     km, kinf));
   }
   const double M = km - kinf;
@@ -137,10 +137,10 @@ TractionCurve from_asymptote(const std::array<double, 4>& tc) {
   }
   if (k0 == kinf && slope == 0.0) return exponential(0.0, 0.0, 0.0, kinf);
   if (!(slope * (kinf - k0) > 0.0)) {
-    throw InputError(
-        fmt::format("the initial slope {} s/m cannot lead from {} at zero slip to {} at infinite "
-                    "slip; the slope must have the sign of the difference, {}",
-                    slope, k0, kinf, kinf - k0));
+    throw InputError(fmt::format(
+        "the initial slope {} s/m of the traction law cannot lead from a coefficient of {} at zero "
+        "slip to {} at infinite slip; the slope must have the sign of the difference, {}",
+        slope, k0, kinf, kinf - k0));
   }
   return exponential(k0 - kinf, 0.0, slope / (kinf - k0), kinf);
 }

@@ -201,7 +201,7 @@ TEST_CASE("lost clearance and loose fits → reported on the terminal, in PRINT 
                                "reTemp=420.0 --set raceTemp2=400.0");
   INFO(run.out);
   REQUIRE(run.code == 0);
-  for (const char* text : {"clearance turns negative", "inner race comes loose from the shaft"}) {
+  for (const char* text : {"clearance becomes negative", "inner race comes loose from the shaft"}) {
     CHECK(contains(run.out, text));
     CHECK(contains(read(folder / "PRINT.txt"), text));
     CHECK(contains(read(folder / "RUN.json"), text));

@@ -89,7 +89,7 @@ TEST_CASE("PRINT and RUN.json → name of the arithmetic", "[cli]") {
       run_adore("run " + folder.path().string() + " --quiet --until 0.01rev", "ADORE_ISA=baseline")
           .code == 0);
   const std::string print = read(folder / "PRINT.txt");
-  CHECK(contains(print, "Arithmetic settings (affect the last digits)"));
+  CHECK(contains(print, "Arithmetic settings (they affect the last digits of the results)"));
   CHECK(std::regex_search(print, std::regex("instruction set of the contacts[ .]*baseline")));
   CHECK(contains(print, "about 3e-6 of the loads after"));
   const json arithmetic = json::parse(read(folder / "RUN.json")).at("arithmetic");

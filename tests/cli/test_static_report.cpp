@@ -172,7 +172,7 @@ TEST_CASE("the stiffness table gives clearance and angle at each speed and warns
                         "--set kStif=2 --set pctDisp=1. --set rpmRange11=0. "
                         "--set rpmRange21=0. --set rpmRange12=3000. --set "
                         "rpmRange22=80000.");
-  CHECK(contains(tight.print, "Warning: the clearance turns negative"));
+  CHECK(contains(tight.print, "Warning: the diametral clearance becomes negative"));
   CHECK(contains(tight.result.out,
                  "stiffness over speed: from rpm1 = 0 and rpm2 = 80000 upwards, the clearance"));
 }

@@ -279,7 +279,7 @@ def _(b):
     return r.command, [close(f"{n} on the inner race of the last step, RESULTS.h5 [N, N.m]", row[k], c[f"race.applied_{n}.2"][t], 1e-4, 1e-6) for k, n in
                        enumerate(("force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z"))] + [
         close("speed of the inner race [rpm]", row[6], 10000.0, 1e-6), close("temperature of the inner race [K]", row[7], 313.15, 1e-6), close("speed of the outer race [rpm]", outer[6], -200.0, 1e-6),
-        close("displacement along x [m]", value_of(text, "Displacement of the inner race relative to the outer along x"), c["race.x.2"][t] - c["race.x.1"][t], 1e-5),
+        close("displacement along x [m]", value_of(text, "Displacement of the inner relative to the outer race along x"), c["race.x.2"][t] - c["race.x.1"][t], 1e-5),
         close("misalignment of the inner race about y, 0.2 mrad [deg]", value_of(text, "Misalignment of the inner race about y"), math.degrees(2e-4), 1e-4),
         close("operating clearance [m]", value_of(text, "Internal clearance, diametral"), r.fits["operating"]["diametral clearance [m]"], 1e-5),
         close("temperature of the cage [K]", value_of(text, "Cage temperature"), 303.15, 1e-6),

@@ -217,7 +217,7 @@ TEST_CASE("PRINT: kPrtOpt → sections of a printed step", "[unit][print]") {
   CHECK_THAT(line_with(text, "Cage angular velocity ratio"), Contains("0.43"));
   CHECK_THAT(line_with(text, "Power loss, average"), Contains("55  W"));
   CHECK_THAT(line_with(text, "Bearing rotation"), Contains("0.1591549  rev"));
-  CHECK_THAT(line_with(text, "Displacement of the inner race relative to the outer along z"),
+  CHECK_THAT(line_with(text, "Displacement of the inner relative to the outer race along z"),
              Contains("-1e-05  m"));
   CHECK_THAT(line_with(text, "Energy residual"), Contains("J"));
   const bearing::Bearing cageless = make_bearing(3, false);

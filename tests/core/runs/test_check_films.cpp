@@ -175,7 +175,7 @@ void check_thick_oil(const char* type) {
   const runs::CheckReport report = checked(type, warmed);
   INFO(to_text({report.issues.begin(), report.issues.end()}));
   CHECK(report.ok());
-  CHECK(says(report, Severity::Warning, "Until thermal steps have warmed the oil"));
+  CHECK(says(report, Severity::Warning, "until thermal steps have warmed the oil"));
   // The same without thermal steps is refused.
   CHECK_FALSE(checked(type, with(warmed, {{"kTherm", "0"}})).ok());
   CHECK(says(checked(type, with(warmed, at(95.0))), Severity::Error, "is a glass"));

@@ -335,7 +335,7 @@ TEST_CASE("thermal steps: each variable acts", "[physics][thermal]") {
     const Ran ran = run_deck(deck, folder("acts" + std::to_string(++count)));
     REQUIRE(ran.outcome.status != runs::RunStatus::Failed);
     Seen out;
-    const std::string change = "Geometry and material change with this step.";
+    const std::string change = "Geometry and material properties change with this step.";
     for (std::size_t at = ran.print.find("Step end"); at != std::string::npos;
          at = ran.print.find("Step end", at + 1)) {
       ++out.steps;

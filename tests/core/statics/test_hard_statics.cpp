@@ -164,7 +164,7 @@ TEST_CASE("an equilibrium past the edge of the grooves is named", "[physics][sta
   CHECK_THROWS_WITH(solve_ball_statics(bearing),
                     Catch::Contains("push the balls out of any groove"));
   bearing.speed = {0, 0};
-  CHECK(noted(solved(bearing), "beyond 90 degrees"));
+  CHECK(noted(solved(bearing), "exceeds 90 degrees"));
 }
 
 TEST_CASE("ball statics: prescribed displacements, with and without loads → equilibrium",

@@ -69,5 +69,6 @@ TEST_CASE("an iteration that could not begin tells no residual", "[unit][statics
   CHECK(solve_failure_text(solve) == "could not start");
   solve.iterations = 7;
   solve.residual = 0.123;
-  CHECK(solve_failure_text(solve) == "stopped with a residual of 0.12 of the load after 7 steps");
+  CHECK(solve_failure_text(solve) ==
+        "stopped with a force residual of 0.12 times the load after 7 steps");
 }

@@ -199,7 +199,7 @@ TEST_CASE("operating bearing: fits reduce clearance; loose and broken parts are 
   const Bearing preloaded = thermal::operating_bearing(tight);
   CHECK(preloaded.balls().clearance < 0.0);
   CHECK(preloaded.balls().contact_angle == 0.0);
-  CHECK(warns(preloaded, "clearance turns negative"));
+  CHECK(warns(preloaded, "clearance becomes negative"));
   Bearing soft = b;
   soft.race_material[1].elastic_strain_limit = 1e-5;
   CHECK(warns(thermal::operating_bearing(soft), "hoop stress of the inner race"));

@@ -74,12 +74,13 @@ TEST_CASE("filmStress: thinning interpolated or solved, and reported", "[unit][f
   surface.width_over_pressure = 1.2e-13;
   const Lubricant& oil = lubricant(11);
   const std::string read = describe_film_evaluation(oil, lubrication, surface);
-  CHECK_THAT(read, Catch::Contains("check points") && Catch::Contains("for this tolerance"));
+  CHECK_THAT(read,
+             Catch::Contains("check points") && Catch::Contains("The tolerance of the run allows"));
   const TractionLaw by_surface =
       film_law(traction_curve(1, {0.0, 0.12, 0.08, 0.5}), oil, lubrication, surface);
   lubrication.direct_strips = true;
   CHECK(describe_film_evaluation(oil, lubrication, surface) ==
-        "shear stress computed at each integration point");
+        "the shear stress is computed at each integration point");
   const TractionLaw solved =
       film_law(traction_curve(1, {0.0, 0.12, 0.08, 0.5}), oil, lubrication, surface);
   const auto fluid_of = [](const TractionLaw& law) {

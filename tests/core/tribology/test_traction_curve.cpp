@@ -95,14 +95,15 @@ TEST_CASE("traction_slope is the derivative of every form", "[unit][jacobian]") 
 
 TEST_CASE("traction_curve refuses what has no solution and says which condition fails", "[unit]") {
   CHECK_THAT(refusal(1, {0.0, 0.04, 0.05, 0.1}),
-             Contains("must exceed the one at infinite slip 0.05"));
+             Contains("must exceed the coefficient at infinite slip, 0.05"));
   CHECK_THAT(refusal(1, {0.06, 0.05, 0.02, 0.1}),
-             Contains("must exceed the one at zero slip 0.06"));
+             Contains("must exceed the coefficient at zero slip, 0.06"));
   CHECK_THAT(refusal(1, {0.0, 0.05, 0.02, 0.0}),
              Contains("u_m = 0 m/s at maximum traction must be positive"));
   CHECK_THAT(refusal(1, {-0.01, 0.05, 0.02, 0.1}), Contains("cannot be negative"));
-  CHECK_THAT(refusal(2, {0.02, 0.06, -2.0, 0.0}),
-             Contains("initial slope -2 s/m cannot lead from 0.02"));
+  CHECK_THAT(
+      refusal(2, {0.02, 0.06, -2.0, 0.0}),
+      Contains("initial slope -2 s/m of the traction law cannot lead from a coefficient of 0.02"));
   CHECK_THAT(refusal(-1, {0.0, 0.1, -3.0, 0.0}), Contains("C = -3 s/m"));
   CHECK_THAT(refusal(-1, {0.04, -0.5, 3.0, 0.0}), Contains("negative at some slip"));
   CHECK_THAT(refusal(-1, {0.0, -0.5, 0.0, 0.1}), Contains("negative at some slip"));
