@@ -302,7 +302,7 @@ void report_fluid_uncertainty(Prepared& out) {
                           const char* what) {
     const char* const known = provenance == "estimated" ? "are partly estimates"
                               : provenance == "recalled"
-                                  ? "are partly unverified (not compared with a publication)"
+                                  ? "are partly recalled and not checked"
                                   : nullptr;
     if (known != nullptr)
       add_remark(out,
