@@ -78,7 +78,7 @@ BridgedValues bridge_gaps(const std::vector<double>& t, const std::vector<double
   if (2.0 * longest * highest > 1.0) {
     std::string why = out.why_none;
     why.replace(why.size() - kNoSpectrum.size(), kNoSpectrum.size(),
-                fmt::format(" (gaps up to {} are too long for lines up to {})",
+                fmt::format(" (a gap of {} is too long for vibrations up to {})",
                             desktop::pretty_quantity(longest, "s", 3),
                             desktop::pretty_quantity(highest, "Hz", 3)));
     return {{}, {}, why + std::string(kNoSpectrum)};

@@ -146,7 +146,7 @@ bool torus_on_face(const FlangeFace& face, const PlacedEnd& placed, FlangeContac
     if (!(slope[i] < 0.0 && slope[i + 1] >= 0.0)) continue;
     const double chi = ring.minimum(2.0 * kPi * k / kScan, 2.0 * kPi * (k + 1) / kScan);
     const Vec3 Y = ring.at(chi);
-    const double r = std::hypot(Y[1], Y[2]), tau = face.tau(Y[0], r);
+    const double r = std::hypot(Y[1], Y[2]), tau = face.coordinate_along_flange(Y[0], r);
     const double gap = face.sigma(Y[0], r) - placed.end.corner_radius;
     if (tau > face.reach) {
       beyond = std::min(beyond, gap);
@@ -325,7 +325,8 @@ FlangeContact sphere_contact(const FlangeFace& face, const PlacedEnd& placed, Op
   const RollerEnd& end = placed.end;
   const Vec3 E = placed.centre + end.dome_centre * placed.out;
   const double r = std::hypot(E[1], E[2]);
-  const double sigma = face.sigma(E[0], r), tau = face.tau(E[0], r), beyond = tau - face.reach;
+  const double sigma = face.sigma(E[0], r), tau = face.coordinate_along_flange(E[0], r),
+               beyond = tau - face.reach;
   FlangeContact c;
   c.surface = Surface::Cap;
   if (beyond <= 0.0) {

@@ -60,7 +60,7 @@ struct FlangeFace {
   [[nodiscard]] double sigma(double x, double r) const noexcept {
     return (x - root_x) * m_x + (r - root_r) * m_r;
   }
-  [[nodiscard]] double tau(double x, double r) const noexcept {
+  [[nodiscard]] double coordinate_along_flange(double x, double r) const noexcept {
     return (x - root_x) * t_x + (r - root_r) * t_r;
   }
 };

@@ -437,7 +437,7 @@ std::string decisive_fact(const std::vector<BearingCandidate>& c) {
   constexpr Property kProperties[] = {
       {"The number of elements (count)", 1e-6,
        [](const BearingCandidate& one) { return static_cast<double>(one.count); }, "", 1.0},
-      {"The outer ring fault factor (BPFO)", 0.003,
+      {"The BPFO factor (outer ring defect frequency divided by shaft frequency)", 0.003,
        [](const BearingCandidate& one) { return one.BPFO; }, "", 1.0},
       {"The element diameter", 0.003, [](const BearingCandidate& one) { return one.diameter; },
        " mm", 1e3},

@@ -18,8 +18,8 @@ void BalancedRace::set_time(double t) noexcept {
   load_rate_ = rotating_load_fraction_ * rotating_load_speed_ * Vec3(0.0, -turned[2], turned[1]);
 }
 
-void BalancedRace::estimate(const Mat3& stiffness, const Vec3& drift,
-                            double element_mass) noexcept {
+void BalancedRace::estimate_velocity(const Mat3& stiffness, const Vec3& drift,
+                                     double element_mass) noexcept {
   Mat3 K = 0.5 * (stiffness + stiffness.transpose());
   for (int k = 0; k < 3; ++k)
     if (!free_axes_[static_cast<std::size_t>(k)]) {

@@ -36,9 +36,9 @@ class BalancedRace {
   /// Sets the load of this time.
   void set_time(double t) noexcept;
   /// Takes K and D at a steady load [N/m, N/s]; velocity() is then K⁻¹ D, the load's rate in D.
-  void estimate(const Mat3& stiffness, const Vec3& drift, double element_mass) noexcept;
+  void estimate_velocity(const Mat3& stiffness, const Vec3& drift, double element_mass) noexcept;
   [[nodiscard]] const Vec3& velocity() const noexcept { return velocity_; }
-  /// Takes C [N s/m]. After estimate(), which sets it to zero.
+  /// Takes C [N s/m]. After estimate_velocity(), which sets it to zero.
   void resist(const Mat3& friction) noexcept;
   /// (K/λ + C)⁻¹ R from the force of the elements on the race [N].
   [[nodiscard]] Vec3 pull(const Vec3& of_elements) const noexcept;

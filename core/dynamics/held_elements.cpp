@@ -117,7 +117,7 @@ void QuasiStaticElements::move_race(Evaluation& e) noexcept {
     drift += frame.transpose() *
              (S * (velocity - e.to_cylindrical(i, e.race[1].velocity)) - springs_[k].turning[1]);
   }
-  scene_.race->estimate(stiffness, drift, mass);
+  scene_.race->estimate_velocity(stiffness, drift, mass);
   follow_race(e, scene_.race->velocity());
   e.race[1].velocity += scene_.race->velocity();
 }

@@ -572,8 +572,8 @@ EquilibriumChange move_to_equilibrium(const EquilibriumContext& before, double t
   return out;
 }
 
-EquilibriumChange assess_start_excess(const EquilibriumContext& scene, double t,
-                                      std::span<const double> y) {
+EquilibriumChange assess_start_excess_energy(const EquilibriumContext& scene, double t,
+                                             std::span<const double> y) {
   EquilibriumChange out;
   Instant at(scene, t, y);
   std::optional<Rest> rest;

@@ -63,8 +63,8 @@ struct EquilibriumContext {
 
 /// Excess energy of a start: of the departures of y from its equilibrium. Velocities have no part:
 /// those that the deck specifies are exempt.
-[[nodiscard]] EquilibriumChange assess_start_excess(const EquilibriumContext& scene, double t,
-                                                    std::span<const double> y);
+[[nodiscard]] EquilibriumChange assess_start_excess_energy(const EquilibriumContext& scene,
+                                                           double t, std::span<const double> y);
 
 /// Books a change between two steps in the integrals of effect "thermal steps": stored energy and
 /// momenta after less before. Integrals of y are those of y_before.

@@ -78,7 +78,8 @@ void System::Impl::set_up_border() {
     border_rank.push_back(static_cast<std::size_t>(
         std::count(owner.begin(), owner.begin() + one.rows.first, kBorder)));
   }
-  demand(of_bodies == border_count, "the border of the Jacobian has states without a body");
+  demand(of_bodies == border_count,
+         "internal error: the coupled part of the Jacobian has states that belong to no body");
   const std::size_t elements = e.sin_theta.size();
   for (const Assembly::Block& block : parts.blocks) {
     std::vector<int> partner(elements, -1);

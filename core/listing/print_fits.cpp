@@ -197,7 +197,7 @@ Json fits_json(const OperatingFits& fits) {
              {"hoop stress of the " + mate + " [Pa]", f.mate_hoop},
              {"elastic limit of the " + mate + " [Pa]", limit_json(f.mate_limit)},
              {"growth of the raceway", growth_json(fits.raceway[j])},
-             {"radius of the curvature centres, free [m]", fits.locus_free[j]},
+             {"circle of curvature centers, not mounted [m]", fits.locus_free[j]},
              {"radius of the curvature centres [m]", fits.locus[j]}};
     out[j == 0 ? "outer race" : "inner race"] = std::move(fit);
   }

@@ -28,7 +28,7 @@ std::string read_findings_text(hid_t object, const char* name) {
   const std::size_t size = H5Tget_size(type);
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 ||
       H5Sget_simple_extent_npoints(space) != 1 || size > kMaxFindingsBytes)
-    throw InputError("the list of findings is not a string");
+    throw InputError("the stored findings must be one text string in JSON format");
   std::string text(size, '\0');
   if (H5Aread(attribute, type, text.data()) < 0)
     throw InputError("the list of findings cannot be read");

@@ -72,7 +72,7 @@ std::optional<Finding> judge_start_energy(const Prepared& prepared, dynamics::Sy
                                           const std::vector<double>& y) {
   if (prepared.plan.suppressed.of_elements()) return std::nullopt;
   const dynamics::EquilibriumChange start =
-      dynamics::assess_start_excess(moving_scene(prepared, system), 0.0, y);
+      dynamics::assess_start_excess_energy(moving_scene(prepared, system), 0.0, y);
   if (!start.why_not.empty())
     return make_finding("run.start_unknown",
                         "the excess energy at the start is not computed: " + start.why_not);

@@ -22,8 +22,8 @@ struct StartState {
 /// rolling.
 [[nodiscard]] StartState start_state(const Prepared& prepared, dynamics::System& system);
 
-/// Excess energy of a start (dynamics::assess_start_excess). Above 10 %: run.start_excess; where
-/// there is no equilibrium to judge against: run.start_unknown; empty: nothing to report.
+/// Excess energy of a start (dynamics::assess_start_excess_energy). Above 10 %: run.start_excess;
+/// where there is no equilibrium to judge against: run.start_unknown; empty: nothing to report.
 /// @throws SolverError above 100 %, unless routine ADRX1 specifies shocks (changed_equilibrium.hpp)
 [[nodiscard]] std::optional<Finding> judge_start_energy(const Prepared& prepared,
                                                         dynamics::System& system,

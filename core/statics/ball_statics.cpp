@@ -62,11 +62,13 @@ double steepest_contact_angle(const BallModel& m, const BallRace& state) {
   }
   if (share >= 0.0) {
     throw SolverError(fmt::format(
-        "bearing equilibrium: under {} the balls have an equilibrium with {:.0f} % of the orbital "
-        "speeds, gyroscopic moments and angle-dependent stiffness, but not with 100 % (force "
-        "residual {:.2g} times the load) at race speeds of {:.6g} and {:.6g} rad/s{}. Increase the "
-        "load, reduce the speed, or choose another spin rule (kAngVel)",
-        loads, 100.0 * share, solve.residual, m.race_speed[0], m.race_speed[1], angles));
+        "bearing equilibrium: no equilibrium of the balls was found under {} at race speeds of "
+        "{:.6g} and {:.6g} rad/s{}. The effects of speed (orbital speeds, gyroscopic moments, "
+        "angle-dependent stiffness) were increased in steps; a solution was found up to {:.0f} % "
+        "of "
+        "them, but not at 100 % (force residual {:.2g} times the load). Increase the load, reduce "
+        "the speed, or choose another spin rule (kAngVel)",
+        loads, m.race_speed[0], m.race_speed[1], angles, 100.0 * share, solve.residual));
   }
   throw SolverError(
       fmt::format("bearing equilibrium: under {} Newton's iteration {}{}{}. Enter a first guess of "

@@ -51,7 +51,8 @@ std::vector<runs::ModelVariant> model_variants(const runs::Prepared& prepared) {
     const double factor = prepared.options.system.damping.factor;
     for (const double by : {2.0, 0.5})
       option("damping", "contactDamping", fmt::format("{:g}x", by * factor),
-             "factor 2: loss factor of steel contacts 0.005 to 0.02 (recalled, not checked)");
+             "factor 2: loss factor of steel contacts 0.005 to 0.02 (from the literature, not "
+             "checked)");
   }
   if (prepared.bearing.lubrication && prepared.plan.has(scene::Effect::RaceTraction)) {
     option("traction law", "filmLaw", prepared.options.recommended_law ? "code" : "recommended",

@@ -388,7 +388,7 @@ bearing::Material Session::material(bearing::Part part, const bearing::Material&
   return out;
 }
 
-void Session::imperfections(bearing::UserTables& t) {
+void Session::call_imperfections(bearing::UserTables& t) {
   adore_adrx8 a{};
   a.elements_wanted = t.elements ? 1 : 0;
   a.pockets_wanted = t.pockets ? 1 : 0;

@@ -48,7 +48,7 @@ class Session {
   /// ADRX0. @throws InputError
   [[nodiscard]] bearing::Material material(bearing::Part part, const bearing::Material& fallback);
   /// ADRX8. @throws InputError
-  void imperfections(bearing::UserTables& tables);
+  void call_imperfections(bearing::UserTables& tables);
   /// ADRX5 of an element, ADRX6 of a race; mode ADORE_START comes before the first.
   /// @throws InputError
   void surface(const bearing::Bearing& bearing, bearing::UserSurface& places);

@@ -74,7 +74,7 @@ void count_row(const ExperimentRow& row, ExperimentSummary& out) {
 /// Lines of the summary behind the table of groups.
 std::vector<std::string> summary_lines(const ExperimentSummary& s) {
   std::vector<std::string> out{
-      fmt::format("{} of {} bounds are satisfied, and {} of {} signs agree with the source.",
+      fmt::format("{} of {} bounds are satisfied, and {} of {} trends have the sign of the source.",
                   s.bounds_held, s.bounds, s.signs_agree, s.signs),
       fmt::format("Blind rows (the measured value is withheld): {}. Rows not computed: {}. Failed "
                   "rows: {}. Rows that are parts of other rows: {}.",

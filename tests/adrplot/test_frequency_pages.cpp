@@ -147,8 +147,8 @@ TEST_CASE("pages: short gaps of a curve are bridged for its spectrum, and said",
   INFO(longer.panels[1].message);
   CHECK(longer.panels[1].curves[0].y.empty());
   CHECK(longer.panels[1].message.find(
-            "There are no values at 49 of 5000 steps (gaps up to 500 µs "
-            "are too long for lines up to 1.02 kHz), so there is no frequency") == 0);
+            "There are no values at 49 of 5000 steps (a gap of 500 µs "
+            "is too long for vibrations up to 1.02 kHz), so there is no frequency") == 0);
   // More than one in a hundred, however short each gap is.
   std::vector<double> many = whole;
   for (std::size_t i = 50; i < many.size(); i += 90) many[i] = kNone;

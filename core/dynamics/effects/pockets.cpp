@@ -213,8 +213,8 @@ void PocketBlock<Traction, ShapedPocket>::apply_with(const Friction& friction,
                 pocket_set_.to_base(i, wall.m, pocket_set_.body(e, i).to_base), -wall.gap);
       }
     } else {
-      if (pocket_set_.is_certainly_open(i) && pocket_set_.inside(i)) continue;
-      if (!pocket_set_.inside(i)) {
+      if (pocket_set_.is_certainly_open(i) && pocket_set_.is_inside_round_pocket(i)) continue;
+      if (!pocket_set_.is_inside_round_pocket(i)) {
         e.valid = false;
         return;
       }

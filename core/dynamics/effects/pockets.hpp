@@ -65,7 +65,7 @@ class PocketSet {
   /// Is the ball center inside the hole of the wall and within one radius of its height?
   [[nodiscard]] bool is_inside(std::size_t i) const noexcept {
     return has_shaped_pockets() ? contact::is_inside(shaped_pockets_[i].pocket, centre(i))
-                                : inside(i);
+                                : is_inside_round_pocket(i);
   }
   [[nodiscard]] contact::WallPoints walls(std::size_t i) const noexcept {
     if (has_shaped_pockets())
@@ -88,7 +88,7 @@ class PocketSet {
   [[nodiscard]] std::vector<PocketContactSnapshot> report(std::size_t i) const;
 
   // For identical round pockets.
-  [[nodiscard]] bool inside(std::size_t i) const noexcept {
+  [[nodiscard]] bool is_inside_round_pocket(std::size_t i) const noexcept {
     const double d2 = qx_[i] * qx_[i] + qy_[i] * qy_[i];
     return d2 < hole_radius_squared_ && qz_[i] > wall_.z_low - ball_radius_ &&
            qz_[i] < wall_.z_high + ball_radius_;

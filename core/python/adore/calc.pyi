@@ -285,7 +285,7 @@ class _GroovedTapered(Calculator):
         outer_half_angle: float = ...,
         inner_half_angle: float = ...,
     ) -> Result:
-        """groove circles of a spherical tapered roller bearing"""
+        """raceway profile circles of a spherical tapered roller bearing"""
 
 class _Growth(Calculator):
     def __call__(  # type: ignore[override]
@@ -851,7 +851,7 @@ class _SphericalRow(Calculator):
         pitch_diameter: float = ...,
         play: float = ...,
     ) -> Result:
-        """groove circles of a row of spherical rollers"""
+        """raceway profile circles of a row of spherical rollers"""
 
 class _StaticSafety(Calculator):
     def __call__(  # type: ignore[override]

@@ -99,7 +99,7 @@ double sampled_gap(const FlangeFace& face, const RollerEnd& end, const Vec3& C, 
     }
     const Vec3 X = C + v * out + rho * (std::cos(chi) * e1 + std::sin(chi) * e2);
     const double r = std::hypot(X[1], X[2]);
-    return face.tau(X[0], r) <= face.reach ? face.sigma(X[0], r) : INFINITY;
+    return face.coordinate_along_flange(X[0], r) <= face.reach ? face.sigma(X[0], r) : INFINITY;
   };
   double u0 = 1.0, chi0 = 0.0, du = 1.0, dchi = kPi, best = INFINITY;
   for (int zoom = 0; zoom < 14; ++zoom) {
@@ -172,7 +172,7 @@ TEST_CASE("Flange gaps are the least height of the sampled end over the face",
       CHECK(sampled > c.gap - 1e-12);
       CHECK(sampled < c.gap + 2e-9);  // what the last grid of the search resolves at a lip
       CHECK(face.sigma(c.point[0], r) == Approx(c.gap).margin(1e-15));
-      CHECK(face.tau(c.point[0], r) == Approx(c.height).margin(1e-12));
+      CHECK(face.coordinate_along_flange(c.point[0], r) == Approx(c.height).margin(1e-12));
     }
     CHECK(c.normal.norm() == Approx(1.0).epsilon(1e-12));
   };
