@@ -131,7 +131,7 @@ struct RollerInMeridian {
   RollerInMeridian out;
   const Vec3 C = pose.point(centre);
   out.turn = meridian_rotation(C[1], C[2], out.roller.r);
-  const auto into = [&](const Vec3& v) {
+  const auto to_meridian = [&](const Vec3& v) {
     const Vec3 of_race = pose.direction(v);
     return out.turn.to_meridian({of_race[0], of_race[1], of_race[2]});
   };

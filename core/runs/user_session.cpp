@@ -63,7 +63,7 @@ setup::UserHooks user_hooks(const std::shared_ptr<user::Session>& session,
   out.material = [of](bearing::Part part, const bearing::Material& fallback) {
     return of->material(part, fallback);
   };
-  out.imperfections = [of](bearing::UserTables& tables) { of->imperfections(tables); };
+  out.imperfections = [of](bearing::UserTables& tables) { of->call_imperfections(tables); };
   out.surface = [of](const bearing::Bearing& bearing, bearing::UserSurface& places) {
     of->surface(bearing, places);
   };

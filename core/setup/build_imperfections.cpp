@@ -238,7 +238,7 @@ void user_errors(const Deck& deck, const UserHooks& user, bearing::Bearing& b) {
   t.moments = ideal.moments;
   t.geometric_centre = ideal.geometric_centre;
   t.frame = ideal.frame;
-  user.call_imperfections(t);
+  user.imperfections(t);
   if (t.elements) {
     bearing::RollerGeometry* rollers = b.rollers();
     b.imperfections.elements = ElementErrorSource::Listed;

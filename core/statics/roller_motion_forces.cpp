@@ -82,7 +82,7 @@ RollerMotionAction RollerMotionForces::at(const RollerState& roller, const Vec6&
                                     bearing_.speed[j] * pose.axes.col(0)};
     contact::RollerInMeridian in = contact::roller_in_meridian(pose, race, C, a, motion);
     const Vec3 spin = pose.direction(u[kPlaceSpin] * a);
-    in.roller.spin = in.turn.into<double>({spin[0], spin[1], spin[2]});
+    in.roller.spin = in.turn.to_meridian<double>({spin[0], spin[1], spin[2]});
     const contact::RaceSlicesView view = contact::view_of(slices_[j][body]);
     in.roller.open = contact::is_certainly_open(view, in.roller.x, in.roller.r, in.roller.axes.a);
     RollerKernelAction action{};
@@ -144,8 +144,8 @@ RollerMotionAction RollerMotionForces::at(const RollerState& roller, const Vec6&
       on_race += in.back(pose, {0.0, lean * normal.force[2] / in.roller.r, 0.0});
     }
     const Vec3 on_shaft = about_C + (C - pose.centre).cross(on_race);
-    const Triple<double> F = azimuth.back<double>({on_race[0], on_race[1], on_race[2]});
-    const Triple<double> M = azimuth.back<double>({on_shaft[0], on_shaft[1], on_shaft[2]});
+    const Triple<double> F = azimuth.from_meridian<double>({on_race[0], on_race[1], on_race[2]});
+    const Triple<double> M = azimuth.from_meridian<double>({on_shaft[0], on_shaft[1], on_shaft[2]});
     out.load << F.x, F.y, F.z, M.y, M.z;
   }
 

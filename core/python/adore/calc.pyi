@@ -31,7 +31,7 @@ class _BallPocket(Calculator):
         bPocClsVar1: float = ...,
         bPocClsVar2: float = ...,
     ) -> Result:
-        """gap, contact point and angles of a ball in its pocket"""
+        """gap, contact point and contact angles of a ball in its pocket"""
 
 class _BallStatics(Calculator):
     def __call__(  # type: ignore[override]
@@ -403,7 +403,7 @@ class _Iso281(Calculator):
         n_rpm: float = ...,
         S: float = ...,
     ) -> Result:
-        """ISO 281 and ISO 76: ratings, equivalent load, a_1, a_ISO, contamination factor, C_u"""
+        """ISO 281 and ISO 76: load ratings, equivalent load, life factors a_1 and a_ISO, contamination factor, fatigue load limit C_u"""
 
 class _JournalFilm(Calculator):
     def __call__(  # type: ignore[override]
@@ -528,7 +528,7 @@ class _LifeStatistics(Calculator):
         L_contacts: Sequence[Any] = ...,
         slope: float = ...,
     ) -> Result:
-        """bearing life from race lives (product law), life at a survival probability"""
+        """bearing life from the lives of its races (product law); life at a given survival probability"""
 
 class _LifeSum(Calculator):
     def __call__(  # type: ignore[override]
@@ -550,7 +550,7 @@ class _LineContact(Calculator):
         body2: Mapping[str, Any] = ...,
         stress_poisson: float = ...,
     ) -> Result:
-        """line contact: half width, pressure, subsurface stresses, approach by published formulas"""
+        """line contact: half width, pressure, subsurface stresses, and approach from published formulas"""
 
 class _LoadCapacity(Calculator):
     def __call__(  # type: ignore[override]
@@ -577,7 +577,7 @@ class _Material(Calculator):
         T: float = ...,
         part: Literal['rolling_element', 'outer_race', 'inner_race', 'housing', 'shaft', 'cage'] = ...,
     ) -> Result:
-        """properties of a material with unit and provenance, at the temperature T [K] if given"""
+        """properties of a material with units and sources, at the temperature T [K] if T is given"""
 
 class _MinimumLoad(Calculator):
     def __call__(  # type: ignore[override]
@@ -655,7 +655,7 @@ class _PocketLaw(Calculator):
         gaps: Sequence[float] = ...,
         wall_curvatures: Sequence[float] = ...,
     ) -> Result:
-        """contact load and stiffness of a ball in its pocket (Hertz law, linear at large penetration)"""
+        """contact load and stiffness of a ball in its pocket (Hertz law, continued linearly at large penetration)"""
 
 class _RaceErrors(Calculator):
     def __call__(  # type: ignore[override]
@@ -797,7 +797,7 @@ class _SliceLoad(Calculator):
         law: Mapping[str, Any] = ...,
         land: Mapping[str, Any] = ...,
     ) -> Result:
-        """loads of roller slices by a power law or the half-space law, within the raceway width"""
+        """loads of roller slices within the raceway width, from a power law or the half-space law"""
 
 class _SlicePenetration(Calculator):
     def __call__(  # type: ignore[override]
@@ -838,7 +838,7 @@ class _SlicedLine(Calculator):
         approach_list: Sequence[float] = ...,
         load_list: Sequence[float] = ...,
     ) -> Result:
-        """load and moment of a sliced roller for given approach and tilt"""
+        """load and moment of a sliced roller for a given approach and tilt"""
 
 class _SphericalRow(Calculator):
     def __call__(  # type: ignore[override]
@@ -871,7 +871,7 @@ class _StaticSafety(Calculator):
         Z: int = ...,
         f: float = ...,
     ) -> Result:
-        """ISO 76: equivalent static load P0 and static safety s0; static rating of thrust bearings"""
+        """ISO 76: equivalent static load P0, static safety factor s0, static load rating of thrust bearings"""
 
 class _TaperedGeometry(Calculator):
     def __call__(  # type: ignore[override]
@@ -943,7 +943,7 @@ class _ThermalSteps(Calculator):
         n_divergent: int = ...,
         limit: Union[None, float] = ...,
     ) -> Result:
-        """heat averaged over thermal steps; convergence of the step temperatures"""
+        """mean heat of each thermal step; convergence of the temperatures from step to step"""
 
 class _Traction(Calculator):
     def __call__(  # type: ignore[override]
