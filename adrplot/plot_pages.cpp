@@ -172,16 +172,16 @@ std::vector<PageSpec> element_pages(const SolHeader& header) {
     const auto panel = [](const char* title, const std::string& quantity) {
       return both_races(title, "second_contact." + quantity);
     };
-    pages.push_back(history("Other half of a split race (1): load and angle",
+    pages.push_back(history("Less loaded half of a split race: load and angle",
                             {panel("Contact load", "load"), panel("Contact angle", "angle"),
                              panel("Spin/roll", "spin_to_roll")},
                             note));
-    pages.push_back(history("Other half of a split race (2): slip and film",
+    pages.push_back(history("Less loaded half of a split race: slip and film",
                             {panel("Slip velocity", "slip"), panel("Load × slip", "load_slip"),
                              panel("Lubricant film", "film")},
                             note));
     pages.push_back(
-        history("Other half of a split race (3): heat and temperature",
+        history("Less loaded half of a split race: heat and temperature",
                 {panel("Heat generation", "heat"), panel("Contact temp. rise", "temperature_rise"),
                  panel("Race contact temp.", "temperature")},
                 note));

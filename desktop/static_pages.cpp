@@ -393,7 +393,7 @@ std::vector<ChartPage> sweep_pages(const results::SweepTable& sweep) {
       pages.back().note =
           (still.empty() ? "" : still + " ") +
           "The original life model has published constants; the other models are calibrated to "
-          "it. STLE life factors were recalled and not checked; Tallian-type factors are derived.";
+          "it. STLE life factors are not verified; Tallian-type factors are derived.";
     pages.back().panels.push_back(std::move(panels[i]));
   }
   return pages;

@@ -40,7 +40,7 @@ std::optional<Json> size_limits_case(const Json& the_case) {
       {"smallest", get(in, "nominal") + limits.lower},
       {"provenance",
        "computed with the formulas of ISO 286-1 (tolerance grades: from a public source; tolerance "
-       "positions: from the literature, not checked); printed tables can differ by 1 um"}};
+       "positions: not verified); printed tables can differ by 1 um"}};
 }
 
 // ---- rating_bearing_fit
@@ -134,7 +134,7 @@ std::optional<Json> bearing_fit_case(const Json& the_case) {
            {"housing_fit", fit_json(outer)},
            {"provenance", fits.seen ? "ring tolerances: from a public source; ISO 286 tolerances: "
                                       "computed with the formulas of the standard"
-                                    : "ring tolerances: from the literature, not checked; ISO 286 "
+                                    : "ring tolerances: not verified; ISO 286 "
                                       "tolerances: computed with the formulas of the standard"}};
   if (!in.contains("type")) return out;
   const double low = get(in, "clearance_least"), high = get(in, "clearance_most");

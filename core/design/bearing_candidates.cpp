@@ -576,10 +576,10 @@ void check_bounds(const BearingFacts& f, const deck::CatalogueBearing& b,
     fact_use.push_back(fmt::format(
         "cage = {}: only \"full complement\" has an effect on the candidates.", f.cage));
   if (f.rows.value_or(1) > 1)
-    fact_use.push_back(
-        fmt::format("The ratings are those of the bearing with {} rows. The deck describes one "
-                    "row: enter the load of one row.",
-                    *f.rows));
+    fact_use.push_back(fmt::format(
+        "The ratings apply to all {} rows together. The deck describes one row: enter the "
+        "load of one row.",
+        *f.rows));
   if (!b.left_out.empty())
     fact_use.push_back(fmt::format("Unused part of the designation: {}.", b.left_out));
 }

@@ -109,7 +109,7 @@ Json race(const life::BearingLife& life, std::size_t i) {
 Json iso(const life::IsoReport& r, double speed) {
   Json out{{"origin",
             "from public implementations of the standards; the factors bm, X, Y, e and f0 are "
-            "from the literature, not checked"},
+            "not verified"},
            {"C [N]", r.C},
            {"C0 [N]", number(r.C0)},
            {"Cu [N]", number(r.C_u)},

@@ -83,7 +83,7 @@ void lives(Report& report, const BearingLife& life) {
       "factors. The constant of the original theory is published (\"seen\"). The constants of the "
       "three stress models are CALIBRATED: at one reference contact, all models give the life of "
       "the original theory. They are not the constants of the authors of the models. The STLE "
-      "tables are from the literature, not checked (film curve +-30 %). The asperity term of the "
+      "tables are not verified (film curve +-30 %). The asperity term of the "
       "Tallian-type "
       "factor was derived for this program.");
 }
@@ -101,7 +101,7 @@ void races(Report& report, const BearingLife& life) {
                   life.race[1].rotating ? "yes" : "no", ""});
   const bool rollers = life.effective_length > 0.0;
   if (rollers) {
-    rows.push_back({"contact type (Harris, not checked)",
+    rows.push_back({"contact type (Harris, not verified)",
                     shape_text(life.state.shape[0], life.race[0].line),
                     shape_text(life.state.shape[1], life.race[1].line), ""});
     row("ellipse length 2a, most loaded roller", unit::kLength,
@@ -264,8 +264,7 @@ void iso(Report& report, const life::IsoReport& r) {
       report.item(name, "not available");
   };
   report.item("Rating angle", r.geometry.contact_angle, unit::kAngle);
-  report.item("Rating factor bm (from the literature, not checked)", r.geometry.rating_factor,
-              unit::kPure);
+  report.item("Rating factor bm (not verified)", r.geometry.rating_factor, unit::kPure);
   report.item(r.maker.C ? "Dynamic load rating C (maker's)"
                         : "Dynamic load rating C (formula from a public source)",
               r.C, unit::kForce);
@@ -274,7 +273,7 @@ void iso(Report& report, const life::IsoReport& r) {
                       r.geometry.type == life::IsoType::ThrustRoller;
   optional_force(r.maker.C0 ? "Static load rating C0 (maker's)"
                  : roller   ? "Static load rating C0 (formula from a public source)"
-                            : "Static load rating C0 (factor f0 from the literature, not checked)",
+                            : "Static load rating C0 (factor f0 not verified)",
                  r.C0);
   if (r.maker.C0) optional_force("    estimate of ISO 76", r.C0_estimate);
   optional_force(r.maker.C_u ? "Fatigue load limit Cu (maker's)"
@@ -285,8 +284,7 @@ void iso(Report& report, const life::IsoReport& r) {
   report.item("Radial load", r.radial, unit::kForce);
   report.item("Axial load", r.axial, unit::kForce);
   if (r.equivalent) {
-    report.item("Equivalent load P (factors not checked, or from a public source)", r.equivalent->P,
-                unit::kForce);
+    report.item("Equivalent load P (some factors not verified)", r.equivalent->P, unit::kForce);
     const auto factor = [&](std::string name, double value, const std::optional<double>& maker) {
       report.item(name + (maker ? " (maker's)" : ""), value, unit::kPure);
     };
@@ -295,8 +293,7 @@ void iso(Report& report, const life::IsoReport& r) {
     factor("    e", r.equivalent->e, r.maker.e);
   }
   optional_life("L10 (ISO 281; sources: see C and P)", r.L10);
-  report.item("Factor a1 for the survival probability (from the literature, not checked)", r.a1,
-              unit::kPure);
+  report.item("Factor a1 for the survival probability (not verified)", r.a1, unit::kPure);
   if (r.viscosity) {
     report.item("Oil (record X2)", r.oil);
     report.item("    temperature", r.oil_temperature, unit::kTemperature);

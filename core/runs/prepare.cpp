@@ -302,7 +302,7 @@ void report_fluid_uncertainty(Prepared& out) {
                           const char* what) {
     const char* const known = provenance == "estimated" ? "are partly estimates"
                               : provenance == "recalled"
-                                  ? "are partly recalled and not checked"
+                                  ? "are partly not verified"
                                   : nullptr;
     if (known != nullptr)
       add_remark(out,

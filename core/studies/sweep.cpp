@@ -176,7 +176,8 @@ std::optional<Finding> no_motion_warning(const std::vector<Row>& rows) {
                                      counted(still, "run")));
   out.record = "1";
   out.variable = "maxStps";
-  out.remedy = "give the number of steps, such as maxStps = 2000, or an end with --until";
+  out.remedy =
+      "give the number of steps, such as maxStps = 2000, or give the end of the run with --until";
   return out;
 }
 

@@ -46,7 +46,7 @@ std::string extrapolation_note(const PressureRange& range, double pressure) {
   if (pressure <= *range.measured_to) return {};
   return fmt::format("extrapolated beyond {:g} GPa, the highest measured pressure{}",
                      1e-9 * *range.measured_to,
-                     range.provenance == "seen" ? "" : " (from the literature, not checked)");
+                     range.provenance == "seen" ? "" : " (not verified)");
 }
 
 }  // namespace adore::tribology

@@ -620,7 +620,7 @@ void add_catalogue(const std::string& file, Experiment& out) {
       line.what = "friction torque";
       line.unit = "N.mm";
       line.kind = "prediction";
-      line.certainty = "model: equations from publications, constants recalled and not checked";
+      line.certainty = "model: equations from publications, constants not verified";
       line.model = true;
       constexpr double kMilli = 1e3;
       line.failed = one.failed;

@@ -95,7 +95,7 @@ TEST_CASE("sentences of the sources write no number before a plural", "[unit]") 
                                       "the study has more than {} runs",
                                       "{} names none",
                                       "{} names no set",
-                                      "The ratings are those of the bearing with {} rows",
+                                      "The ratings apply to all {} rows",
                                       "is narrower than {} lines"};
   std::string found;
   int files = 0;

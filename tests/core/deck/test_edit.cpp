@@ -100,7 +100,7 @@ TEST_CASE("set(): impossible change → error with the possible ones", "[unit][d
   const Deck deck = new_deck("ball");
   CHECK_THAT(failure(deck, "pichDia", "0.06"), Catch::Contains("did you mean pitchDia"));
   CHECK_THAT(failure(deck, "xyzzyplugh", "1"), Catch::Contains("adore schema"));
-  CHECK_THAT(failure(deck, "recID", "'x'"), Catch::Contains("the name alone is ambiguous"));
+  CHECK_THAT(failure(deck, "recID", "'x'"), Catch::Contains("the name recID alone is ambiguous"));
   CHECK_THAT(failure(deck, "nRe", "12.0"), Catch::Contains("write 12"));
   CHECK_THAT(failure(deck, "nRe", "twelve"), Catch::Contains("nRe takes an integer"));
   CHECK_THAT(failure(deck, "pitchDia", "0,06"), Catch::Contains("is not a number"));
@@ -109,7 +109,7 @@ TEST_CASE("set(): impossible change → error with the possible ones", "[unit][d
   CHECK_THAT(failure(deck, "iCageGuide[3]", "1"), Catch::Contains("2 elements"));
   CHECK_THAT(failure(deck, "iCageGuide", "1"), Catch::Contains("give 2 values"));
   CHECK_THAT(failure(new_deck("spherical"), "iCageGuide", "1"),
-             Catch::Contains("this variable has no elements in this deck; increase nGL first"));
+             Catch::Contains("this variable has no elements in this deck; first increase nGL"));
   CHECK_THAT(failure(deck, "cageGsCls", "1"), Catch::Contains("cageGsCls[1]"));
   CHECK_THAT(failure(deck, "cageGsCls[3]", "1"), Catch::Contains("instance 3 of this record"));
   CHECK_THAT(failure(deck, "cageGsCls[0]", "1"), Catch::Contains("counting from 1"));

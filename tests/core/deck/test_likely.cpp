@@ -146,7 +146,7 @@ TEST_CASE("reader: other files of the suite → error with their type", "[unit]"
         std::string::npos);
   CHECK(refusal("  Adore0.9.0       run\n   12  1  1  1  1  1  1  1  1  1  1  1  1  1\n")
             .find("SOL8") != std::string::npos);
-  CHECK(refusal("Adore 0.9.0 FINAL: last\n").find("(FINAL)") != std::string::npos);
+  CHECK(refusal("Adore 0.9.0 FINAL: last\n").find("(file FINAL)") != std::string::npos);
   CHECK(refusal("{\n  \"program\": \"Adore 0.9.0\"").find("RUN.json") != std::string::npos);
   CHECK(refusal("{\"checkpointSeconds\": 2}").find("JSON") != std::string::npos);
   CHECK(refusal("rpm2 [rpm],exit,life,message\n1,0,2,\"\"\n").find("SWEEP.csv") !=

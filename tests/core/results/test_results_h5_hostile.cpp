@@ -207,5 +207,5 @@ TEST_CASE("RESULTS.h5: impossible number of steps or step numbers → message", 
   for (std::size_t at = good.find(wanted); at != std::string::npos; at = good.find(wanted, at + 1))
     std::memcpy(strange.data() + at + 16, &none, 8);
   write_bytes(path, strange);
-  CHECK_THAT(message_of([&] { read_everything(path); }), Contains("step number 1e+300 of row 3"));
+  CHECK_THAT(message_of([&] { read_everything(path); }), Contains("step number 1e+300 in row 3"));
 }

@@ -341,7 +341,7 @@ TEST_CASE("mode 1 of a preloaded cylindrical bearing has the heat and the cage s
 }
 
 TEST_CASE("mode 1: tapered example, two revolutions → heat and cage speed of mode 0",
-          "[physics][runs][constrained][slow]") {
+          "[physics][runs][constrained][slow][nightly]") {
   // Over the first turn loads that differ by 1e-4 leave the cage its one way to settle, and spread
   // by 0.5 %; cages that start elsewhere spread by 6 %, 18.7 to 22.2 mJ over two turns.
   // Elastic contacts: damped ones spread less than the cage heat of mode 1 differs (9 %).
