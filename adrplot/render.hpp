@@ -31,11 +31,11 @@ void parse_domain_options(PageOptions& view, const std::string& domain, const st
                           const std::string& scale = {}, const std::string& rows = {},
                           const std::string& band = {}, const std::string& orders_of = {});
 
-/// Draws the pages of result files, and of those of folders (`plot_files_of`), named
-/// <file>-page-NN.png (or the format), and returns the names in order. Two files of the same name
-/// get their folder's name in front. Needs an application object (desktop/bootstrap.hpp). With a
-/// curve of spectrograms only pages that have it are drawn; a page that some files have is drawn of
-/// those.
+/// Draws all pages of result files. A folder stands for its result files (`plot_files_of`).
+/// Pictures are named <file>-page-NN.png (or the format); files with equal names get the name of
+/// their folder in front. Returns the names in order. Needs an application object
+/// (desktop/bootstrap.hpp). For a curve of spectrograms, draws only the pages that have this curve,
+/// and only from the files that have the page.
 /// @throws InputError for files that are not ours, that curve on no page, a page that no file has,
 /// and folders that cannot be written.
 std::vector<std::filesystem::path> render_plots(const std::vector<std::filesystem::path>& paths,
