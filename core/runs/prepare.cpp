@@ -300,10 +300,9 @@ void find_exceeded_ranges(Prepared& out) {
 void report_fluid_uncertainty(Prepared& out) {
   const auto report = [&](const std::string& name, const std::string& provenance,
                           const char* what) {
-    const char* const known = provenance == "estimated" ? "are partly estimates"
-                              : provenance == "recalled"
-                                  ? "are partly not verified"
-                                  : nullptr;
+    const char* const known = provenance == "estimated"  ? "are partly estimates"
+                              : provenance == "recalled" ? "are partly not verified"
+                                                         : nullptr;
     if (known != nullptr)
       add_remark(out,
                  make_finding("fluid.certainty",
