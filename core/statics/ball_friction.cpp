@@ -28,6 +28,9 @@ constexpr int kMaxFailedSearches = 2;
 /// Change of the traction forces in a pass over the largest contact load: below kSteadyChange the
 /// search ends. After kMaxPasses passes, a change below kAcceptedChange is accepted.
 constexpr double kSteadyChange = 1e-10, kAcceptedChange = 1e-5;
+constexpr double kRoughChange = 1e-4;  ///< the same before the cage and the spin axes are added
+/// Residual of balances over the change of the traction forces in the pass before, and its limit.
+constexpr double kResidualPerChange = 1e-3, kRoughResidual = 1e-7;
 
 /// Computes spin, pitch angle, gyroscopic moment, spin-to-roll and friction ratios from the motion
 /// of the friction equilibrium. Before the call, the ball has those of the spin rule.
@@ -68,22 +71,42 @@ class Search {
       out.balls.push_back(out.motion_of(k, solution.balls[k]));
   }
 
-  /// Passes until the tractions stay; false: no equilibrium, or not steady.
+  /// The balls alone, as the start of what follows; false: no equilibrium, or not steady.
+  bool start() {
+    is_rough_ = true;
+    const State before = state();
+    if (make_passes(kRoughChange)) return true;
+    restore(before);
+    failed_.assign(failed_.size(), 0);
+    is_rough_ = false;
+    return iterate();
+  }
+
+  /// Passes until the tractions stay; false: no equilibrium, or not steady. Slopes of the tractions
+  /// have few nodes, unless the passes do not converge with them.
   bool iterate() {
-    for (int pass = 0; pass < kMaxPasses; ++pass) {
-      const bool first = pass == 0 && !cage_ && !lags_;
-      change_ = first ? std::numeric_limits<double>::infinity() : 0.0;
-      out.left.clear();
-      if (!(lags_ ? balance_coupled() : balance_separately(first))) return false;
-      if (cage_) change_ = std::max(change_, cage_->follow(push_, solution_));
-      // Once more where they stay: the stiffness has the slopes of this place.
-      if (!race.solve(solution_)) {
-        change_ = std::numeric_limits<double>::infinity();
-        return false;
-      }
-      if (change_ <= kSteadyChange) break;
-    }
-    return change_ <= kAcceptedChange;
+    is_rough_ = false;
+    if (has_precise_slopes_) return make_passes(kSteadyChange);
+    const State before = state();
+    const std::vector<int> failed = failed_;
+    const std::optional<CageOrbit> cage = cage_;
+    if (make_passes(kSteadyChange)) return true;
+    if (!has_balances_) return false;
+    restore(before);
+    failed_ = failed;
+    cage_ = cage;
+    has_precise_slopes_ = true;
+    return make_passes(kSteadyChange);
+  }
+
+  /// After all effects are there: the equilibrium, and its stiffness with slopes of all nodes.
+  bool finish() {
+    if (is_rough_ && !iterate()) return false;
+    if (has_precise_slopes_) return true;
+    const State before = state();
+    has_precise_slopes_ = true;
+    if (!make_passes(kSteadyChange)) restore(before);
+    return true;
   }
 
   [[nodiscard]] std::string failure() const {
@@ -133,16 +156,44 @@ class Search {
   BalancedRace race;
 
  private:
+  /// @param steady change of the tractions at which the passes end
+  bool make_passes(double steady) {
+    for (int pass = 0; pass < kMaxPasses; ++pass) {
+      const bool first = pass == 0 && !is_found_;
+      last_change_ = change_;
+      change_ = first ? std::numeric_limits<double>::infinity() : 0.0;
+      out.left.clear();
+      has_balances_ = lags_ ? balance_coupled() : balance_separately(first);
+      if (!has_balances_) return false;
+      if (cage_) change_ = std::max(change_, cage_->follow(push_, solution_));
+      // Once more where they stay: the stiffness has the slopes of this place.
+      if (!race.solve(solution_)) {
+        change_ = std::numeric_limits<double>::infinity();
+        return false;
+      }
+      is_found_ = true;
+      if (change_ <= steady) break;
+    }
+    return change_ <= std::max(steady, kAcceptedChange);
+  }
+
   struct State {
     StaticSolution solution;
     FrictionBalance out;
     BalancedRace race;
+    bool is_found, is_rough;
   };
-  [[nodiscard]] State state() const { return {solution_, out, race}; }
+  [[nodiscard]] State state() const { return {solution_, out, race, is_found_, is_rough_}; }
   void restore(State from) {
     solution_ = std::move(from.solution);
     out = std::move(from.out);
     race = std::move(from.race);
+    is_found_ = from.is_found;
+    is_rough_ = from.is_rough;
+  }
+
+  [[nodiscard]] const tribology::EllipseRule& slope_rule() const {
+    return has_precise_slopes_ ? rule_ : few_;
   }
 
   [[nodiscard]] BallBalance balance_of(std::size_t k) const {
@@ -156,11 +207,12 @@ class Search {
     if (failed_[k] >= kMaxFailedSearches) return false;
     const StaticBall& ball = solution_.balls[k];
     BallMotion& now = out.balls[k];
-    const bool from_rolling = first ? !at.find(now, few_, kFewNodesTolerance) : !now.balanced;
+    const bool from_rolling = first ? !at.find(now, few_, few_, kFewNodesTolerance) : !now.balanced;
     if (from_rolling) now = FrictionBalance{}.motion_of(k, ball);
-    if (at.find(now, rule_, kBalanceTolerance)) return true;
+    if (is_rough_ && !from_rolling && at.find(now, few_, few_, kFewNodesTolerance)) return true;
+    if (at.find(now, rule_, few_, kBalanceTolerance)) return true;
     now = FrictionBalance{}.motion_of(k, ball);
-    return !from_rolling && at.find(now, rule_, kBalanceTolerance);
+    return !from_rolling && at.find(now, rule_, few_, kBalanceTolerance);
   }
 
   void note_change(std::size_t k, const std::array<double, 2>& last) {
@@ -192,6 +244,7 @@ class Search {
         continue;
       }
       push_[k] = at.cage_force();
+      at.use(slope_rule());
       race.set_traction(k, ball, out.balls[k], at.slopes(race.seat(k), ball, out.balls[k]));
       note_change(k, last);
     }
@@ -232,15 +285,20 @@ class Search {
         use_spin_rule(k, loaded);
     }
     const std::optional<SpinLag> lag = spin_lag_of(balances);
-    if (!lag || !lag->find(out.balls, few_, rule_)) {
+    // A residual far below the change of the tractions that the last pass left.
+    const double balanced =
+        std::clamp(kResidualPerChange * last_change_, kBalanceTolerance, kRoughResidual);
+    if (!lag || !lag->find(out.balls, few_, rule_, balanced, has_lag_)) {
       change_ = std::numeric_limits<double>::infinity();
       return false;
     }
+    has_lag_ = true;
     std::vector<BallLinearization> slopes(n);
     for (std::size_t k = 0; k < n; ++k) {
       race.clear_traction(k);
       if (!out.balls[k].balanced) continue;
       push_[k] = balances[k]->cage_force();
+      balances[k]->use(slope_rule());
       slopes[k] = balances[k]->linearize(race.seat(k), solution_.balls[k], out.balls[k]);
     }
     const Eigen::MatrixXd over_all = lag->slopes(slopes, out.balls, n);
@@ -259,7 +317,12 @@ class Search {
   const tribology::EllipseRule rule_, few_;
   std::optional<tribology::BearingDrag> drag_;
   std::optional<CageOrbit> cage_;
-  bool lags_ = false;
+  bool lags_ = false, has_precise_slopes_ = false;
+  bool has_lag_ = false;  ///< motions are those of a balance with the turning of spin axes
+  double last_change_ = std::numeric_limits<double>::infinity();  ///< of the pass before
+  bool has_balances_ = false;  ///< the last search for the motions of the balls succeeded
+  bool is_found_ = false;  ///< a pass was made: tractions are those of the last one
+  bool is_rough_ = false;  ///< few nodes for residuals, too
   std::vector<int> failed_;
   std::vector<double> push_;  ///< of the cage [N]
   double change_ = 0.0;
@@ -365,14 +428,18 @@ FrictionBalance solve_ball_friction_balance(const Bearing& bearing,
   if (!has_friction_balance(bearing, options)) return {};
   const StaticSolution before = solution;
   Search search(bearing, options, solution);
-  if (!search.iterate()) {
+  const auto found = [&] {
+    if (!search.start()) return false;
+    search.add_cage();
+    search.add_gyroscopic_turning();
+    return search.finish();
+  };
+  if (!found()) {
     solution = before;
     FrictionBalance out;
     out.failure = search.failure();
     return out;
   }
-  search.add_cage();
-  search.add_gyroscopic_turning();
   FrictionBalance out = std::move(search.out);
   out.plain_stiffness = search.race.ignores_traction_slopes();
   search.race.add_stiffness_by_difference(options.difference_share, solution);
