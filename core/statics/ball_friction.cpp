@@ -321,8 +321,8 @@ class Search {
   bool has_lag_ = false;  ///< motions are those of a balance with the turning of spin axes
   double last_change_ = std::numeric_limits<double>::infinity();  ///< of the pass before
   bool has_balances_ = false;  ///< the last search for the motions of the balls succeeded
-  bool is_found_ = false;  ///< a pass was made: tractions are those of the last one
-  bool is_rough_ = false;  ///< few nodes for residuals, too
+  bool is_found_ = false;      ///< a pass was made: tractions are those of the last one
+  bool is_rough_ = false;      ///< few nodes for residuals, too
   std::vector<int> failed_;
   std::vector<double> push_;  ///< of the cage [N]
   double change_ = 0.0;
