@@ -469,8 +469,7 @@ Prepared prepare_model(LoadedDeck input) {
   if (out.bearing.rollers()) {
     out.solve_seconds = timed(
         [&] { out.rollers = statics::solve_roller_statics(at_start(out), out.options.rollers); });
-    if (const std::string note = out.rollers->friction.note(); !note.empty())
-      add_remark(out, make_finding("statics.friction_balance", note));
+    for (Finding& one : out.rollers->friction.findings()) add_remark(out, std::move(one));
     if (out.bearing.lubrication)
       out.rollers->films = statics::contact_films(out.bearing, *out.rollers);
     check_fluid_ranges(out);

@@ -127,7 +127,7 @@ VariableCompliance variable_compliance(const Prepared& prepared) {
     if (prepared.rollers) {
       const statics::RollerSolution solution =
           statics::solve_roller_statics(bearing, prepared.options.rollers);
-      without += solution.friction.note().empty() ? 0 : 1;
+      without += solution.friction.findings().empty() ? 0 : 1;
       q = solution.displacement;
     } else {
       statics::StaticSolution solution =

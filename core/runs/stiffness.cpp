@@ -31,9 +31,7 @@ std::vector<statics::StiffnessRow> stiffness_over_speed(const Prepared& prepared
       options.difference_share = request.share;
       if (previous != nullptr && last_rollers) options.start = &*last_rollers;
       statics::RollerSolution solution = statics::solve_roller_statics(bearing, options);
-      solution.notes.clear();
-      if (std::string note = solution.friction.note(); !note.empty())
-        solution.notes.push_back(make_finding("statics.friction_balance", std::move(note)));
+      solution.notes = solution.friction.findings();
       last_rollers = std::move(solution);
       return *last_rollers;
     }

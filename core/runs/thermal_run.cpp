@@ -336,8 +336,7 @@ std::vector<Finding> move_to(Prepared& p, bearing::Bearing operating) {
     scene->options = p.options.rollers;
     scene->solution = statics::solve_roller_statics(p.bearing, p.options.rollers);
     p.start = dynamics::static_start(*scene, p.bearing);
-    if (std::string note = scene->solution.friction.note(); !note.empty())
-      out.push_back(make_finding("statics.friction_balance", std::move(note)));
+    out = scene->solution.friction.findings();
     if (p.bearing.lubrication) films = statics::contact_films(p.bearing, scene->solution);
     p.roller_scene = std::move(scene);
   } else {

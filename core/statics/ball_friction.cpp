@@ -378,11 +378,13 @@ std::vector<Finding> FrictionBalance::findings() const {
   if (!left.empty()) {
     std::vector<std::size_t> numbers;
     for (const std::size_t k : left) numbers.push_back(k + 1);
-    out.push_back(make_finding(
-        "statics.friction_balance",
-        fmt::format("{}: no friction equilibrium was found; heat and loads are those of the spin "
-                    "rule (kAngVel)",
-                    number_list(numbers, "ball"))));
+    out.push_back(
+        make_finding(
+            "statics.friction_balance",
+            fmt::format("{}: no friction equilibrium was found; heat and loads are those of the "
+                        "spin rule (kAngVel)",
+                        number_list(numbers, "ball")))
+            .of(fmt::format("ball {}", numbers.front())));
   }
   if (!without_cage.empty())
     out.push_back(make_finding(

@@ -290,9 +290,9 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution&
   }
   const auto count = static_cast<double>(std::max<std::size_t>(solution.rollers.size(), 1));
   add_drag(bearing, orbits / count, spins / count, out);
-  if (const std::string note = solution.friction.note(); !note.empty())
-    out.notes.push_back(note);
-  else if (solution.friction.computed)
+  const std::vector<std::string> without = sentences_of(solution.friction.findings());
+  out.notes.insert(out.notes.end(), without.begin(), without.end());
+  if (without.empty() && solution.friction.computed)
     out.notes.emplace_back(
         "roller skew, speeds, loads and heat are calculated from friction equilibrium");
   return out;

@@ -331,19 +331,23 @@ StaticRoller report(const FrictionSet& set, FrictionRoller& roller, const Vec5& 
 
 }  // namespace
 
-std::string RollerFrictionBalance::note() const {
+std::vector<Finding> RollerFrictionBalance::findings() const {
   if (!failure.empty())
-    return fmt::format(
-        "no friction equilibrium was found: {}. The rollers are assumed to have no skew and to "
-        "roll without slip at their nominal geometry",
-        failure);
+    return {make_finding(
+        "statics.friction_balance",
+        fmt::format(
+            "no friction equilibrium was found: {}. The rollers are assumed to have no skew and to "
+            "roll without slip at their nominal geometry",
+            failure))};
   if (left.empty()) return {};
   std::vector<std::size_t> numbers;
   for (const std::size_t k : left) numbers.push_back(k + 1);
-  return fmt::format(
-      "{}: no stable friction equilibrium was found; position, loads and heat are those without "
-      "skew",
-      number_list(numbers, "roller"));
+  return {make_finding(
+              "statics.friction_balance",
+              fmt::format("{}: no stable friction equilibrium was found; position, loads and heat "
+                          "are those without skew",
+                          number_list(numbers, "roller")))
+              .of(fmt::format("roller {}", numbers.front()))};
 }
 
 bool has_friction_balance(const Bearing& bearing, const RollerOptions& options) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "bearing/bearing.hpp"
 #include "bearing/race_motion.hpp"
 #include "statics/race_result.hpp"
@@ -124,8 +125,8 @@ struct RollerFrictionBalance {
   std::string failure;            ///< why it was given up for the whole bearing; empty: it was not
   std::vector<std::size_t> left;  ///< loaded rollers without a balance, from 0
 
-  /// What outputs report; empty: all loaded rollers are in balance, or nothing was computed.
-  [[nodiscard]] std::string note() const;
+  /// Empty: all loaded rollers are in balance, or nothing was computed.
+  [[nodiscard]] std::vector<Finding> findings() const;
 };
 
 struct RollerSolution : RaceResult {

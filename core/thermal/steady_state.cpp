@@ -85,8 +85,8 @@ OperatingState operating_state(const Bearing& as_built, const BulkTemperatures& 
     out.orbit = solution.orbital_speed;
     out.contact = race_conductance(out.bearing, solution);
     out.friction = statics::friction_estimate(out.bearing, solution);
-    if (std::string note = solution.friction.note(); !note.empty())
-      out.fallbacks.push_back(std::move(note));
+    for (std::string& one : sentences_of(solution.friction.findings()))
+      out.fallbacks.push_back(std::move(one));
   } else {
     statics::BallStaticsOptions balls;
     balls.frame = rollers.frame;
