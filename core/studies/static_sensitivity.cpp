@@ -53,7 +53,7 @@ bool hold(runs::Prepared& prepared, const Vector5& q) {
     held.constraints.displacement[static_cast<std::size_t>(k)] = q(k);
   if (prepared.rollers) {
     prepared.rollers = statics::solve_roller_statics(held, prepared.options.rollers);
-    return prepared.rollers->friction.note().empty();
+    return prepared.rollers->friction.findings().empty();
   }
   prepared.statics = statics::solve_ball_statics(held, runs::ball_statics_options(prepared));
   return statics::solve_ball_friction_balance(held, runs::ball_statics_options(prepared),

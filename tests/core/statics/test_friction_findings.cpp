@@ -54,9 +54,12 @@ TEST_CASE("friction balance: each equilibrium that was not found → a finding w
 
 TEST_CASE("friction balance: rollers without a balance → a note", "[statics][findings]") {
   statics::RollerFrictionBalance rollers;
-  CHECK(rollers.note().empty());
+  CHECK(rollers.findings().empty());
   rollers.left = {0};
-  CHECK_THAT(rollers.note(), Catch::Contains("roller 1"));
+  REQUIRE(rollers.findings().size() == 1);
+  CHECK(rollers.findings()[0].code == "statics.friction_balance");
+  CHECK(rollers.findings()[0].body == "roller 1");
+  CHECK_THAT(rollers.findings()[0].message, Catch::Contains("roller 1"));
   rollers.failure = "the bearing has no equilibrium with the friction forces";
-  CHECK_THAT(rollers.note(), Catch::Contains(rollers.failure));
+  CHECK_THAT(rollers.findings().at(0).message, Catch::Contains(rollers.failure));
 }

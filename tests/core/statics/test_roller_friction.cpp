@@ -140,7 +140,7 @@ TEST_CASE("roller friction: forces, moments and power of each roller are in bala
     CAPTURE(number);
     const bearing::Bearing b = with_friction(bearings[number], 0.06, 0.08);
     const RollerSolution s = solved(b);
-    REQUIRE(s.friction.note().empty());
+    REQUIRE(s.friction.findings().empty());
     CHECK(largest_skew(s) > 1e-5);
     const double R = 0.5 * b.element_diameter(), m = s.roller_mass;
     Vec3 on_race = Vec3::Zero();
@@ -184,8 +184,8 @@ TEST_CASE("roller friction: loads tend to those without friction, in proportion 
   CHECK(difference(none, solved(b, false)) == 0.0);
   const RollerSolution small = solved(with_friction(b, 1e-2, 1e-2)),
                        smaller = solved(with_friction(b, 1e-3, 1e-3));
-  REQUIRE(small.friction.note().empty());
-  REQUIRE(smaller.friction.note().empty());
+  REQUIRE(small.friction.findings().empty());
+  REQUIRE(smaller.friction.findings().empty());
   const double far = difference(none, small), near = difference(none, smaller);
   INFO("differences " << far << ", " << near);
   CHECK(far < 0.02);
@@ -197,7 +197,8 @@ TEST_CASE("roller friction: too little to pass the displaced race → no skew th
   const bearing::Bearing b = roller_bearings::tapered(3000.0);
   const RollerSolution none = solved(b, false), weak = solved(with_friction(b, 1e-5, 1e-5));
   REQUIRE_FALSE(weak.friction.left.empty());
-  CHECK(weak.friction.note().find("no stable friction equilibrium") != std::string::npos);
+  CHECK(weak.friction.findings().at(0).message.find("no stable friction equilibrium") !=
+        std::string::npos);
   for (const std::size_t k : weak.friction.left) {
     CHECK_FALSE(weak.rollers[k].balanced);
     CHECK(weak.rollers[k].skew == 0.0);
