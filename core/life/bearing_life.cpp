@@ -78,13 +78,13 @@ void note_shapes(BearingLife& out, std::size_t slices) {
       case ContactShape::Point:
         shape(
             ". The contact is a point contact: ellipse and straight land together are shorter than "
-            "the roller (rule of Harris, recalled)");
+            "the roller (rule of Harris, not verified)");
         break;
       case ContactShape::Line:
         shape(
             ". The contact is a line contact: ellipse and straight land together are longer than "
             "1.5 roller lengths, or the land is at least as long as the ellipse (rule of Harris, "
-            "recalled)");
+            "not verified)");
         break;
       case ContactShape::Between: {
         constexpr std::array<const char*, kModels> kNames{"LP", "updated LP", "GZ", "IH"};
@@ -98,8 +98,8 @@ void note_shapes(BearingLife& out, std::size_t slices) {
         };
         const std::string point = list(points, "point contact"), line = list(all, "line contact");
         shape(fmt::format(
-            ". The contact is between point and line contact (rule of Harris, recalled). Each "
-            "model uses the shorter of its two lives for point and line contact: {}{}{}",
+            ". The contact is between point and line contact (rule of Harris, not verified). Each "
+            "life model uses the contact type that gives the shorter life: {}{}{}",
             point, point.empty() || line.empty() ? "" : "; ", line));
         break;
       }
@@ -109,12 +109,12 @@ void note_shapes(BearingLife& out, std::size_t slices) {
     out.notes.push_back(
         slices > 1
             ? make_finding("life.line_slices",
-                           "line contacts: the lives are computed slice by slice. They do not "
-                           "include edge stresses above the slice pressures")
+                           "line contacts: the lives are computed from the pressures of the roller "
+                           "slices. Higher stresses at edges are not included")
             : make_finding(
                   "life.line_contact",
                   "line contacts: the load is assumed to be uniform over the effective roller "
-                  "length, because the solution has one ellipse per contact and no slices"));
+                  "length, because the solution has one ellipse per contact and no roller slices"));
 }
 
 void set_temperatures(LifeParameters& out, const bearing::Bearing& bearing) {
@@ -430,10 +430,12 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
           law(m, i, r.line).stress_capacity(*patch, track, nu, peak_stress_cache_);
     const std::string& name = parameters_.part[i].name;
     if (r.Q_max > r.Q_c)
-      add_note(out.notes, "life.load",
-               fmt::format("WARNING: {}: the largest contact load exceeds the load capacity. The "
-                           "life models are not valid for such loads (lives below 1e6 revolutions)",
-                           name))
+      add_note(
+          out.notes, "life.load",
+          fmt::format(
+              "WARNING: {}: the largest contact load exceeds the load capacity. The life models "
+              "are not valid for such loads, which give contact lives below 1e6 revolutions",
+              name))
           .of(name)
           .measure(r.Q_max, r.Q_c);
     if (const validity::Range& range = validity::range("life.pressure");

@@ -66,8 +66,8 @@ double depth_integral(double limit_ratio, double c, double h) {
   if (!(limit_ratio >= 0.0) || !(0.5 * c > h - 1.0))
     throw InputError(
         fmt::format("Ioannides-Harris model: the stress exponent {} and the depth exponent {} give "
-                    "an infinite depth integral at the surface; the stress exponent must be above "
-                    "twice (depth exponent minus 1)",
+                    "an infinite depth integral at the surface; the stress exponent must be larger "
+                    "than 2 x (depth exponent - 1)",
                     c, h));
   double sum = 0.0;
   for (const Node& node : nodes())

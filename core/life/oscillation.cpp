@@ -14,10 +14,10 @@ namespace adore::life {
 
 Oscillation oscillation(const OscillationInput& in) {
   if (in.count < 2 || !(in.gamma >= 0.0 && in.gamma < 1.0))
-    throw InputError(
-        fmt::format("oscillation: Z = {} and gamma = {:.4g} are not possible. Enter a Z of 2 or "
-                    "more, and a gamma of 0 or more and below 1.",
-                    in.count, in.gamma));
+    throw InputError(fmt::format(
+        "oscillation: Z = {} (number of rolling elements), gamma = {:.4g} (D cos(alpha)/d_m): Z "
+        "must be 2 or more, and gamma must be 0 or more and below 1.",
+        in.count, in.gamma));
   if (!(in.swing > 0.0))
     throw InputError("swing: it must be above 0. Enter the angle between both end positions.");
   const double slope = in.ball ? constants().point_slope.value : constants().line_slope.value;

@@ -147,9 +147,9 @@ LifeParameters life_parameters(const bearing::LifeInputs& inputs, bool line,
                                         material.elastic_modulus < kMaxSteelModulus))
       out.notes.push_back(
           make_finding("life.not_steel",
-                       fmt::format("{}: the original Lundberg-Palmgren life is valid for steel "
-                                   "only, not for a modulus of {:.4g} GPa; the stress models "
-                                   "account for the modulus",
+                       fmt::format("{}: the elastic modulus is {:.4g} GPa, but the original "
+                                   "Lundberg-Palmgren life is valid for steel only. The three "
+                                   "stress-based life models account for the modulus",
                                    part.name, 1e-9 * material.elastic_modulus))
               .of(part.name)
               .measure(1e-9 * material.elastic_modulus, 1e-9 * kMaxSteelModulus)
@@ -162,9 +162,9 @@ LifeParameters life_parameters(const bearing::LifeInputs& inputs, bool line,
   if (out.ceramic_elements && out.choices.elements == bearing::ElementLife::Zaretsky)
     out.notes.push_back(
         make_finding("life.ceramic",
-                     "ceramic rolling elements do not fail by the laws of steel, so the bearing "
-                     "life does not include the lives of the rolling elements. To include them, "
-                     "set the run option lifeElements=all"));
+                     "the life models for steel are not valid for ceramic rolling elements, so the "
+                     "bearing life does not include the lives of the rolling elements. To include "
+                     "them, set the run option lifeElements=all"));
   return out;
 }
 

@@ -13,7 +13,8 @@
 namespace adore::life {
 namespace {
 
-constexpr const char* kPrinted = "seen: printed in makers' catalogs, see resources/ratings.json";
+constexpr const char* kPrinted =
+    "seen: printed in manufacturers' catalogs, see resources/ratings.json";
 
 /// Y0 of one row, linear between the angles of the table; "seen" at 15, 30 and 40 degrees.
 double angular_factor(double degrees, bool& seen) {
@@ -46,7 +47,9 @@ StaticLoadFactors static_factors(StaticBearingType type, double angle, int rows)
       bool seen = false;
       const double Y0 = angular_factor(degrees, seen);
       return {pair ? 1.0 : 0.5, pair ? 2.0 * Y0 : Y0, !pair,
-              seen ? kPrinted : "recalled: makers' catalogs do not print this angle"};
+              seen ? kPrinted
+                   : "recalled: manufacturers' catalogs do not list this angle, so the value is "
+                     "not verified"};
     }
     case StaticBearingType::SelfAligning: {
       if (!(degrees > 0.0 && degrees <= 45.0 + 1e-9))

@@ -126,8 +126,8 @@ StressLife::StressLife(const StressModel& model) : model_(model) {
   if (!(model.hazard_exponent > 0.0 && power > 0.0))
     throw InputError(
         fmt::format("fatigue life: the stress exponent {} and the depth exponent {} give a life "
-                    "that does not decrease with load; the stress exponent must be above 0 and "
-                    "above (depth exponent minus {})",
+                    "that does not decrease with load; the stress exponent must be larger than 0 "
+                    "and larger than (depth exponent - {})",
                     model.hazard_exponent, model.depth_exponent, model.line ? 1 : 2));
   n_ = power / model.slope;
   const CalibrationState& at = calibration_state(model.line);

@@ -81,9 +81,11 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
               "the speed, or use ballFriction=balance or a dynamic run (mode 0)",
               rule_text(bearing.spin_rule), slip.text(), balls[slip.worst].friction[j],
               kRaceName[j],
-              available
-                  ? fmt::format("the traction law of the deck gives at most {:.3g}", *available)
-                  : "lubricated contacts reach only about 0.06 (the deck has no traction law)"))
+              available ? fmt::format(
+                              "the traction law of the deck gives a coefficient of at most {:.3g}",
+                              *available)
+                        : "lubricated contacts reach a coefficient of only about 0.06 (the deck "
+                          "has no traction law)"))
           .measure(balls[slip.worst].friction[j], available.value_or(kLubricatedFriction));
     const Offenders over = offenders(balls, 0.0, [j](const StaticBall& b) { return b.beyond[j]; });
     if (!over.numbers.empty()) {
@@ -94,17 +96,16 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
         carried += balls[number - 1].Q[j];
       }
       add("statics.shoulder", over, j,
-          fmt::format(
-              "{}: the contact ellipse at the {} race extends beyond the shoulder by {}. The part "
-              "beyond the shoulder supports {} of the contact load of {} ({:.3g} %; for all these "
-              "balls together {:.3g} %), but a real race has no surface beyond the shoulder. The "
-              "model does not truncate the ellipse: displacement, loads and life are optimistic, "
-              "and the pressure at the shoulder edge is not computed",
-              over.text(), kRaceName[j],
-              rounded_quantity(-worst.shoulder_depth[j], unit::kLength, units),
-              rounded_quantity(worst.beyond[j], unit::kForce, units),
-              rounded_quantity(worst.Q[j], unit::kForce, units),
-              100.0 * worst.beyond[j] / worst.Q[j], 100.0 * lost / carried))
+          fmt::format("{}: the contact ellipse at the {} race extends beyond the shoulder by {}. "
+                      "The part beyond the shoulder supports {} of the contact load of {} ({:.3g} "
+                      "%; for all these balls together {:.3g} %). A real race has no surface "
+                      "there. The model does not truncate the ellipse, so displacement, loads and "
+                      "life are optimistic. The pressure at the shoulder edge is not computed",
+                      over.text(), kRaceName[j],
+                      rounded_quantity(-worst.shoulder_depth[j], unit::kLength, units),
+                      rounded_quantity(worst.beyond[j], unit::kForce, units),
+                      rounded_quantity(worst.Q[j], unit::kForce, units),
+                      100.0 * worst.beyond[j] / worst.Q[j], 100.0 * lost / carried))
           .measure(-worst.shoulder_depth[j] / validity::range("hertz.shoulder").per, 0.0);
     }
     const double radius = 0.5 * bearing.balls().diameter;

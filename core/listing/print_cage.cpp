@@ -76,14 +76,14 @@ void mass(Report& report, const Bearing& bearing, bool given) {
     const contact::SolidInertia solid = contact::cage_solid_inertia(contact::cage_solid(bearing));
     report.item("Mass (from the ideal shape)", solid.mass, unit::kMass);
     if (cage.segments.several())
-      report.item("Distance of the mass center of a segment from the axis", solid.mass_centre.z(),
-                  unit::kLength);
+      report.item("Distance of the mass center of a segment from the bearing axis",
+                  solid.mass_centre.z(), unit::kLength);
     if (cage.cone_angle != 0.0)
       report.item("Axial distance of the mass center from the middle of the cage",
                   solid.mass_centre.x(), unit::kLength);
     if (bearing.rollers())
       report.text(
-          "Mass: pockets are assumed to be as long as the roller. Their width is its mid-length "
+          "Mass: the assumed pocket is as long as the roller. Its width is the mid-length roller "
           "diameter plus the pocket clearance.");
   } catch (const InputError& error) {
     report.text(fmt::format("The mass of the cage is unknown: {}.", error.what()));
@@ -114,7 +114,7 @@ void print_cage_geometry(Report& report, const Bearing& bearing, const deck::Dec
   report.item("Outer diameter", cage.outer_diameter, unit::kLength);
   report.item("Inner diameter", cage.inner_diameter, unit::kLength);
   report.item("Width", cage.width, unit::kLength);
-  report.item("Half cone angle (the cage diameters are at mid-width)", cage.cone_angle,
+  report.item("Half cone angle (cage diameters are given at mid-width)", cage.cone_angle,
               unit::kAngle);
   report.item("Pocket shape", pocket_name(cage, rollers));
   report.item(!cage.pocket_faces.empty()
@@ -126,7 +126,7 @@ void print_cage_geometry(Report& report, const Bearing& bearing, const deck::Dec
   report.item("Clearance to the outer race, diametral", cage.clearance_outer, unit::kLength);
   report.item("Clearance to the inner race, diametral", cage.clearance_inner, unit::kLength);
   if (cage.segments.several()) {
-    report.item("Number of equal segments (mass and inertia: of one segment)",
+    report.item("Number of equal segments (mass and inertia: per segment)",
                 static_cast<long>(cage.segments.count));
     report.item("Cut", cage.segments.through_pockets
                            ? fmt::format("through the pockets (first cut: pocket of element {})",
@@ -147,7 +147,7 @@ void print_cage_operation(Report& report, const Bearing& bearing) {
     report.item(fmt::format("Diametral clearance: {}", play.name), play.operating, unit::kLength);
   if (const CageClearance* least = least_play(bearing))
     report.item(
-        "Effective cage clearance (smallest one for radial motion)",
+        "Effective cage clearance (smallest for radial motion)",
         fmt::format("{} {}, {}",
                     Report::number(from_si(least->operating, unit::kLength, report.units())),
                     unit_name(unit::kLength, report.units()), least->name));

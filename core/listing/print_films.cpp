@@ -14,7 +14,7 @@ namespace {
 std::string certainty(const std::string& provenance) {
   if (provenance == "given") return "from the deck";
   if (provenance == "seen") return "from a public source";
-  if (provenance == "recalled") return "at least one value is recalled, not checked";
+  if (provenance == "recalled") return "at least one value is not checked against a publication";
   return "AT LEAST ONE CONSTANT IS AN ESTIMATE for the class of the lubricant, not a measured "
          "value";
 }

@@ -65,7 +65,7 @@ void growth_table(Report& report, const OperatingFits& fits, bool cage) {
                rows, 40);
   report.item("Growth of the rolling element diameter", fits.element_growth, unit::kLength);
   if (cage)
-    report.item("Cage speed assumed for the growth of the cage (epicyclic)", fits.cage_speed,
+    report.item("Cage speed for the centrifugal cage growth (epicyclic)", fits.cage_speed,
                 unit::kRotation);
 }
 
@@ -100,14 +100,14 @@ void clearance_table(Report& report, const OperatingFits& fits) {
   report.item("Pitch diameter, cold", fits.pitch_free, unit::kLength);
   report.item("Pitch diameter, in operation", fits.pitch, unit::kLength);
   if (fits.axial_setting)
-    report.item("Change of the axial setting (positive: clearance lost)", *fits.axial_setting,
+    report.item("Change of the axial setting (positive: less clearance)", *fits.axial_setting,
                 unit::kLength);
   if (!(fits.locus[0] > 0.0)) return;  // rollers
   for (std::size_t j = 0; j < 2; ++j) {
     const char* race = j == 0 ? "outer" : "inner";
-    report.item(fmt::format("Radius of the circle of {} groove centers, cold", race),
+    report.item(fmt::format("Distance of {} groove centers from bearing axis, cold", race),
                 fits.locus_free[j], unit::kLength);
-    report.item(fmt::format("Radius of the circle of {} groove centers, operating", race),
+    report.item(fmt::format("Distance of {} groove centers from bearing axis, operating", race),
                 fits.locus[j], unit::kLength);
   }
 }

@@ -95,8 +95,8 @@ void ball_geometry(Report& report, const bearing::Bearing& bearing) {
   report.item("Ball diameter", balls.diameter, unit::kLength);
   report.item("Pitch diameter", balls.pitch_diameter, unit::kLength);
   report.item("Free contact angle", balls.contact_angle, unit::kAngle);
-  report.item("Diametral clearance of the circular grooves (negative: interference)",
-              balls.clearance, unit::kLength);
+  report.item("Diametral clearance without shims (negative: interference)", balls.clearance,
+              unit::kLength);
   report.item("Bearing bore", bearing.envelope.bore, unit::kLength);
   report.item("Bearing outside diameter", bearing.envelope.outer_diameter, unit::kLength);
   report.item("Shaft bore", bearing.envelope.shaft_bore, unit::kLength);
@@ -332,7 +332,7 @@ void operation(Report& report, const FrontMatter& front) {
   }
   if (front.deck.integer("mode") < 0) return;
   report.heading(
-      "Constraints of the races in dynamics (1: motion given, 0: force or moment given)");
+      "Constraints of the races in the dynamic run (1: motion specified, 0: load specified)");
   const auto flag = [&](const char* name) {
     return front.deck.has(name) ? front.deck.integer(name) : 1;
   };

@@ -42,7 +42,7 @@ std::vector<Cause> causes(const statics::FrictionEstimate& f) {
 std::string heat_certainty(const std::string& provenance) {
   if (provenance == "given") return "from the deck";
   if (provenance == "seen") return "from a public source";
-  if (provenance == "recalled") return "at least one value is recalled, not checked";
+  if (provenance == "recalled") return "at least one value is not checked against a publication";
   return "AT LEAST ONE VALUE IS AN ESTIMATE, not a measured value";
 }
 
@@ -164,9 +164,9 @@ void print_steady_state(Report& report, const thermal::SteadyState& steady) {
   report.new_page("THERMAL STEADY STATE");
   report.text(
       steady.as_built.thermal->geometry_every > 0
-          ? "Temperatures, operating geometry, loads and friction are consistent."
-          : "Temperatures, oil properties and friction are consistent. Geometry and material "
-            "properties are those at the temperatures of record 9.1.3 (kGeoMod = 0).");
+          ? "Temperatures, operating geometry, loads and friction are consistent with each other."
+          : "Temperatures, oil properties and friction are consistent with each other. Geometry "
+            "and material properties are those at the temperatures of record 9.1.3 (kGeoMod = 0).");
   report.item("Iterations", static_cast<long>(steady.passes));
   report.item("Largest temperature change in the last iteration", steady.change,
               unit::kTemperature);
@@ -260,8 +260,8 @@ StaticTable time_line_table(const thermal::ThermalTransient& line) {
 void print_time_line(Report& report, const thermal::ThermalTransient& line) {
   report.new_page("THERMAL TIME LINE");
   report.text(
-      "Transient from the temperatures of record 9.1.3 to the steady state at constant speed and "
-      "load. Heat capacities are included.");
+      "The temperatures change from those of record 9.1.3 to the steady state at constant speed "
+      "and load. Heat capacities are included.");
   if (!line.fallback.empty()) report.text(deck::message_in_units(line.fallback, report.units()));
   constexpr std::size_t kRows = 50;
   const std::size_t every = std::max<std::size_t>(1, line.points.size() / kRows);

@@ -83,9 +83,8 @@ void lives(Report& report, const BearingLife& life) {
       "factors. The constant of the original theory is published (\"seen\"). The constants of the "
       "three stress models are CALIBRATED: at one reference contact, all models give the life of "
       "the original theory. They are not the constants of the authors of the models. The STLE "
-      "tables are not verified (film curve +-30 %). The asperity term of the "
-      "Tallian-type "
-      "factor was derived for this program.");
+      "tables are not verified (uncertainty of the film curve: +-30 %). The asperity term of the "
+      "Tallian-type factor was derived for this program.");
 }
 
 void races(Report& report, const BearingLife& life) {
@@ -132,7 +131,7 @@ void races(Report& report, const BearingLife& life) {
 }
 
 void parameters(Report& report, const BearingLife& life) {
-  report.heading("Constants of the models (life ~ pressure^-n without limit stress)");
+  report.heading("Constants of the life models (life ~ pressure^-n without a fatigue limit)");
   std::vector<std::vector<std::string>> rows;
   for (std::size_t m = 0; m < 3; ++m)
     for (std::size_t i = 0; i < 3; ++i) {
@@ -179,10 +178,11 @@ void parameters(Report& report, const BearingLife& life) {
       "positive in tension (interpretation of this program).",
       Report::number(life.parameters.limit_factor),
       with_unit(report, life::constants().iso_equivalent_limit.value, unit::kPressure), pressure));
-  report.item("Form of the Ioannides-Harris model",
-              life.parameters.choices.limit_form == bearing::LimitForm::Peak
-                  ? "largest von Mises stress minus the limit"
-                  : "depth integral of the orthogonal shear stress above the limit (line contact)");
+  report.item(
+      "Form of the Ioannides-Harris model",
+      life.parameters.choices.limit_form == bearing::LimitForm::Peak
+          ? "largest von Mises stress minus the fatigue limit"
+          : "depth integral of the orthogonal shear stress above the fatigue limit (line contact)");
 }
 
 /// At which temperature the lives know each property.
@@ -372,9 +372,8 @@ void print_run_life(Report& report, const RunLife& run) {
     return;
   }
   report.item("Load samples (integration steps)", fmt::format("{}", run.steps));
-  report.item("Evaluations of the full life model", fmt::format("{}", run.evaluations));
-  report.item("Mean relative change of damage, at equal loads, per evaluation", run.change,
-              unit::kPure);
+  report.item("Number of evaluations of the full life model", fmt::format("{}", run.evaluations));
+  report.item("Mean damage change between evaluations (at equal loads)", run.change, unit::kPure);
   report.item("Life at 90 % survival if the evaluation window repeats",
               format_life_value(run.damage.life_mega_revolutions(run.slopes)) + " Mrev");
   report.item("Life at 90 % survival if the evaluation window repeats",

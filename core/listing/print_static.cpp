@@ -134,8 +134,8 @@ void split_races(Report& report, const statics::StaticSolution& solution,
             of_second(second.p_max), of_second(second.a), of_second(second.b)}});
     }
     report.heading(
-        fmt::format("Split {} race: distance of the nearest contact edge from the split, gap to "
-                    "the other half, contact with the other half",
+        fmt::format("Split {} race: distance of the nearest contact edge from the split; gap and "
+                    "contact with the other (less loaded) half",
                     name));
     report.table("ball",
                  {{"azimuth", &unit::kAngle},

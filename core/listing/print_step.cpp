@@ -180,7 +180,7 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
                  {"phi", "element.angular_velocity_phi"}});
   report.heading(
       "Angular position of the principal x axis, and thermal state of the contacts (QV: integral "
-      "of load times slip)");
+      "of pressure times slip speed)");
   std::vector<ChannelColumn> thermal{{"theta", "element.theta"},
                                      {"phi", "element.phi"},
                                      {"rotation", "element.rotation"},
@@ -239,7 +239,8 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
     element_table(report, record, interval, columns);
     if (!record.shape.split || !(bearing.balls().shim[static_cast<std::size_t>(race)] > 0.0))
       continue;
-    report.heading(fmt::format("Contacts with the other half of the split {} race", name));
+    report.heading(
+        fmt::format("Contacts with the other (less loaded) half of the split {} race", name));
     element_table(report, record, interval,
                   {{"load", "second_contact.load", race},
                    {"angle", "second_contact.angle", race},
@@ -563,9 +564,9 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
   for (const auto& [name, value] : run.counters)
     report.item(fmt::format("Counter: {}", name), value);
   if (run.error_sum) {
-    report.item("Sum of step error estimates / scales of the variables", *run.error_sum,
+    report.item("Sum of step error estimates (relative to variable scales)", *run.error_sum,
                 unit::kPure);
-    report.item("Largest step error estimate / scale of the variable", *run.error_largest,
+    report.item("Largest step error estimate (relative to variable scale)", *run.error_largest,
                 unit::kPure);
   } else if (!run.integrator.empty()) {
     report.item("Step error estimates",
@@ -595,7 +596,7 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
 
   if (life) print_run_life(report, *life);
 
-  report.heading("Plan: effects and unknowns of this run");
+  report.heading("Model of this run: effects and unknowns");
   std::vector<std::vector<std::string>> rows;
   for (const scene::EffectEntry& effect : plan.effects)
     for (std::string_view rest = effect.because, first = effect.name;;) {
@@ -620,12 +621,13 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
       report.item(name, value, unit::kEnergy);
     const double scale = energy_scale(*run.energy);
     if (scale > 0.0)
-      report.item("residual divided by the exchanged energy", run.energy->residual() / scale,
+      report.item("energy residual divided by the exchanged energy", run.energy->residual() / scale,
                   unit::kPure);
     if (const double heat = results::heat_scale(*run.energy); heat > 0.0)
-      report.item("residual divided by the heat", run.energy->residual() / heat, unit::kPure);
+      report.item("energy residual divided by the heat", run.energy->residual() / heat,
+                  unit::kPure);
     if (run.elastic && *run.elastic > 0.0)
-      report.item("residual divided by the quasi-static elastic energy",
+      report.item("energy residual divided by the quasi-static elastic energy",
                   run.energy->residual() / *run.elastic, unit::kPure);
   }
   if (!run.momentum.empty()) {
@@ -647,8 +649,8 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
 
   if (!run.cost.empty()) {
     report.heading(run.measured_from > 0
-                       ? fmt::format("Cost: computing time since the continuation at step {} by "
-                                     "program part (measured; varies from run to run)",
+                       ? fmt::format("Cost: computing time since the run was continued at step {}, "
+                                     "by program part (measured; varies from run to run)",
                                      run.measured_from)
                        : "Cost: computing time by program part (measured; varies from run to run)");
     rows.clear();

@@ -61,7 +61,7 @@ void print_row(Report& report, const statics::StiffnessRow& row) {
   report.text_table(columns, rows);
   report.item("Largest contact load", row.result.max_load, unit::kForce);
   if (differences)
-    report.item("Deviation of the two methods / largest entry of the same unit",
+    report.item("Difference of the two methods / largest entry of the same unit",
                 statics::stiffness_disagreement(row.result.stiffness, *differences), unit::kPure);
   for (const Finding& note : row.result.notes)
     report.text(deck::message_in_units(note.message, report.units()));

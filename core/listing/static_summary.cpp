@@ -145,7 +145,7 @@ void geometry(Report& report, const bearing::OperatingFits& fits) {
   report.text_table({{"operating geometry", 42}, {"cold", 22}, {"mounted", 22}, {"operating", 22}},
                     rows);
   if (cones)
-    report.text("Change of the axial setting (positive: clearance lost): " +
+    report.text("Change of the axial setting (positive: less clearance): " +
                 cell(*fits.axial_setting, unit::kLength));
   report.blank();
   rows.clear();

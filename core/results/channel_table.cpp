@@ -232,13 +232,13 @@ constexpr auto kTable = std::to_array<Channel>({
      "race temperature plus contact temperature rise"},
     {"second_contact.half_major", "second contact half width, transverse", &unit::kLength, "-",
      false, each<Per::Second, 1>([](const Source& s) { return s.second().half_major; }),
-     "half axis a of the complete contact ellipse"},
+     "half axis a of the untruncated contact ellipse"},
     {"second_contact.half_minor", "second contact half width, rolling", &unit::kLength, "-", false,
      each<Per::Second, 1>([](const Source& s) { return s.second().half_minor; }),
-     "half axis b of the complete contact ellipse"},
+     "half axis b of the untruncated contact ellipse"},
     {"second_contact.pressure", "second contact largest pressure", &unit::kPressure, "-", false,
      each<Per::Second, 1>([](const Source& s) { return s.second().max_pressure; }),
-     "pressure at the center of the complete contact ellipse"},
+     "pressure at the center of the untruncated contact ellipse"},
     // Roller ends at the flanges of the races, -x side then +x side.
     {"flange.force", "flange force", &unit::kForce, "-", false,
      each<Per::Flange, 1>([](const Source& s) { return s.flange().force; }),
@@ -339,17 +339,17 @@ constexpr auto kTable = std::to_array<Channel>({
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.x() / cage_clearance(s); }),
      "position of the cage divided by the mean radial clearance of the guide lands; without guided "
-     "lands, divided by half the pocket clearance I"},
+     "lands, divided by half of pocket clearance I"},
     {"cage.y_over_clearance", "y position / clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.y() / cage_clearance(s); }),
      "position of the cage divided by the mean radial clearance of the guide lands; without guided "
-     "lands, divided by half the pocket clearance I"},
+     "lands, divided by half of pocket clearance I"},
     {"cage.z_over_clearance", "z position / clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.z() / cage_clearance(s); }),
      "position of the cage divided by the mean radial clearance of the guide lands; without guided "
-     "lands, divided by half the pocket clearance I"},
+     "lands, divided by half of pocket clearance I"},
     {"cage.orbital_position", "orbital position", &unit::kAngle, "N", true,
      each<Per::Cage, 1>([](const Source& s) { return cage_orbit(s).theta; }),
      "azimuth of the cage center; for a cage segment, the center of the complete cage is used"},

@@ -108,8 +108,8 @@ struct ChannelColumns {
 };
 
 constexpr const char* kOtherRun =
-    "RESULTS.h5 in the folder of the SOL file belongs to another run, because it contains "
-    "different numbers";
+    "RESULTS.h5 in the folder of the SOL file contains different numbers, so it belongs to another "
+    "run";
 
 /// Steps of the classic file at even distances in RESULTS.h5: a part of bounded size.
 struct StepBlock {

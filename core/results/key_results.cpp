@@ -71,17 +71,17 @@ constexpr KeyResultSpec kSpecs[] = {
     {"gyroscopic_ratio", "Gyroscopic friction ratio", "", &unit::kNone, "",
      "friction coefficient that is needed to prevent gyroscopic pivoting (largest value of all "
      "balls), divided by the friction coefficient of the traction law (0.06 without a traction "
-     "law); above 1 a ball pivots"},
+     "law); a ball pivots if this ratio is above 1"},
     {"viscosity_ratio", "Viscosity ratio kappa", "", &unit::kNone, "",
      "kinematic viscosity divided by the ISO 281 reference viscosity; for an oil specified by "
      "grade, at the bearing temperature; otherwise, at the contact inlet of the hotter race"},
     {"variable_compliance_m", "Variable compliance",
-     "load between two elements versus on an element", &unit::kLength, "",
+     "load between two elements minus load on an element", &unit::kLength, "",
      "displacement along the radial load if the load acts between two elements, minus the "
-     "displacement if it acts on an element; computed only by adore find"},
+     "displacement if it acts on an element; computed only by \"adore find\""},
     {"variable_compliance_span_m", "Variable compliance", "peak to peak", &unit::kLength, "",
      "range of the displacement along the radial load while the elements move by one pitch (12 "
-     "positions); computed only by adore find"},
+     "positions); computed only by \"adore find\""},
     {"friction_torque_Nm", "Friction torque", "", &unit::kMoment},
     {"friction_power_W", "Friction power", "", &unit::kPower},
     {"outer_race_temperature_K", "Temperature", "outer race", &unit::kTemperature},

@@ -104,9 +104,9 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
                      "xyz"[furthest]);
   if (load.tilts)
     return out +
-           "a race tilts freely (kMD21, kMD31, kMD22 or kMD32 of record 2.2) away from its "
-           "quasi-static position, which changes the load of the elements. Prescribe the tilt, or "
-           "give the moments of the quasi-static solution";
+           "a race without prescribed tilt (kMD21, kMD31, kMD22 or kMD32 of record 2.2) tilts away "
+           "from its quasi-static position. This tilt changes the load of the elements. Prescribe "
+           "the tilt, or give the moments of the quasi-static solution";
   if (load.shaken)
     return out +
            "record 9.3B makes a race vibrate about its quasi-static position. The mean load "

@@ -138,8 +138,8 @@ std::optional<MotionFile> MotionFile::of_sol8(const Sol8File& file, std::string&
       }
       if (!same) {
         why_not =
-            "RESULTS.h5 in the folder of SOL8 belongs to another run, because it contains "
-            "different numbers";
+            "RESULTS.h5 in the folder of SOL8 contains different numbers, so it belongs to another "
+            "run";
         return std::nullopt;
       }
       any = true;

@@ -27,8 +27,9 @@ constexpr long kMaxSteps = 1'000'000'000'000'000;
 
 void append_title(std::string& out, std::string_view kind) {
   out += fmt::format("{} {}: {}\n", kProgramVersion, kind,
-                     kind == kFinal ? "last solution vector of a run, start state of another run"
-                                    : "bookkeeping and state of a run, for its continuation");
+                     kind == kFinal
+                         ? "last solution vector of a run; another run can start from this state"
+                         : "state and result files of a run; needed to continue the run");
   out += "SI units and radians. Do not edit: the checksum at the end detects changed lines.\n";
   out += fmt::format("format {}\n", kRestartFormat);
 }
@@ -280,8 +281,8 @@ void check_layout(const FinalState& state, const std::vector<std::string>& compo
   throw InputError(fmt::format(
       "{}: the stored state does not match this deck. The file has {} components, but the deck "
       "needs {}. The first difference is {}, where the deck needs {}. Use the same number of "
-      "elements, cage, degrees of freedom, oriented elements and qFac (on or off) as in the stored "
-      "run, or start from the quasi-static solution (kIcOpt = 0)",
+      "elements, cage, degrees of freedom, elements with integrated orientation and qFac (on or "
+      "off) as in the stored run, or start from the quasi-static solution (kIcOpt = 0)",
       path.string(), state.components.size(), components.size(),
       name(stored, state.components.end()), name(wanted, components.end())));
 }

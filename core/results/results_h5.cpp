@@ -141,7 +141,7 @@ std::string_view coherent_unit(const UnitPair& unit) {
   if (&unit == &unit::kAngle) return "rad";
   if (&unit == &unit::kRotation) return "rad/s";
   if (&unit == &unit::kRotationRate) return "rad/s^2";
-  demand(unit.si_factor == 1.0, "the unit of a channel has no coherent SI name");
+  demand(unit.si_factor == 1.0, "a channel has a unit that is not a coherent SI unit");
   return unit.si;
 }
 

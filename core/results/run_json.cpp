@@ -97,9 +97,9 @@ std::vector<std::pair<std::string, std::string>> arithmetic_items(const RunSumma
   if (run.integrator.empty()) return items;  // the equilibrium does not use a contact kernel
   items.emplace_back("instruction set of the contacts", run.instruction_set);
   items.emplace_back("note",
-                     "Another instruction set rounds differently, and the motion amplifies these "
-                     "differences to about 3e-6 of the loads after 3 revolutions. --reproducible "
-                     "gives identical files on every x86-64 processor.");
+                     "Other processor instruction sets round differently. The motion amplifies "
+                     "these differences to about 3e-6 of the loads after 3 revolutions. "
+                     "--reproducible gives identical files on every x86-64 processor.");
   return items;
 }
 

@@ -408,8 +408,8 @@ std::vector<Finding> FrictionBalance::findings() const {
                 "orbit ({:.2g} times the friction moment): {}. {}",
                 turning_ball + 1, turning, without_turning,
                 turning > 1.0
-                    ? "In motion, the spin axes lag behind the contacts, so the race heat is a "
-                      "lower bound"
+                    ? "In the real motion, the spin axes lag behind the orbiting contacts, so the "
+                      "computed race heat is a lower bound"
                     : "Race heat and loads do not include the moment that turns the spin axis"))
             .of(fmt::format("ball {}", turning_ball + 1))
             .measure(turning, 1.0));

@@ -145,10 +145,10 @@ void check_ellipse(const BallInGrooves& seat, std::size_t j, const StaticBall& s
     return;
   }
   throw SolverError(fmt::format(
-      "bearing equilibrium: a contact load of {:.6g} N at the {} race causes a contact ellipse "
-      "whose semi-major axis of {:.4g} m reaches the ball radius of {:.4g} m, because the groove "
-      "conforms closely to the ball (groove factor {:.6g}, pressure only {:.3g} Pa). Hertz theory "
-      "is not valid for such an ellipse. Enter a larger groove factor or less load",
+      "bearing equilibrium: at a contact load of {:.6g} N at the {} race, the semi-major axis of "
+      "the contact ellipse, {:.4g} m, reaches the ball radius of {:.4g} m. The groove conforms "
+      "closely to the ball (groove factor {:.6g}, pressure only {:.3g} Pa). Hertz theory is not "
+      "valid for such an ellipse. Enter a larger groove factor or less load",
       s.Q[j], kRaceName[j], s.a[j], radius, seat.groove.groove_radius[j] / (2.0 * radius),
       s.p_max[j]));
 }

@@ -230,8 +230,7 @@ std::vector<Finding> roller_notes(const RollerModel& m, const std::vector<Static
   notes.add(
       "statics.outer_only",
       [](const StaticRoller& r) { return r.race[0].load > 0.0 && r.race[1].load == 0.0; },
-      "contact with the outer race only (centrifugal force), placed by the rule for unloaded "
-      "rollers");
+      "contact with the outer race only, because of the centrifugal force");
   for (std::size_t j = 0; j < 2; ++j) {
     notes.add_at(
         j, "statics.edge_load", [j](const StaticRoller& r) { return r.race[j].at_edge; },

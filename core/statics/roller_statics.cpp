@@ -143,8 +143,9 @@ std::string missing_thrust(const RollerModel& m, const RaceLoadCase& task, const
       thrown > 0.0 ? fmt::format(" and its centrifugal force of {:.4g} N", m.centrifugal) : "",
       radial, thrown > 0.0 ? "(F_r + Z F_c)" : "F_r", needed, task.load(0));
   if (m.rollers.shape == bearing::RollerShape::Arc) {
-    text += fmt::format(" (with the race at x = {:.4g} m the angle is still {:.4g} degrees)", q(0),
-                        row_angle(m, q) * kDegreesPerRadian);
+    text += fmt::format(
+        " (at the last race position, x = {:.4g} m, the contact angle is {:.4g} degrees)", q(0),
+        row_angle(m, q) * kDegreesPerRadian);
   }
   return text;
 }
@@ -205,8 +206,8 @@ UnstableMode unstable_at(const RollerModel& m, const RaceLoadCase& task, const R
                     "their equilibrium{}. Prescribe the tilts about y and z (kFS4 = kFS5 = 1), or "
                     "apply the load through the swivel center of the bearing",
                     loads, tilt, state.q(3), state.q(4),
-                    barrels ? ", because barrels in a nearly spherical groove allow the race to "
-                              "swivel about its center"
+                    barrels ? ", because barrel-shaped rollers in a nearly spherical groove allow "
+                              "the race to swivel about its center"
                             : ""));
   }
   if (solve.ran_away) {

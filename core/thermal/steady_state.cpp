@@ -64,12 +64,12 @@ constexpr const char* kRemedy =
         last->friction.power(), T.race[0], T.race[1], T.element,
         last->operating.operating ? last->operating.operating->operating.clearance : 0.0);
   }
-  const std::string growth =
-      std::isfinite(gain) && gain > 1.0
-          ? fmt::format(
-                "; per kelvin, the generated heat grows {:.3g} times as fast as the removed heat",
-                gain)
-          : std::string();
+  const std::string growth = std::isfinite(gain) && gain > 1.0
+                                 ? fmt::format(
+                                       "; with temperature, the generated heat increases {:.3g} "
+                                       "times as fast as the removed heat",
+                                       gain)
+                                 : std::string();
   throw SolverError(fmt::format("thermal analysis: no steady state after iteration {}: {}{}{}. {}",
                                 passes, what, state, growth, kRemedy));
 }

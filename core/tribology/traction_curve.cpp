@@ -138,8 +138,8 @@ TractionCurve from_asymptote(const std::array<double, 4>& tc) {
   if (k0 == kinf && slope == 0.0) return exponential(0.0, 0.0, 0.0, kinf);
   if (!(slope * (kinf - k0) > 0.0)) {
     throw InputError(fmt::format(
-        "the initial slope {} s/m of the traction law cannot lead from a coefficient of {} at zero "
-        "slip to {} at infinite slip; the slope must have the sign of the difference, {}",
+        "the initial slope {} s/m of the traction law does not fit the coefficients {} at zero "
+        "slip and {} at infinite slip; the slope must have the sign of their difference, {}",
         slope, k0, kinf, kinf - k0));
   }
   return exponential(k0 - kinf, 0.0, slope / (kinf - k0), kinf);

@@ -57,8 +57,8 @@ TEST_CASE("adore find: calculator, questions and the list", "[cli][find]") {
             .code == 2);
   const Result list = run_adore("find --list");
   CHECK(list.code == 0);
-  for (const char* name :
-       {"quiet-load", "pivot-speed", "all-loaded", "viscosity_ratio", "above 1 a ball pivots"})
+  for (const char* name : {"quiet-load", "pivot-speed", "all-loaded", "viscosity_ratio",
+                           "a ball pivots if this ratio is above 1"})
     CHECK(list.out.find(name) != std::string::npos);
   CHECK(list.out.find("mean_power_loss_W") == std::string::npos);
 }

@@ -237,5 +237,5 @@ TEST_CASE("find questions: each names a known result and variable", "[unit][find
   const auto meaning = std::find_if(results.begin(), results.end(),
                                     [](const auto& one) { return one.id == "gyroscopic_ratio"; });
   REQUIRE(meaning != results.end());
-  CHECK(meaning->meaning.find("above 1 a ball pivots") != std::string::npos);
+  CHECK(meaning->meaning.find("a ball pivots if this ratio is above 1") != std::string::npos);
 }

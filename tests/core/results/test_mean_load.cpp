@@ -151,7 +151,7 @@ TEST_CASE("Mean load: rotating load → not compared; free race → not describe
   tilting.race_motions.free[0]->translation_held = {true, true, true};
   const std::string tilt =
       load_warning(mean_load(averages.averages(), bearing, tilting), UnitSystem::SI);
-  CHECK(tilt.find("a race tilts freely") != std::string::npos);
+  CHECK(tilt.find("a race without prescribed tilt") != std::string::npos);
   CHECK(tilt.find("inner race is fixed") == std::string::npos);
   scene::ScenePlan shaken;
   shaken.race_motions.vibration[1].emplace();

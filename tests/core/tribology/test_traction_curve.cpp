@@ -103,7 +103,7 @@ TEST_CASE("traction_curve refuses what has no solution and says which condition 
   CHECK_THAT(refusal(1, {-0.01, 0.05, 0.02, 0.1}), Contains("cannot be negative"));
   CHECK_THAT(
       refusal(2, {0.02, 0.06, -2.0, 0.0}),
-      Contains("initial slope -2 s/m of the traction law cannot lead from a coefficient of 0.02"));
+      Contains("initial slope -2 s/m of the traction law does not fit the coefficients 0.02"));
   CHECK_THAT(refusal(-1, {0.0, 0.1, -3.0, 0.0}), Contains("C = -3 s/m"));
   CHECK_THAT(refusal(-1, {0.04, -0.5, 3.0, 0.0}), Contains("negative at some slip"));
   CHECK_THAT(refusal(-1, {0.0, -0.5, 0.0, 0.1}), Contains("negative at some slip"));
