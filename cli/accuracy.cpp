@@ -80,7 +80,8 @@ class Reporter {
 /// Puts the recommended settings into the deck.
 void apply(const Options& options, const studies::AccuracyStudy& study) {
   const auto sets = studies::recommended_sets(study);
-  if (sets.empty()) throw InputError("--apply: no setting is recommended; the deck is unchanged");
+  if (sets.empty())
+    throw InputError("--apply: the study recommends no settings; the deck is unchanged");
   const std::filesystem::path path = runs::deck_path(std::filesystem::path(options.deck));
   const std::string before = contents(path);
   const deck::DeckTextWithComments text = deck::with_values(before, sets);
@@ -173,9 +174,10 @@ int run(const Options& options) {
       },
       watch.token(), earlier);
   if (options.go_on && study.digest != earlier.digest)
-    tell(fmt::format(
-        "adore: note: {} was not used because it belongs to another deck or other options\n",
-        json.string()));
+    tell(
+        fmt::format("adore: note: {} was not used, because it is the study of another deck or of "
+                    "other options\n",
+                    json.string()));
   write(study);
   if (!study.complete) {
     tell(
@@ -216,7 +218,7 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
           ->capture_default_str();
   command
       ->add_option("--budget", options->budget,
-                   "largest processor time of the study [s]; a small limit shortens its runs")
+                   "maximum processor time of the study [s]; a small limit shortens the runs")
       ->capture_default_str();
   command
       ->add_option("--accuracy", options->accuracy, "target error of speeds, loads, heat and life")

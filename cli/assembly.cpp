@@ -50,7 +50,7 @@ nlohmann::ordered_json summary_json(const assembly::AssemblyOutcome& outcome) {
 std::string text_of(const assembly::AssemblyOutcome& outcome) {
   std::string out;
   for (const std::string& line : assembly::result_lines(outcome.result)) out += line + "\n";
-  out += fmt::format("quasi-static solution of the set computed in {}\n",
+  out += fmt::format("quasi-static solution of the bearing set computed in {}\n",
                      duration_text(outcome.result.seconds));
   for (const std::filesystem::path& file : outcome.files) out += "  " + file.string() + "\n";
   return out;

@@ -210,15 +210,15 @@ void add_calc_commands(CLI::App& app, int& exit_code) {
         ->type_name("FILE");
     CLI::Option* experiments_flag = command->add_flag(
         "--experiments", *published,
-        "compare computed results with published experiments; takes no case files");
+        "compare computed results with published experiments; reads no files of reference cases");
     command->add_option("--only", *only, "run only the experiment with this id")
         ->type_name("ID")
         ->needs(experiments_flag);
     auto torques = std::make_shared<bool>(false);
     command
         ->add_flag("--torque", *torques,
-                   "compare the computed friction torque of bearings with a catalog formula; takes "
-                   "no case files")
+                   "compare the computed friction torque of bearings with a catalog formula; reads "
+                   "no files of reference cases")
         ->excludes(experiments_flag);
     command->add_flag("--markdown", *markdown,
                       "print the results of --experiments or --torque as Markdown");

@@ -250,8 +250,8 @@ void new_set(const NewOptions& o) {
   const std::vector<assembly::RowDeckText> rows = rows_of(o);
   if (rows.empty())
     throw InputError(
-        "--assembly needs the rows: give the name of an example, --catalogue BEARING, or --deck "
-        "FILE (once, or once for each row)");
+        "--assembly: the bearing rows are missing; give the name of an example, --catalogue "
+        "BEARING, or --deck FILE (once, or once for each row)");
   const runs::OperatingPoint point = operating_point(o);
   write_assembly({o.arrangement, o.out, o.preload, o.offset, point.axial, point.radial}, rows);
 }
@@ -393,9 +393,9 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
     options->add_to(*command);
     auto codes = std::make_shared<bool>(false);
     command->add_flag("--json", *json, "print as JSON");
-    command->add_flag(
-        "--codes", *codes,
-        "print a reference page (Markdown) of all finding codes of the program; no deck is read");
+    command->add_flag("--codes", *codes,
+                      "print a reference page (Markdown) of the codes of all errors and warnings; "
+                      "no deck is read");
     command->footer(
         "Examples\n"
         "  adore check DATA.txt\n"
@@ -554,12 +554,13 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
         ->excludes(name)
         ->excludes(catalogue);
     command
-        ->add_option("--preload", o->preload, "with --assembly: preload of the unmounted set [N]")
+        ->add_option("--preload", o->preload,
+                     "with --assembly: preload of the bearing set before mounting [N]")
         ->type_name("N")
         ->needs(assembly);
     command
         ->add_option("--offset", o->offset,
-                     "with --assembly: axial offset of the set, closed by clamping [um]")
+                     "with --assembly: axial gap of the bearing set that clamping closes [um]")
         ->type_name("UM")
         ->needs(assembly);
     command->add_option("--out", o->out, "file or folder to write (default: standard output)")

@@ -122,7 +122,8 @@ void add_find_command(CLI::App& app, int& exit_code) {
           ->add_option(
               "--target", options->target,
               "result of the equilibrium and its target value, in the unit at the end of the name; "
-              "other forms: 'NAME>=VALUE', 'NAME<=VALUE', NAME=least and NAME=largest")
+              "other forms: 'NAME>=VALUE', 'NAME<=VALUE', NAME=least (minimum) and NAME=largest "
+              "(maximum)")
           ->type_name("NAME=VALUE"),
       results);
   CLI::Option* question = command_line::suggest_values(
@@ -140,9 +141,10 @@ void add_find_command(CLI::App& app, int& exit_code) {
       ->excludes("--unknown");
   command_line::suggest_values(
       command
-          ->add_option("--calc", options->calculator,
-                       "use this component calculator. DECK is then the JSON file with its inputs, "
-                       "and names are paths such as body1.Rx, displacement.ux or 'least(Qi)'")
+          ->add_option(
+              "--calc", options->calculator,
+              "use this component calculator. DECK is then the JSON file with its inputs. Unknown "
+              "and target are paths such as body1.Rx, displacement.ux or 'least(Qi)'")
           ->type_name("NAME"),
       calculators);
   command

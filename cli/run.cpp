@@ -323,7 +323,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
       "  adore run DATA.txt --set rpm2=12000 --set appLoadX=800\n"
       "  adore run DATA.txt --set rpm2=2000:20000:10 --out sweep\n"
       "  adore run DATA.txt --out results --until 9rev --continue\n"
-      "  adore run SET --out results               the set of rows of SET/ASSEMBLY.json\n"
+      "  adore run SET --out results               the bearing set in SET/ASSEMBLY.json\n"
       "  adore new ball | adore run - --out example");
   command->callback([=, &exit_code] { exit_code = run(*options, tolerance->count() > 0); });
 }

@@ -215,8 +215,8 @@ void add_run_like(CLI::App& study, const char* name, const char* text, bool resu
 
 /// Started by engines, not typed by users.
 void add_work(CLI::App& study, int& exit_code) {
-  CLI::App* command =
-      study.add_subcommand("work", "compute tasks of a study; started by an engine");
+  CLI::App* command = study.add_subcommand(
+      "work", "compute runs of a study (started by the local or Slurm engine)");
   command->group("");
   auto folder = std::make_shared<std::string>(), tasks = std::make_shared<std::string>();
   auto first = std::make_shared<long>(0), count = std::make_shared<long>(0);

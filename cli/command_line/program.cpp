@@ -62,7 +62,7 @@ std::unique_ptr<CLI::App> make_program(const std::string& text, const std::strin
                    print(stdout, completion(*app, shell));
                    throw CLI::Success();
                  },
-                 "print the completion script of a shell, or the option tree as JSON")
+                 "print the completion script of a shell, or all commands and options as JSON")
              ->type_name("SHELL"),
          {"bash", "zsh", "fish", "json"});
   return program;

@@ -22,7 +22,8 @@ int main(int argc, char** argv) {
     chart->add_option("table", *table, "ACCURACY.json")->required();
     chart->add_option("picture", *picture, "PNG file to write")->required();
     chart->callback([=] { adore::cli::draw_accuracy_chart(*table, *picture); });
-    CLI::App* study = app->add_subcommand("study-charts", "curves, maps and bars of a study");
+    CLI::App* study =
+        app->add_subcommand("study-charts", "draw curves, maps and bar charts of a study");
     study->add_option("charts", *table, "CHARTS.json")->required();
     study->add_option("folder", *picture, "folder of the PNG files")->required();
     auto quiet = std::make_shared<bool>(false);

@@ -186,14 +186,15 @@ void add_laws(const LubricantContact& contact, const std::vector<double>& slips,
   at.temperature = contact.temperature;
   at.meniscus = contact.meniscus;
   at.stress_limit = contact.stress_limit;
-  out.laws = {fmt::format("Traction laws of {}", oil.name),
-              "Slip",
-              "m/s",
-              fmt::format("Traction coefficient of each law at {:g} GPa", 1e-9 * contact.pressure),
-              "",
-              true,
-              false,
-              {}};
+  out.laws = {
+      fmt::format("Traction laws of {}", oil.name),
+      "Slip",
+      "m/s",
+      fmt::format("Traction coefficient of each traction law at {:g} GPa", 1e-9 * contact.pressure),
+      "",
+      true,
+      false,
+      {}};
   for (const tribology::LawSpreadRow& row : tribology::law_spread(contact.code, at, slips))
     out.laws.curves.push_back(
         {fmt::format("kTrac {}{}", row.code, row.recommended ? " (recommended)" : ""), slips,
@@ -236,8 +237,8 @@ LubricantCurves lubricant_curves(const LubricantContact& contact) {
     out.extrapolation_note =
         tribology::extrapolation_note(tribology::pressure_range(contact.code), kLargestPressure);
   out.conditions = fmt::format(
-      "{:.0f} K; radius {:.3g} mm along and {:.3g} mm across rolling; {:.2g} GPa and {:g} m/s "
-      "unless varied; roughness {:.2g} µm",
+      "{:.0f} K; radius {:.3g} mm along and {:.3g} mm across the rolling direction; {:.2g} GPa and "
+      "{:g} m/s unless varied; roughness {:.2g} µm",
       contact.temperature, 1e3 * contact.radius, 1e3 * contact.across, 1e-9 * contact.pressure,
       contact.speed, 1e6 * contact.roughness);
 

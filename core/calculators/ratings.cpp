@@ -72,8 +72,9 @@ std::optional<Json> reference_speed_case(const Json& the_case) {
   b.width = 1e-3 * in.value("B", 0.0);
   b.static_rating = get(in, "C0");
   b.thrust_roller = in.value("type", std::string("radial")) == "thrust_roller";
-  require(b.thrust_roller || in.contains("B"),
-          "B is missing: the seats of a radial bearing need its width. Enter B.");
+  require(
+      b.thrust_roller || in.contains("B"),
+      "B (bearing width) is missing: the seat area of a radial bearing depends on it. Enter B.");
   std::string origin = "given";
   if (in.contains("series")) {
     b.friction = life::reference_friction_factors(in.at("series").get<std::string>());

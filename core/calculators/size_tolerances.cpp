@@ -32,15 +32,14 @@ std::optional<Json> size_limits_case(const Json& the_case) {
   }
   const std::string code = in.at("tolerance");
   const SizeLimits limits = bearing::size_limits(code, get(in, "nominal"));
-  return Json{
-      {"lower", limits.lower},
-      {"upper", limits.upper},
-      {"tolerance_width", limits.width()},
-      {"largest", get(in, "nominal") + limits.upper},
-      {"smallest", get(in, "nominal") + limits.lower},
-      {"provenance",
-       "computed with the formulas of ISO 286-1 (tolerance grades: from a public source; tolerance "
-       "positions: not verified); printed tables can differ by 1 um"}};
+  return Json{{"lower", limits.lower},
+              {"upper", limits.upper},
+              {"tolerance_width", limits.width()},
+              {"largest", get(in, "nominal") + limits.upper},
+              {"smallest", get(in, "nominal") + limits.lower},
+              {"provenance",
+               "computed with the formulas of ISO 286-1 (tolerance grades: from a public source; "
+               "fundamental deviations: not verified); printed tables can differ by 1 um"}};
 }
 
 // ---- rating_bearing_fit

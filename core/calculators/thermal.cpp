@@ -330,7 +330,8 @@ Json material_case(const Json& in) {
   out["clamped"] = Json::object();
   for (const bearing::ClampedLaw& law : bearing::clamped_laws(material, T))
     out["clamped"][law.property] = fmt::format(
-        "T is outside the range of the law, {} to {} K. The value at the nearer limit is used",
+        "T is outside the range of the property law, {} to {} K. The value at the nearer limit is "
+        "used",
         law.T_min, law.T_max);
   out["thermal_strain_from_293K"] = sheet.at("cte", T) * (T - bearing::kStrainReference);
   return out;

@@ -14,7 +14,7 @@ using bearing::PocketShape;
 using deck::Deck;
 
 void draw_ball(const Deck& deck, const OutlineModel& m, Pane& pane) {
-  pane.title = "Ball between its grooves, to scale";
+  pane.title = "Ball between the race grooves, to scale";
   const double r = 0.5 * m.diameter;
   Shape ball;
   ball.part = Part::Element;

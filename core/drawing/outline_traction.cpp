@@ -140,7 +140,8 @@ Drawing draw_traction(const Deck& deck) {
                {"traction coefficient", "", 1.0, low, 1.12 * top}};
   if (deck.integer("kTrac") > 0)
     out.remarks.emplace_back(
-        "This traction curve applies only to contacts with a film thinner than reRaceFilm. All "
+        "This traction curve applies only to contacts with a film thinner than reRaceFilm "
+        "(critical film thickness). All "
         "other contacts use the lubricant model of kTrac.");
   out.panes.push_back(std::move(pane));
   return out;

@@ -135,8 +135,8 @@ class Trials {
     const runs::Prepared prepared = runs::prepare(request_);
     if (!prepared.control.dynamic)
       throw InputError(
-          "an accuracy study needs a motion, but this deck is quasi-static (mode < 0); set mode = "
-          "0");
+          "an accuracy study simulates the motion, but this deck is quasi-static (mode < 0); set "
+          "mode = 0");
     for (const std::string& method : request_.methods) {
       try {
         (void)integrators::make_stepper(method);

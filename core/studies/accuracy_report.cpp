@@ -149,21 +149,21 @@ std::string growth_text(const AccuracyStudy& study) {
                                : own_row(study);
   if (row == nullptr || !row->failure.empty()) return {};
   if (!(study.long_turns > study.short_turns))
-    return "Error growth: not measured, because both rounds simulate the same span.";
+    return "Error growth: not measured, because both rounds have the same simulated length.";
   const auto before =
       std::find_if(study.screening.begin(), study.screening.end(), [&](const AccuracyRow& other) {
         return other.setting.name == row->setting.name && other.failure.empty();
       });
   if (before == study.screening.end()) return {};
   return fmt::format(
-      "Measured error growth ({}): from {:.4g} to {} the error changed from {} to {}, the energy "
-      "residual from {:.1e} to {:.1e} of the exchanged energy{}.",
+      "Measured error growth ({}): between {:.4g} and {}, the error changed from {} to {}, and the "
+      "energy residual from {:.1e} to {:.1e} of the exchanged energy{}.",
       row->setting.name, before->turns, revolutions_text(row->turns),
       percent(before->errors.largest()), percent(row->errors.largest()), before->energy_share,
       row->energy_share,
       row->growth > 0.0 ? fmt::format(", a factor of {:.4g} per revolution", row->growth)
-                        : "; the spans of the two rounds differ by less than one revolution, which "
-                          "is too little for a growth rate");
+                        : "; the simulated lengths of the two rounds differ by less than one "
+                          "revolution, which is too little to compute a growth rate");
 }
 
 /// A row that keeps the target, takes less time than the recommended one and warns of its energy.
@@ -204,8 +204,8 @@ std::string limits_text(const AccuracyStudy& study) {
 std::string irregular_text(const AccuracyStudy& study) {
   if (study.limits().largest() <= study.target) return {};
   return fmt::format(
-      "the motion is irregular, so the means over the simulated span scatter by more than the "
-      "target error. Two accurate runs differ by {}{}",
+      "the motion is irregular, so the mean values over the simulated length scatter by more than "
+      "the target error. Two accurate runs differ by {}{}",
       percent(study.long_reference.noise.largest()),
       study.irregular.largest() > 0.0
           ? fmt::format(". A relative load change of 1e-6 changes the means by up to {}",
@@ -218,36 +218,37 @@ std::string recommendation(const AccuracyStudy& study) {
   const AccuracyRow* own = own_row(study);
   std::string out;
   if (study.recommended < 0) {
-    out = fmt::format("No setting has errors within {} over {}", limits_text(study),
+    out = fmt::format("No settings keep all errors within {} over {}", limits_text(study),
                       revolutions_text(study.long_turns));
   } else {
     const AccuracyRow& best = study.finals[static_cast<std::size_t>(study.recommended)];
-    out =
-        fmt::format("{}: the fastest settings with errors within {} over {}, {:.3g} s (errors: {})",
-                    best.setting.name, limits_text(study), revolutions_text(study.long_turns),
-                    best.seconds, errors_text(best.errors));
+    out = fmt::format(
+        "{}: the fastest settings that keep all errors within {} over {}, {:.3g} s (errors: {})",
+        best.setting.name, limits_text(study), revolutions_text(study.long_turns), best.seconds,
+        errors_text(best.errors));
     if (best.energy_share > results::kMovedWarning)
       out += fmt::format(
           "; the energy residual is {:.1e} of the exchanged energy, which causes a warning",
           best.energy_share);
     else if (const AccuracyRow* cheaper = cheaper_but_warned(study, best))
       out += fmt::format(
-          "; {} is faster than these settings ({:.3g} s), but its energy residual is {:.1e} of the "
+          "; {} needs only {:.3g} s, but its energy residual is {:.1e} of the "
           "exchanged energy",
           cheaper->setting.name, cheaper->seconds, cheaper->energy_share);
     if (best.setting.own) return out + "; these are the deck's own settings.";
   }
   if (own != nullptr)
     out += own->failure.empty()
-               ? fmt::format("; the deck's own settings take {:.3g} s (errors: {})", own->seconds,
+               ? fmt::format("; the deck's own settings need {:.3g} s (errors: {})", own->seconds,
                              errors_text(own->errors))
                : fmt::format("; with the deck's own settings: {}", own->failure);
   if (const std::string irregular = irregular_text(study); !irregular.empty())
     out += "; " + irregular;
   if (const AccuracyRow* model = other_model(study))
     out += fmt::format(
-        "; this study covers integrator and steps only: {} changes the results by more than the "
-        "target error ({}). `adore run --accuracy {:g}%` also chooses the numbers of nodes and "
+        "; this study covers only the integrator and the step sizes: {} changes the results by "
+        "more than the target error ({}). `adore run --accuracy {:g}%` also chooses the numbers of "
+        "nodes and "
         "slices",
         model->setting.name, errors_text(model->errors), 100.0 * study.target);
   return out + ".";
@@ -283,8 +284,8 @@ std::string accuracy_table(const AccuracyStudy& study) {
       "the recommended settings, with the deck's own settings and in the rows with *. The column "
       "then shows the median.\nRows with *: no other row is both faster and as accurate.\nAn error "
       "counts only if it is larger than the difference of two accurate runs.\nThe whirl speed is "
-      "computed from the area that the cage center sweeps, not from the whirl revolutions in "
-      "PRINT.\n",
+      "computed from the area that the cage center sweeps, not from the number of whirl "
+      "revolutions in PRINT.\n",
       study.reference);
   const auto round = [&](const char* what, double turns, const AccuracyReference& reference,
                          const std::vector<AccuracyRow>& rows) {
@@ -306,16 +307,16 @@ std::string accuracy_table(const AccuracyStudy& study) {
     out +=
         "The effect of a relative load change of 1e-6 was not measured (no load, no time left, or "
         "a "
-        "failed run). Only the difference of the two reference runs shows whether the motion is "
-        "irregular.\n";
+        "failed run). Only the difference between the two reference runs shows whether the motion "
+        "is irregular.\n";
   if (study.untried > 0)
     out += fmt::format(
         "{} not run: the time budget was used up.\n",
         counted(study.untried, "more setting or model was", "more settings or models were"));
   if (!study.models.empty())
     out += fmt::format(
-        "\nOther models with the deck's own settings, {}. The errors are changes relative to the "
-        "model of the deck.\n{}",
+        "\nOther models with the deck's own settings over {}. The errors are changes relative to "
+        "the model of the deck.\n{}",
         revolutions_text(study.short_turns), table_of(study.models));
   return out + "\n" + recommendation(study) + "\n";
 }

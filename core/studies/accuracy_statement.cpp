@@ -236,8 +236,9 @@ std::string statement_text(const AccuracyStatement& statement) {
                 "times this run)",
                 statement.twin_seconds,
                 statement.twin_seconds / std::max(statement.run_seconds, 1e-9))
-          : fmt::format("the same run, because there is no run with changed loads: {}",
-                        statement.twin_failure);
+          : fmt::format(
+                "the run with tighter settings, because there is no run with changed loads: {}",
+                statement.twin_failure);
   std::string out = fmt::format(
       "accuracy:  over the {} of this run, 95 % intervals\n  numerical part: difference from a run "
       "with {} ({:.3g} s of processor time)\n  statistical part: batch means of the difference "
@@ -266,7 +267,7 @@ std::string statement_text(const AccuracyStatement& statement) {
     if (const double own = statement.required_revolutions(q, statement.target); own > 0.0)
       each += fmt::format("{}{} {:.3g}", each.empty() ? "" : ", ", q.label, own);
   out += fmt::format(
-      "  The means need {} for an accuracy of {} ({}; this run: {:.4g}; the estimate is {}). "
+      "  The mean values need {} for an accuracy of {} ({}; this run: {:.4g}). The estimate is {}. "
       "Simulate this length, or use `adore run --accuracy ... --extend`.\n",
       (statement.has_diverging_quantity(statement.target) ? "on the order of " : "about ") + needed,
       share_text(statement.target), each, statement.turns,

@@ -327,10 +327,12 @@ class Campaign {
       if (points.empty()) break;
       add(points);
     }
-    out_.note = search.best().empty()
-                    ? "no run has a value for the objective"
-                    : fmt::format("{}; final step size of the search: {:.3g} % of each range",
-                                  counted(search.rounds(), "round"), 100.0 * search.step());
+    out_.note =
+        search.best().empty()
+            ? "no run has a value for the objective of the study"
+            : fmt::format(
+                  "{}; final step size of the search: {:.3g} % of the range of each variable",
+                  counted(search.rounds(), "round"), 100.0 * search.step());
   }
 
   void finish() {

@@ -143,8 +143,8 @@ class Choice {
         counted(fmt::format("{:.3g}", best.turns), "revolution"), errors_text(best.errors));
     if (study.recommended < 0)
       out_.text +=
-          ", the most accurate settings of the study, because no settings are within the target "
-          "error";
+          ", the most accurate settings of the study, because no settings have errors within the "
+          "target";
     if (study.limits().largest() > target_) out_.text += "; " + irregular_text(study);
   }
 
@@ -261,7 +261,7 @@ class Choice {
   /// Noise below which an error counts as 0.
   [[nodiscard]] static std::string noise_text(const ResolutionRow& row) {
     return row.below_noise
-               ? "; 0 % means: not larger than the effect of a relative load change of 1e-6"
+               ? "; an error of 0 % is not larger than the effect of a relative load change of 1e-6"
                : "";
   }
 

@@ -95,8 +95,8 @@ std::vector<std::vector<double>> unit_cube_samples(Sampling method, long samples
   const auto d = static_cast<std::size_t>(dimensions);
   if (method == Sampling::Sobol && dimensions > kSobolDimensions)
     throw InputError(fmt::format(
-        "sampling.method = sobol: the random variables have {} dimensions (a variable with # has "
-        "one for each element), but the Sobol sequence has only {}; use method latin",
+        "sampling.method = sobol: each run needs {} random numbers (a variable with # needs one "
+        "for each element), but the Sobol sequence provides at most {}; use the method \"latin\"",
         dimensions, kSobolDimensions));
   std::vector<std::vector<double>> out(n, std::vector<double>(d));
   for (std::size_t k = 0; k < d; ++k) {

@@ -226,7 +226,7 @@ fs::path path_inside(const Json& text, const FolderFile& file, const std::string
   const bool leaves = relative.empty() || relative.is_absolute() ||
                       std::any_of(relative.begin(), relative.end(),
                                   [](const fs::path& part) { return part == ".."; });
-  if (leaves) file.refuse(at, text, "this must be a path in the folder of the study");
+  if (leaves) file.refuse(at, text, "the path must be inside the folder of the study");
   return relative;
 }
 
@@ -385,7 +385,7 @@ std::vector<Task> read_tasks(const fs::path& file, std::size_t decks) {
     if (out.size() > 1 && out.back().number <= out[out.size() - 2].number)
       FolderFile(source.file, source.line)
           .refuse("run", out.back().number,
-                  fmt::format("this must be larger than the number in the previous line, {}",
+                  fmt::format("the run number must be larger than that of the previous line, {}",
                               out[out.size() - 2].number));
     bytes += point_memory_bytes(out.back().point);
     if (bytes > kMaxStudyBytes)

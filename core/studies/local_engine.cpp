@@ -219,7 +219,7 @@ class LocalEngine {
     if (!line.starts_with("done ") || worker.task() == nullptr) return;
     const std::optional<Record> record = read_record(work_.folder, worker.task()->key);
     if (!record)
-      throw WriteError(fmt::format("{}: this record was written but cannot be read",
+      throw WriteError(fmt::format("{}: the record of the run was written, but it cannot be read",
                                    run_record_path(work_.folder, worker.task()->key).string()));
     megabytes_ = std::max(megabytes_, record->memory_megabytes);
     worker.is_free();

@@ -51,8 +51,8 @@ std::vector<runs::ModelVariant> model_variants(const runs::Prepared& prepared) {
     const double factor = prepared.options.system.damping.factor;
     for (const double by : {2.0, 0.5})
       option("damping", "contactDamping", fmt::format("{:g}x", by * factor),
-             "factor 2: loss factor of steel contacts 0.005 to 0.02 (from the literature, not "
-             "checked)");
+             "damping times or divided by 2: loss factors of steel contacts are from 0.005 to 0.02 "
+             "(values not checked against a publication)");
   }
   if (prepared.bearing.lubrication && prepared.plan.has(scene::Effect::RaceTraction)) {
     option("traction law", "filmLaw", prepared.options.recommended_law ? "code" : "recommended",
@@ -111,7 +111,8 @@ runs::ModelStudy run_model_study(const runs::DeckRequest& request, double turns,
   const runs::Prepared prepared = runs::prepare(request);
   if (!prepared.control.dynamic)
     throw InputError(
-        "model errors need a motion, but this deck is quasi-static (mode < 0); set mode = 0");
+        "the study of model errors simulates the motion, but this deck is quasi-static (mode < 0); "
+        "set mode = 0");
   std::vector<runs::ModelVariant> variants = model_variants(prepared);
   if (const auto loads = runs::nearby_loads(prepared.input.deck, kLoadChange); !loads.empty())
     variants.insert(variants.begin(),
@@ -141,7 +142,8 @@ runs::ModelStudy run_model_study(const runs::DeckRequest& request, double turns,
   }
   if (base.outcome.status != runs::RunStatus::Done &&
       base.outcome.status != runs::RunStatus::Untrusted)
-    throw SolverError("the run with the deck's own settings ends with: " + base.outcome.message);
+    throw SolverError("the run with the deck's own settings ended with the message: " +
+                      base.outcome.message);
   const results::KeyResults& is = base.outcome.summary;
   study.heat = results::value_of(is, "mean_power_loss_W");
   study.life = results::value_of(is, "run_life_hours");

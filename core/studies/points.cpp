@@ -63,8 +63,8 @@ std::vector<std::vector<double>> sampled(const Study& study) {
   const bool correlated = !study.correlations.empty();
   if (correlated && !factorize_correlation(correlation, factor))
     throw InputError(
-        fmt::format("{}: correlation: the values are inconsistent (their matrix has a negative "
-                    "eigenvalue); use smaller correlations",
+        fmt::format("{}: correlation: the correlations contradict each other (the correlation "
+                    "matrix has a negative eigenvalue); use smaller correlations",
                     study.file.string()));
   std::vector<std::vector<double>> out;
   out.reserve(units.size());
@@ -102,13 +102,13 @@ std::vector<std::vector<double>> sampled(const Study& study) {
 /// @param bytes of all runs
 long checked(double count, double bytes, const Study& study) {
   if (count > static_cast<double>(kMaxStudyRuns))
-    throw InputError(
-        fmt::format("{}: the study has {:.3g} runs, more than {}; use fewer values or samples",
-                    study.file.string(), count, kMaxStudyRuns));
+    throw InputError(fmt::format(
+        "{}: the study has {:.3g} runs, more than the limit of {}; use fewer values or samples",
+        study.file.string(), count, kMaxStudyRuns));
   if (bytes > kMaxStudyBytes)
     throw InputError(
-        fmt::format("{}: the list of {:.3g} runs needs {:.3g} GB of memory, more than {:.3g} GB; "
-                    "use fewer values or samples",
+        fmt::format("{}: the list of {:.3g} runs needs {:.3g} GB of memory, more than the limit of "
+                    "{:.3g} GB; use fewer values or samples",
                     study.file.string(), count, bytes / 1e9, kMaxStudyBytes / 1e9));
   return static_cast<long>(count);
 }

@@ -200,7 +200,7 @@ QuantityValues answer(const std::vector<Quantity>& quantities, const results::Ke
   const auto file = [&]() -> const Channels& {
     if (!channels) {
       if (!std::filesystem::exists(folder / "RESULTS.h5"))
-        throw InputError("a quasi-static run (mode below 0) stores no channels");
+        throw InputError("a quasi-static run (mode below 0) stores no time histories (channels)");
       channels.emplace(folder);
     }
     return *channels;

@@ -49,7 +49,7 @@ std::string of_channel(std::string_view id, const deck::Deck& deck) {
     not_there = "a ball bearing has no roller flanges";
   const auto split = [&deck](const char* shim) { return deck.has(shim) && deck.si(shim) > 0.0; };
   if (id.starts_with("second_contact.") && !split("shimThickness1") && !split("shimThickness2"))
-    not_there = "no race is split (shimThickness1, shimThickness2)";
+    not_there = "no race is split (shimThickness1 and shimThickness2 are 0)";
   if (id.starts_with("neighbour.") && deck.integer("nCseg") > 0)
     not_there = "the cage separates the elements";
   if (id.starts_with("thermal.") && deck.integer("kTherm") == 0)
@@ -68,7 +68,8 @@ std::string of_result(const std::string& id, const deck::Deck& deck, const std::
     return {};
   if (id.starts_with("variable_compliance_")) return "only `adore find` computes this result";
   const bool balls = deck.integer("kBrg") == 1;
-  if (id == "gyroscopic_ratio" && !balls) return "a roller bearing has no gyroscopic pivot";
+  if (id == "gyroscopic_ratio" && !balls)
+    return "the gyroscopic friction ratio is computed only for ball bearings";
   const bool oil_by_grade = deck.has("oilGrade") || deck.has("oilVisc1");
   if (id == "viscosity_ratio" && oil_by_grade) return {};
   if (id == "viscosity_ratio" && deck.integer("kTrac") <= 0)

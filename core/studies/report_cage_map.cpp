@@ -66,8 +66,9 @@ void Reporter::add_cage_map() {
     text_ += "\n";
   }
   text_ += fmt::format(
-      "\nClasses, from the second half of each run:\nresting: the orbit of the cage center about "
-      "its mean position is less than {:g} times the clearance.\nwhirling: the orbit is larger, "
+      "\nMotion classes (from the second half of each run):\nresting: the orbit of the cage center "
+      "about its mean position is less than {:g} times the clearance.\nwhirling: the orbit is "
+      "larger, "
       "and the whirl deviation is less than {:g} times the whirl ratio.\nirregular: all other "
       "motions.\n\n",
       kRestingOrbit, kSteadyDeviation);

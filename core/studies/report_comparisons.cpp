@@ -69,7 +69,7 @@ void Reporter::add_worst_case() {
   }
   statistics();
   if (best < 0) {
-    text_ += "no run has a value for the objective\n";
+    text_ += "no run has a value for the objective of the study\n";
     return;
   }
   const auto row = static_cast<std::size_t>(best);

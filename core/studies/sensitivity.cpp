@@ -34,8 +34,8 @@ double value_in(const deck::Deck& deck, const std::string& name) {
     return deck.real(bare, instance, element);
   }
   throw InputError(
-      fmt::format("variable {}: the deck does not have this variable; choose values in \"set\" "
-                  "with which the deck has the record of the variable",
+      fmt::format("variable {}: the deck does not contain the record of this variable; in \"set\", "
+                  "choose deck options that need this record",
                   name));
 }
 

@@ -265,7 +265,7 @@ class SlurmEngine {
         const std::size_t at = text.rfind("halt ");
         forget_job();
         throw WriteError(at == std::string::npos
-                             ? "a worker could not write its record"
+                             ? "a worker process could not write the record of its run"
                              : text.substr(at + 5, text.find('\n', at) - at - 5));
       }
       const bool late = end.state == "TIMEOUT" || end.state == "DEADLINE";

@@ -82,7 +82,7 @@ void check_name(JsonObject& object, std::string_view key, std::string name, bool
   if (const auto lot = name.find('#'); lot != std::string::npos) name.replace(lot, 1, "1");
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
   object.refuse(key,
-                fmt::format("a {}; the nearest is \"{}\"",
+                fmt::format("a {}; the most similar name is \"{}\"",
                             option ? "run option (`adore run --list-options` lists the options)"
                                    : "variable of the deck (`adore schema` lists the variables)",
                             nearest(name, known)));
@@ -180,8 +180,8 @@ Variable read_variable(const Json& json, const std::string& where, Kind kind) {
   }
   if (out.is_group() && out.law == Law::Values)
     object.refuse("name",
-                  "a name without #, or use \"uniform\" or \"normal\", so that the elements of the "
-                  "group differ");
+                  "a name without #, or replace \"grid\" or \"list\" by \"uniform\" or \"normal\" "
+                  "(a name with # needs a random value for each element)");
   out.targets = {out.name};
   object.reject_unknown_keys();
   return out;
@@ -199,11 +199,11 @@ Quantity named_quantity(const std::string& name, const std::string& where) {
   out.name = name;
   const auto names = quantity_names();
   if (std::find(names.begin(), names.end(), name) == names.end())
-    throw InputError(
-        fmt::format("{} = \"{}\": this key result is unknown; the nearest is \"{}\" (\"summary\" "
-                    "in RUN.json lists the key results of a run). For a statistic of a channel, "
-                    "give an object with \"channel\" and \"statistic\"",
-                    where, name, nearest(name, names)));
+    throw InputError(fmt::format(
+        "{} = \"{}\": this key result is unknown; the most similar name is \"{}\" (\"summary\" "
+        "in RUN.json lists the key results of a run). For a statistic of a channel, "
+        "give an object with \"channel\" and \"statistic\"",
+        where, name, nearest(name, names)));
   if (const auto spec = results::find_key_result(name); !spec.id.empty()) out.unit = spec.unit->si;
   return out;
 }
@@ -238,7 +238,7 @@ Quantity read_quantity(const Json& json, const std::string& where) {
   if (std::find(known.begin(), known.end(), out.channel) == known.end() &&
       !out.channel.starts_with("energy."))
     object.refuse("channel", fmt::format("a channel of RESULTS.h5 (`adore show RESULTS.h5` lists "
-                                         "the channels); the nearest is \"{}\"",
+                                         "the channels); the most similar name is \"{}\"",
                                          nearest(out.channel, known)));
   out.statistic = read_statistic(object);
   if (out.statistic == Statistic::Percentile) {
@@ -291,7 +291,8 @@ void read_sampling(const Json& json, const std::string& where, Study& out) {
 
 void read_correlations(const Json& json, const std::string& where, Study& out) {
   if (!json.is_array())
-    throw InputError(where + ": give a list of [\"first\", \"second\", correlation]");
+    throw InputError(where +
+                     ": give a list of entries [\"variable 1\", \"variable 2\", correlation]");
   for (std::size_t i = 0; i < json.size(); ++i) {
     const Json& row = json[i];
     const std::string at = fmt::format("{}[{}]", where, i + 1);
@@ -305,8 +306,8 @@ void read_correlations(const Json& json, const std::string& where, Study& out) {
                        [&](const Variable& variable) { return variable.name == name; });
       if (found == out.variables.end() || found->law == Law::Values || found->is_group())
         throw InputError(
-            fmt::format("{}: \"{}\" is not a variable with a uniform or normal distribution (for "
-                        "elements of a group, a name with #, use \"common\")",
+            fmt::format("{}: \"{}\" is not a variable with a uniform or normal distribution (for a "
+                        "name with #, use \"common\" to correlate the elements)",
                         at, name));
     }
     if (!(std::abs(next.value) <= 1.0) || next.first == next.second)
@@ -446,7 +447,7 @@ Study checked_study(const Json& json, const std::filesystem::path& file) {
   const std::string kind = object.text("kind", "one of " + kinds());
   const auto* const found = std::find(kKindNames.begin(), kKindNames.end(), kind);
   if (found == kKindNames.end())
-    object.refuse("kind", fmt::format("one of {}; the nearest is \"{}\"", kinds(),
+    object.refuse("kind", fmt::format("one of {}; the most similar name is \"{}\"", kinds(),
                                       nearest(kind, {kKindNames.begin(), kKindNames.end()})));
   out.kind = static_cast<Kind>(found - kKindNames.begin());
   const auto path_of = [&](const std::string& deck) {
@@ -487,7 +488,8 @@ Study checked_study(const Json& json, const std::filesystem::path& file) {
           static_cast<double>(std::max<std::size_t>(1, out.variables.back().values.size()));
       if (combinations > static_cast<double>(kMaxStudyRuns))
         throw InputError(
-            fmt::format("{}: their values have {:.3g} combinations, more than {}; use fewer values",
+            fmt::format("{}: the values of the variables have {:.3g} combinations, more than the "
+                        "limit of {}; use fewer values",
                         object.at("variables"), combinations, kMaxStudyRuns));
     }
   }

@@ -46,13 +46,13 @@ void check_tasks(const Study& study, const std::vector<Task>& tasks) {
     const std::size_t values = columns_of(study).names.size();
     for (const Task& task : tasks)
       if (task.point.values.size() != values)
-        refuse(fmt::format("run {} has {}, but the study has {}", task.number,
-                           counted(task.point.values.size(), "value"), values));
+        refuse(fmt::format("run {} has {}, but the number of variables of the study is {}",
+                           task.number, counted(task.point.values.size(), "value"), values));
     return;
   }
   const std::vector<Point> points = make_points(study);
   if (tasks.size() != points.size())
-    refuse(fmt::format("the list has {}, but the study has {}", counted(tasks.size(), "run"),
+    refuse(fmt::format("the file lists {}, but the study has {}", counted(tasks.size(), "run"),
                        points.size()));
   // A program of another version may differ in the last digit.
   constexpr double kSameValueTolerance = 1e-9;

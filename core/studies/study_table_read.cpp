@@ -119,7 +119,7 @@ StudyTable read_csv(const fs::path& file) {
       continue;
     }
     if (fields.size() != head.size())
-      fail_not_a_table(file, fmt::format("line {} does not have {} like the first line",
+      fail_not_a_table(file, fmt::format("line {} does not have {}, as the first line does",
                                          out.rows() + 2, counted(head.size(), "field")));
     if (out.rows() >= static_cast<std::size_t>(kMaxStudyRuns))
       fail_not_a_table(file, fmt::format("the study has more than {} runs", kMaxStudyRuns));

@@ -171,9 +171,10 @@ std::optional<Finding> no_motion_warning(const std::vector<Row>& rows) {
             : 0;
   if (still == 0) return std::nullopt;
   Finding out = make_finding(
-      "sweep.no_motion", fmt::format("{} of the sweep made no steps. For these runs, the table "
-                                     "contains only static loads, without means, ratios and heat",
-                                     counted(still, "run")));
+      "sweep.no_motion",
+      fmt::format("{} of the sweep simulated no motion. For these runs, the table contains only "
+                  "the loads of the static solution, without mean values, speed ratios and heat",
+                  counted(still, "run")));
   out.record = "1";
   out.variable = "maxStps";
   out.remedy =

@@ -183,9 +183,9 @@ std::string what_if_text(const WhatIf& result) {
   std::string out = fmt::format(
       "\nwhat if: runs over {} with one effect switched off at a time; {:.3g} s of processor time "
       "with all effects\nall effects: cage speed {}, largest load {}, heat {}, life {}\nChanges "
-      "are in percent of these values. Changes below those of a relative load change of 1e-6 are "
-      "not significant.\nCost is the share of the effect in the processor time, with an "
-      "uncertainty of {:.2g} %.\n\n  {:<32} {:>8} {:>9} {:>9} {:>9} {:>9}  without\n",
+      "are in percent of these values. Changes smaller than those caused by a relative load change "
+      "of 1e-6 are not significant.\nCost is the share of the effect in the processor time, with "
+      "an uncertainty of {:.2g} %.\n\n  {:<32} {:>8} {:>9} {:>9} {:>9} {:>9}  without\n",
       counted(fmt::format("{:.4g}", result.turns), "revolution"), result.seconds,
       of("mean_cage_ratio", 5, " times the shaft speed"), of("mean_largest_load_N", 4, " N"),
       of("mean_power_loss_W", 4, " W"), of("run_life_hours", 4, " h"), 100.0 * result.time_spread,

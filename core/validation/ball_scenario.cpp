@@ -75,10 +75,9 @@ void set_grooves(SmallScene& scene, double diameter, const std::array<double, 2>
   balls.pitch_diameter = centre_radius[0] + centre_radius[1] + outer - inner;
   balls.clearance = 4.0 * (centre_radius[0] + outer - 0.5 * balls.pitch_diameter);
   const double cosine = gamma * balls.pitch_diameter / diameter;
-  require(
-      cosine >= 0.0 && cosine <= 1.0 + 1e-12,
-      "derived.Rc_outer and derived.Rc_inner (radii of the groove center circles) do not fit D and "
-      "dm. Enter values of the same bearing.");
+  require(cosine >= 0.0 && cosine <= 1.0 + 1e-12,
+          "derived.Rc_outer and derived.Rc_inner (radii of the circles of groove centers) do not "
+          "fit D (ball diameter) and dm (pitch diameter). Enter values of the same bearing.");
   scene.hertz_angle.fill(std::acos(std::min(cosine, 1.0)));
 }
 

@@ -267,7 +267,7 @@ constexpr MotionQuantity kMotion[] = {
      [](const MotionRunResults& f, const runs::Prepared&) { return f.axial_line; }},
     {"motion_radial_line", "radial force at Z f_cage",
      [](const MotionRunResults& f, const runs::Prepared&) { return f.radial_line; }},
-    {"motion_line_contrast", "lg(axial / radial force at Z f_cage)",
+    {"motion_line_contrast", "log10(axial / radial force at Z f_cage)",
      [](const MotionRunResults& f, const runs::Prepared&) {
        return std::log10(f.axial_line / f.radial_line);
      }},
@@ -562,7 +562,7 @@ void check_energy(const RunData& run, const RunFigures& figures, Experiment& out
   line.certainty =
       ring ? fmt::format("derived; hottest ring {:.4g} C, {}{}{}", *ring - 273.15,
                          run.hottest_ring->certainty, verdict.empty() ? "" : ": ", verdict)
-           : "derived; not judged, because the source gives no ring temperature";
+           : "derived; plausibility not checked, because the source gives no ring temperature";
   if (!verdict.empty())
     out.inputs.push_back(fmt::format(
         "{}: {}: the oil outlet temperature would be {:.4g} C, but the hottest ring has {:.4g} C",

@@ -74,8 +74,9 @@ void count_row(const ExperimentRow& row, ExperimentSummary& out) {
 /// Lines of the summary behind the table of groups.
 std::vector<std::string> summary_lines(const ExperimentSummary& s) {
   std::vector<std::string> out{
-      fmt::format("{} of {} bounds are satisfied, and {} of {} trends have the sign of the source.",
-                  s.bounds_held, s.bounds, s.signs_agree, s.signs),
+      fmt::format(
+          "{} of {} bounds are satisfied, and {} of {} trends have the same sign as in the source.",
+          s.bounds_held, s.bounds, s.signs_agree, s.signs),
       fmt::format("Blind rows (the measured value is withheld): {}. Rows not computed: {}. Failed "
                   "rows: {}. Rows that are parts of other rows: {}.",
                   s.kept_aside, s.not_computed, s.failed, s.parts)};
@@ -142,9 +143,9 @@ std::string experiments_markdown(const std::vector<Experiment>& experiments) {
   std::string out =
       "# Published experiments\n\nWritten by `adore validate --experiments --markdown`; the decks "
       "and the data of the sources are in `resources/experiments`. A\n*calibration* row was used "
-      "to fit the parameters of its experiment. A *prediction* row was not used. The certainty of "
-      "a source value\nshows whether the value is second-hand. All deviations are printed as "
-      "computed.\n\n| "
+      "to fit the parameters of its experiment. A *prediction* row was not used. The column "
+      "\"certainty of source\"\nshows whether the source value is second-hand. All deviations are "
+      "printed as computed.\n\n| "
       "rows with a deviation | rows | median | 90th percentile |\n|---|---|---|---|\n";
   const ExperimentSummary summary = summarize(experiments);
   for (const ExperimentGroup& one : summary.groups)

@@ -91,7 +91,8 @@ TEST_CASE("a sweep has no value for what a scene does not have and what nothing 
       CHECK(found.count(name) == 0);
     }
     // What did not move says so.
-    CHECK(contains(sweep.out, "2 runs of the sweep made no steps") == (scene.name == "no step"));
+    CHECK(contains(sweep.out, "2 runs of the sweep simulated no motion") ==
+          (scene.name == "no step"));
   }
 }
 
@@ -237,7 +238,7 @@ TEST_CASE("adore accuracy studies a deck's own run and puts what it finds into t
   const Result study = run_adore(line);
   INFO(study.out);
   REQUIRE(study.code == 0);
-  CHECK(contains(study.out, "the fastest settings with errors within 50 %"));
+  CHECK(contains(study.out, "the fastest settings that keep all errors within 50 %"));
   const json found = json::parse(read(folder / "study" / "ACCURACY.json"));
   CHECK(found["complete"] == true);
   CHECK(found["finals"].size() >= 2);

@@ -107,7 +107,7 @@ class _Churning(Calculator):
         c: float = ...,
         omega: float = ...,
     ) -> Result:
-        """churning drag and torque of rolling elements, rings and discs in a medium"""
+        """churning drag and torque of rolling elements, rings and discs in a fluid"""
 
 class _Clearance(Calculator):
     def __call__(  # type: ignore[override]
@@ -197,7 +197,7 @@ class _FilmStarvation(Calculator):
         R: float = ...,
         hFlooded: float = ...,
     ) -> Result:
-        """reduction of the film thickness by starvation (meniscus near the contact)"""
+        """reduction of the film thickness by starvation (oil meniscus near the contact)"""
 
 class _Fits(Calculator):
     def __call__(  # type: ignore[override]
@@ -265,7 +265,7 @@ class _FlashTemperature(Calculator):
         kRhoCa: float = ...,
         kRhoCb: float = ...,
     ) -> Result:
-        """surface temperatures of both bodies along one strip of a sheared film"""
+        """surface temperatures of both bodies along one strip of a sheared film in the rolling direction"""
 
 class _Fluid(Calculator):
     def __call__(  # type: ignore[override]
@@ -285,7 +285,7 @@ class _GroovedTapered(Calculator):
         outer_half_angle: float = ...,
         inner_half_angle: float = ...,
     ) -> Result:
-        """raceway profile circles of a spherical tapered roller bearing"""
+        """radius and center of the raceway profiles of a spherical tapered roller bearing"""
 
 class _Growth(Calculator):
     def __call__(  # type: ignore[override]
@@ -528,7 +528,7 @@ class _LifeStatistics(Calculator):
         L_contacts: Sequence[Any] = ...,
         slope: float = ...,
     ) -> Result:
-        """bearing life from the lives of its races (product law); life at a given survival probability"""
+        """bearing life from the lives of its races (product of their survival probabilities); life at a given survival probability"""
 
 class _LifeSum(Calculator):
     def __call__(  # type: ignore[override]
@@ -655,7 +655,7 @@ class _PocketLaw(Calculator):
         gaps: Sequence[float] = ...,
         wall_curvatures: Sequence[float] = ...,
     ) -> Result:
-        """contact load and stiffness of a ball in its pocket (Hertz law, continued linearly at large penetration)"""
+        """contact load and stiffness of a ball in its pocket (Hertz law; linear at large penetrations)"""
 
 class _RaceErrors(Calculator):
     def __call__(  # type: ignore[override]
@@ -686,7 +686,7 @@ class _ReferenceSpeed(Calculator):
         f0r: float = ...,
         f1r: float = ...,
     ) -> Result:
-        """ISO 15312: thermal reference speed from the balance of friction and dissipated heat"""
+        """ISO 15312: thermal reference speed from the balance of frictional heat and dissipated heat"""
 
 class _RibLoads(Calculator):
     def __call__(  # type: ignore[override]
@@ -732,7 +732,7 @@ class _RollerCorner(Calculator):
         end_radius: Union[None, float] = ...,
         corner_radius: float = ...,
     ) -> Result:
-        """torus of the rounded corner between the side and the end of a roller"""
+        """torus geometry of the rounded corner between the side and the end of a roller"""
 
 class _RollerFlange(Calculator):
     def __call__(  # type: ignore[override]
@@ -797,7 +797,7 @@ class _SliceLoad(Calculator):
         law: Mapping[str, Any] = ...,
         land: Mapping[str, Any] = ...,
     ) -> Result:
-        """loads of roller slices within the raceway width, from a power law or the half-space law"""
+        """loads of roller slices within the raceway width, from a power law or an elastic half-space law"""
 
 class _SlicePenetration(Calculator):
     def __call__(  # type: ignore[override]
@@ -820,7 +820,7 @@ class _SliceTraction(Calculator):
         kinematics: Mapping[str, Any] = ...,
         traction: Mapping[str, Any] = ...,
     ) -> Result:
-        """slip, traction, force, moment and heat of a sliced roller on a race"""
+        """slip, traction, force, moment and heat of a roller (divided into slices) on a race"""
 
 class _SlicedLine(Calculator):
     def __call__(  # type: ignore[override]
@@ -838,7 +838,7 @@ class _SlicedLine(Calculator):
         approach_list: Sequence[float] = ...,
         load_list: Sequence[float] = ...,
     ) -> Result:
-        """load and moment of a sliced roller for a given approach and tilt"""
+        """load and moment of a roller divided into slices, for a given approach and tilt"""
 
 class _SphericalRow(Calculator):
     def __call__(  # type: ignore[override]
@@ -851,7 +851,7 @@ class _SphericalRow(Calculator):
         pitch_diameter: float = ...,
         play: float = ...,
     ) -> Result:
-        """raceway profile circles of a row of spherical rollers"""
+        """radius and center of the raceway profiles for a row of spherical rollers"""
 
 class _StaticSafety(Calculator):
     def __call__(  # type: ignore[override]
@@ -972,7 +972,7 @@ class _TractionCurve(Calculator):
         tc: Sequence[float] = ...,
         slip: Sequence[float] = ...,
     ) -> Result:
-        """traction coefficient versus slip, four types of curve"""
+        """traction coefficient versus slip, for four types of curve"""
 
 class _Units(Calculator):
     def __call__(  # type: ignore[override]
@@ -1002,7 +1002,7 @@ class _ViscoElasticFilm(Calculator):
         tau0: float = ...,
         tau0p: float = ...,
     ) -> Result:
-        """traction coefficient of a viscoelastic film along one strip of a contact"""
+        """traction coefficient of a viscoelastic film along one strip of a contact in the rolling direction"""
 
 class _Viscosity(Calculator):
     def __call__(  # type: ignore[override]

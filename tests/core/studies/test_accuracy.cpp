@@ -199,9 +199,9 @@ TEST_CASE("accuracy study: recommendation mentions warnings of its run and irreg
           (share > results::kMovedWarning));
     CHECK((says.find("1.6e-04 of the exchanged energy") != std::string::npos) ==
           (share > results::kMovedWarning));
-    CHECK(says.find("rk4, tol 0.0001, stpMax as long as stable: the fastest settings with errors "
-                    "within 1 % over 50 revolutions") == 0);
-    CHECK(says.find("the deck's own settings take 4 s") != std::string::npos);
+    CHECK(says.find("rk4, tol 0.0001, stpMax as long as stable: the fastest settings that keep "
+                    "all errors within 1 % over 50 revolutions") == 0);
+    CHECK(says.find("the deck's own settings need 4 s") != std::string::npos);
     CHECK(says.find("irregular") == std::string::npos);
   }
   AccuracyRow warned = study.finals[1];
@@ -210,26 +210,26 @@ TEST_CASE("accuracy study: recommendation mentions warnings of its run and irreg
   warned.seconds = 0.5;
   warned.energy_share = 3e-4;
   study.finals.push_back(warned);
-  CHECK(recommendation(study).find("pece2, tol 1e-7 is faster than these settings (0.5 s), but its "
+  CHECK(recommendation(study).find("pece2, tol 1e-7 needs only 0.5 s, but its "
                                    "energy residual is 3.0e-04") != std::string::npos);
   study.long_reference.noise.heat = 0.04;
   CHECK(recommendation(study).find("Two accurate runs differ by 4 %") != std::string::npos);
   CHECK(recommendation(study).find("within 1 % (heat within 6 %) over 50 revolutions") !=
         std::string::npos);
   // What the resolution of the contacts changes is no matter of integrators.
-  CHECK(recommendation(study).find("integrator and steps only") == std::string::npos);
+  CHECK(recommendation(study).find("only the integrator and the step sizes") == std::string::npos);
   AccuracyRow nodes;
   nodes.setting.name = "ellipse nodes 30 x 8";
   nodes.errors = {0.056, 0.001, 0.002, 0.0};
   study.models = {nodes};
   CHECK(recommendation(study).find(
-            "this study covers integrator and steps only: ellipse nodes 30 x "
-            "8 changes the results by more than the target error (speeds 5.6 %") !=
+            "this study covers only the integrator and the step sizes: ellipse "
+            "nodes 30 x 8 changes the results by more than the target error (speeds 5.6 %") !=
         std::string::npos);
   study.short_reference.noise.speed = 0.05;  // no more than accurate runs differ by
-  CHECK(recommendation(study).find("integrator and steps only") == std::string::npos);
+  CHECK(recommendation(study).find("only the integrator and the step sizes") == std::string::npos);
   study.recommended = -1;
-  CHECK(recommendation(study).find("No setting has errors within 1 %") == 0);
+  CHECK(recommendation(study).find("No settings keep all errors within 1 %") == 0);
 }
 
 TEST_CASE("accuracy study: runs under nearby loads → noise, which hides errors of a method",
@@ -398,7 +398,8 @@ TEST_CASE("accuracy study: growth → of a row that completed both rounds", "[un
   }
   SECTION("of one span none can be") {
     study.long_turns = study.finals[0].turns = 1.0;
-    CHECK(told().find("Error growth: not measured, because both rounds simulate the same span.") !=
+    CHECK(told().find(
+              "Error growth: not measured, because both rounds have the same simulated length.") !=
           std::string::npos);
   }
 }

@@ -36,7 +36,7 @@ void check_rows(const ChosenSettings& chosen, double target) {
   if (row > 0) CHECK_FALSE(chosen.rows[row - 1].significant.largest() <= limit);
   CHECK(chosen.options == chosen.rows[row].options);
   // With little processor time, the study may find no steps within the target.
-  if (chosen.text.find("no settings are within the target error") == std::string::npos)
+  if (chosen.text.find("no settings have errors within the target") == std::string::npos)
     CHECK(chosen.steps.largest() <= 0.75 * target);
   CHECK(chosen.text.find(chosen.rows[row].name) != std::string::npos);
 }

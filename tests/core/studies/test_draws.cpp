@@ -56,7 +56,7 @@ TEST_CASE("Sobol points: every dyadic interval of every dimension has equally ma
       CHECK(std::abs(12.0 * sum / n) < 0.3);
     }
   CHECK_THROWS_WITH(unit_cube_samples(Sampling::Sobol, n, kSobolDimensions + 1, 3),
-                    Catch::Contains("use method latin"));
+                    Catch::Contains("use the method \"latin\""));
 }
 
 TEST_CASE("Sobol points: smooth product → integrated far better than by random points",

@@ -53,7 +53,7 @@ TEST_CASE("study file: error → sentence with file, key, value and valid values
     return std::string("accepted");
   };
   CHECK_THAT(refused("\"sweep\"", "\"swep\""),
-             Contains("a.json: kind = \"swep\"") && Contains("nearest is \"sweep\""));
+             Contains("a.json: kind = \"swep\"") && Contains("most similar name is \"sweep\""));
   CHECK_THAT(refused("appLoadX", "apLoadX"),
              Contains("a.json: variables[1].name = \"apLoadX\"") && Contains("\"appLoadX\""));
   CHECK_THAT(refused("[500, 1500, 3]", "[500, 1500]"),
@@ -63,7 +63,7 @@ TEST_CASE("study file: error → sentence with file, key, value and valid values
              Contains("exactly one of \"grid\", \"list\", \"uniform\" and \"normal\""));
   CHECK_THAT(refused("largest_contact_load_N", "largest_contact_load"),
              Contains("quantities[1] = \"largest_contact_load\"") &&
-                 Contains("nearest is \"largest_contact_load_N\""));
+                 Contains("most similar name is \"largest_contact_load_N\""));
   CHECK_THAT(refused("\"deck\": \"DATA.txt\",", "\"deck\": \"DATA.txt\", \"untill\": \"5rev\","),
              Contains("a.json: untill is not used here") && Contains("do you mean \"until\""));
   CHECK_THAT(refused("\"deck\": \"DATA.txt\",", ""), Contains("a.json: deck is missing"));

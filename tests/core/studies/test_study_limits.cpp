@@ -206,7 +206,7 @@ TEST_CASE("report: runs that are not those of the study → error, no access out
   CHECK_THAT(refused(other), Contains("a.study/tasks.jsonl: line 2, run 2"));
   other.tasks.pop_back();
   other.records.pop_back();
-  CHECK_THAT(refused(other), Contains("the list has 2 runs, but the study has 3"));
+  CHECK_THAT(refused(other), Contains("the file lists 2 runs, but the study has 3"));
 }
 
 TEST_CASE("study: more runs or memory than the limits → error before memory is taken",
@@ -248,7 +248,7 @@ TEST_CASE("study: more runs or memory than the limits → error before memory is
     CHECK_THAT(refusal([&] {
                  (void)study(kind, grid + R"(, {"name": "appLoadZ", "grid": [1, 2, 101]})", "");
                }),
-               Contains("variables: their values have 1.01e+07 combinations"));
+               Contains("variables: the values of the variables have 1.01e+07 combinations"));
   std::string many, decks, cases;
   for (int k = 0; k < 2001; ++k)
     many += fmt::format(R"({}{{"name": "reDiaVar[{}]", "step": 1}})", k > 0 ? ", " : "", k + 1);
