@@ -135,7 +135,9 @@ Json load_capacity(const runs::Prepared& p) {
 Json roller_inertia(const runs::Prepared& p) {
   const bearing::RollerGeometry* rollers = p.as_built.rollers();
   if (rollers == nullptr)
-    throw InputError("calculator roller-inertia needs a deck with rollers; this deck has balls");
+    throw InputError(
+        "the calculator \"roller-inertia\" needs the deck of a roller bearing; this deck has "
+        "balls");
   return {{"roller", {{"dia", rollers->diameter}, {"length", rollers->length}}},
           {"density", p.as_built.element_material.density}};
 }

@@ -397,8 +397,8 @@ std::vector<Contradiction> contradictions_of(const Search& search,
     if (!search.find(all & ~static_cast<unsigned>(one.fact)).empty())
       out.push_back({one.text, "all other facts together"});
   if (out.empty())
-    out.push_back(
-        {"the set of all facts", "any bearing geometry, although any two of the facts agree"});
+    out.push_back({"the set of all facts",
+                   "any bearing geometry, although each pair of facts agrees with a geometry"});
   return out;
 }
 
@@ -574,7 +574,8 @@ void check_bounds(const BearingFacts& f, const deck::CatalogueBearing& b,
         "ranking of the candidates.");
   if (!f.cage.empty() && f.cage != "full complement")
     fact_use.push_back(fmt::format(
-        "cage = {}: only \"full complement\" has an effect on the candidates.", f.cage));
+        "cage = {} has no effect on the candidates. Only \"full complement\" has an effect.",
+        f.cage));
   if (f.rows.value_or(1) > 1)
     fact_use.push_back(fmt::format(
         "The ratings apply to all {} rows together. The deck describes one row: enter the "
@@ -620,8 +621,8 @@ CandidateReport find_candidates(const BearingFacts& facts) {
   if (!facts.C && !facts.C0 && !facts.BPFO && !facts.BPFI && !facts.count &&
       !facts.element_diameter)
     out.fact_use.emplace_back(
-        "Only the size is known: the candidates are typical designs of this type. Add C and C0, or "
-        "a fault factor, to select among them.");
+        "Only the boundary dimensions are known, so the candidates are typical designs of this "
+        "bearing type. To select among them, add C and C0, or BPFO.");
   return out;
 }
 

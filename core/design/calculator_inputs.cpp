@@ -125,17 +125,19 @@ Json calculator_inputs(const runs::Prepared& p, const std::string& calculator, i
     return out;
   }
   if (calculator == "line-contact") {
-    if (!p.rollers) throw InputError("calculator line-contact needs a deck with rollers");
+    if (!p.rollers)
+      throw InputError("the calculator \"line-contact\" needs the deck of a roller bearing");
     for (std::size_t j = 0; j < 2; ++j) out[kRaces[j]] = line_of_roller(p, k, j);
     return out;
   }
   if (calculator != "hertz")
     throw InputError(fmt::format(
-        "calculator {} does not accept a deck. The calculators that accept a deck are: {}",
+        "the calculator \"{}\" does not accept a deck. The calculators that accept a deck are: {}",
         calculator, fmt::join(deck_calculators(), ", ")));
   if (p.rollers)
     throw InputError(
-        "calculator hertz needs a deck with balls. For rollers, use calculator line-contact");
+        "the calculator \"hertz\" needs the deck of a ball bearing. For a roller bearing, use the "
+        "calculator \"line-contact\"");
   for (std::size_t j = 0; j < 2; ++j) out[kRaces[j]] = hertz_of_ball(p, k, j);
   return out;
 }

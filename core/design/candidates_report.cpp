@@ -41,9 +41,9 @@ std::string candidates_text(const CandidateReport& report) {
           one.C0 / 1e3, one.BPFO, one.BPFI, one.FTF, one.BSF, one.convention);
     const BearingCandidate& first = report.candidates.front();
     out += fmt::format(
-        "ESTIMATES from published facts. C and C0 are computed by ISO 281 and ISO 76 for each "
-        "geometry. The weight ranks the candidates; it is not a probability. Spread of candidate "
-        "1: D +- {:.2g} mm, BPFO +- {:.2g} %.\n",
+        "ESTIMATES from published facts. C and C0 are computed with ISO 281 and ISO 76 for each "
+        "geometry. The weight ranks the candidates; it is not a probability. Uncertainty of "
+        "candidate 1: element diameter D +- {:.2g} mm, BPFO +- {:.2g} %.\n",
         first.diameter_spread * 1e3, 100.0 * first.factor_spread);
     if (report.left_out > 0)
       out += fmt::format(

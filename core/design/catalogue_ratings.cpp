@@ -57,18 +57,19 @@ CatalogueRatings catalogue_ratings(const deck::RatedBearing& b) {
 std::vector<std::string> describe_ratings(const deck::RatedBearing& b) {
   const CatalogueRatings r = catalogue_ratings(b);
   const auto mm = [](double value) { return 1e3 * value; };
-  return {fmt::format("{}, {}: bore {:g} mm, outside diameter {:g} mm, {} {:g} mm ({}).",
-                      b.designation, deck::rated_bearing_type_name(b.type), mm(b.envelope.bore),
-                      mm(b.envelope.outside), r.axial ? "height" : "width", mm(b.envelope.width),
-                      b.source),
-          fmt::format("ESTIMATED internal geometry (manufacturers do not publish it): {} {} of "
-                      "{:.4g} mm on a pitch circle of {:.4g} mm, contact angle {:.3g} degrees.",
-                      b.count, b.rows > 1 ? "elements per row" : "elements", mm(b.diameter),
-                      mm(b.pitch), b.angle),
-          fmt::format("ESTIMATED ratings (ISO 281, ISO 76), {}: C {:.3g} kN, C0 {:.3g} kN.",
-                      r.axial ? "axial" : "radial", 1e-3 * r.C, 1e-3 * r.C0),
-          "Decks cannot describe this bearing type yet, so the bearing cannot be simulated. Use "
-          "the calculators static-safety, reference-speed, minimum-load and iso281."};
+  return {
+      fmt::format("{}, {}: bore {:g} mm, outside diameter {:g} mm, {} {:g} mm ({}).", b.designation,
+                  deck::rated_bearing_type_name(b.type), mm(b.envelope.bore),
+                  mm(b.envelope.outside), r.axial ? "height" : "width", mm(b.envelope.width),
+                  b.source),
+      fmt::format("ESTIMATED internal geometry (manufacturers do not publish it): {} {} of "
+                  "{:.4g} mm on a pitch circle of {:.4g} mm, contact angle {:.3g} degrees.",
+                  b.count, b.rows > 1 ? "elements per row" : "elements", mm(b.diameter),
+                  mm(b.pitch), b.angle),
+      fmt::format("ESTIMATED {} load ratings (ISO 281, ISO 76): C {:.3g} kN, C0 {:.3g} kN.",
+                  r.axial ? "axial" : "radial", 1e-3 * r.C, 1e-3 * r.C0),
+      "Decks cannot describe this bearing type yet, so the bearing cannot be simulated. Use the "
+      "calculators \"static-safety\", \"reference-speed\", \"minimum-load\" and \"iso281\"."};
 }
 
 }  // namespace adore::design

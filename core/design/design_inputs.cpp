@@ -70,7 +70,8 @@ std::vector<DesignInput> design_inputs(const deck::Deck& deck) {
       {"Geometry", "Cup half angle", {"raceTaper1"}, "°", ""},
       {"Geometry", "Diametral clearance", {"freeIntCls"}, "mm", ""}};
   if (ball && deck.has("freeConAng") && deck.real("freeConAng") != 0.0)
-    all.back().why_fixed = "the diametral clearance follows from the free contact angle";
+    all.back().why_fixed =
+        "the diametral clearance follows from the contact angle without load (freeConAng)";
   std::erase_if(all, [&](const DesignInput& one) { return !deck.has(one.variables.front()); });
   return all;
 }

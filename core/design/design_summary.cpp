@@ -77,7 +77,7 @@ void add_lives(Writer& out, const runs::Prepared& ready) {
   out.add("life_modified", "Lnmh, with aISO", kHours,
           iso && iso->L_nm ? hours(iso->L_nm) : std::nullopt,
           iso && iso->L_nm
-              ? why("with the viscosity ratio and the contamination factor (isoContamination)")
+              ? why("aISO from the viscosity ratio and the contamination factor (isoContamination)")
               : why("needs an oil and the run option isoContamination"));
   out.add(
       "life_lundberg_palmgren", "L10h, Lundberg-Palmgren", kHours,
@@ -121,7 +121,7 @@ void add_contacts(Writer& out, const runs::Prepared& ready) {
     if (angle && rollers)
       note = "angle of the raceway at mid-length of the roller";
     else if (angle)
-      note = fmt::format("most loaded ball; all balls: {:.3g} to {:.3g}°",
+      note = fmt::format("at the most loaded ball; range of all balls: {:.3g} to {:.3g}°",
                          race.least_angle.value * kAngle.factor,
                          race.most_angle.value * kAngle.factor);
     out.add(fmt::format("contact_angle_{}", kRace[j]), fmt::format("Angle, {} race", kRace[j]),
@@ -240,7 +240,7 @@ void add_temperatures(Writer& out, const runs::Prepared& ready) {
   out.group("Temperatures");
   const bool computed = ready.thermal.has_value();
   const std::string note =
-      computed ? "steady state" : "temperature of the deck; no thermal analysis (kTherm = 0)";
+      computed ? "steady state" : "temperature from the deck; no thermal analysis (kTherm = 0)";
   const auto add = [&](const char* id, const char* label, double kelvin) {
     out.add(id, label, kTemperature, kelvin, note);
   };

@@ -52,12 +52,12 @@ void SceneBuilder::momentum(int& index, std::string name, Momentum which, const 
 void SceneBuilder::add_border_body(BodyId id, const BorderBody& body, Slice rows) {
   demand(rows.first >= 0 && rows.count > 0 &&
              rows.first + rows.count <= static_cast<int>(out_.owner.size()),
-         "a body in the border of the Jacobian has no states");
+         "a body was added to the solver without state variables");
   for (int k = rows.first; k < rows.first + rows.count; ++k)
     demand(out_.owner[static_cast<std::size_t>(k)] == kBorder,
-           "a state of a body in the border of the Jacobian belongs to an element");
+           "a state variable of a race or cage belongs to a rolling element");
   for (const Assembly::Border& other : out_.border)
-    demand(!(other.id == id), "a body is in the border of the Jacobian twice");
+    demand(!(other.id == id), "the same body was added to the solver twice");
   out_.border.push_back({id, &body, rows});
 }
 

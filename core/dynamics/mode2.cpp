@@ -80,7 +80,8 @@ bool update_race(const Mode2Balls& set, const Vec5& q, Mode2Race& state, double 
 Mode2Solution solve_mode2(const ConstrainedBall& ball, const std::array<RacePose, 2>& races,
                           std::span<const double> theta, std::span<const Orbit> orbit,
                           const Vec3& load) {
-  demand(theta.size() == orbit.size() && !theta.empty(), "mode 2 needs one orbit per ball");
+  demand(theta.size() == orbit.size() && !theta.empty(),
+         "mode 2 needs the orbital motion of each ball");
   const Mode2Balls set{ball, races, theta, orbit};
   statics::RaceLoadCase task;
   task.given = {false, false, false, true, true};

@@ -58,7 +58,7 @@ class Instant {
     System& system = system_;
     for (std::size_t q = 0; q < kQuantities.size(); ++q) {
       const auto slice = find(system.layout(), "element." + std::string(kQuantities[q].name));
-      demand(slice.has_value(), "a scene without rolling elements has no equilibrium");
+      demand(slice.has_value(), "a bearing without rolling elements has no equilibrium");
       slices_[static_cast<Quantity>(q)] = *slice;
     }
     for (std::size_t i = 0; system.bearing().rollers() != nullptr && i < slices_.elements(); ++i)
@@ -589,7 +589,7 @@ EquilibriumChange assess_start_excess_energy(const EquilibriumContext& scene, do
   if (excess)
     out.excess = std::max(0.0, *excess);
   else
-    out.why_not = "the energy at the start cannot be evaluated";
+    out.why_not = "the energy at the start could not be computed";
   return out;
 }
 
@@ -597,7 +597,7 @@ void book_change(System& before, std::span<const double> y_before, System& after
                  std::span<double> y) {
   const Snapshot was = before.snapshot(t, y_before), is = after.snapshot(t, y);
   const auto jump = find(after.layout(), "thermal.jump");
-  demand(jump.has_value(), "the geometry changed in a scene with fixed geometry");
+  demand(jump.has_value(), "the geometry changed in a simulation with fixed geometry");
   component(y, *jump) += is.energy.sum(LedgerKind::Stored) - was.energy.sum(LedgerKind::Stored);
   const auto add = [&](const std::string& name, const Vec3& change) {
     const auto slice = find(after.layout(), name);

@@ -7,8 +7,8 @@
 namespace adore::dynamics {
 
 Slice StateLayout::add(std::string name, std::string_view unit, int count, double scale) {
-  demand(count >= 0, "a group of state components has a negative size");
-  demand(scale > 0.0, "the error scale of a state component must be positive");
+  demand(count >= 0, "a group of state variables has a negative size");
+  demand(scale > 0.0, "the error scale of a state variable must be positive");
   const Slice slice{size_, count};
   groups_.push_back({std::move(name), std::string(unit), slice});
   scales_.insert(scales_.end(), static_cast<std::size_t>(count), scale);
@@ -28,12 +28,12 @@ std::string StateLayout::component_name(int index) const {
     if (group.slice.count == 1) return fmt::format("{} [{}]", group.name, group.unit);
     return fmt::format("{}[{}] [{}]", group.name, k + 1, group.unit);
   }
-  demand(false, "the index of a state component is out of range");
+  demand(false, "the index of a state variable is out of range");
   return {};
 }
 
 void StateLayout::set_scale(const Slice& slice, double scale) {
-  demand(scale > 0.0, "the error scale of a state component must be positive");
+  demand(scale > 0.0, "the error scale of a state variable must be positive");
   for (int i = slice.first; i < slice.first + slice.count; ++i)
     scales_.at(static_cast<std::size_t>(i)) = scale;
 }

@@ -98,7 +98,7 @@ bool System::Impl::knows(double t, std::span<const double> y) const noexcept {
 
 const Evaluation& System::Impl::evaluate(double t, std::span<const double> y) {
   demand(static_cast<int>(y.size()) == parts.layout.size(),
-         "the given state belongs to another system");
+         "the number of state variables is wrong");
   if (knows(t, y)) {
     e.y = y.data();
     return e;

@@ -99,7 +99,7 @@ void System::set_start(double t, std::span<const double> y) {
 void System::continue_from(System& before, double t, std::span<double> y) {
   Impl &s = *impl_, &old = *before.impl_;
   demand(s.parts.layout.size() == old.parts.layout.size(),
-         "a change of geometry changed the layout of the state");
+         "a change of geometry changed the number of state variables");
   go_on(before.prescribed_races(t, y), t, y);
   s.parts.cost = old.parts.cost;  // of the same blocks
   s.scales = old.scales;

@@ -47,7 +47,7 @@ System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
     if (block.phase == Phase::Races) ++race_blocks;
   for (const auto& effect : parts.effects)
     if (effect->has_stiff_part()) {
-      demand(stiff == nullptr, "only one effect of a scene may have a stiff part");
+      demand(stiff == nullptr, "only one effect may have a part that is integrated implicitly");
       stiff = effect.get();
     }
   set_up_border();
@@ -78,8 +78,7 @@ void System::Impl::set_up_border() {
     border_rank.push_back(static_cast<std::size_t>(
         std::count(owner.begin(), owner.begin() + one.rows.first, kBorder)));
   }
-  demand(of_bodies == border_count,
-         "internal error: the coupled part of the Jacobian has states that belong to no body");
+  demand(of_bodies == border_count, "some state variables of the solver do not belong to any body");
   const std::size_t elements = e.sin_theta.size();
   for (const Assembly::Block& block : parts.blocks) {
     std::vector<int> partner(elements, -1);

@@ -23,7 +23,7 @@ class CvodeStepper final : public SundialsStepper {
         method_(method) {}
   [[nodiscard]] bool can_hold_constant_step() const noexcept override { return false; }
   [[nodiscard]] std::string_view loses() const noexcept override {
-    return "its order and its past steps, so it starts again at order 1";
+    return "its order and its past steps, and starts again at order 1";
   }
 
  private:

@@ -68,7 +68,7 @@ deck::Deck read_stored_deck(const std::string& stored, const std::filesystem::pa
   if (!read.ok())
     throw InputError(
         fmt::format("{}: the deck in this file has errors, so the file is damaged; use the file of "
-                    "an earlier run, or start from statics (kIcOpt = 0)\n{}",
+                    "an earlier run, or start from the quasi-static solution (kIcOpt = 0)\n{}",
                     file.string(), to_text(read.issues)));
   return std::move(read.deck);
 }
@@ -119,7 +119,7 @@ std::vector<Issue> compare_with_stored(const std::string& stored, const deck::De
                     : "the state and files of the run to be continued do not allow this change",
                 sentence(d)),
             d.variable == "kBrg"
-                ? "start from statics (kIcOpt = 0)"
+                ? "start from the quasi-static solution (kIcOpt = 0)"
                 : "restore the old value, or start a new run from the stored state (kIcOpt = -1)",
             d.instance);
         refused.push_back(std::move(issue));

@@ -66,7 +66,7 @@ std::string operation_line(const deck::Deck& deck) {
 std::string run_line(const deck::Deck& deck) {
   if (deck.integer("mode") < 0) {
     std::string line =
-        "run:        quasi-static solution only: loads, displacements, stiffness, life";
+        "run:        quasi-static solution only (loads, displacements, stiffness, life)";
     if (deck.integer("kStif") > 0)
       line += "; stiffness at " + counted(deck.integer("kStif"), "speed");
     return line;

@@ -438,9 +438,9 @@ std::vector<validity::Finding> LawValidityMonitor::findings() const {
     if (above < kJudgedShare * use.slip_power) continue;
     if (!limit && use.above_limit >= kJudgedShare * use.slip_power) continue;  // said once
     validity::Finding one = found;
-    one.detail =
-        fmt::format("range exceeded in contacts with {:.2g} % of the sum of load times slip speed",
-                    100.0 * above / use.slip_power);
+    one.detail = fmt::format(
+        "contacts outside this range account for {:.2g} % of the sum of load times slip speed",
+        100.0 * above / use.slip_power);
     out.push_back(std::move(one));
   }
   for (const validity::Finding& before : impl_->others) {

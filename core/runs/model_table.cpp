@@ -48,8 +48,8 @@ std::string model_stamp(const LoadedDeck& deck) {
 
 std::string model_table(const ModelStudy& study) {
   std::string out = fmt::format(
-      "Model errors of {}: change of the results in percent for one changed model choice at a "
-      "time, over {}.\n{:<15}{:<42}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n",
+      "Model errors of {}: change of each result in percent after one model choice is changed, "
+      "computed over {}.\n{:<15}{:<42}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n",
       study.deck, counted(fmt::format("{:.3g}", study.turns), "revolution"), "choice", "", "speeds",
       "whirl", "loads", "peak", "heat", "life");
   const auto size = [](double share) {

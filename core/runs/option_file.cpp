@@ -173,8 +173,7 @@ std::string unknown_name_text(std::string_view name) {
   for (const RunOptionInfo& option : run_options())
     if (edit_distance(name.substr(0, 40), option.name) <= 2) add(option.name);
   return fmt::format(
-      "there is no run option named \"{}\", and records X have no variable with this name; {}",
-      name,
+      "there is no run option named \"{}\" and no variable with this name in records X; {}", name,
       names.empty()
           ? std::string("`adore run --list-options` and `adore schema` list the valid names")
           : fmt::format("did you mean {}?", names));
@@ -213,7 +212,7 @@ std::vector<Issue> set_extension(deck::Deck& deck, const OptionFile& file,
       deck.set(name, value);
       if (given && deck.records != before)
         add(deck.issue(Severity::Error, name, "has a different value in the deck file",
-                       "give the variable in only one of the two files"));
+                       "give the variable either in the deck file or in this file"));
     } catch (const InputError& error) {
       for (const Issue& issue : error.issues()) add(issue);
     }

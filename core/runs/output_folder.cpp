@@ -139,7 +139,7 @@ FolderLock::FolderLock(WriteFolder folder, std::string_view elsewhere)
         ::close(descriptor);
         throw InputError(fmt::format(
             "{}: another run is writing into this folder ({}); wait until that run ends, or {}",
-            folder_.path().string(), who.empty() ? "a process that did not store its name" : who,
+            folder_.path().string(), who.empty() ? "started by an unknown process" : who,
             elsewhere));
       }
       ::close(descriptor);  // a file system without locks
@@ -210,22 +210,24 @@ void check_names(const Outputs& outputs) {
     if (input) {
       issue.message = "this output file would replace an input file of the run";
       issue.remedy =
-          "rename the input, choose another name on record 2.3, or another folder with "
-          "--out";
+          "rename the input file, choose another output name on record 2.3, or choose another "
+          "folder with --out";
     } else if (fs::is_symlink(status)) {
       issue.message = fmt::format("this output file is a symbolic link to {}",
                                   fs::read_symlink(path, error).string());
       issue.remedy = "remove the link, or choose another folder with --out";
     } else if (!fs::is_regular_file(status)) {
       issue.message = "this output file exists and is not a regular file";
-      issue.remedy = "choose another name on record 2.3, or another folder with --out";
+      issue.remedy =
+          "choose another output name on record 2.3, or choose another folder with --out";
     } else if ((fs::file_size(path, error) > 0 ||
                 (status.permissions() & (fs::perms::owner_exec | fs::perms::group_exec |
                                          fs::perms::others_exec)) != fs::perms::none) &&
                !is_written_by_adore(path)) {
       issue.message = "this output file exists and was not written by this program";
       issue.remedy =
-          "move the file away, choose another name on record 2.3, or another folder with --out";
+          "move the file away, choose another output name on record 2.3, or choose another folder "
+          "with --out";
     } else if (write_protected(path)) {
       issue.message = "this output file is write-protected and was not changed";
       issue.remedy = "make the file writable (chmod u+w), or choose another folder with --out";

@@ -266,8 +266,8 @@ void report_stiffness_fallbacks(Prepared& out) {
   constexpr double kRpm = 30.0 / std::numbers::pi;
   add_remark(
       out, make_finding("statics.friction_balance",
-                        fmt::format("stiffness over speed: {} without a friction equilibrium, the "
-                                    "first one at rpm1 = {:g} and rpm2 = {:g}: {}",
+                        fmt::format("stiffness over speed: no friction equilibrium was found in {} "
+                                    "of the table, first at rpm1 = {:g} and rpm2 = {:g}: {}",
                                     counted(without, "row"), kRpm * first->speed[0],
                                     kRpm * first->speed[1], first->result.notes.front().message)));
 }
@@ -304,11 +304,10 @@ void report_fluid_uncertainty(Prepared& out) {
                               : provenance == "recalled" ? "are partly not verified"
                                                          : nullptr;
     if (known != nullptr)
-      add_remark(out,
-                 make_finding("fluid.certainty",
-                              fmt::format("the properties of {}, {}, {}. Results that depend on "
-                                          "them have the same uncertainty",
-                                          name, what, known)));
+      add_remark(out, make_finding("fluid.certainty",
+                                   fmt::format("the properties of {} ({}) {}. Results that depend "
+                                               "on them have the same uncertainty",
+                                               name, what, known)));
   };
   const bearing::Bearing& b = out.bearing;
   if (b.lubrication) {
@@ -348,10 +347,10 @@ bearing::Bearing at_start(Prepared& out) {
   if (!out.user || !out.user->has_out_of_round_elements()) return out.bearing;
   if (auto changed = statics::with_start_radii(out.bearing, out.user->out_of_round()))
     return *changed;
-  add_remark(out,
-             make_finding("user.idle",
-                          "ADRX5: the equilibrium uses the mean radius of each roller, because "
-                          "a race has land offsets or a surface over both coordinates"));
+  add_remark(out, make_finding(
+                      "user.idle",
+                      "ADRX5: the equilibrium uses the mean radius of each roller, because a race "
+                      "has land offsets, or a surface that varies around and across the race"));
   return out.bearing;
 }
 

@@ -52,9 +52,9 @@ std::unique_ptr<integrators::Stepper> make_checked_stepper(const setup::RunContr
 
   if (stepper->name() == "arkode-imex" && held)
     throw InputError(
-        "arkode-imex needs freely moving elements, but qFac on record 2.1, or mode 1 or 2, keeps "
-        "elements in force balance; set qFac and mode to 0, or use arkode-dirk (intMet 32) or "
-        "arkode-erk (intMet 31)");
+        "arkode-imex does not support elements in force balance (qFac above 0 on record 2.1, or "
+        "mode 1 or 2). Set qFac and mode to 0, or use arkode-dirk (intMet 32) or arkode-erk "
+        "(intMet 31)");
   if (stepper->name() == "arkode-imex" && !ode.has_stiff_part())
     throw InputError(
         "arkode-imex treats the normal contacts of elements and races implicitly, but this deck "

@@ -219,14 +219,13 @@ void RunOutputs::Impl::check_quadrature(const scene::QuadratureError& error) {
   const double heat = std::max({error.heat_of_finer, mean[0] + mean[1], least});
   const double off = heat > 0.0 ? (error.heat_of_rule - error.heat_of_finer) / heat : 0.0;
   if (std::abs(off) <= kMaxHeatError) return;
-  remark(
-      make_finding("end.quadrature",
-                   fmt::format("the heat of the races has an error of {:.2g} %, because the "
-                               "contact integrals have too few nodes (compared with twice as many "
-                               "nodes at the last state). Increase the run options ellipseMajor "
-                               "and ellipseMinor",
-                               100.0 * off))
-          .measure(100.0 * off, 100.0 * kMaxHeatError));
+  remark(make_finding(
+             "end.quadrature",
+             fmt::format("the contact integrals have too few nodes: the heat of the races differs "
+                         "by {:.2g} % from the heat with twice as many nodes (at the last state). "
+                         "Increase the run options ellipseMajor and ellipseMinor",
+                         100.0 * off))
+             .measure(100.0 * off, 100.0 * kMaxHeatError));
 }
 
 void RunOutputs::Impl::make_room() {
@@ -378,11 +377,11 @@ StartPoint RunOutputs::find_start_point(dynamics::System& system, setup::StartSt
   const bool final_exists = fs::exists(s.path(s.control.final_file), error);
   const deck::Deck& deck = s.prepared.input.deck;
   if (start == setup::StartState::FromFinal && !final_exists)
-    throw InputError({deck.issue(
-        Severity::Error, "kIcOpt",
-        fmt::format("starts from {}, but this file does not exist",
-                    s.path(s.control.final_file).string()),
-        "copy the file FINAL of a run to this place, or start from statics (kIcOpt = 0)")});
+    throw InputError({deck.issue(Severity::Error, "kIcOpt",
+                                 fmt::format("starts from {}, but this file does not exist",
+                                             s.path(s.control.final_file).string()),
+                                 "copy the file FINAL of a run to this place, or start from the "
+                                 "quasi-static solution (kIcOpt = 0)")});
   if (start == setup::StartState::Continue && !master_exists && !final_exists)
     throw InputError(
         {deck.issue(Severity::Error, "kIcOpt",

@@ -56,8 +56,8 @@ std::string continued_remark(const StartPoint& start, bool remembers,
         start.step, stepper.name());
   if (!stepper.loses().empty())
     return fmt::format(
-        "continued from step {}: {} loses {}. The results differ from those of an uninterrupted "
-        "run by errors within the tolerance",
+        "continued from step {}: {} does not restore {}. The results differ from those of an "
+        "uninterrupted run by errors within the tolerance",
         start.step, stepper.name(), stepper.loses());
   return {};
 }

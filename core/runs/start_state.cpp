@@ -60,10 +60,10 @@ std::string free_directions(const scene::ScenePlan& plan) {
     for (std::size_t k = 0; k < 3; ++k)
       if (!race->translation_held[k])
         names += fmt::format("{}kFD{}2 = 0", names.empty() ? "" : ", ", k + 1);
-  return names.empty()
-             ? names
-             : ", and whether the loads can balance the inner race in its free directions (" +
-                   names + ")";
+  return names.empty() ? names
+                       : ", and whether the loads can balance the inner race in the directions in "
+                         "which it moves freely (" +
+                             names + ")";
 }
 
 }  // namespace

@@ -64,10 +64,12 @@ void add_contact_model(Entries& out, const Prepared& p) {
   }
   const bool sliced = p.options.rollers.contact == statics::RollerContact::Sliced;
   out.add("roller / race contact", true,
-          sliced ? fmt::format("{}: crowned profile in {} slices (run option)", given(deck, "kBrg"),
-                               p.options.rollers.slices)
-                 : fmt::format("{}: one elliptical Hertz contact per race (run option)",
-                               given(deck, "kBrg")));
+          sliced
+              ? fmt::format(
+                    "{}: crowned profile in {} slices (run options rollerContact, rollerSlices)",
+                    given(deck, "kBrg"), p.options.rollers.slices)
+              : fmt::format("{}: one elliptical Hertz contact per race (run option rollerContact)",
+                            given(deck, "kBrg")));
   out.add("roller speeds", true,
           statics::has_friction_balance(b, p.options.rollers)
               ? "friction equilibrium with skew (rollerFriction); rollers without a friction "

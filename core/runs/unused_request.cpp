@@ -88,7 +88,8 @@ std::optional<Issue> no_step_note(const deck::Deck& deck) {
   out.remedy =
       std::string(
           steps ? "enter the number of steps, such as 2000, or give the end of the run with --until"
-                : "enter the end time, such as 1000, or give the end of the run with --until") +
+                : "enter the dimensionless end time, such as 1000, or give the end of the run with "
+                  "--until") +
       ". To store every step, set kPltFreq = 1 and kAGraf = 1";
   return out;
 }

@@ -133,7 +133,9 @@ std::vector<std::string> unused_routines(const Prepared& prepared) {
                     session.source(), prepared.bearing.rollers() != nullptr ? "rollers" : "balls"));
   if (!prepared.control.dynamic) {
     for (const int hook : {1, 2, 3, 4, 7, 9})
-      idle(hook, "the routine acts only in motion, but mode = -1 computes only the equilibrium");
+      idle(hook,
+           "the routine acts only in a simulation of the motion, but mode = -1 computes only the "
+           "equilibrium");
     return out;
   }
   bool free = false;
@@ -191,9 +193,10 @@ std::vector<Issue> loads_on_fixed_races(const Prepared& prepared) {
             "The support of the race carries this load, so the load does not move the race. PRINT "
             "and SOL contain the reaction, and the energy ledger contains the work",
             j == 0 ? "outer" : "inner", where, session.source()),
-        mode == 2         ? "set mode to 0 or 1 and kDCR to 1"
-        : j == 1 && force ? "set kDCR to 1 and free these directions, or set mode to 2"
-                          : "set kDCR to 1 and free these directions"));
+        mode == 2 ? "set mode to 0 or 1 and kDCR to 1"
+        : j == 1 && force
+            ? "set kDCR to 1 and set kFD or kMD to 0 for these directions, or set mode to 2"
+            : "set kDCR to 1 and set kFD or kMD to 0 for these directions"));
   }
   return out;
 }

@@ -404,10 +404,10 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed, const UserHooks* use
   // An interference of the size of the elements puts the races into each other.
   const double clearance = out.rollers() ? out.rollers()->clearance : out.balls().clearance;
   if (deck.has("freeIntCls") && clearance <= -2.0 * out.element_diameter())
-    throw InputError({deck.issue(
-        Severity::Error, "freeIntCls", "puts the outer raceway inside the inner raceway",
-        fmt::format("give more than {} (two element diameters as a negative value)",
-                    length_text(deck, -2.0 * out.element_diameter())))});
+    throw InputError({deck.issue(Severity::Error, "freeIntCls",
+                                 "puts the outer raceway inside the inner raceway",
+                                 fmt::format("give a value above {} (minus two element diameters)",
+                                             length_text(deck, -2.0 * out.element_diameter())))});
   // Without material between groove and bore or outside, the ideal ring would have a negative mass.
   if (out.envelope.outer_diameter <= groove_bottom_outer)
     throw InputError(

@@ -197,8 +197,8 @@ void check_law_ranges(const Deck& deck, Checker& check) {
                           temperature_text(deck, law.T_min), temperature_text(deck, law.T_max));
     if (!laws.empty())
       check.warning(place.temperature,
-                    fmt::format("is outside the known range of the properties of {}: {}; each "
-                                "property has its value at the nearer end of its range",
+                    fmt::format("is outside the known range of the properties of {}: {}. The value "
+                                "at the nearer end of the range is used for each property",
                                 material.name, laws));
   }
 }
@@ -259,8 +259,11 @@ void check_land_errors(const Deck& deck, Checker& check) {
                 index),
             "give a whole number of waves per revolution");
       if (std::abs(v[1]) > kMaxWaves)
-        error(2, fmt::format("is more waves than the contact law of guide land {} allows", index),
-              fmt::format("give at most {:g} waves per revolution", kMaxWaves));
+        error(
+            2,
+            fmt::format("exceeds the number of waves that the contact law of guide land {} allows",
+                        index),
+            fmt::format("give at most {:g} waves per revolution", kMaxWaves));
       if (v[1] == 0.0 && std::abs(std::sin(v[2])) < 1e-9)
         check.no_effect(
             variable(1),

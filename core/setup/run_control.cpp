@@ -281,8 +281,8 @@ void add_life_options(std::vector<Option>& table) {
         return true;
       });
   add("lifeElementTracks", "separate",
-      "volumes of a rolling element that the two races stress: \"separate\", or \"shared\" (both "
-      "races stress the same volume, as in rollers)",
+      "stressed volume of a rolling element: \"separate\" (each race stresses a different volume) "
+      "or \"shared\" (both races stress the same volume, as in rollers)",
       [](bearing::LifeChoices& o, std::string_view v) {
         if (v != "separate" && v != "shared") return false;
         o.shared_track = v == "shared";
@@ -330,9 +330,8 @@ const std::vector<Option>& options() {
     std::vector<Option> all{
         {{"ellipseMajor", fmt::format("{}", defaults.system.ellipse_major),
           "number of quadrature nodes along the major axis of the contact ellipse, 10 to 100, "
-          "rounded up to a multiple of 5. Balls in oil use a film rule if neither ellipseMajor nor "
-          "ellipseMinor is given. The film rule has 12 x 4 nodes (major x minor axis), or 16 x 2 "
-          "for kTrac 8 and 12"},
+          "rounded up to a multiple of 5. If neither ellipseMajor nor ellipseMinor is given, balls "
+          "in oil use 12 x 4 nodes (major x minor axis), or 16 x 2 nodes for kTrac 8 and 12"},
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.system.ellipse_major, 10, 100);
          }},
@@ -499,8 +498,9 @@ const std::vector<Option>& options() {
            return parse(v, o.user_timeout) && o.user_timeout > 0.0 && o.user_timeout < 1e6;
          }},
         {{"userSample", fmt::format("{}", defaults.user_sample),
-          "interval n of the purity check, 1 to 1000000000, or 0 for no check: every n-th call of "
-          "a user routine in a motion is repeated to find routines that are not pure functions"},
+          "interval n of a check of user routines, 1 to 1000000000, or 0 for no check: every n-th "
+          "call of a routine in a motion is repeated. The run stops if the repeated call gives a "
+          "different result"},
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.user_sample, 0, 1'000'000'000);
          }},

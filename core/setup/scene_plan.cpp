@@ -45,7 +45,9 @@ std::string film_reason(const bearing::Bearing& bearing) {
       limit > 0.0
           ? fmt::format("limiting shear stress {:.3g} times the pressure at {:.4g} K", limit, T)
           : std::string("no limiting shear stress"),
-      lubrication.hot_walls ? "; iTherm = 1: walls have the flash temperature of each strip" : "");
+      lubrication.hot_walls
+          ? "; iTherm = 1: the surfaces have the flash temperature of each contact strip"
+          : "");
 }
 
 /// Does a ball need no orientation to move: equal moments, mass center in its middle?
@@ -75,9 +77,8 @@ std::string damping_reason(const scene::ContactDampingOptions& options, const st
   if (options.factor != 1.0) out = fmt::format("run option contactDamping = {:g}x", options.factor);
   const bearing::Material& of_element = bearing.element_material;
   if (all_balanced)
-    out +=
-        fmt::format("; none at the races (no damping), because {} keeps all {}s in force balance",
-                    mode, element);
+    out += fmt::format("; no damping at the races, because {} keeps all {}s in force balance", mode,
+                       element);
   else
     out += "; " + losses_of("races", of_element, bearing.race_material[1], options) +
            (bearing.lubrication && bearing.lubrication->meniscus > 0.0 ? ", squeeze of the oil film"
@@ -187,10 +188,11 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
     effect(Effect::RollingResistance, element + " / race rolling resistance",
            bearing.lubrication->meniscus > 0.0,
            bearing.lubrication->meniscus > 0.0
-               ? fmt::format("kTrac = {}, oil in the inlets; flanges have traction but no rolling "
-                             "resistance",
-                             bearing.lubrication->code)
-               : std::string("strParam = 0, no oil in the inlets"));
+               ? fmt::format(
+                     "kTrac = {}, oil at the contact inlets; flanges have traction but no rolling "
+                     "resistance",
+                     bearing.lubrication->code)
+               : std::string("strParam = 0, no oil at the contact inlets"));
   if (bearing.flange_traction) {
     effect(Effect::FlangeContact, "roller / flange contact", true, flange_reason(deck));
     effect(Effect::FlangeTraction, "roller / flange traction",
@@ -272,21 +274,23 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   }
   int oriented = static_cast<int>(plan.oriented_elements.size());
   const bool rigid = plan.rollers || plan.rigid_balls;
-  effect(Effect::ElementOrientation, element + " orientation", oriented > 0 || rigid,
-         plan.rollers ? std::string("contacts use the axes of all rollers; total rotation is "
-                                    "computed only for those in kPltElemInd, kPrtOpt or kAGraf")
-         : rigid && user != nullptr && user->balls_out_of_round
-             ? fmt::format("user routine ADRX5 of {}: contacts of out-of-round balls use the "
-                           "orientation of each ball; total rotation is computed only for balls in "
-                           "kPltElemInd, kPrtOpt or kAGraf",
-                           user->source)
-         : rigid
-             ? fmt::format("kReIP = {}: the inertia axes of each ball rotate with the ball; total "
-                           "rotation is computed only for balls in kPltElemInd, kPrtOpt or kAGraf",
-                           deck.integer("kReIP"))
-         : control.animate
-             ? fmt::format("kAGraf = {}: all balls", control.animate_every)
-             : fmt::format("{} of {} {}s in kPltElemInd or kPrtOpt", oriented, n, element));
+  effect(
+      Effect::ElementOrientation, element + " orientation", oriented > 0 || rigid,
+      plan.rollers ? std::string("contacts use the axes of all rollers; total rotation is computed "
+                                 "only for rollers selected by kPltElemInd, kPrtOpt or kAGraf")
+      : rigid && user != nullptr && user->balls_out_of_round
+          ? fmt::format("user routine ADRX5 of {}: contacts of out-of-round balls use the "
+                        "orientation of each ball; total rotation is computed only for balls "
+                        "selected by kPltElemInd, kPrtOpt or kAGraf",
+                        user->source)
+      : rigid
+          ? fmt::format(
+                "kReIP = {}: the inertia axes of each ball rotate with the ball; total rotation is "
+                "computed only for balls selected by kPltElemInd, kPrtOpt or kAGraf",
+                deck.integer("kReIP"))
+      : control.animate
+          ? fmt::format("kAGraf = {}: all balls", control.animate_every)
+          : fmt::format("{} of {} {}s, selected by kPltElemInd or kPrtOpt", oriented, n, element));
   if (!plan.has(Effect::ElementOrientation)) {
     plan.oriented_elements.clear();
     oriented = 0;

@@ -107,18 +107,19 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (name == "bPocCls2") return "a pocket of this shape has only one clearance";
   if (name == "bPocThknsVar" && scene.motion && scene.cage)
     return "the widths of the pocket guide faces do not depend on the wall thickness";
-  if (name == "bPocClsVar2") return "a pocket of this shape has no clearance II";
+  if (name == "bPocClsVar2") return "a pocket of this shape has only one clearance";
   if (starts_with_one_of(name,
                          {"rotLoadRpm", "raceVibFreq", "raceSpeedFreq", "startTime", "endTime"}))
     return "the amplitude of this motion or load is 0 for this race";
   if (name == "cageAngCut" && !scene.segments) return "a one-piece cage has no cut";
   if (scene.motion && is_one_of(name, {"cageGsRadVar3", "raceGsRadVar3"}))
-    return "an elliptical guide land needs no third value, or no race guides this land";
+    return "this guide land is elliptical (needs only two values), or no race guides it";
   if (scene.motion && starts_with_one_of(name, {"cageGsRadVar", "raceGsRadVar"}))
     return "no race guides this land";
   if (name == "pocLubFilm") return "pocket hydrodynamics are off (kPocHydro)";
   if (record.starts_with("5G.1D")) return "the bearing has no rolling element with this number";
-  if (name == "kAngVel") return "rollers roll without slip about axes that the geometry gives";
+  if (name == "kAngVel")
+    return "rollers roll without slip about axes that follow from the geometry";
   if (starts_with_one_of(name, {"rmsAspHt", "rmsAspSlope", "aspTrac"}))
     return "without a lubricant (kTrac) no film is computed";
   if (name == "cFlowRate") return "there is no coolant (kCoolant)";
@@ -135,8 +136,7 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
     return of_material(name, scene);
   if (name.starts_with("raceCenLen")) return "a raceway without crown (raceCrn = 0) is straight";
   if (record.starts_with("6.2") || (name.starts_with("kRaceIP") && scene.motion))
-    return "record 2.2 (kDCR, kFD, kMD) does not free this race in a direction that needs this "
-           "value";
+    return "record 2.2 (kDCR, kFD, kMD) fixes this race in each direction that needs this value";
   if (name == "qFac" && scene.motion) return "modes 1 and 2 keep every element in force balance";
   if (scene.motion) return {};
   // Quasi-static.

@@ -99,7 +99,7 @@ bearing::AzimuthSeries taken(const UserHooks& user, int hook, const std::string&
         "{:.3g} {}. Return a closed surface without steps",
         about(user, hook, body), what, series.error, unit, range, unit));
   user.document(hook, fmt::format("{}: {} with up to {} waves per revolution, {:.6g} to {:.6g} "
-                                  "{}, error between the sampled points {:.2g} {}",
+                                  "{}, interpolation error {:.2g} {}",
                                   body, what, series.waves, series.series.least,
                                   series.series.largest, unit, series.error, unit));
   return std::move(series.series);
@@ -275,12 +275,13 @@ void user_balls(const UserHooks& user, bearing::Bearing& b) {
           "{} x {} points differs from the values between the points by {:.3g} m; the values have "
           "a range of {:.3g} m. Return a smoother surface",
           about(user, 5, body), kBallAround, kBallAcross, error, range));
-    user.document(5, fmt::format("{}: radius minus the value of the deck = {:.6g} to {:.6g} m, "
-                                 "mean {:.6g} m; error {:.2g} m between {} x {} points",
-                                 body, bottom, top, mean, error, kBallAround, kBallAcross));
+    user.document(5,
+                  fmt::format("{}: radius minus the radius in the deck = {:.6g} to {:.6g} m, "
+                              "mean {:.6g} m; interpolation error {:.2g} m between {} x {} points",
+                              body, bottom, top, mean, error, kBallAround, kBallAcross));
     user.out_of_round(k, std::move(form));
   }
-  user.document(5, fmt::format("elements: radius minus the value of the deck = {:.6g} to {:.6g} m",
+  user.document(5, fmt::format("elements: radius minus the radius in the deck = {:.6g} to {:.6g} m",
                                least, most));
   if (std::all_of(growth.begin(), growth.end(), [](double one) { return one == 0.0; })) return;
   b.imperfections.ball_diameter.resize(count, 0.0);
@@ -350,7 +351,7 @@ void apply_user_element_surfaces(const UserHooks& user, bearing::Bearing& b) {
     own.form = std::make_shared<const bearing::RollerProfileDeviation>(
         bearing::RollerProfileDeviation{std::move(places), std::move(radius)});
   }
-  user.document(5, fmt::format("elements: radius minus the value of the deck = {:.6g} to {:.6g} m",
+  user.document(5, fmt::format("elements: radius minus the radius in the deck = {:.6g} to {:.6g} m",
                                least, most));
   if (least == 0.0 && most == 0.0) return;
   rollers->deviation = std::move(deviation);
@@ -455,13 +456,14 @@ std::shared_ptr<bearing::SurfaceSeries> race_by_table(const UserHooks& user, std
   set_range(given->radius, t.radius);
   set_range(given->curvature_factor, t.curvature_factor);
   user.document(
-      6, fmt::format(
-             "{}: the raceway surface is a table of {} x {} points (around x across); radius "
-             "{:.6g} to {:.6g} m{}",
-             body, kTableAround, places.size(), given->radius.least, given->radius.largest,
-             curves ? fmt::format(", curvature factor {:.6g} to {:.6g}",
-                                  given->curvature_factor.least, given->curvature_factor.largest)
-                    : ""));
+      6,
+      fmt::format(
+          "{}: the raceway surface is a table of {} x {} points (circumferential x axial); radius "
+          "{:.6g} to {:.6g} m{}",
+          body, kTableAround, places.size(), given->radius.least, given->radius.largest,
+          curves ? fmt::format(", curvature factor {:.6g} to {:.6g}", given->curvature_factor.least,
+                               given->curvature_factor.largest)
+                 : ""));
   return given;
 }
 

@@ -44,7 +44,7 @@ class BallOrientation final : public SceneEffect {
   void declare(SceneBuilder& scene) override {
     for (const int index : scene.plan.oriented_elements) {
       demand(index >= 0 && index < scene.bearing.element_count(),
-             "the plan integrates the orientation of an element that does not exist");
+             "the orientation of an element is to be computed, but this element does not exist");
       const std::string name = fmt::format("element{}", index + 1);
       const auto i = static_cast<std::size_t>(index);
       elements_.push_back({i, scene.statics.balls[i].azimuth,

@@ -73,7 +73,7 @@ class Cage final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
     demand(scene.bearing.cage.has_value(),
-           "the plan has a cage motion, but the bearing has no cage");
+           "the motion of a cage is to be computed, but the bearing has no cage");
     const bearing::Cage& cage = *scene.bearing.cage;
     pieces_ = pieces_of(scene);
     scene.e.segments.resize(pieces_.middle.size());

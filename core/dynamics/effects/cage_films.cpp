@@ -142,7 +142,7 @@ class LandFilm final : public SceneEffect {
   void declare(SceneBuilder& scene) override {
     const bearing::Bearing& bearing = scene.bearing;
     demand(bearing.cage_films.has_value() && bearing.cage.has_value(),
-           "cage films need a cage and oil");
+           "oil films at the cage need a cage and an oil");
     const bearing::CageFilms& films = *bearing.cage_films;
     const double viscosity = tribology::cage_film_viscosity(bearing, films.land_viscosity);
     heat_.part.assign(bearing.cage->lands.size(), 0.0);

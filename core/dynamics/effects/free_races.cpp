@@ -27,7 +27,7 @@ namespace {
 constexpr LedgerTerm kWork{
     LedgerKind::Work,
     "load_work",
-    "work of the loads on free races",
+    "work of the loads on races that are free to move",
     {"work of the loads on the outer race", "work of the loads on the inner race"},
     "work of applied forces and of reactions of the supports, since the start"};
 constexpr const LedgerTerm* kTerms[] = {&kWork};

@@ -325,7 +325,8 @@ class UserLandBlock final : public EffectBlock {
 class LandContact final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
-    demand(scene.plan.has(Effect::CageMotion), "the plan has cage contacts but no cage motion");
+    demand(scene.plan.has(Effect::CageMotion),
+           "contacts of the cage are to be computed, but its motion is not");
     demand(scene.options.land_slices >= 1, "a guide land needs at least one slice");
     const bearing::Segmentation& cut = scene.bearing.cage->segments;
     if (cut.several()) half_angle_ = std::numbers::pi / cut.count - 0.5 * cut.cut_angle;

@@ -28,7 +28,7 @@ namespace {
 constexpr LedgerTerm kSwitches{
     LedgerKind::Switch,
     "switches",
-    "energy change when elements switch to or from quasi-static",
+    "energy change when elements switch to or from quasi-static motion",
     {"switches of held elements"},
     "stored energy after each switch minus the energy before it, total since the start"};
 /// ∫ G·(ẋ, ṙ) dt
@@ -37,11 +37,12 @@ constexpr LedgerTerm kBalance{LedgerKind::Taken,
                               "energy removed when quasi-static elements move to equilibrium",
                               {"taken by held elements' way to balance"},
                               "energy removed since the start"};
-constexpr LedgerTerm kLeftOut{LedgerKind::Note,
-                              "left_out",
-                              "kinetic energy of quasi-static elements that the balance excludes",
-                              {"kinetic energy left out of held elements now"},
-                              "for information only, not part of the energy balance"};
+constexpr LedgerTerm kLeftOut{
+    LedgerKind::Note,
+    "left_out",
+    "kinetic energy of quasi-static elements that the energy balance excludes",
+    {"kinetic energy left out of held elements now"},
+    "for information only, not part of the energy balance"};
 constexpr LedgerTerm kMomentum{
     LedgerKind::Taken, "", "", {"linear momentum taken by held elements"}, ""};
 constexpr LedgerTerm kAngularMomentum{
@@ -108,7 +109,8 @@ class LightLoadBalance final : public SceneEffect, public QuasiStaticEffect {
 void LightLoadBalance::declare(SceneBuilder& scene) {
   load_ratio_ = scene.plan.light_load_ratio;
   all_ = scene.plan.has(Effect::ElementBalance);
-  demand(all_ || load_ratio_ > 0.0, "light-load balance needs a load ratio above 0");
+  demand(all_ || load_ratio_ > 0.0,
+         "the effect \"light-load balance\" needs a load ratio (qFac) above 0");
   axial_ = !scene.plan.suppressed.element_axial;
   std::unique_ptr<QuasiStaticContacts> contacts;
   masses_ = ElementMasses(scene.bearing);

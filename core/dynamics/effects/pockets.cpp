@@ -315,7 +315,8 @@ void PocketContact::add_block(SceneBuilder& scene, PocketSet& set, LastContactVa
 }
 
 void PocketContact::declare(SceneBuilder& scene) {
-  demand(scene.plan.has(Effect::CageMotion), "the plan has cage contacts but no cage motion");
+  demand(scene.plan.has(Effect::CageMotion),
+         "contacts of the cage are to be computed, but its motion is not");
   heat_.part.assign(static_cast<std::size_t>(scene.bearing.element_count()), 0.0);
   if (scene.plan.has(Effect::PocketTraction)) {
     demand(scene.bearing.pocket_traction.has_value(),

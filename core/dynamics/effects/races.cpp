@@ -277,7 +277,7 @@ std::shared_ptr<const contact::WavyGroove> wavy_groove(const SceneBuilder& scene
         kept->of_ball.back() = {t->height.data(), nullptr, t->around, t->across,
                                 t->first,         t->step, 1.0};
     }
-    demand(!scene.e.attitude.empty(), "balls that are not round need an orientation in the state");
+    demand(!scene.e.attitude.empty(), "the orientation of out-of-round balls is not computed");
     kept->forms.of_ball = kept->of_ball.data();
     kept->forms.attitude = scene.e.attitude.front().data();  // for all evaluations
     kept->groove.forms = &kept->forms;

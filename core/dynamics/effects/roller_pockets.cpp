@@ -156,7 +156,8 @@ void RollerPocketBlock<Traction>::push_middle(Evaluation& e, std::size_t i,
 class RollerPockets final : public SceneEffect, public NonRaceContacts {
  public:
   void declare(SceneBuilder& scene) override {
-    demand(scene.plan.has(Effect::CageMotion), "the plan has cage contacts but no cage motion");
+    demand(scene.plan.has(Effect::CageMotion),
+           "contacts of the cage are to be computed, but its motion is not");
     demand(scene.rollers != nullptr, "roller pockets need rollers");
     for (HeatByPart* heat : {&heat_, &film_heat_})
       heat->part.assign(static_cast<std::size_t>(scene.bearing.element_count()), 0.0);

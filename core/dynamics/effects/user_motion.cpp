@@ -208,7 +208,7 @@ class UserMotion::DrivenRaceRates final : public EffectBlock {
 
 void UserMotion::declare(SceneBuilder& scene) {
   demand(scene.options.user != nullptr && scene.options.user->motion != nullptr,
-         "the plan uses routine ADRX1, but the scene options contain no user routine");
+         "the simulation uses user routine ADRX1, but no user routine is loaded");
   routine_ = scene.options.user->motion;
   const ScenePlan& plan = scene.plan;
   const Races& races = *scene.find<Races>();

@@ -123,7 +123,7 @@ TEST_CASE("ADORE.json: faults → errors that name file, key and remedy", "[unit
   refused(R"({"elipseMajor": 5})", "did you mean ellipseMajor");
   refused(R"({"ratingC": 5e4})", "\"version\": 1");
   refused(R"({"version": 2, "ratingC": 5e4})", "version 1");
-  refused(R"({"version": 1, "pitchDia": 0.05})", "records X have no variable with this name");
+  refused(R"({"version": 1, "pitchDia": 0.05})", "no variable with this name in records X");
   refused(R"({"version": 1, "ratingC": "5 mm"})", "ratingC");
   refused(R"({"version": 1, "ratingC": {"N": 5}})", "ratingC");
   refused(R"({"version": 1, "ratingC": -5})", "out of range");

@@ -177,7 +177,7 @@ TEST_CASE("check: cold oil without a film → no error", "[physics][film][check]
   const testing::Ran ran = testing::run_deck(dry, folder / "dry");
   INFO(ran.outcome.message);
   CHECK(ran.outcome.status == runs::RunStatus::Done);
-  CHECK(ran.print.find("strParam = 0, no oil in the inlets") != std::string::npos);
+  CHECK(ran.print.find("strParam = 0, no oil at the contact inlets") != std::string::npos);
   // At rest an equilibrium has no film; a motion would turn in it later.
   const Sets rest{{"rpm1", "0.0"}, {"rpm2", "0.0"}};
   CHECK(checked("ball", with({{"mode", "-1"}}, with(cold, rest))).ok());
@@ -295,7 +295,7 @@ TEST_CASE("check: every lubricant, medium and coolant → provenance reported",
     const runs::CheckReport report = checked("ball", sets);
     INFO(to_text({report.issues.begin(), report.issues.end()}));
     CHECK(report.ok());
-    const std::string start = "the properties of " + name + ", " + what + ", ";
+    const std::string start = "the properties of " + name + " (" + what + ") ";
     CHECK(says(report, Severity::Note, start + "are partly estimates") ==
           (provenance == "estimated"));
     CHECK(says(report, Severity::Note, start + "are partly not verified") ==

@@ -166,7 +166,7 @@ TEST_CASE("contactDamping: default, a number, 0 and modes in balance → reporte
   // Elements in balance: no part on the races; the run goes on.
   for (const char* mode : {"1", "2"}) {
     CHECK_THAT(reason(prepared("", "mode", mode)),
-               Catch::Contains("none at the races") && Catch::Contains("pockets"));
+               Catch::Contains("no damping at the races") && Catch::Contains("pockets"));
     CHECK_THAT(notes(prepared("0.2", "mode", mode)), Catch::Contains("no effect at the races"));
   }
   CHECK_THAT(reason(prepared("0.2", "qFac", "0.05")), Catch::Contains("qFac = 0.05"));
