@@ -76,8 +76,8 @@ CatalogueDialog::CatalogueDialog(QWidget* parent)
   auto* published = new QFormLayout;
   C_ = addField(*published, tr("Dynamic rating &C [kN]:"), "C", tr("Published dynamic rating"));
   C0_ = addField(*published, tr("Static rating C&0 [kN]:"), "C0", tr("Published static rating"));
-  BPFO_ =
-      addField(*published, tr("Fault factor BP&FO:"), "BPFO", tr("Published fault factor BPFO"));
+  BPFO_ = addField(*published, tr("Frequency factor BP&FO:"), "BPFO",
+                   tr("Published fault-frequency factor BPFO"));
   count_ = addField(*published, tr("&Number of elements:"), "count", tr("Number of elements"));
   auto* operating = new QFormLayout;
   radial_ = addField(*operating, tr("&Radial load [N]:"), "radial", tr("Radial load"));

@@ -17,8 +17,8 @@ class QPushButton;
 namespace adore::adrinput {
 
 /// Creates a deck from 6205, 7208 B, NU209, 30208, 22210 or a public test rig. With published
-/// ratings, fault factors or a number of elements it lists the internal geometries that agree with
-/// them. The dialog shows standard and estimated values before the deck is created.
+/// ratings, fault-frequency factors or a number of elements it lists the internal geometries that
+/// agree with them. The dialog shows standard and estimated values before the deck is created.
 class CatalogueDialog : public QDialog {
   Q_OBJECT
  public:

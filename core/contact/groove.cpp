@@ -148,7 +148,7 @@ FreeAngleAndClearance free_angle_and_clearance(double diameter,
   }
   if (!(clearance < play_of_90_degrees)) {
     throw InputError(
-        fmt::format("ball bearing: the diametral clearance of the circular grooves is {} m; it "
+        fmt::format("ball bearing: the diametral clearance without shims is {} m; it "
                     "must be below {} m, where the free contact angle reaches 90 degrees. Enter a "
                     "smaller clearance or larger groove factors",
                     clearance, play_of_90_degrees));

@@ -20,15 +20,15 @@
 ///   rollers  C0 = 44 (1 - γ) i Z L D cos α
 /// in N with lengths in mm, with f_c and f_0 of core/life (ISO 281, ISO 76). L of rollers follows
 /// from C0, else from C.
-/// dm is the mean of bore and outside diameter within 3 %, or follows from the fault factors.
-/// Conventions of makers, each a hypothesis with its own spread (fitted to the bearings "rules" of
-/// tests/candidates): grooves of 0.52 (C 1.015 ± 0.035, C0/C 1.02 ± 0.02 times those of the
-/// formulas), open grooves of 0.55, and C0 by an older rule (1.25 times ISO 76).
-/// Filling of deep groove bearings: both rings laid against each other leave room for balls over
-/// 2 (Z - 1) asin(D/dm) = 150 to 200 degrees. Cages of other types leave room between elements:
-/// Z asin(D/dm)/π = 0.455 + 0.142 ln(D/mm) ± 0.055 of balls (same bearings).
-/// The weight of a geometry is the product of the likelihoods of all facts and these habits; it
-/// ranks, and is no probability. Geometries below 7 % of the best are counted, not listed.
+/// dm is the mean of bore and outside diameter within 3 %, or follows from the fault-frequency
+/// factors. Conventions of makers, each a hypothesis with its own spread (fitted to the bearings
+/// "rules" of tests/candidates): grooves of 0.52 (C 1.015 ± 0.035, C0/C 1.02 ± 0.02 times those of
+/// the formulas), open grooves of 0.55, and C0 by an older rule (1.25 times ISO 76). Filling of
+/// deep groove bearings: both rings laid against each other leave room for balls over 2 (Z - 1)
+/// asin(D/dm) = 150 to 200 degrees. Cages of other types leave room between elements: Z
+/// asin(D/dm)/π = 0.455 + 0.142 ln(D/mm) ± 0.055 of balls (same bearings). The weight of a geometry
+/// is the product of the likelihoods of all facts and these habits; it ranks, and is no
+/// probability. Geometries below 7 % of the best are counted, not listed.
 namespace adore::design {
 
 struct BearingCandidate {

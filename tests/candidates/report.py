@@ -90,8 +90,8 @@ def summary(rows):
     inside = lambda i: f"{sum(abs(r['ratio'][i]) <= 0.03 for r in rated)} of {len(rated)}"
     return "\n".join([
         "| quantity | result | required |", "|---|---|---|",
-        f"| a listed candidate has all fault factors within 2 % | {count(lambda r: r['near'] > 0)} | 90 % |",
-        f"| the first candidate has all fault factors within 2 % | {count(lambda r: (r['first'] or 9) < 0.02 or r['first'] == 0)} | – |",
+        f"| a listed candidate has all fault-frequency factors within 2 % | {count(lambda r: r['near'] > 0)} | 90 % |",
+        f"| the first candidate has all fault-frequency factors within 2 % | {count(lambda r: (r['first'] or 9) < 0.02 or r['first'] == 0)} | – |",
         f"| the published geometry is in the list | {count(lambda r: r['rank'] > 0)} | all |",
         f"| the published geometry is the first candidate | {count(lambda r: r['rank'] == 1)} | – |",
         f"| candidates, median | {statistics.median(r['n'] for r in rows):g} | at most 5 |",
@@ -133,7 +133,7 @@ def page(adore, data):
 Tables: written by `tests/candidates/report.py ADORE --write`, {date.today().isoformat()}.
 
 `adore new --from FACTS.json` lists all internal geometries that
-agree with published facts. This page compares the lists with bearings whose geometry or fault factors are printed
+agree with published facts. This page compares the lists with bearings whose geometry or fault-frequency factors are printed
 ({len(data)} in tests/candidates/published_bearings.json, each with its source). A hash of the name chose 20 of them for the
 rules and {len(test)} for the test. The facts given here are type, bore, outside diameter, width, C and C0, and the contact
 angle of angular contact and tapered bearings.

@@ -55,7 +55,7 @@ TEST_CASE("candidates: size and both ratings of a 6203 → 8 balls of 6.747 mm f
   CHECK_THROWS_AS(candidate_bearing(report, 100), InputError);
 }
 
-TEST_CASE("candidates: fault factors → pitch diameter and count", "[unit][candidates]") {
+TEST_CASE("candidates: fault-frequency factors → pitch diameter and count", "[unit][candidates]") {
   const CandidateReport report = of(R"({"designation": "6205", "BPFO": 3.5848, "BPFI": 5.4152})");
   REQUIRE(report.candidates.size() == 1);
   CHECK(report.candidates[0].count == 9);
