@@ -89,7 +89,7 @@ std::string solution_line(const FindReport& report, const FindSolution& one) {
                     ". The best value is at the {} bound; a better value may be beyond this bound",
                     one.from_bound ? "lower" : "upper")
           : one.from_failure || one.to_failure
-              ? std::string(". The result at a neighboring point could not be computed")
+              ? std::string(". The result could not be computed at a point next to this value")
               : std::string());
     case FindSolutionKind::Range:
       break;

@@ -155,7 +155,7 @@ WriteFolder WriteFolder::folder(const fs::path& below) const {
       fail(path,
            fmt::format("the folder cannot be opened ({})", std::generic_category().message(error)),
            error == ENOTDIR
-               ? "remove the file that has the name of this folder, or choose another folder"
+               ? "remove the file with the same name as this folder, or choose another folder"
                : remedy_of(error));
     }
     const WriteFolder above = out;
@@ -265,7 +265,7 @@ void check_writable_file(const WritePath& place) {
   if ((mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0 ||
       ::faccessat(folder, place.name().c_str(), W_OK, 0) != 0)
     fail(shown, "the file is write-protected and was not changed",
-         "give another name, or make the file writable (chmod u+w)");
+         "give another file name, or make the file writable (chmod u+w)");
 }
 
 PendingFile::PendingFile(const WritePath& place)

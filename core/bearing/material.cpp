@@ -87,7 +87,8 @@ Table load() {
     table.hardness.push_back({static_cast<double>(std::stoi(hrc)), vickers.get<double>()});
   std::sort(table.hardness.begin(), table.hardness.end(),
             [](const HardnessPoint& a, const HardnessPoint& b) { return a.hrc < b.hrc; });
-  demand(table.hardness.size() >= 2, "materials.json needs at least two hardness points");
+  demand(table.hardness.size() >= 2,
+         "\"hrc_to_hv\" in materials.json must have at least two values");
   return table;
 }
 
@@ -137,8 +138,8 @@ double hardness_from_hrc(double hrc) {
   const double vickers = a.vickers + (b.vickers - a.vickers) * (hrc - a.hrc) / (b.hrc - a.hrc);
   if (!(vickers > 0.0))
     throw InputError(
-        fmt::format("a Rockwell C hardness of {} cannot be converted to an indentation pressure; "
-                    "give a value from 20 to 70, the range of the scale",
+        fmt::format("a Rockwell C hardness of {} cannot be converted to Vickers hardness; give a "
+                    "value from 20 to 70",
                     hrc));
   return kPascalPerVickers * vickers;
 }

@@ -32,7 +32,7 @@ PropertyLaw parse_law(const Json& json) {
       {"thermal_strain_poly", PropertyLaw::Form::StrainPolynomial}};
   PropertyLaw law;
   const auto form = forms.find(json.at("form").get<std::string>());
-  demand(form != forms.end(), "materials.json has a law of unknown form");
+  demand(form != forms.end(), "a material property in materials.json has an unknown \"form\"");
   law.form = form->second;
   law.c = json.at("c").get<std::vector<double>>();
   demand(law.form != PropertyLaw::Form::CopperRational || law.c.size() == 9,

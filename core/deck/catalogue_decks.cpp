@@ -126,8 +126,8 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
       remark = "ESTIMATE of the internal geometry";
     else if (id == "9.1.1")
       remark =
-          "forces on the inner race, displacements [N, m]: values of the example, scaled to the "
-          "load capacity of this size; enter your own values" +
+          "forces on the inner race, displacements [N, m]: values of the example deck, scaled to "
+          "the load capacity of this size; enter your own values" +
           std::string(bearing.type == BearingType::Spherical
                           ? " for one row (half of the radial load of the bearing)"
                           : "");
@@ -169,7 +169,8 @@ std::vector<std::string> describe_catalogue_bearing(const CatalogueBearing& bear
         bearing.type == BearingType::Tapered && bearing.angle_given ? "ISO 355"
         : bearing.angle_given                                       ? "from the designation"
         : bearing.type == BearingType::AngularContact
-            ? "assumed, because the designation has no suffix; suffix C: 15, AC: 25, B: 40 degrees"
+            ? "assumed, because the designation has no suffix for the angle; C means 15, AC 25, B "
+              "40 degrees"
             : "an estimate"));
   out.push_back(
       fmt::format("{}: {} of {:.4g} mm on a pitch circle of {:.4g} mm; {}.",

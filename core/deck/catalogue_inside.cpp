@@ -84,7 +84,7 @@ ProposedInternalGeometry balls(BearingType type, const Envelope& e, double angle
                   deep ? "6205" : "218", deep ? "; clearance: " + clearance_reason(group) : "");
   if (known.diameter > 0.0) return {sets.take(), known.source + "; " + rest};
   return {sets.take(),
-          fmt::format("D = {:.4g} (OD - bore), rounded to 1/{} in; {}; {}", share,
+          fmt::format("ball diameter D = {:.4g} (OD - bore), rounded to 1/{} in; {}; {}", share,
                       deep && !heavy ? 64 : 32,
                       deep ? "number of balls: the maximum for eccentric (Conrad) assembly"
                            : "the balls fill 90 % of the pitch circle",
@@ -120,9 +120,9 @@ ProposedInternalGeometry cylinders(const Envelope& e, std::string_view group,
   return {sets.take(),
           (known.diameter > 0.0
                ? known.source
-               : fmt::format("D = {} (OD - bore), L = {} times the width (at most 1.2 D); the "
-                             "rollers fill 82 % of the pitch circle, as in bearings with enlarged "
-                             "rollers",
+               : fmt::format("roller diameter D = {} (OD - bore); roller length L = {} times the "
+                             "bearing width (at most 1.2 D); the rollers fill 82 % of the pitch "
+                             "circle, as in current designs with large rollers",
                              share, width_share)) +
               "; typical crown and flanges; clearance: " + clearance_reason(group)};
 }
@@ -153,8 +153,8 @@ ProposedInternalGeometry cones(const Envelope& e, double cup, const KnownInterna
   sets.length("flngHt12", 0.255 * roller);
   return {sets.take(), (known.diameter > 0.0
                             ? known.source
-                            : "D = 0.245 (OD - bore); L = 0.75 times the cone width; the rollers "
-                              "fill 90 % of the pitch circle") +
+                            : "roller diameter D = 0.245 (OD - bore); roller length L = 0.75 times "
+                              "the cone width; the rollers fill 90 % of the pitch circle") +
                            "; cone angle calculated from the cup angle; typical crown and rib"};
 }
 
@@ -179,10 +179,10 @@ ProposedInternalGeometry barrels(const Envelope& e, double angle, std::string_vi
   sets.real("raceCurFac2", 0.5133);
   sets.real("freeConAng", std::round(angle * 100.0) / 100.0);
   return {sets.take(),
-          (known.diameter > 0.0
-               ? known.source
-               : "D = 0.275 (OD - bore); L = 0.413 times the width; the rollers fill "
-                 "87 % of the pitch circle; contact angle from the distance of the rows") +
+          (known.diameter > 0.0 ? known.source
+                                : "roller diameter D = 0.275 (OD - bore); roller length L = 0.413 "
+                                  "times the bearing width; the rollers fill 87 % of the pitch "
+                                  "circle; contact angle from the distance of the rows") +
               "; clearance: " + clearance_reason(group) +
               (tapered_bore ? " for tapered bores" : "")};
 }
@@ -258,7 +258,7 @@ ProposedInternalGeometry propose_internal_geometry(const Deck& deck) {
     propose_cage(kExamples.at(static_cast<std::size_t>(kind - 1)), envelope, number(out, "bReDia"),
                  number(out, "bReLen"), cone, cage);
     for (auto& set : cage.take()) out.sets.push_back(std::move(set));
-    out.reasons += "; cage (record 7.1) scaled from the example of this type";
+    out.reasons += "; cage (record 7.1) scaled from the example deck of this bearing type";
   }
   std::erase_if(out.sets, [&](const auto& set) { return !deck.has(set.first); });
   if (deck.units() == UnitSystem::SI) return out;

@@ -23,8 +23,8 @@ void check_pocket_code(Checker& c) {
             "(rectangular), 4 (conical)");
   if (*type != 1 && c.is("kPocType", 4))
     c.error("kPocType", "code 4 is a conical pocket for balls, but kBrg is a roller bearing",
-            "valid codes for rollers are -1 (cylindrical), 0 (rectangular), 1 to 3 (guide surface "
-            "pairs)");
+            "valid codes for rollers are -1 (cylindrical), 0 (rectangular), 1 to 3 (number of "
+            "guide surface pairs)");
 }
 
 /// Pockets: the element must fit in, and neighbors must leave a web.

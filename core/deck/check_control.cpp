@@ -56,10 +56,9 @@ void check_steps(Checker& c) {
             "enter a value of at most stpMax");
   if (!first) return;
   if (*first == 0.0 && c.integer("kIcOpt") && !c.is("kIcOpt", 1))
-    c.error(
-        "stpInit",
-        "a value of 0 reuses the last step of a continued run, but kIcOpt does not continue a run",
-        "enter a first step, for instance 0.05");
+    c.error("stpInit",
+            "0 reuses the last step size of a stopped run, but kIcOpt does not continue a run",
+            "enter a first step size, for instance 0.05");
   else if (*first != 0.0 && largest && *first > *largest)
     c.warning("stpInit",
               fmt::format("is above stpMax = {:.10g} and will be lowered to it", *largest),

@@ -92,7 +92,7 @@ void check_angle_and_clearance(Checker& c, double diameter) {
               fmt::format("with this clearance a ball cannot touch both races: the grooves allow a "
                           "clearance of at most {}",
                           c.length(room)),
-              "enter a smaller clearance or larger groove factors");
+              "enter a smaller clearance or larger groove radii (raceCurFac1, raceCurFac2)");
     return;
   }
   const double implied = room * (1.0 - std::cos(*angle));
@@ -127,7 +127,7 @@ void check_shims(Checker& c, double diameter) {
     if (*shim >= widest && *shim > 0.0)
       c.error(name,
               fmt::format("the shim is too thick for a split groove: it must be thinner than {}, "
-                          "which is (2 f - 1) D with groove factor f and ball diameter D",
+                          "which is (2 f - 1) D with ball diameter D and groove radius f D",
                           c.length(widest)),
               "enter a thinner shim, or 0 for a race that is not split");
   }

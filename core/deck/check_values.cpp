@@ -186,7 +186,7 @@ void check_record_layout(Checker& checker, const ReportedErrors& reported) {
                 ? fmt::format("the deck has more of these records than `{}` specifies", spec.repeat)
                 : fmt::format("the record is not needed, because the condition `{}` is not met",
                               spec.condition),
-            "remove the record, or change the option"));
+            "remove the record, or change the option that it depends on"));
     }
   }
   if (in_order < deck.records.size()) {

@@ -41,7 +41,7 @@ double Deck::real(std::string_view name, int instance, int index) const {
     if (const long long* integer = std::get_if<long long>(value))
       return static_cast<double>(*integer);
   }
-  throw InternalError(fmt::format("the deck does not contain {}[{}] (instance {}) as a number",
+  throw InternalError(fmt::format("the deck does not contain a number for {}[{}] (instance {})",
                                   name, index, instance));
 }
 

@@ -155,7 +155,7 @@ class Comparison {
       if (d.in_left) d.left = left_.user_lines[i];
       if (d.in_right) d.right = right_.user_lines[i];
       if (d.in_left && d.in_right && d.left == d.right) continue;
-      d.sentence = fmt::format("line {} for user routines: {} here, {} there", d.index,
+      d.sentence = fmt::format("input line {} of user routines: {} here, {} there", d.index,
                                d.in_left ? "\"" + d.left + "\"" : "none",
                                d.in_right ? "\"" + d.right + "\"" : "none");
       out_.push_back(std::move(d));

@@ -227,7 +227,7 @@ Place locate(Deck& deck, const Target& target, std::string_view name, std::strin
          "give a smaller instance number, or increase the number of instances");
   if (place.ref == nullptr)
     fail(name, value, "the deck does not have the record of this variable",
-         fmt::format("the variable is on {}; set the options of this condition too",
+         fmt::format("the variable is on {}; also set the options so that this condition is met",
                      condition_of(refs)));
 
   const RecordSpec& record = *place.ref->record;

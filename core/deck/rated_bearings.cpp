@@ -32,7 +32,8 @@ constexpr std::array<TypeWords, 6> kTypeWords = {
 RatedBearingType type_of(const std::string& word) {
   for (const TypeWords& one : kTypeWords)
     if (one.word == word) return one.type;
-  throw InternalError("catalogue.json: unknown type of a rated series: " + word);
+  throw InternalError("catalogue.json: a series with load ratings has an unknown bearing type: " +
+                      word);
 }
 
 const Json& rows_of(const Json& series) {

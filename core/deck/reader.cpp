@@ -196,7 +196,7 @@ void Reader::skip_record() {
                   "the deck has more of these records than `{}` specifies; this record is ignored",
                   extra.repeat),
         extra.repeat.empty() ? "put the records in the order that `adore schema` lists"
-                             : "remove the record, or change the options");
+                             : "remove the record, or change the options that it depends on");
   else
     needless = true;
   const bool known_before = state_.deck().has_record(extra.id) && extra.repeat.empty();
@@ -207,7 +207,7 @@ void Reader::skip_record() {
         fmt::format(
             "this record is not needed and is ignored, because the condition `{}` is not met",
             extra.condition),
-        "remove the record, or change the options");
+        "remove the record, or change the options that it depends on");
   state_.spec = expected;
   const Label* next = state_.labels.first_label_after(label.line);
   state_.scanner.go_to_line(next == nullptr ? state_.scanner.lines().size() : next->line);

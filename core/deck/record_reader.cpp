@@ -320,7 +320,7 @@ void RecordReader::warn_about_surplus_values() {
                 std::string(word),
                 fmt::format("the record has {}; further values on the line are ignored",
                             counted(state_.expected_value_count(*state_.spec) + 1, "value")),
-                "remove the extra values, or write a decimal comma as a point");
+                "remove the extra values, or use a decimal point instead of a decimal comma");
 }
 
 /// Conditions must not be trusted where they ask for a value that is missing or wrong.

@@ -57,7 +57,7 @@ RecordSpec run_mode() {
                {"-1", "sections 3 and 4"},
                {"0", "sections 2, 3 and 4"},
                {"1", "all sections, every rolling element"},
-               {"n", "all sections, with every n-th rolling element"}},
+               {"n", "all sections, but only every n-th rolling element"}},
               "Contents of each printed step in PRINT.txt. The sections are 1 (rolling elements), "
               "2 (races and cage), 3 (applied parameters) and 4 (summary of the step)."),
        choice("kPrtFreq",
@@ -77,13 +77,13 @@ RecordSpec run_mode() {
        choice("kTherm", {{"0", "off"}, {"1", "on"}},
               "Thermal analysis. When it is on, temperatures follow from the heat that the run "
               "generates. Records 3.5 and 9.7 then specify coolant and heat transfer."),
+       integer("maxStps", kCount,
+               "Largest number of counted integration steps (see nStps). The run ends at this "
+               "number of counted steps or at fTime, whichever comes first."),
        integer(
-           "maxStps", kCount,
-           "Largest number of counted steps (see nStps). The run ends at this number of steps or "
-           "at fTime, whichever comes first."),
-       integer("nStps", kCount,
-               "Number of integration steps in one counted step. Only the last of these steps is "
-               "counted and stored. With 0 or 1, every integration step is counted."),
+           "nStps", kCount,
+           "Interval between counted integration steps. With n, only every n-th integration step "
+           "is counted and stored. With 0 or 1, every integration step is counted and stored."),
        choice("intMet",
               {{"1", "explicit Runge-Kutta-Fehlberg, order 1"},
                {"2", "explicit, order 2"},
@@ -116,11 +116,12 @@ RecordSpec step_control() {
       "2.1", "Time step control", "mode >= 0",
       {real("stpInit", unit::kPure, range::kNotNegative,
             "First trial step in dimensionless time (multiples of the time scale that PRINT.txt "
-            "reports). In a continuation, 0 reuses the last step size stored in MASTER.",
+            "reports). When a run is continued, 0 reuses the last step size stored in file MASTER.",
             "0.050"),
        real("stpMin", unit::kPure, range::kPositive,
-            "Smallest step in dimensionless time. A step of this size is accepted and counted even "
-            "if its error is too large. stpMin = stpMax gives a constant step.",
+            "Smallest step in dimensionless time. A step of this size is accepted even if its "
+            "error is too large; the run reports the number of such steps. stpMin = stpMax gives a "
+            "constant step.",
             "5.0e-04"),
        real("stpMax", unit::kPure, range::kPositive,
             "Largest step in dimensionless time. It limits the time resolution of plots.", "0.50"),
@@ -227,8 +228,8 @@ RecordSpec bearing_type() {
                {"5", "spherical tapered roller"}},
               "Bearing type. It determines which geometry record (5A to 5E) follows."),
        integer("nRe", between(1, 10000),
-               "Number of rolling elements. The limit of the classic program, 40, does not apply. "
-               "Some classic file formats have room for 88 elements only."),
+               "Number of rolling elements. It may exceed 40, the limit of the classic program. "
+               "Some classic file formats have space for at most 88 elements."),
        counted("nCseg", between(0, 1000),
                {{"0", "no cage"}, {"1", "one-piece cage"}, {"n", "cage cut into n equal segments"}},
                "Number of cage segments. 0 is no cage, 1 is a one-piece cage, and n is a cage cut "
@@ -262,7 +263,7 @@ VariableSpec material(std::string_view name, std::string_view default_material,
   return with_option_table(
       choice(name, {{"0", default_material}, {"1", given}, {"2", "user routine ADRX0"}},
              intern_string(
-                 fmt::format("Material of the {}. 0 is the usual material, and 1 takes the "
+                 fmt::format("Material of the {}. 0 is the default material, and 1 takes the "
                              "properties from the deck. The material table lists the other codes.",
                              part)),
              "0"),

@@ -50,10 +50,12 @@ RecordSpec ball_geometry() {
       {real("bReDia", kLength, kSize, "Nominal ball diameter."),
        real("pitchDia", kLength, kSize, "Pitch diameter: diameter of the circle of ball centers."),
        real("freeConAng", kAngle, range::kBallAngle,
-            "Free contact angle. A value above 0 determines the clearance. With 0, the angle is "
+            "Free contact angle (without load, before mounting). A value above 0 determines the "
+            "clearance. With 0, the angle is "
             "computed from freeIntCls. Enter 90 degrees for a thrust bearing."),
        real("freeIntCls", kLength, range::kPlay,
-            "Free internal diametral clearance, used when freeConAng is 0. Negative means "
+            "Internal diametral clearance before mounting, used when freeConAng is 0. Negative "
+            "means "
             "interference."),
        real("raceCurFac1", kPure, kGroove,
             "Groove radius of the outer race divided by ball diameter; above 0.5 and below 10, "
@@ -159,7 +161,7 @@ RecordSpec cylindrical_roller() {
        real("pitchDia", kLength, kSize,
             "Pitch diameter: diameter of the circle of roller centers."),
        real("freeIntCls", kLength, range::kPlay,
-            "Free diametral clearance; negative means preload.")});
+            "Diametral clearance before mounting; negative means preload.")});
 }
 
 RecordSpec spherical_roller() {
@@ -170,7 +172,7 @@ RecordSpec spherical_roller() {
                  real("pitchDia", kLength, kSize,
                       "Pitch diameter: diameter of the circle of roller centers."),
                  real("freeIntCls", kLength, range::kPlay,
-                      "Free diametral clearance; negative means preload."),
+                      "Diametral clearance before mounting; negative means preload."),
                  roller_groove(1, "outer"), roller_groove(2, "inner"),
                  real("freeConAng", kAngle, kContactAngle,
                       "Nominal contact angle of the row, measured from the radial plane. It is the "

@@ -178,7 +178,7 @@ void add_lubrication_records(std::vector<RecordSpec>& out) {
               real("chnVis", unit::kViscosity, kPositive,
                    "Effective viscosity of the oil-air mixture that causes churning drag.")}));
   out.push_back(
-      record("10.7B", "Churning medium, ratios to built-in data", "kChrn == 1 || kChrn > 2",
+      record("10.7B", "Churning medium, density and viscosity ratios", "kChrn == 1 || kChrn > 2",
              {real("denRatio", kPure, kNotNegative,
                    "Effective density of the churning medium divided by the built-in value. It is "
                    "far below 1 for an oil mist."),

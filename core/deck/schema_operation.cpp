@@ -112,11 +112,12 @@ RecordSpec temperatures() {
        {"reTemp", "rolling elements"},
        {"cageTemp", "cage"}}};
   for (const auto& [name, part] : kParts)
-    spec.variables.push_back(real(
-        name, kTemperature, range::kHeat,
-        intern_string(fmt::format("Temperature (absolute) of the {} at the start. Thermal "
-                                  "expansion is computed from the difference to room temperature.",
-                                  part))));
+    spec.variables.push_back(
+        real(name, kTemperature, range::kHeat,
+             intern_string(fmt::format(
+                 "Temperature (absolute) of the {} at the start. Thermal expansion is computed "
+                 "from the difference between this temperature and room temperature.",
+                 part))));
   return spec;
 }
 
@@ -154,7 +155,7 @@ RecordSpec race_vibration() {
 std::vector<VariableSpec> cage_start(std::string_view body) {
   return {real("pocLubFilm", kLength, kNotNegative,
                "Largest thickness of the lubricant film in the pockets. The film acts on elements "
-               "that are closer than this to the pocket wall."),
+               "that are closer to the pocket wall than this thickness."),
           real("wvRatio", kPure, range::kSpeedRatio,
                intern_string(
                    fmt::format("Whirl speed of the {} mass center at the start, divided by the "

@@ -459,7 +459,7 @@ std::string decisive_fact(const std::vector<BearingCandidate>& c) {
       best = &p;
     }
   }
-  if (best == nullptr) return "No single further fact would decide between these candidates.";
+  if (best == nullptr) return "No single additional property would distinguish these candidates.";
   std::string values;
   for (std::size_t n = 0; n < c.size(); ++n)
     values += fmt::format("{}{:.4g}{} ({})", n == 0 ? "" : ", ", best->value(c[n]) * best->factor,

@@ -36,20 +36,20 @@ class DeckVariables:
     """Record 1. Thermal analysis. When it is on, temperatures follow from the heat that the run generates. Records
     3.5 and 9.7 then specify coolant and heat transfer."""
     maxStps: int
-    """Record 1. Largest number of counted steps (see nStps). The run ends at this number of steps or at fTime,
-    whichever comes first."""
+    """Record 1. Largest number of counted integration steps (see nStps). The run ends at this number of counted
+    steps or at fTime, whichever comes first."""
     nStps: int
-    """Record 1. Number of integration steps in one counted step. Only the last of these steps is counted and stored.
-    With 0 or 1, every integration step is counted."""
+    """Record 1. Interval between counted integration steps. With n, only every n-th integration step is counted and
+    stored. With 0 or 1, every integration step is counted and stored."""
     intMet: int
     """Record 1. Integration method. The explicit method of order 5 suits most runs. Codes above 18 are extensions,
     which the classic program does not have."""
     stpInit: float
-    """Record 2.1. First trial step in dimensionless time (multiples of the time scale that PRINT.txt reports). In a
-    continuation, 0 reuses the last step size stored in MASTER."""
+    """Record 2.1. First trial step in dimensionless time (multiples of the time scale that PRINT.txt reports). When
+    a run is continued, 0 reuses the last step size stored in file MASTER."""
     stpMin: float
-    """Record 2.1. Smallest step in dimensionless time. A step of this size is accepted and counted even if its error
-    is too large. stpMin = stpMax gives a constant step."""
+    """Record 2.1. Smallest step in dimensionless time. A step of this size is accepted even if its error is too
+    large; the run reports the number of such steps. stpMin = stpMax gives a constant step."""
     stpMax: float
     """Record 2.1. Largest step in dimensionless time. It limits the time resolution of plots."""
     fTime: float
@@ -119,8 +119,8 @@ class DeckVariables:
     kBrg: int
     """Record 3.2. Bearing type. It determines which geometry record (5A to 5E) follows."""
     nRe: int
-    """Record 3.2. Number of rolling elements. The limit of the classic program, 40, does not apply. Some classic
-    file formats have room for 88 elements only."""
+    """Record 3.2. Number of rolling elements. It may exceed 40, the limit of the classic program. Some classic file
+    formats have space for at most 88 elements."""
     nCseg: int
     """Record 3.2. Number of cage segments. 0 is no cage, 1 is a one-piece cage, and n is a cage cut into n equal
     segments."""
@@ -164,19 +164,19 @@ class DeckVariables:
     kChrn: int
     """Record 3.3. Medium that causes churning drag on rolling elements and cage."""
     kReMat: int
-    """Record 3.3. Material of the rolling elements. 0 is the usual material, and 1 takes the properties from the
+    """Record 3.3. Material of the rolling elements. 0 is the default material, and 1 takes the properties from the
     deck. The material table lists the other codes."""
     kRaceMat1: int
-    """Record 3.3. Material of the outer race. 0 is the usual material, and 1 takes the properties from the deck. The
-    material table lists the other codes."""
+    """Record 3.3. Material of the outer race. 0 is the default material, and 1 takes the properties from the deck.
+    The material table lists the other codes."""
     kRaceMat2: int
-    """Record 3.3. Material of the inner race. 0 is the usual material, and 1 takes the properties from the deck. The
-    material table lists the other codes."""
+    """Record 3.3. Material of the inner race. 0 is the default material, and 1 takes the properties from the deck.
+    The material table lists the other codes."""
     kHsngMat: int
-    """Record 3.3. Material of the housing. 0 is the usual material, and 1 takes the properties from the deck. The
+    """Record 3.3. Material of the housing. 0 is the default material, and 1 takes the properties from the deck. The
     material table lists the other codes."""
     kShftMat: int
-    """Record 3.3. Material of the shaft. 0 is the usual material, and 1 takes the properties from the deck. The
+    """Record 3.3. Material of the shaft. 0 is the default material, and 1 takes the properties from the deck. The
     material table lists the other codes."""
     kLifeCons: int
     """Record 3.3. Source of the constants of the fatigue life models."""
@@ -227,10 +227,11 @@ class DeckVariables:
     pitchDia: float
     """Record 5A [m]. Pitch diameter: diameter of the circle of ball centers."""
     freeConAng: float
-    """Record 5A [deg]. Free contact angle. A value above 0 determines the clearance. With 0, the angle is computed
-    from freeIntCls. Enter 90 degrees for a thrust bearing."""
+    """Record 5A [deg]. Free contact angle (without load, before mounting). A value above 0 determines the clearance.
+    With 0, the angle is computed from freeIntCls. Enter 90 degrees for a thrust bearing."""
     freeIntCls: float
-    """Record 5A [m]. Free internal diametral clearance, used when freeConAng is 0. Negative means interference."""
+    """Record 5A [m]. Internal diametral clearance before mounting, used when freeConAng is 0. Negative means
+    interference."""
     raceCurFac1: float
     """Record 5A. Groove radius of the outer race divided by ball diameter; above 0.5 and below 10, usually 0.515 to
     0.53."""
@@ -988,22 +989,22 @@ class DeckVariables:
     """Record 9.1.2 [rpm]. Speed of the inner race, positive about x."""
     hsngTemp: float
     """Record 9.1.3 [K]. Temperature (absolute) of the housing at the start. Thermal expansion is computed from the
-    difference to room temperature."""
+    difference between this temperature and room temperature."""
     shftTemp: float
     """Record 9.1.3 [K]. Temperature (absolute) of the shaft at the start. Thermal expansion is computed from the
-    difference to room temperature."""
+    difference between this temperature and room temperature."""
     raceTemp1: float
     """Record 9.1.3 [K]. Temperature (absolute) of the outer race at the start. Thermal expansion is computed from
-    the difference to room temperature."""
+    the difference between this temperature and room temperature."""
     raceTemp2: float
     """Record 9.1.3 [K]. Temperature (absolute) of the inner race at the start. Thermal expansion is computed from
-    the difference to room temperature."""
+    the difference between this temperature and room temperature."""
     reTemp: float
     """Record 9.1.3 [K]. Temperature (absolute) of the rolling elements at the start. Thermal expansion is computed
-    from the difference to room temperature."""
+    from the difference between this temperature and room temperature."""
     cageTemp: float
     """Record 9.1.3 [K]. Temperature (absolute) of the cage at the start. Thermal expansion is computed from the
-    difference to room temperature."""
+    difference between this temperature and room temperature."""
     pctDisp: float
     """Record 9.2 [%]. Displacement increment for computing the stiffness, in percent of the contact deflection."""
     rpmRange11: float
@@ -1070,7 +1071,7 @@ class DeckVariables:
     """Record 9.5. Fraction of the inertia load of the inner race that the bearing carries."""
     pocLubFilm: float
     """Record 9.6 [m]. Largest thickness of the lubricant film in the pockets. The film acts on elements that are
-    closer than this to the pocket wall."""
+    closer to the pocket wall than this thickness."""
     wvRatio: float
     """Record 9.6. Whirl speed of the cage mass center at the start, divided by the angular speed of the cage."""
     avRatio: float

@@ -56,7 +56,7 @@ TEST_CASE("difference: numbers, codes, texts, array elements → sentences", "[u
   CHECK(sentence("cageGsCls") == "cageGsCls[2]: 3.0e-04 m here, 6.0e-04 m there (100 % more)");
   CHECK(find(list, "cageGsCls")->instance == 2);
   CHECK(find(list, "iCageGuide")->index == 2);
-  CHECK(list.back().sentence == "line 1 for user routines: none here, \"1.0 2.0\" there");
+  CHECK(list.back().sentence == "input line 1 of user routines: none here, \"1.0 2.0\" there");
   CHECK(differences(right, left).size() == list.size());
 }
 
