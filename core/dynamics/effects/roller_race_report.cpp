@@ -55,17 +55,20 @@ void fill_contact(const RollerRaceModel& model, const contact::RollerPose& at,
                   RaceContactSnapshot& out) {
   const bool film = model.traction && model.law.has_film();
   const std::size_t peak = peak_of(slices, row.peak);
+  double load = 0.0, load_slip = 0.0, half_major = 0.0, max_slip = 0.0;
   double normal_x = 0.0, normal_r = 0.0, least_film = std::numeric_limits<double>::infinity();
+  double* const slice_load = out.slice_load.data();
+  double* const slice_pressure = out.slice_pressure.data();
   for (std::size_t k = 0; k < slices.count; ++k) {
     const double Q = row.load[k];
     if (!(Q > 0.0)) continue;
-    out.slice_load[k] = Q;
-    out.slice_pressure[k] = row.peak[k];
+    slice_load[k] = Q;
+    slice_pressure[k] = row.peak[k];
     // Slip is kinematics and is told without traction, too.
-    out.max_slip = std::max(out.max_slip, row.slip[k]);
-    out.load += Q;
-    if (model.traction) out.load_slip += Q * row.slip[k];
-    out.half_major += 0.5 * row.width[k];
+    max_slip = std::max(max_slip, row.slip[k]);
+    load += Q;
+    if (model.traction) load_slip += Q * row.slip[k];
+    half_major += 0.5 * row.width[k];
     if (film) {
       const tribology::LocalFilm<double> here =
           model.law.film({Q / row.width[k], row.peak[k], 0.0, row.half_width[k], row.speed[k],
@@ -87,7 +90,11 @@ void fill_contact(const RollerRaceModel& model, const contact::RollerPose& at,
     const double rolling = -at.omega.x * n.z + at.omega.z * n.x;
     out.spin_to_roll = rolling != 0.0 ? contact::dot(at.omega, n) / rolling : 0.0;
   }
-  if (!(out.load > 0.0)) return;
+  out.load = load;
+  out.load_slip = load_slip;
+  out.half_major = half_major;
+  out.max_slip = max_slip;
+  if (!(load > 0.0)) return;
   if (film) out.least_film = least_film;
   out.angle = model.race == bearing::kOuter ? std::atan2(normal_x, normal_r)
                                             : std::atan2(-normal_x, -normal_r);
