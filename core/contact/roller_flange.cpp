@@ -3,6 +3,7 @@
 #include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "base/root.hpp"
+#include "base/simd_math.hpp"
 
 #include <fmt/format.h>
 
@@ -84,11 +85,11 @@ struct Ring {
     const Vec3 Y = at(chi);
     return face.sigma(Y[0], std::hypot(Y[1], Y[2]));
   }
-  /// A number of the sign of dσ/dχ where the cosine and sine of χ are given.
-  [[nodiscard]] double rising(const std::array<double, 2>& turn) const {
-    const auto [c, s] = turn;
-    const double y = middle[1] + c * e1[1] + s * e2[1], z = middle[2] + c * e1[2] + s * e2[2];
-    const double r = std::sqrt(y * y + z * z);
+  /// Numbers of the sign of dσ/dχ where cosines and sines of χ are given.
+  template <class V>
+  [[nodiscard]] V rising(const V& c, const V& s) const {
+    const V y = middle[1] + c * e1[1] + s * e2[1], z = middle[2] + c * e1[2] + s * e2[2];
+    const V r = sqrt(y * y + z * z);
     return face.m_x * (c * e2[0] - s * e1[0]) * r +
            face.m_r * (y * (c * e2[1] - s * e1[1]) + z * (c * e2[2] - s * e1[2]));
   }
@@ -127,17 +128,26 @@ struct Ring {
 bool torus_on_face(const FlangeFace& face, const PlacedEnd& placed, FlangeContact& best,
                    double& beyond) {
   constexpr int kScan = 16;
+  using V = stdx::native_simd<double>;
+  static_assert(kScan % V::size() == 0);
+  struct Turns {
+    std::array<double, kScan> cosine{}, sine{};
+  };
   static const auto kTurns = [] {
-    std::array<std::array<double, 2>, kScan> out{};
+    Turns out;
     for (int k = 0; k < kScan; ++k) {
       const double chi = 2.0 * kPi * k / kScan;
-      out[static_cast<std::size_t>(k)] = {std::cos(chi), std::sin(chi)};
+      out.cosine[static_cast<std::size_t>(k)] = std::cos(chi);
+      out.sine[static_cast<std::size_t>(k)] = std::sin(chi);
     }
     return out;
   }();
   const Ring ring(face, placed);
   std::array<double, kScan + 1> slope{};
-  for (std::size_t k = 0; k < kScan; ++k) slope[k] = ring.rising(kTurns[k]);
+  for (std::size_t k = 0; k < kScan; k += V::size())
+    ring.rising(V(kTurns.cosine.data() + k, stdx::element_aligned),
+                V(kTurns.sine.data() + k, stdx::element_aligned))
+        .copy_to(slope.data() + k, stdx::element_aligned);
   slope[kScan] = slope[0];  // the same point, so no minimum falls between two roundings
   beyond = kInfinity;
   bool found = false;

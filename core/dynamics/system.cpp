@@ -265,19 +265,62 @@ bool System::between_steps(double t, std::span<double> y) {
   return changed;
 }
 
+namespace {
+
+/// As constructed, but with the memory of these vectors.
+template <class Part, class... Vectors>
+void renew(Part& part, Vectors Part::*... vectors) {
+  Part fresh;
+  (std::swap(fresh.*vectors, part.*vectors), ...);
+  ((fresh.*vectors).clear(), ...);
+  part = std::move(fresh);
+}
+
+void renew(scene::ElementSnapshot& element) {
+  using scene::RaceContactSnapshot;
+  scene::ElementSnapshot fresh;
+  for (std::size_t j = 0; j < element.race.size(); ++j) {
+    renew(element.race[j], &RaceContactSnapshot::slice_load, &RaceContactSnapshot::slice_pressure);
+    fresh.race[j] = std::move(element.race[j]);
+  }
+  std::swap(fresh.second, element.second);
+  std::swap(fresh.pocket, element.pocket);
+  fresh.second.clear();
+  fresh.pocket.clear();
+  element = std::move(fresh);
+}
+
+void renew(Snapshot& snapshot) {
+  Snapshot fresh;
+  for (scene::ElementSnapshot& element : snapshot.elements) renew(element);
+  for (scene::CageSnapshot& cage : snapshot.cages)
+    renew(cage, &scene::CageSnapshot::lands, &scene::CageSnapshot::last_half);
+  std::swap(fresh.elements, snapshot.elements);
+  std::swap(fresh.cages, snapshot.cages);
+  std::swap(fresh.energy, snapshot.energy);
+  snapshot = std::move(fresh);
+}
+
+}  // namespace
+
 Snapshot System::snapshot(double t, std::span<const double> y) {
+  Snapshot out;
+  snapshot(t, y, out);
+  return out;
+}
+
+void System::snapshot(double t, std::span<const double> y, Snapshot& snapshot) {
   Impl& s = *impl_;
   s.evaluate(t, y);
-  Snapshot snapshot;
+  renew(snapshot);
   snapshot.time = t;
-  snapshot.energy = s.energy_ledger();
+  s.form_energy_ledger(snapshot.energy);
   if (s.parts.wants_momentum) snapshot.momentum = s.momentum_ledger();
   snapshot.power.total_loss = snapshot.energy.heat_rate();
   for (const Slice& slice : s.parts.quaternions)
     snapshot.max_quaternion_error = std::max(snapshot.max_quaternion_error,
                                              std::abs(norm(quaternion_at(y.data(), slice)) - 1.0));
   for (const auto& effect : s.parts.effects) effect->report(s.e, snapshot);
-  return snapshot;
 }
 
 std::string System::approximation_note() const {

@@ -94,6 +94,8 @@ class System {
   };
   [[nodiscard]] EnergyBalance energy_balance() noexcept;
   [[nodiscard]] Snapshot snapshot(double t, std::span<const double> y);
+  /// The same into a snapshot of this system from before, whose memory is used again.
+  void snapshot(double t, std::span<const double> y, Snapshot& out);
   /// Turn of the inner race less that of the outer one, about their axes [rad].
   [[nodiscard]] double shaft_rotation(double t, std::span<const double> y) noexcept;
   [[nodiscard]] scene::QuadratureError quadrature_error(double t, std::span<const double> y);

@@ -74,6 +74,7 @@ struct System::Impl final : BetweenStepsAccess {
   [[nodiscard]] std::string invalid_state_reason(const double* y) const;
   /// Of the state evaluated last.
   [[nodiscard]] EnergyLedger energy_ledger() const;
+  void form_energy_ledger(EnergyLedger& out) const;
   [[nodiscard]] MomentumLedger momentum_ledger() const;
   void apply_scales();
 

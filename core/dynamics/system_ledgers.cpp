@@ -26,6 +26,12 @@ Momenta System::Impl::momenta() const {
 
 EnergyLedger System::Impl::energy_ledger() const {
   EnergyLedger energy;
+  form_energy_ledger(energy);
+  return energy;
+}
+
+void System::Impl::form_energy_ledger(EnergyLedger& energy) const {
+  energy.clear();
   energy.add(terms::kStart, stored_at_start);
   energy.add(terms::kKinetic, 0.0);
   energy.add(terms::kElastic, e.elastic);
@@ -34,7 +40,6 @@ EnergyLedger System::Impl::energy_ledger() const {
     const bool heat = item.term->kind == LedgerKind::Heat;
     energy.add(*item.term, e.y[item.index], item.race, heat ? *item.rate : 0.0);
   }
-  return energy;
 }
 
 MomentumLedger System::Impl::momentum_ledger() const {

@@ -34,7 +34,8 @@ constexpr std::array kBands{Band{scene::ExtremeQuantity::ContactLoad, "contact l
 
 template <Per P, double (StepBand::*value)(scene::ExtremeQuantity, std::size_t) const>
 void fill_band(ChannelSource s, const Shape& shape, double* out) {
-  for (std::size_t k = 0; k < places(P, shape); ++k) out[k] = (s.band->*value)(*s.looked, k);
+  const std::size_t count = places(P, shape);
+  for (std::size_t k = 0; k < count; ++k) out[k] = (s.band->*value)(*s.looked, k);
 }
 template <double (StepBand::*value)(scene::ExtremeQuantity, std::size_t) const>
 ChannelValues band_values(Per per) {

@@ -9,7 +9,9 @@
 #include <fcntl.h>
 #include <memory>
 #include <sys/stat.h>
+#include <sys/uio.h>
 #include <unistd.h>
+#include <vector>
 
 namespace adore::results::h5 {
 namespace {
@@ -68,6 +70,47 @@ struct File {
   Superblock superblock{};  ///< as it is in the file
   dev_t device = 0;
   ino_t inode = 0;
+  bool may_hold = false;               ///< HeldWrites exists
+  std::vector<struct iovec> held;      ///< consecutive parts of raw data that wait
+  haddr_t held_from = 0, held_to = 0;  ///< their place
+
+  /// Takes a part of raw data that may wait. @return whether it is taken
+  bool hold(haddr_t at, const void* data, std::size_t count) {
+    constexpr std::size_t kMaxParts = 512;  // below the limit of the system, 1024
+    if (!may_hold) return false;
+    if (at != held_to || held.size() >= kMaxParts) {
+      pass_on();
+      held_from = at;
+    }
+    held.push_back({const_cast<void*>(data), count});
+    held_to = at + count;
+    return true;
+  }
+
+  /// Writes the parts that wait.
+  void pass_on() {
+    if (held.empty()) return;
+    if (error == 0 && announce(allocated)) write_parts(held_from);
+    held.clear();
+    held_from = held_to = 0;
+  }
+
+  void write_parts(haddr_t at) {
+    for (struct iovec* part = held.data(); part != held.data() + held.size();) {
+      const auto left = static_cast<int>(held.data() + held.size() - part);
+      const ssize_t n = ::pwritev(descriptor, part, left, static_cast<off_t>(at));
+      if (n < 0 && errno == EINTR) continue;
+      if (n <= 0) return failed();
+      at += static_cast<haddr_t>(n);
+      size = std::max(size, at);
+      auto done = static_cast<std::size_t>(n);
+      for (; part != held.data() + held.size() && done >= part->iov_len; ++part)
+        done -= part->iov_len;
+      if (done == 0) continue;
+      part->iov_base = static_cast<char*>(part->iov_base) + done;
+      part->iov_len -= done;
+    }
+  }
 
   void failed() {
     if (error == 0) error = errno != 0 ? errno : EIO;
@@ -158,6 +201,7 @@ H5FD_t* open_file(const char* name, unsigned flags, hid_t access, haddr_t) {
 }
 
 herr_t close_file(H5FD_t* head) {
+  file_of(head).pass_on();
   ::close(file_of(head).descriptor);
   delete &file_of(head);
   return 0;
@@ -184,12 +228,13 @@ herr_t set_allocated(H5FD_t* head, H5FD_mem_t, haddr_t end) {
 haddr_t get_size(const H5FD_t* head, H5FD_mem_t) { return file_of(head).size; }
 
 herr_t get_handle(H5FD_t* head, hid_t, void** handle) {
-  *handle = &file_of(head).error;
+  *handle = &file_of(head);
   return 0;
 }
 
 herr_t read_file(H5FD_t* head, H5FD_mem_t, hid_t, haddr_t at, std::size_t count, void* buffer) {
   File& file = file_of(head);
+  file.pass_on();
   char* to = static_cast<char*>(buffer);
   haddr_t from = at;
   for (std::size_t left = count; left > 0;) {
@@ -215,9 +260,12 @@ herr_t read_file(H5FD_t* head, H5FD_mem_t, hid_t, haddr_t at, std::size_t count,
   return 0;
 }
 
-herr_t write_file(H5FD_t* head, H5FD_mem_t, hid_t, haddr_t at, std::size_t count,
+herr_t write_file(H5FD_t* head, H5FD_mem_t type, hid_t, haddr_t at, std::size_t count,
                   const void* buffer) {
   File& file = file_of(head);
+  if (file.error != 0) return 0;
+  if (type == H5FD_MEM_DRAW && at != 0 && file.hold(at, buffer, count)) return 0;
+  file.pass_on();
   if (file.error != 0) return 0;
   if (at != 0 || count < kSuperblock) {
     if (file.announce(file.allocated)) file.write(at, buffer, count);
@@ -240,6 +288,7 @@ herr_t write_file(H5FD_t* head, H5FD_mem_t, hid_t, haddr_t at, std::size_t count
 
 herr_t truncate_file(H5FD_t* head, hid_t, hbool_t) {
   File& file = file_of(head);
+  file.pass_on();
   if (file.error != 0 || !file.writing || file.allocated == file.size) return 0;
   if (file.announce(file.allocated) && file.size > file.allocated) file.resize(file.allocated);
   return 0;
@@ -292,10 +341,33 @@ void clear_open_mark(std::string& bytes) {
   std::memcpy(bytes.data(), block.data(), block.size());
 }
 
-int write_error(const Handle& file) {
+namespace {
+
+/// Null where the library has lost the file.
+File* driver_file(const Handle& file) {
   void* handle = nullptr;
-  if (H5Fget_vfd_handle(file, H5P_DEFAULT, &handle) < 0 || handle == nullptr) return EIO;
-  return *static_cast<const int*>(handle);
+  if (H5Fget_vfd_handle(file, H5P_DEFAULT, &handle) < 0) return nullptr;
+  return static_cast<File*>(handle);
+}
+
+}  // namespace
+
+int write_error(const Handle& file) {
+  File* const of_driver = driver_file(file);
+  if (of_driver == nullptr) return EIO;
+  of_driver->pass_on();
+  return of_driver->error;
+}
+
+HeldWrites::HeldWrites(const Handle& file) : driver_file_(driver_file(file)) {
+  if (driver_file_ != nullptr) static_cast<File*>(driver_file_)->may_hold = true;
+}
+
+HeldWrites::~HeldWrites() {
+  if (driver_file_ == nullptr) return;
+  File& file = *static_cast<File*>(driver_file_);
+  file.pass_on();
+  file.may_hold = false;
 }
 
 }  // namespace adore::results::h5

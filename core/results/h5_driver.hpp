@@ -21,8 +21,24 @@ namespace adore::results::h5 {
 /// `folder`, and links are not followed.
 void use_safe_driver(const Handle& access, const WriteFolder& folder);
 
-/// errno of the first write to an open file that failed; 0: all is well.
+/// errno of the first write to an open file that failed; 0: all is well. Held writes are passed on
+/// before.
 [[nodiscard]] int write_error(const Handle& file);
+
+/// While it exists, raw data of an open file may wait in the caller's memory, so that consecutive
+/// parts reach the file in one write. It is passed on before any other access to the file, so the
+/// order of the writes stays the same.
+/// @pre raw data is written from memory that outlives this object without change
+class HeldWrites {
+ public:
+  explicit HeldWrites(const Handle& file);
+  ~HeldWrites();
+  HeldWrites(const HeldWrites&) = delete;
+  HeldWrites& operator=(const HeldWrites&) = delete;
+
+ private:
+  void* driver_file_ = nullptr;
+};
 
 /// The bytes of a file as the library hands them out, with the first block in order: it takes the
 /// mark away and leaves the checksum as it was.

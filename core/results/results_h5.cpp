@@ -16,10 +16,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <chrono>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <map>
+#include <new>
 #include <system_error>
 
 namespace adore::results {
@@ -28,6 +31,7 @@ namespace {
 using namespace h5;
 
 constexpr int kFormat = 1;
+constexpr std::size_t kMaxRank = 4;  ///< step, element, race, side
 constexpr std::string_view kConventions =
     "SI units and radians, lives in hours. X is the bearing axis, Z points radially up. Azimuths "
     "are positive about +X and start at Z: y = -r sin(theta), z = r cos(theta). Frames: N = base, "
@@ -125,15 +129,49 @@ void write_attribute(hid_t object, const std::string& name, double value) {
   H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value);
 }
 
-/// One dataset and the rows that wait to be written.
+/// One dataset and the rows of its last chunk.
 struct Series {
   Handle dataset;
   std::vector<hsize_t> dims;  ///< behind the step
   std::size_t width = 1;      ///< values per row
   int channel = -1;           ///< index into the run's table; -1: one of kSeries
-  std::vector<double> waiting;
-  std::uint64_t sum = 0;  ///< checksum of its name and its values
+  double* chunk = nullptr;    ///< rows of the last chunk; zeros after the last row at each write
+  std::uint64_t sum = 0;      ///< checksum of its name and its values
 };
+
+/// Adds `count` rows from row `first` of each chunk to the checksums. One checksum waits for the
+/// product of the word before, so those of four datasets are formed in one loop.
+void add_to_sums(std::span<Series> all, std::size_t first, std::size_t count) {
+  struct Lane {
+    const double* at = nullptr;
+    std::size_t left = 0;
+    std::uint64_t* sum = nullptr;
+  };
+  std::array<Lane, 4> lanes;
+  auto next = all.begin();
+  while (true) {
+    std::size_t words = std::numeric_limits<std::size_t>::max();
+    for (Lane& lane : lanes) {
+      if (lane.left == 0 && next != all.end()) {
+        lane = {next->chunk + first * next->width, count * next->width, &next->sum};
+        ++next;
+      }
+      words = std::min(words, lane.left);
+    }
+    if (words == 0) break;  // fewer than four are left
+    std::array<std::uint64_t, 4> sums{*lanes[0].sum, *lanes[1].sum, *lanes[2].sum, *lanes[3].sum};
+    for (std::size_t k = 0; k < words; ++k)
+      for (std::size_t l = 0; l < 4; ++l)
+        sums[l] = add_to_word_checksum(std::bit_cast<std::uint64_t>(lanes[l].at[k]), sums[l]);
+    for (std::size_t l = 0; l < 4; ++l) {
+      *lanes[l].sum = sums[l];
+      lanes[l].at += words;
+      lanes[l].left -= words;
+    }
+  }
+  for (Lane& lane : lanes)
+    if (lane.left > 0) *lane.sum = word_checksum_of_values({lane.at, lane.left}, *lane.sum);
+}
 
 }  // namespace
 
@@ -242,6 +280,10 @@ struct H5Writer::Impl {
   std::size_t block = kBlock;  ///< of a write
   std::chrono::steady_clock::time_point flushed = std::chrono::steady_clock::now();
   std::size_t written = 0, waiting = 0;  ///< rows
+  struct Free {
+    void operator()(double* memory) const noexcept { std::free(memory); }
+  };
+  std::unique_ptr<double, Free> chunks;  ///< of all datasets; zero pages cost nothing before use
   Handle file;
   std::vector<Series> series;
   bool broken = false;
@@ -258,6 +300,7 @@ struct H5Writer::Impl {
     Series made;
     made.channel = channel;
     if (channel >= 0) made.dims = dimensions(channels()[static_cast<std::size_t>(channel)], shape);
+    demand(made.dims.size() < kMaxRank, "a channel has more dimensions than RESULTS.h5 allows");
     for (hsize_t size : made.dims) made.width *= size;
     if (channel >= 0) made.sum = checksum(channels()[static_cast<std::size_t>(channel)].id);
     return made;
@@ -316,11 +359,22 @@ struct H5Writer::Impl {
     series.push_back(std::move(made));
   }
 
-  [[nodiscard]] Handle dataset_access(const Series& made) const {
+  [[nodiscard]] static Handle dataset_access() {
     Handle access(H5Pcreate(H5P_DATASET_ACCESS));
-    // One chunk of each dataset is open at a time; the default cache would be 1 MiB each.
-    H5Pset_chunk_cache(access, 7, rows * made.width * sizeof(double), 1.0);
+    H5Pset_chunk_cache(access, 1, 0, 1.0);  // whole chunks are written past the cache
     return access;
+  }
+
+  void make_chunks() {
+    std::size_t width = 0;
+    for (const Series& one : series) width += one.width;
+    chunks.reset(static_cast<double*>(std::calloc(rows * width, sizeof(double))));
+    if (!chunks) throw std::bad_alloc();
+    double* next = chunks.get();
+    for (Series& one : series) {
+      one.chunk = next;
+      next += rows * one.width;
+    }
   }
 
   void create_groups() {
@@ -347,40 +401,36 @@ struct H5Writer::Impl {
     if (broken)
       throw InputError(fmt::format(
           "{}: no further steps can be stored after an earlier write error", path.string()));
+    // A chunk that is not full is written again, as a whole and at the same place, with its next
+    // rows. So the bytes do not depend on the times of the writes (decision 760).
+    const std::size_t first = written % rows, filled = first + waiting;
+    for (Series& one : series)
+      std::fill(one.chunk + filled * one.width, one.chunk + rows * one.width, 0.0);
+    const auto put = [&](Series& one) {
+      std::array<hsize_t, kMaxRank> size{written + waiting}, offset{written - first};
+      std::copy(one.dims.begin(), one.dims.end(), size.begin() + 1);
+      return H5Dset_extent(one.dataset, size.data()) >= 0 &&
+             H5Dwrite_chunk(one.dataset, H5P_DEFAULT, 0, offset.data(),
+                            rows * one.width * sizeof(double), one.chunk) >= 0;
+    };
     // Every other dataset is on its way to the disk before /step, written last, counts the rows.
-    const Series* const counts = &series.back();
-    for (Series& one : series) {
-      const bool is_last = &one == counts;
-      std::vector<hsize_t> start{written}, count{waiting}, size{written + waiting};
-      for (hsize_t dim : one.dims) {
-        start.push_back(0);
-        count.push_back(dim);
-        size.push_back(dim);
-      }
-      bool ok = (!is_last || H5Fflush(file, H5F_SCOPE_LOCAL) >= 0) &&
-                H5Dset_extent(one.dataset, size.data()) >= 0;
-      if (ok) {
-        const Handle target(H5Dget_space(one.dataset));
-        const Handle source(
-            H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr));
-        ok = H5Sselect_hyperslab(target, H5S_SELECT_SET, start.data(), nullptr, count.data(),
-                                 nullptr) >= 0 &&
-             H5Dwrite(one.dataset, H5T_NATIVE_DOUBLE, source, target, H5P_DEFAULT,
-                      one.waiting.data()) >= 0;
-      }
-      // A run by the clock has the bytes of any other (decision 760): every block gets its place
-      // at a flush, and the second one here gives back what the library holds ready for /step.
-      ok = ok && (!is_last || (H5Dflush(one.dataset) >= 0 && H5Fflush(file, H5F_SCOPE_LOCAL) >= 0));
-      const int error = write_error(file);
-      if (!ok || error != 0) {
-        broken = true;  // /step, written last, counts the steps that are in all of them
-        throw WriteError(fmt::format(
-            "{}: writing to the file failed ({}); free some disk space or choose another disk",
-            path.string(), error != 0 ? std::generic_category().message(error) : h5::last_error()));
-      }
-      one.sum = word_checksum_of_values(one.waiting, one.sum);
-      one.waiting.clear();
+    // The second flush gives back what the library holds ready for /step.
+    bool ok = true;
+    {
+      const HeldWrites held(file);
+      for (std::size_t k = 0; ok && k + 1 < series.size(); ++k) ok = put(series[k]);
     }
+    ok = ok && write_error(file) == 0 && H5Fflush(file, H5F_SCOPE_LOCAL) >= 0 &&
+         put(series.back()) && H5Dflush(series.back().dataset) >= 0 &&
+         H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
+    const int error = write_error(file);
+    if (!ok || error != 0) {
+      broken = true;  // /step, written last, counts the steps that are in all of them
+      throw WriteError(fmt::format(
+          "{}: writing to the file failed ({}); free some disk space or choose another disk",
+          path.string(), error != 0 ? std::generic_category().message(error) : h5::last_error()));
+    }
+    add_to_sums(series, first, waiting);
     written += waiting;
     waiting = 0;
     flushed = std::chrono::steady_clock::now();
@@ -454,15 +504,13 @@ void H5Writer::Impl::open_empty(const WritePath& place, const bearing::Bearing& 
   file = Handle(H5Fopen(place.name().c_str(), H5F_ACC_RDWR, access));
   if (!file.valid()) fail(path, "the file cannot be created");
   start_single_writer();  // opens again what is open, so it comes first
-  std::map<std::size_t, Handle> access_by_width;
+  const Handle past_cache = dataset_access();
   for_each([&](Series made, const std::string& dataset) {
-    auto found = access_by_width.find(made.width);
-    if (found == access_by_width.end())
-      found = access_by_width.emplace(made.width, dataset_access(made)).first;
-    made.dataset = Handle(H5Dopen2(file, dataset.c_str(), found->second));
+    made.dataset = Handle(H5Dopen2(file, dataset.c_str(), past_cache));
     if (!made.dataset.valid()) fail(path, "a dataset cannot be created");
     series.push_back(std::move(made));
   });
+  make_chunks();
 }
 
 H5Writer H5Writer::create(const WritePath& place, const bearing::Bearing& bearing,
@@ -541,7 +589,8 @@ H5Writer H5Writer::continue_after(const WritePath& place, const bearing::Bearing
         const std::string_view id = one.channel < 0
                                         ? kSeries[--name].name
                                         : table.all()[static_cast<std::size_t>(one.channel)].id;
-        one.waiting = old.read(id, impl->written, impl->waiting);
+        const std::vector<double> values = old.read(id, impl->written, impl->waiting);
+        std::copy(values.begin(), values.end(), one.chunk);
       }
       impl->write_waiting();
     }
@@ -559,18 +608,18 @@ void H5Writer::write(const StepRecord& record) {
          "a record has other bodies or channels than the file RESULTS.h5");
   const std::array<double, 4> own{static_cast<double>(record.step), record.time, record.step_size,
                                   record.shaft_rotation};
+  const std::size_t row = (impl_->written + impl_->waiting) % impl_->rows;
   std::size_t next = kSeries.size();
-  for (Series& one : impl_->series) {
-    if (one.channel < 0) {
-      one.waiting.push_back(own[--next]);
-    } else {
-      const std::vector<double>& values = record.values[static_cast<std::size_t>(one.channel)];
-      one.waiting.insert(one.waiting.end(), values.begin(), values.end());
-    }
+  for (const Series& one : impl_->series) {
+    double* const to = one.chunk + row * one.width;
+    if (one.channel < 0)
+      *to = own[--next];
+    else
+      std::copy_n(record.values[static_cast<std::size_t>(one.channel)].data(), one.width, to);
   }
   ++impl_->waiting;
   constexpr std::chrono::seconds kFlushInterval{1};
-  if (impl_->waiting + impl_->written % impl_->block >= impl_->block ||
+  if (row + 1 == impl_->rows || impl_->waiting + impl_->written % impl_->block >= impl_->block ||
       std::chrono::steady_clock::now() - impl_->flushed >= kFlushInterval)
     flush();
 }

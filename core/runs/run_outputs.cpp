@@ -182,6 +182,8 @@ struct RunOutputs::Impl {
   void write_restart(dynamics::System& system, const Snapshot& at, std::span<const double> y,
                      const Resume& resume);
   [[nodiscard]] Snapshot snapshot(dynamics::System& system, const RunPoint& point) const;
+  /// The same into a snapshot from before, whose memory is used again.
+  void snapshot(dynamics::System& system, const RunPoint& point, Snapshot& out) const;
   /// The channels of RESULTS.h5 at this instant; "_low", "_high" and "_mean" are of it alone.
   [[nodiscard]] user::Session::Channels user_channels(scene::Snapshot snapshot) {
     snapshot.power.life_hours = life.hours();
@@ -262,13 +264,19 @@ results::FinalState RunOutputs::Impl::final_state(dynamics::System& system, cons
 }
 
 Snapshot RunOutputs::Impl::snapshot(dynamics::System& system, const RunPoint& point) const {
-  Snapshot out = system.snapshot(point.time, point.y);
+  Snapshot out;
+  snapshot(system, point, out);
+  return out;
+}
+
+void RunOutputs::Impl::snapshot(dynamics::System& system, const RunPoint& point,
+                                Snapshot& out) const {
+  system.snapshot(point.time, point.y, out);
   out.step = point.step;
   out.step_size = point.step_size;
   out.shaft_rotation += turned_before;
   if (ledger_start) ledger_start->apply(out);
   if (thermal != nullptr) out.thermal = thermal->shown();
-  return out;
 }
 
 void RunOutputs::Impl::write_restart(dynamics::System& system, const Snapshot& at,
@@ -567,7 +575,7 @@ void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool alw
   Impl& s = *impl_;
   const RunFiles::StepTargets where = s.files.claim_targets(point.step, always);
   if (!where.any()) return;
-  s.last = s.snapshot(system, point);
+  s.snapshot(system, point, s.last);
   s.last_y.assign(point.y.begin(), point.y.end());
   s.watch.check(s.last);
   s.ranges.check(s.last);

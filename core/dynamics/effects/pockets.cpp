@@ -118,8 +118,8 @@ void PocketSet::locate(const Evaluation& e, std::size_t i) noexcept {
   has_shaped_pockets() ? locate_in_shaped_pocket(e, i) : locate_in_round_pocket(e, i);
 }
 
-std::vector<PocketContactSnapshot> PocketSet::report(std::size_t i) const {
-  std::vector<PocketContactSnapshot> out;
+void PocketSet::report(std::size_t i, std::vector<PocketContactSnapshot>& out) const {
+  out.clear();
   const contact::WallPoints all = walls(i);
   for (std::size_t k = 0; k < static_cast<std::size_t>(all.count); ++k) {
     const contact::WallPoint& wall = all.surface[k];
@@ -130,7 +130,6 @@ std::vector<PocketContactSnapshot> PocketSet::report(std::size_t i) const {
     out.push_back({contact::load(law(i), -wall.gap), wall.gap,
                    contact::pocket_theta(wall.m, rotation_sign_), contact::pocket_phi(wall.m)});
   }
-  return out;
 }
 
 namespace {
@@ -421,7 +420,7 @@ std::string PocketContact::why_invalid(const Evaluation&) const {
 
 void PocketContact::report(const Evaluation& e, Snapshot& snapshot) const {
   for (std::size_t i = 0; i < e.elements.n; ++i) {
-    snapshot.elements[i].pocket = pocket_set_->report(i);
+    pocket_set_->report(i, snapshot.elements[i].pocket);
     kept_[0].give(i, snapshot.elements[i].pocket);
     snapshot.elements[i].pocket_to_centre = pocket_set_->centre(i);
     snapshot.elements[i].pocket_heat = heat_.part[i];
@@ -430,7 +429,7 @@ void PocketContact::report(const Evaluation& e, Snapshot& snapshot) const {
   snapshot.cages.resize(end_half_pockets_->size());
   for (std::size_t i = 0; i < end_half_pockets_->size(); ++i) {
     auto& half = snapshot.cages[static_cast<std::size_t>(end_half_pockets_->segment(i))].last_half;
-    half = end_half_pockets_->report(i);
+    end_half_pockets_->report(i, half);
     kept_[1].give(i, half);
   }
 }

@@ -84,8 +84,9 @@ class PocketSet {
   [[nodiscard]] const contact::CappedHertz& law(std::size_t i) const noexcept {
     return has_shaped_pockets() ? shaped_pockets_[i].law : law_;
   }
-  /// Force, gap and angles of every surface of pocket i; call locate() first.
-  [[nodiscard]] std::vector<PocketContactSnapshot> report(std::size_t i) const;
+  /// Force, gap and angles of every surface of pocket i; replaces the content of `out`. Call
+  /// locate() first.
+  void report(std::size_t i, std::vector<PocketContactSnapshot>& out) const;
 
   // For identical round pockets.
   [[nodiscard]] bool is_inside_round_pocket(std::size_t i) const noexcept {

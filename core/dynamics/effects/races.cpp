@@ -385,6 +385,7 @@ void Races::declare_contacts(SceneBuilder& scene) {
   if (rollers_) {
     for (std::size_t j = 0; j < 2; ++j) {
       rollers_on_race_[j].emplace((*rollers_)[j], count);
+      roller_report_[j].emplace((*rollers_)[j], *rollers_on_race_[j]);
       fastest_[j].resize(count);
     }
   } else {
@@ -596,14 +597,14 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
     snapshot.power.qv_race[j] = integral_at(e, load_slip_index_[j]);
     snapshot.power.qv_element1[j] = integral_at(e, load_slip_element1_index_[j]);
     if (!has_race_contact_) continue;
-    std::vector<RaceContactSnapshot> of_rollers;
-    if (rollers_) of_rollers = roller_race_report((*rollers_)[j], e);
     const bool in_oil = rollers_ ? (*rollers_)[j].traction && (*rollers_)[j].law.has_film()
                                  : contacts_[j].traction && contacts_[j].law.has_film();
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       RaceContactSnapshot& contact = snapshot.elements[i].race[j];
-      contact = rollers_ ? std::move(of_rollers[i]) : detail(e, j, i);
-      if (rollers_) {
+      if (!rollers_) {
+        contact = detail(e, j, i);
+      } else {
+        roller_report_[j]->fill(e, i, contact);
         const RaceContactTotals& sums = contact_totals_[j];
         if (!sums.rolling_of.empty()) contact.rolling_heat = sums.rolling_of[i];
         if (!sums.damping_of.empty()) contact.damping_heat = sums.damping_of[i];
@@ -635,9 +636,12 @@ double Races::speed_to_resolve(const Evaluation& e, double near) const {
         out = std::min(out, speed * std::pow(critical / film, 1.0 / kSpeedExponent));
     };
     if (rollers_) {
-      for (const RaceContactSnapshot& contact : roller_race_report((*rollers_)[j], e))
+      for (std::size_t i = 0; i < e.elements.n; ++i) {
+        RaceContactSnapshot contact;
+        roller_report_[j]->fill(e, i, contact);
         if (contact.load > 0.0)
           consider(contact.rolling_speed, contact.max_slip, contact.least_film);
+      }
       continue;
     }
     const ElementViews elements = kept_.elements(e);

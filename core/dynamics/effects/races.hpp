@@ -107,9 +107,10 @@ class Races final : public SceneEffect {
   std::array<tribology::RollingResistance, 2> rolling_resistance_;  ///< likewise
   std::optional<std::array<RollerRaceModel, 2>> rollers_;           ///< else
   std::array<std::optional<RollersOnRace>, 2> rollers_on_race_;  ///< of rollers, as evaluated last
-  std::array<std::vector<double>, 2> fastest_;                   ///< likewise, by roller [m²/s²]
-  LastElementStates kept_;                                       ///< of balls, likewise
-  mutable std::vector<double> slip_, other_slip_, scratch_;      ///< of look()
+  mutable std::array<std::optional<RollerRaceReport>, 2> roller_report_;  ///< likewise
+  std::array<std::vector<double>, 2> fastest_;               ///< likewise, by roller [m²/s²]
+  LastElementStates kept_;                                   ///< of balls, likewise
+  mutable std::vector<double> slip_, other_slip_, scratch_;  ///< of look()
   std::array<Vec3, 2> unloaded_race_centers_;  ///< free positions of the race centres [m]
   std::array<RaceBody, 2> initial_races_;      ///< at t = 0: they stand still but for their spin
   /// Turn of prescribed races beyond speed times time: of earlier speeds [rad].

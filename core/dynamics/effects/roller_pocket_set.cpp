@@ -94,13 +94,19 @@ RollerPocketSet::Nearest RollerPocketSet::nearest(std::size_t i, std::size_t k,
     return contact::gap_at_face(face, at.q + slice.s * at.u, at.u, slice.radius);
   };
   const SliceGapBound bound = slice_gap_bound(i, k, at);
-  const double enough = gap_of(*std::min_element(
-      slices.begin(), slices.end(),
-      [&](const auto& one, const auto& other) { return bound(one) < bound(other); }));
-  const contact::RollerSlice* best = nullptr;
+  const contact::RollerSlice* best = &slices.front();
+  double least = bound(*best);
+  for (const contact::RollerSlice& slice : slices)
+    if (const double here = bound(slice); here < least) {
+      least = here;
+      best = &slice;
+    }
+  const contact::RollerSlice* const first = best;
+  const double enough = gap_of(*first);
+  best = nullptr;
   for (const contact::RollerSlice& slice : slices) {
     if (bound(slice) > enough) continue;
-    const double gap = gap_of(slice);
+    const double gap = &slice == first ? enough : gap_of(slice);
     if (gap >= out.gap) continue;
     out.gap = gap;
     best = &slice;
@@ -111,23 +117,24 @@ RollerPocketSet::Nearest RollerPocketSet::nearest(std::size_t i, std::size_t k,
   return out;
 }
 
-std::vector<PocketContactSnapshot> RollerPocketSet::report(std::size_t i, const Place& at) const {
-  std::vector<PocketContactSnapshot> out;
+void RollerPocketSet::report(std::size_t i, const Place& at,
+                             std::vector<PocketContactSnapshot>& out) const {
+  out.clear();
   out.reserve(surfaces(i));
   for (std::size_t k = 0; k < surfaces(i); ++k) {
     PocketContactSnapshot& one = out.emplace_back();
     if (!has_surface(i, k)) continue;
     double moment = 0.0;
-    for_slices(i, k, at, 0.0, [&](const contact::PocketSlice& slice, double load, double) {
-      one.force += load;
-      moment += load * slice.position;
-    });
+    if (!is_certainly_open(i, k, at))
+      for_slices(i, k, at, 0.0, [&](const contact::PocketSlice& slice, double load, double) {
+        one.force += load;
+        moment += load * slice.position;
+      });
     const Nearest nearest = this->nearest(i, k, at);
     one.gap = nearest.gap;
     one.position = one.force > 0.0 ? moment / one.force : nearest.position;
     one.theta = contact::round_pocket_angle(nearest.m, rotation_sign_);
   }
-  return out;
 }
 
 }  // namespace adore::dynamics

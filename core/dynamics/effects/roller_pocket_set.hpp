@@ -180,7 +180,8 @@ class RollerPocketSet {
       visit(touch, load, -0.4 * load * touch.gap);
     }
   }
-  [[nodiscard]] std::vector<PocketContactSnapshot> report(std::size_t i, const Place& at) const;
+  /// Force, gap and angle of every surface of pocket i; replaces the content of `out`.
+  void report(std::size_t i, const Place& at, std::vector<PocketContactSnapshot>& out) const;
 
  private:
   /// The slice that is nearest to surface k.

@@ -261,7 +261,7 @@ class RollerPockets final : public SceneEffect, public NonRaceContacts {
   void report(const Evaluation& e, Snapshot& snapshot) const override {
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       const RollerPocketSet::Place at = set_->locate(e, i);
-      snapshot.elements[i].pocket = set_->report(i, at);
+      set_->report(i, at, snapshot.elements[i].pocket);
       kept_[0].give(i, snapshot.elements[i].pocket);
       snapshot.elements[i].pocket_to_centre = at.q;
       snapshot.elements[i].pocket_heat = heat_.part[i] + (oil_ ? film_heat_.part[i] : 0.0);
@@ -270,7 +270,7 @@ class RollerPockets final : public SceneEffect, public NonRaceContacts {
     snapshot.cages.resize(last_halves_->size());
     for (std::size_t i = 0; i < last_halves_->size(); ++i) {
       auto& half = snapshot.cages[last_halves_->segment(i)].last_half;
-      half = last_halves_->report(i, last_halves_->locate(e, i));
+      last_halves_->report(i, last_halves_->locate(e, i), half);
       kept_[1].give(i, half);
     }
   }

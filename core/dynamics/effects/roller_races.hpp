@@ -124,11 +124,23 @@ class RollersOnRace {
 [[nodiscard]] contact::AzimuthDirection<double> azimuth_in_roller(const Mat3& axes, const Vec3& up,
                                                                   std::size_t j) noexcept;
 
-/// Everything a report wants of the contacts with one race, of the state evaluated last
-/// (roller_race_report.cpp). Contact angle of the resultant as for balls (race_contacts.hpp);
-/// spin_to_roll of the slice with the largest pressure; heat is the right-hand side's.
-[[nodiscard]] std::vector<RaceContactSnapshot> roller_race_report(const RollerRaceModel& model,
-                                                                  const Evaluation& e);
+/// Everything a report wants of the contacts with one race (roller_race_report.cpp). Contact angle
+/// of the resultant as for balls (race_contacts.hpp); spin_to_roll of the slice with the largest
+/// pressure; heat is the right-hand side's.
+class RollerRaceReport {
+ public:
+  /// @param rollers as the right-hand side places them; both outlive this
+  RollerRaceReport(const RollerRaceModel& model, const RollersOnRace& rollers);
+  /// Contact of roller i in the state evaluated last. @param out as constructed, but its rows by
+  /// slice may have memory
+  void fill(const Evaluation& e, std::size_t i, RaceContactSnapshot& out);
+
+ private:
+  const RollerRaceModel& model_;
+  const RollersOnRace& rollers_;
+  statics::RollerReportKernel kernel_;
+  std::vector<double> rows_;  ///< by slice, one quantity after another
+};
 
 class RollerRaceBlock final : public EffectBlock {
  public:
