@@ -20,10 +20,12 @@
 /// balances their resultant. Smoothed friction and traction laws with κ(0) = 0 do so at a slow
 /// creep only (1e-7 to 1e-1 m/s). A contact at rest has no film and sticks: creep is not a motion.
 /// A state is a rest position if
-///   - no body can move without slip: with contact friction multiplied by 1e5, no acceleration
-///     above 1e-5 g is left (rolling, swinging and falling bodies need no slip), and
+///   - no body can move without slip: with contact friction multiplied by 1e9, no body moves by
+///     1e-6 of the length scale in 1 s (rolling, swinging and falling bodies need no slip), and
 ///   - the laws of the contacts reach the force that they hold: the creep is at most 0.1 m/s, and
-///     at twice the creep friction takes more power from each body than the forces give.
+///     at twice the creep no body gains more than 1e-8 W/kg.
+/// Limit: the gain is small for displacements against a stiff contact, too. A cage at the turning
+/// point of a swing of less than about 1 µm may count as held.
 /// During the search, elements between two loaded contacts keep their azimuth, spin and skew as
 /// long as the friction of their contacts at slips of up to 0.1 m/s exceeds their resultant.
 namespace adore::dynamics {
