@@ -30,6 +30,7 @@
 #include "runs/model_table.hpp"
 #include "runs/motion_watch.hpp"
 #include "runs/output_folder.hpp"
+#include "runs/rest_watch.hpp"
 #include "runs/restart_progress.hpp"
 #include "runs/run_files.hpp"
 #include "runs/start_state.hpp"
@@ -499,14 +500,24 @@ StartPoint RunOutputs::find_start_point(dynamics::System& system, setup::StartSt
     s.ranges.restore(results::read_run_member(s.path("RUN.json"), "outside_validity"));
   }
   if (start == setup::StartState::Statics) try {
-      StartState from = start_state(s.prepared, system);
-      out.y = std::move(from.y);
-      if (!from.remark.empty()) s.remark(make_finding("run.start_friction", from.remark));
-      system.set_start(out.time, out.y);
-      check_cage_start(s.prepared, system.snapshot(out.time, out.y));
-      if (auto excess = judge_start_energy(s.prepared, system, out.y)) s.remark(std::move(*excess));
-      if (const std::string jumps = user_routine_jumps_text(s.prepared); !jumps.empty())
-        s.remark(make_finding("run.specified_jumps", jumps));
+      const auto check = [&] {
+        system.set_start(out.time, out.y);
+        check_cage_start(s.prepared, system.snapshot(out.time, out.y));
+      };
+      if (may_start_at_rest(s.prepared)) {
+        check();
+        out.at_rest = start_at_rest(s.prepared, system, out.y);
+      }
+      if (!out.at_rest) {
+        StartState from = start_state(s.prepared, system);
+        out.y = std::move(from.y);
+        if (!from.remark.empty()) s.remark(make_finding("run.start_friction", from.remark));
+        check();
+        if (auto excess = judge_start_energy(s.prepared, system, out.y))
+          s.remark(std::move(*excess));
+        if (const std::string jumps = user_routine_jumps_text(s.prepared); !jumps.empty())
+          s.remark(make_finding("run.specified_jumps", jumps));
+      }
     } catch (const SolverError& refused) {
       reject_cage_start(s.prepared, refused);
     }

@@ -45,6 +45,7 @@ struct StartPoint {
   long step = 0;
   double step_size = 0.0;  ///< last step of the run that is continued [s]; 0 for a new one
   bool continued = false;
+  bool at_rest = false;   ///< moved to the rest position (rest_watch.hpp)
   Resume resume;          ///< of the run that is continued; memory empty: its stepper starts anew
   long segment = 0;       ///< step from which maxStps counts
   bool complete = false;  ///< the run that is continued has its last page

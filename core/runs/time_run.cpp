@@ -242,6 +242,7 @@ void TimeRun::begin(bool remembers) {
                     parts_.master.string(), parts_.prepared.control.integrator));
   }
   started_ = true;
+  rest_detector_.examine(system(), state());
   if (start_.continued) return;
   output([&] {
     parts_.outputs.evaluate_life(system(), {0, start_.time, 0.0, start_.y});
@@ -256,15 +257,18 @@ bool TimeRun::take_rest_step() {
   const double t = parts_.stepper.time();
   const double usual = control_.maximum * static_cast<double>(parts_.prepared.control.substeps);
   const double length = rest_detector_.step(parts_.stepper, parts_.ode, control_.tolerance, usual,
-                                            (span_.end - start_.time) / kMinStepsPerRun);
+                                            (span_.end - start_.time) / kMinStepsPerRun, span_.end);
   if (!(length > 0.0)) return false;
   if (rest_start_time_ < 0.0) {
     rest_start_time_ = t;
     parts_.outputs.remark(
         make_finding("run.rest",
-                     fmt::format("the bearing is at rest after t = {:.4g} s: time advances in "
-                                 "steps of up to {:.3g} s without integration",
-                                 t, length))
+                     fmt::format("the bearing is at rest from t = {:.4g} s: time advances in "
+                                 "steps of up to {:.3g} s without integration{}",
+                                 t, length,
+                                 start_.at_rest ? ". The cage and the elements without load start "
+                                                  "at their rest positions"
+                                                : ""))
             .at(t));
   }
   const std::vector<double> y(parts_.stepper.state().begin(), parts_.stepper.state().end());

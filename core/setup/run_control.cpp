@@ -362,6 +362,12 @@ const std::vector<Option>& options() {
            o.system.moving_angle = v == "moving";
            return true;
          }},
+        {{"startAtRest", "on",
+          "start of a motion without speeds: \"on\" (the cage and the elements without load start "
+          "at "
+          "their rest positions; record 9.6 is not used) or \"off\" (as in a motion with speeds: "
+          "the cage falls from its position of record 9.6)"},
+         [](RunOptions&, std::string_view v) { return v == "on" || v == "off"; }},
         {{"contactDamping", "material",
           "energy loss of all normal contacts: \"material\" (loss factors and impact losses of the "
           "materials, squeeze of the oil film); a factor on the losses of \"material\" (0.01x to "
@@ -540,6 +546,7 @@ std::vector<std::string> option_choices(std::string_view name) {
   if (name == "filmStress") return {"surface", "direct"};
   if (name == "thermalBase") return {"deck", "none"};
   if (name == "thermalTransient") return {"off", "on"};
+  if (name == "startAtRest") return {"on", "off"};
   if (name == "ballFriction") return {"balance", "spin-rule"};
   if (name == "rollerFriction") return {"balance", "none"};
   if (name == "thermalModel") return {"network", "ladder"};
