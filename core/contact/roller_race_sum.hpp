@@ -116,17 +116,14 @@ template <class T, class Traction, class Slope = std::nullptr_t>
   const RaceSurface& surface = slices.race;
   RollerRaceSums<T> sum;
   LandEdgeForce<T> edge;
-  T tan_chi = 0.0, last = 0.0;
   for (std::size_t k = 0; k < slices.count; k += Lanes::kSize) {
     const T s = Lanes::read(slices.s + k);
     const T radius = Lanes::read(slices.radius + k);
     T width = Lanes::read(slices.width + k);
+    // Slices are independent, so the processor overlaps their chains of roots and quotients.
+    T tan_chi = first_order_tan_chi(surface, at.axes, at.x, at.r, s, radius);
     const DeepestSlicePoint<T> d =
         deepest_slice_point(surface, at.axes, at.x, at.r, s, radius, tan_chi);
-    // χ changes evenly along the roller: the next slices start from its extrapolation.
-    const T found = tan_chi;
-    tan_chi = k == 0 ? found : 2.0 * found - last;
-    last = found;
     if (!M::any(d.at.depth > 0.0)) continue;
     [[maybe_unused]] T widens = 0.0;
     const T delta = M::max(d.at.depth, T(0.0));

@@ -96,6 +96,40 @@ struct DeepestSlicePoint {
   T hoop = 0.0, meridian = 0.0;  ///< w in the race's principal directions
 };
 
+/// tan χ of the deepest point to first order in the skew a_y (the next term is of third order): the
+/// first step of Newton from the meridian plane, with a normal that need not be a unit vector.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T first_order_tan_chi(const RaceSurface& race,
+                                                               const SliceAxes& axes, double x,
+                                                               double r, const T& s,
+                                                               const T& radius) {
+  using M = ScalarMath<T>;
+  const double sigma = race.sigma();
+  const T reach = sigma * radius;
+  const T z = r + s * axes.a.z + reach * axes.b1.z;
+  T nx = race.sin_angle, nr = race.cos_angle;
+  if (race.shape != RaceSurface::Shape::Cone) {
+    const T X = x + s * axes.a.x + reach * axes.b1.x;
+    if (race.shape == RaceSurface::Shape::Groove) {
+      nx = X - race.groove_x;
+      nr = z - race.groove_centre_radius;
+    } else {
+      const double k = race.crown_curvature;
+      const T cone = sigma * ((z - race.radius) * race.cos_angle + X * race.sin_angle);
+      const T l =
+          (X - race.mid_x) * race.cos_angle - (z - race.mid_r) * race.sin_angle - race.land_offset;
+      const T e = M::max(M::abs(l) - 0.5 * race.crown_land, T(0.0));
+      const T along = -k * M::copysign(e, l), across = sigma * (1.0 - k * cone);
+      nx = across * race.sin_angle + along * race.cos_angle;
+      nr = across * race.cos_angle - along * race.sin_angle;
+    }
+  }
+  const double across = axes.b2.y;
+  const T slope = (nx * axes.b2.x + nr * axes.b2.z) * z + nr * (s * (axes.a.y * across));
+  const T curvature = (nx * axes.b1.x + nr * axes.b1.z) * z - reach * nr * (across * across);
+  return slope / curvature;
+}
+
 /// Newton from tan χ, which becomes that of the deepest point. Nothing leaves the meridian plane
 /// when a_y = 0.
 /// @param x, r place of C along and from the race axis [m]

@@ -20,6 +20,13 @@ inline constexpr int kBlock = 8;
 void combine(double* out, const double* base, double h, const double* weights,
              const double* const* vectors, int count, int n_padded) noexcept;
 
+/// Raises `error` to a second opinion h |Σ weights[s] (rates[s] - rates[0])|, of lower order than
+/// the pair: only for components where the pair is blind. Its estimate is nothing but rounding
+/// (pure quadrature), or the derivative is not smooth over the nodes, so that their divided
+/// difference is of the size of its terms (the onset of a contact).
+void add_quadrature_error_estimate(double* error, double h, const double* weights,
+                                   const double* const* rates, int stages, int n_padded) noexcept;
+
 /// max_i |values_i| * weights_i. Values that are not numbers do not count: see all_finite.
 [[nodiscard]] double weighted_maximum(const double* values, const double* weights, int n) noexcept;
 [[nodiscard]] bool all_finite(const double* values, int n) noexcept;

@@ -71,36 +71,10 @@ Outcome Stages::run(Evaluator& evaluate, double t, double h, double t_end, const
     combine(y_new, y, h, tableau_->b.data(), k_.data(), tableau_->stages, width_);
   }
   combine(error, nullptr, h, error_weights_.data(), k_.data(), tableau_->stages, width_);
-  if (!error_covers_quadratures_) add_quadrature_error_estimate(h, error);
+  if (!error_covers_quadratures_)
+    add_quadrature_error_estimate(error, h, quadrature_weights_.data(), k_.data(), tableau_->stages,
+                                  width_);
   return Outcome::Ok;
-}
-
-// The second opinion is of lower order than the pair, so it speaks only for components where the
-// pair is blind: its estimate is nothing but rounding (pure quadrature), or the derivative is not
-// smooth over the nodes, so that their divided difference is of the size of its terms (the onset of
-// a contact).
-void Stages::add_quadrature_error_estimate(double h, double* error) noexcept {
-  constexpr double kRounding = 1e-8;
-  constexpr double kRough = 0.05;
-  for (int i = 0; i < width_; i += kBlock) {
-    double sum[kBlock] = {};
-    double terms[kBlock] = {};
-    for (int s = 1; s < tableau_->stages; ++s) {
-      const double weight = quadrature_weights_[s];
-      if (weight == 0.0) continue;
-      for (int k = 0; k < kBlock; ++k) {
-        const double term = weight * (k_[s][i + k] - k_[0][i + k]);
-        sum[k] += term;
-        terms[k] += std::abs(term);
-      }
-    }
-    for (int k = 0; k < kBlock; ++k) {
-      const double opinion = h * std::abs(sum[k]);
-      const double pair = std::abs(error[i + k]);
-      const bool blind = pair < kRounding * opinion || std::abs(sum[k]) > kRough * terms[k];
-      if (opinion > pair && blind) error[i + k] = opinion;
-    }
-  }
 }
 
 const double* Stages::end_derivative() const noexcept {

@@ -61,8 +61,6 @@ class Stages {
   [[nodiscard]] const double* end_derivative() const noexcept;
 
  private:
-  void add_quadrature_error_estimate(double h, double* error) noexcept;
-
   const Tableau* tableau_ = nullptr;
   int width_ = 0;
   std::array<double, kMaxStages> error_weights_{};

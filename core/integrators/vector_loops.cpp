@@ -50,6 +50,34 @@ void combine(double* out, const double* base, double h, const double* weights,
 }
 
 ADORE_CLONES
+void add_quadrature_error_estimate(double* error, double h, const double* weights,
+                                   const double* const* rates, int stages, int n_padded) noexcept {
+  constexpr double kRounding = 1e-8;
+  constexpr double kRough = 0.05;
+  for (int i = 0; i < n_padded; i += kBlock) {
+    double sum[kBlock] = {};
+    double terms[kBlock] = {};
+    const double* first = rates[0] + i;
+    for (int s = 1; s < stages; ++s) {
+      const double weight = weights[s];
+      if (weight == 0.0) continue;
+      const double* rate = rates[s] + i;
+      for (int k = 0; k < kBlock; ++k) {
+        const double term = weight * (rate[k] - first[k]);
+        sum[k] += term;
+        terms[k] += std::abs(term);
+      }
+    }
+    for (int k = 0; k < kBlock; ++k) {
+      const double opinion = h * std::abs(sum[k]);
+      const double pair = std::abs(error[i + k]);
+      const bool blind = (pair < kRounding * opinion) | (std::abs(sum[k]) > kRough * terms[k]);
+      error[i + k] = (opinion > pair) & blind ? opinion : error[i + k];
+    }
+  }
+}
+
+ADORE_CLONES
 double weighted_maximum(const double* values, const double* weights, int n) noexcept {
   double worst[kBlock] = {};
   int i = 0;

@@ -80,6 +80,27 @@ SeenRoller seen(const Evaluation& e, std::size_t i, const RaceBody& race, double
   return out;
 }
 
+/// A flat end is certainly in front of the flange face: neither face nor lip touch it. σ
+/// (contact/roller_flange.hpp) changes by no more than the distance between two points, so the gap
+/// of the corner is at least the smallest σ of its ring minus the corner radius. A box in (x, r)
+/// bounds the ring.
+bool is_in_front_of_face(const statics::FlangeEndPair& pair, const SeenRoller& roller) {
+  const contact::FlangeFace& face = pair.face;
+  const contact::RollerEnd& end = pair.end;
+  const Vec3 out = end.sign * roller.axis;
+  // Behind the ring the side of the roller must move away from the face.
+  constexpr double kFacing = 0.9;
+  if (!end.flat() || !(-face.m_x * out[0] > kFacing)) return false;
+  constexpr double kRounding = 1e-15;  // [m]
+  const double tilt = std::sqrt(out[1] * out[1] + out[2] * out[2]);
+  const double y = end.ring * out[1], z = roller.p(1) + end.ring * out[2];
+  const double middle = std::sqrt(y * y + z * z);
+  const double r = face.m_r < 0.0 ? middle + end.ring_radius : middle - end.ring_radius;
+  return face.sigma(roller.p(0) + end.ring * out[0], r) -
+             std::abs(face.m_x) * end.ring_radius * tilt - end.corner_radius >
+         kRounding;
+}
+
 template <class Friction>
 FlangeAction act(const statics::FlangeEndPair& pair, const SeenRoller& roller, const Evaluation& e,
                  std::size_t i, const RaceBody& race, const contact::DampingLaw<>& damping,
@@ -149,7 +170,8 @@ class FlangeBlock final : public EffectBlock {
       const std::vector<statics::FlangeEndPair>& pairs = pairs_[pairs_.size() == 1 ? 0 : i];
       const SeenRoller roller = seen(e, i, race, mass_offset_);
       for (const statics::FlangeEndPair& pair : pairs) {
-        if (static_cast<std::size_t>(pair.race) != race_ || pair.is_certainly_open(roller.p))
+        if (static_cast<std::size_t>(pair.race) != race_ || pair.is_certainly_open(roller.p) ||
+            is_in_front_of_face(pair, roller))
           continue;
         const FlangeAction a = act(pair, roller, e, i, race, damping_, friction);
         if (kOnlyNotes<Friction> || !(a.energy > 0.0)) continue;
