@@ -125,7 +125,7 @@ TEST_CASE("check: clearance that makes the races overlap → error with its reco
     deck.set("freeIntCls", "-7");
     const auto issues = runs::check_model(deck);
     INFO(name << "\n" << to_text(issues));
-    const Issue* issue = find(issues, Severity::Error, "give more than");
+    const Issue* issue = find(issues, Severity::Error, "give a value above");
     REQUIRE(issue != nullptr);
     CHECK(issue->variable == "freeIntCls");
     CHECK_FALSE(issue->record.empty());
