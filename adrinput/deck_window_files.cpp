@@ -9,6 +9,7 @@
 #include "adrinput/record_page.hpp"
 #include "adrinput/replace_question.hpp"
 #include "adrinput/run_panel.hpp"
+#include "adrinput/run_time_bar.hpp"
 #include "adrinput/settings.hpp"
 #include "adrinput/solution_charts.hpp"
 #include "adrinput/study_menu.hpp"
@@ -17,6 +18,7 @@
 #include "deck/templates.hpp"
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/link_action.hpp"
 #include "runs/prepare.hpp"
 
 #include <QAction>
@@ -158,9 +160,16 @@ void DeckWindow::makeOtherMenus() {
   view->addAction(dock_action(findChild<QDockWidget*>("lubricant-dock"), tr("&Lubricant")));
   QAction* charts = dock_action(charts_dock_, tr("Charts of the &solution"));
   charts->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
+  // In a wide window the whole chart is visible.
+  connect(charts, &QAction::triggered, this, [this] {
+    const int wanted = solution_charts_->fullChartWidth();
+    if (!charts_dock_->isHidden() && width() >= kNarrow && charts_dock_->width() < wanted)
+      resizeDocks({charts_dock_}, {wanted}, Qt::Horizontal);
+  });
   view->addAction(charts);
   view->addAction(tr("&Dark or light"), QKeySequence(Qt::CTRL | Qt::Key_D), this,
                   &DeckWindow::switchTheme);
+  desktop::add_link_action(*view, run_panel_->timeBar().link(), "adrinput");
   view->addSeparator();
   makeUnitsMenu(view);
   makeUnitChoices(view);

@@ -1,6 +1,7 @@
 #include "adrinput/run_panel.hpp"
 
 #include "adrinput/qt_text.hpp"
+#include "adrinput/run_time_bar.hpp"
 #include "adrinput/settings.hpp"
 #include "adrinput/window_words.hpp"
 #include "base/counted.hpp"
@@ -172,6 +173,7 @@ RunPanel::RunPanel(QWidget* parent)
   note_->setWordWrap(true);
   findings_ = new desktop::FindingsBar(this);
   connect(findings_, &desktop::FindingsBar::chosen, this, &RunPanel::findingChosen);
+  time_bar_ = new RunTimeBar(this);
   view_ = desktop::make_listing_view(tr("Run messages"), this);
   view_->setObjectName("run-text");
   view_->hide();
@@ -179,6 +181,7 @@ RunPanel::RunPanel(QWidget* parent)
   layout->addLayout(second);
   layout->addWidget(note_);
   layout->addWidget(findings_);
+  layout->addWidget(time_bar_);
   layout->addWidget(view_, 1);
   layout->addStretch(0);
   run_.progressed = [this](const runs::Progress& progress) { show(progress); };
@@ -202,6 +205,7 @@ void RunPanel::enableViewers() {
   plots_->setEnabled(!found.plots.isEmpty());
   animation_->setEnabled(!busy() && !found.animation.isEmpty());
   listing_->setEnabled(!busy() && !found.listing.isEmpty());
+  time_bar_->setRun(busy() ? std::string() : found.values.toStdString());
 }
 
 RunResults RunPanel::results() const {

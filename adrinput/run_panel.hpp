@@ -30,6 +30,8 @@ class FindingsBar;
 
 namespace adore::adrinput {
 
+class RunTimeBar;
+
 /// The run of a saved deck: start, progress, cancel, results, and commands to open plots, animation
 /// and PRINT.txt.
 class RunPanel : public QWidget {
@@ -68,6 +70,8 @@ class RunPanel : public QWidget {
                const RunOptionValues& options);
   [[nodiscard]] bool busy() const { return run_.busy(); }
   [[nodiscard]] QString text() const;
+  /// Time and values of a run with motion.
+  [[nodiscard]] RunTimeBar& timeBar() { return *time_bar_; }
 
  public slots:
   void cancel();
@@ -132,6 +136,7 @@ class RunPanel : public QWidget {
   QProgressBar* bar_;
   QLabel* note_;
   desktop::FindingsBar* findings_;
+  RunTimeBar* time_bar_;
   QPlainTextEdit* view_;
   QFileSystemWatcher* watcher_;
   QTimer* delay_timer_;  ///< a pause for a program to finish writing

@@ -35,6 +35,7 @@ RunResults results_in(const fs::path& folder, const deck::Deck& deck,
       if (const QString file = there(table); !file.isEmpty()) out.plots << file;
   out.animation = there(plot_name(deck, 8));
   out.listing = there("PRINT.txt");
+  if (out.moved) out.values = there("RESULTS.h5");
   return out;
 }
 

@@ -14,6 +14,7 @@ struct RunResults {
   QStringList plots;   ///< SOL1 to SOL7, or the tables of a quasi-static solution or a sweep
   QString animation;   ///< SOL8
   QString listing;     ///< PRINT.txt
+  QString values;      ///< RESULTS.h5 of a motion
   bool moved = false;  ///< `plots` are of a motion
 };
 

@@ -1,5 +1,6 @@
 #include "adrplot/collected_curves.hpp"
 
+#include "adrplot/element_curves.hpp"
 #include "adrplot/spectrum_page.hpp"
 #include "base/errors.hpp"
 
@@ -144,6 +145,7 @@ std::vector<CollectedCurve> take(const std::vector<CurvePick>& picks, const Page
     one.group = pick.group;
     one.unit = panel.unit;
     one.wraps = panel.wraps;
+    one.element = element_of_curve(*pick.file, curve.name);
     one.names = {panel.title + (curve.name.empty() ? "" : ", ") + curve.name, pick.file->subject,
                  runs[taken.size()]};
     one.name = joined_names(one.names, {true, true, true});

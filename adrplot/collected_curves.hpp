@@ -20,6 +20,7 @@ struct CollectedCurve {
   std::string brief = {};  ///< without the common part of all curves
   std::vector<double> x, y;
   bool wraps = false;
+  int element = 0;             ///< its rolling element, from 1; 0: another body
   std::vector<bool> own = {};  ///< as long as x: a value that is stored; empty: all are
   /// Extremes between the stored values, as long as x; empty: not known.
   std::vector<double> low = {}, high = {};

@@ -182,6 +182,7 @@ void add_panels(desktop::ChartPage& page, const std::vector<CollectedCurve>& cur
   for (const CollectedCurve& one : curves) {
     desktop::ChartCurve curve{one.name, interpolated_values(one.x, one.y, page.x), {}};
     curve.brief = one.brief;
+    curve.element = one.element;
     if (!one.low.empty()) {
       curve.low = extremes_at(one.x, one.low, page.x);
       curve.high = extremes_at(one.x, one.high, page.x);

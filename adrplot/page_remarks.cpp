@@ -88,7 +88,7 @@ bool has_dots(const ChartPage& chart) {
 /// With kLifeFreq = 0 life is predicted only at the first and last step and constant in between:
 /// only the predicted values are drawn, one at each end of a continued run.
 void tell_life(ChartPage& chart, const SolFile& file, const PageSpec& page, const RunFacts& facts) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t p = 0; p < page.panels.size(); ++p) {
     if (page.panels[p].curves.front().column != "power.life") continue;
     std::vector<double>& y = chart.panels[p].curves.front().y;
@@ -100,7 +100,7 @@ void tell_life(ChartPage& chart, const SolFile& file, const PageSpec& page, cons
     double held = *first;
     for (auto value = first + 1; value < y.end(); ++value)
       if (once || *value == held)
-        *value = kNone;
+        *value = kNoValue;
       else
         held = *value;
     if (!once) {

@@ -207,7 +207,7 @@ void PlotWindow::setLogAxes(std::optional<bool> abscissa, std::optional<bool> va
 }
 
 desktop::ChartPage PlotWindow::chartOf(const PlotDocument& file, int page) const {
-  desktop::ChartPage chart = file.build(page, options_);
+  desktop::ChartPage chart = buildPage(file, page);
   if (!chart.equal_axes) {
     chart.log_x = log_x_.value_or(chart.log_x);
     for (auto& panel : chart.panels)
@@ -308,8 +308,10 @@ void PlotWindow::markPagesWithWarnings() {
           of_run && topics.count(topic_of_page(doc.pages[static_cast<std::size_t>(p)].title,
                                                doc.subject)) > 0;
       root->child(p)->setIcon(0, marked ? desktop::warning_icon() : QIcon());
+      // The list may be too narrow for the title.
+      const QString title = QString::fromStdString(doc.pages[static_cast<std::size_t>(p)].title);
       root->child(p)->setToolTip(
-          0, marked ? tr("A warning of the run concerns this page") : QString());
+          0, marked ? tr("%1\nA warning of the run concerns this page").arg(title) : title);
     }
   }
 }

@@ -141,7 +141,8 @@ class PlotWindow : public QMainWindow {
     std::shared_ptr<UserChart> own = {};  ///< of a user-defined chart
   };
   [[nodiscard]] static QString nameOf(const Document& document);
-  void addDocument(PlotDocument document, const results::SolRange& range, bool on_disk = true);
+  void addDocument(PlotDocument document, const results::SolRange& range, bool on_disk = true,
+                   std::shared_ptr<UserChart> own = {});
   void showRuns(const std::vector<long>& runs);
   void makeMenus();
   void makeChartMenu(QMenu* menu);
@@ -204,6 +205,11 @@ class PlotWindow : public QMainWindow {
   void showLinkedTime();
   void showElement(int number);
   void emphasizeLinkedElement(desktop::ChartPage& page) const;
+  /// User-defined charts and formulas follow the element that was selected in another window.
+  [[nodiscard]] desktop::ChartPage buildPage(const PlotDocument& file, int page) const;
+  [[nodiscard]] std::vector<const PlotDocument*> openFiles() const;
+  /// Shows charts as they were made until the next selection in another window.
+  void stopFollowingElement() { followed_element_ = 0; }
   // User-defined charts and channels.
   void makeStatistics();
   void fillStatistics();
@@ -249,6 +255,7 @@ class PlotWindow : public QMainWindow {
   desktop::RunLink* link_ = nullptr;
   std::optional<RunMotion> motion_;    ///< of the run that is shown, when needed
   std::optional<double> linked_time_;  ///< of cursor A, here or in another window [s]
+  int followed_element_ = 0;           ///< selected last in another window; 0: none
   double linked_cursor_ =
       std::numeric_limits<double>::quiet_NaN();  ///< cursor A as told or received last
   bool taking_ = false;                          ///< changes now are not of the user

@@ -1,9 +1,11 @@
 #include "adrplot/channel_tree.hpp"
+#include "adrplot/element_curves.hpp"
 #include "adrplot/formula_dialog.hpp"
 #include "adrplot/plot_window.hpp"
 #include "base/errors.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/run_link.hpp"
 
 #include <QComboBox>
 #include <QMenu>
@@ -96,6 +98,7 @@ std::vector<CurvePick> PlotWindow::selectedPicks() {
 }
 
 void PlotWindow::addUserChart(std::shared_ptr<UserChart> chart) {
+  stopFollowingElement();
   try {
     (void)combine_curves(chart->curves, chart->how, options_);
   } catch (const std::exception& error) {
@@ -103,9 +106,8 @@ void PlotWindow::addUserChart(std::shared_ptr<UserChart> chart) {
   }
   int number = 1;
   for (const auto& document : documents_) number += document->own ? 1 : 0;
-  addDocument(document_of_chart(chart, number), {}, false);
-  documents_.back()->own = std::move(chart);
-  fillChannels();
+  PlotDocument page = document_of_chart(chart, number);
+  addDocument(std::move(page), {}, false, std::move(chart));
 }
 
 void PlotWindow::addChart(const std::vector<CurvePick>& picks, Combine how) {
@@ -174,6 +176,10 @@ void PlotWindow::addToChart(std::vector<CurvePick> picks, std::optional<std::siz
       const std::vector<int> groups = groups_by_unit(chart->curves, options_);
       for (std::size_t i = 0; i < groups.size(); ++i) chart->curves[i].group = groups[i];
     }
+    // Curves are added to those that are shown.
+    if (existing && followed_element_ > 0 && link_->isActive())
+      if (auto shown = chart_of_element(*chart, followed_element_, openFiles()))
+        *chart = std::move(*shown);
     const auto places = curvePositions(*chart);
     int group = next_group(*chart);
     if (panel)
@@ -191,6 +197,7 @@ void PlotWindow::addToChart(std::vector<CurvePick> picks, std::optional<std::siz
       throw;
     }
     if (!existing) return addUserChart(std::move(chart));
+    stopFollowingElement();
     updateUserChart();
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
@@ -342,6 +349,7 @@ void PlotWindow::openFormulaDialog(const std::vector<ChannelRef>& channels) {
 void PlotWindow::askForFormula() { openFormulaDialog(channel_tree_->selected()); }
 
 void PlotWindow::addFormula(const FormulaChannel& channel) {
+  stopFollowingElement();
   formulas_.push_back(channel);
   int place = formulaDocumentIndex();
   if (place < 0) {

@@ -93,10 +93,11 @@ void PlotWindow::addFile(results::SolFile file, const results::SolRange& range) 
   addDocument(make_document(std::move(file)), range);
 }
 
-void PlotWindow::addDocument(PlotDocument document, const results::SolRange& range, bool on_disk) {
+void PlotWindow::addDocument(PlotDocument document, const results::SolRange& range, bool on_disk,
+                             std::shared_ptr<UserChart> own) {
   std::string seen = on_disk ? state_of(document.path) : std::string();
-  documents_.push_back(
-      std::make_unique<Document>(Document{std::move(document), range, on_disk, std::move(seen)}));
+  documents_.push_back(std::make_unique<Document>(
+      Document{std::move(document), range, on_disk, std::move(seen), std::move(own)}));
   current_ = fileCount() - 1;
   page_ = 1;
   view_->zoomAll();                                 // a new file begins whole

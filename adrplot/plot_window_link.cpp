@@ -1,5 +1,7 @@
 #include "adrplot/cursor_time.hpp"
+#include "adrplot/element_curves.hpp"
 #include "adrplot/plot_window.hpp"
+#include "adrplot/spectrum_page.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/findings_bar.hpp"
 #include "desktop/run_link.hpp"
@@ -7,6 +9,7 @@
 #include <QProgressDialog>
 #include <QScopedValueRollback>
 #include <QTreeWidget>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
@@ -41,6 +44,7 @@ void PlotWindow::joinLink() {
                              : QString();
   if (folder == link_->folder()) return;
   linked_time_.reset();
+  stopFollowingElement();
   linked_cursor_ = view_->cursorAbscissa(0);
   link_->join(folder);
 }
@@ -78,36 +82,11 @@ void PlotWindow::showLinkedTime() {
 
 void PlotWindow::applyLinkState(const desktop::LinkState& change) {
   if (change.time) linked_time_ = change.time;
+  if (change.element) followed_element_ = *change.element;
   if (reading_progress_dialog_ || !document()) return;  // shown with the next page
   if (change.time) showLinkedTime();
   if (change.element) showElement(*change.element);
 }
-
-namespace {
-
-/// Number of the rolling element that a file is of; 0: of another body.
-int element_of(const PlotDocument& file) {
-  return file.subject.starts_with("rolling element") ? desktop::parse_element_number(file.subject)
-                                                     : 0;
-}
-
-/// On a page of all elements, the curves of one are shown and drawn thick. False: another page.
-bool emphasize_element(desktop::ChartPage& page, int number) {
-  const std::string name = "element " + std::to_string(number);
-  const auto has_name = [&](const desktop::ChartCurve& curve) { return curve.name == name; };
-  if (page.equal_axes || std::none_of(page.panels.begin(), page.panels.end(), [&](auto& panel) {
-        return std::any_of(panel.curves.begin(), panel.curves.end(), has_name);
-      }))
-    return false;
-  for (desktop::ChartPanel& panel : page.panels)
-    for (desktop::ChartCurve& curve : panel.curves) {
-      curve.heavy = has_name(curve);
-      if (curve.heavy) curve.hidden = false;
-    }
-  return true;
-}
-
-}  // namespace
 
 void PlotWindow::emphasizeLinkedElement(desktop::ChartPage& page) const {
   if (const auto& element = link_->state().element; element && link_->isActive())
@@ -117,6 +96,7 @@ void PlotWindow::emphasizeLinkedElement(desktop::ChartPage& page) const {
 /// The same page of its file, if the page of another element is shown.
 void PlotWindow::showElement(int number) {
   const Document* const here = document();
+  if (!here->on_disk) return showCurrentPage();  // its curves may change
   if (element_of(*here) == 0) {
     desktop::ChartPage page = view_->chartScene().page();
     if (emphasize_element(page, number)) view_->chartScene().setPage(std::move(page), true);
@@ -136,6 +116,38 @@ void PlotWindow::sendElement() {
   const Document* const doc = document();
   const int number = doc ? element_of(*doc) : 0;
   if (number > 0 && !taking_ && number != link_->state().element) link_->tell({{}, number});
+}
+
+std::vector<const PlotDocument*> PlotWindow::openFiles() const {
+  std::vector<const PlotDocument*> out;
+  for (const auto& document : documents_)
+    if (document->on_disk) out.push_back(document.get());
+  return out;
+}
+
+desktop::ChartPage PlotWindow::buildPage(const PlotDocument& file, int page) const {
+  const auto found = std::find_if(documents_.begin(), documents_.end(),
+                                  [&](const auto& one) { return one.get() == &file; });
+  if (followed_element_ == 0 || !link_->isActive() || found == documents_.end() ||
+      (*found)->on_disk)
+    return file.build(page, options_);
+  const auto with_note = [this](desktop::ChartPage chart) {
+    add_note(chart, fmt::format("Shown for element {}, which is selected in another window.",
+                                followed_element_));
+    return chart;
+  };
+  if (const UserChart* const own = (*found)->own.get()) {
+    if (const auto other = chart_of_element(*own, followed_element_, openFiles()))
+      return with_note(combine_curves(other->curves, other->how, options_));
+  } else if (page >= 1 && page <= static_cast<int>(formulas_.size())) {
+    std::vector<FormulaChannel> channels = formulas_;
+    FormulaChannel& channel = channels[static_cast<std::size_t>(page - 1)];
+    if (auto other = formula_of_element(channel, followed_element_, openFiles())) {
+      channel = std::move(*other);
+      return with_note(formula_document(std::move(channels)).build(page, options_));
+    }
+  }
+  return file.build(page, options_);
 }
 
 }  // namespace adore::adrplot

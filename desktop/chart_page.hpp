@@ -26,6 +26,7 @@ struct ChartCurve {
   std::vector<bool> stored = {};
   bool hidden = false;     ///< by its entry in the legend
   std::string brief = {};  ///< complete name for readouts; empty: title and name
+  int element = 0;         ///< its rolling element, from 1; 0: another body, or see the name
 };
 
 /// Vertical axis and colors of a panel whose curves are the rows of a map: each curve is one row at

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <tuple>
+#include <utility>
 
 /// Texts of a page of charts: heading, note, ticks, titles, legends, names of marks.
 namespace adore::desktop {
@@ -309,6 +311,29 @@ qreal ChartScene::labelsTop(const QRectF& area, const AxisScale& y_axis, const M
   return area.bottom() - part * area.height() - 0.5 * QFontMetricsF(ui_font(m.tick_font)).height();
 }
 
+namespace {
+
+/// Length of the words with which all names begin before their numbers, "element " of "element 1",
+/// "element 2"; 0: there are no such words.
+std::size_t common_words(const std::vector<ChartCurve>& curves) {
+  if (curves.empty()) return 0;
+  std::string_view common = curves.front().name;
+  for (const ChartCurve& curve : curves) {
+    const auto [end, other] =
+        std::mismatch(common.begin(), common.end(), curve.name.begin(), curve.name.end());
+    common = common.substr(0, static_cast<std::size_t>(end - common.begin()));
+  }
+  const std::size_t space = common.rfind(' ');
+  if (space == std::string_view::npos) return 0;
+  const bool numbers = std::all_of(curves.begin(), curves.end(), [&](const ChartCurve& curve) {
+    return curve.name.size() > space + 1 && curve.name[space + 1] >= '0' &&
+           curve.name[space + 1] <= '9';
+  });
+  return numbers ? space + 1 : 0;
+}
+
+}  // namespace
+
 qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurve>& shown,
                             const QRectF& area, qreal labels_top, const Metrics& m) {
   if (panel.curves.size() < 2) return area.right();
@@ -322,6 +347,11 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
                                     [i](const ShownCurve& one) { return one.curve == i; });
     return found == shown.end() ? nullptr : &*found;
   };
+  bool brief = false;  // "element 1", "2", "3": the common words only once
+  const std::size_t common = common_words(panel.curves);
+  const auto called = [&](std::size_t i) {
+    return text_of(panel.curves[i].name.substr(brief && i > 0 ? common : 0));
+  };
   const auto name_of = [&](std::size_t i, bool whole) {
     const ChartCurve& curve = panel.curves[i];
     const ShownCurve* const one = drawn(i);
@@ -330,18 +360,15 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
                            : one->alike == Alike::Near ? "≈"
                                                        : tr("covers");
       if (one->partly)
-        return whole ? tr("%1 (partly %2 %3)")
-                           .arg(text_of(curve.name), sign, text_of(panel.curves[*one->hides].name))
-                     : tr("%1 (partly %2)").arg(text_of(curve.name), sign);
-      return whole ? tr("%1 (%2 %3)")
-                         .arg(text_of(curve.name), sign, text_of(panel.curves[*one->hides].name))
-                   : tr("%1 (%2)").arg(text_of(curve.name), sign);
+        return whole ? tr("%1 (partly %2 %3)").arg(called(i), sign, called(*one->hides))
+                     : tr("%1 (partly %2)").arg(called(i), sign);
+      return whole ? tr("%1 (%2 %3)").arg(called(i), sign, called(*one->hides))
+                   : tr("%1 (%2)").arg(called(i), sign);
     }
     if (std::none_of(curve.y.begin(), curve.y.end(), is_drawable))
-      return tr("%1 (none)").arg(text_of(curve.name));
-    return panel.log && has_only_nonpositive_values(curve)
-               ? tr("%1 (not above 0)").arg(text_of(curve.name))
-               : text_of(curve.name);
+      return tr("%1 (none)").arg(called(i));
+    return panel.log && has_only_nonpositive_values(curve) ? tr("%1 (not above 0)").arg(called(i))
+                                                           : called(i);
   };
   const auto length = [&](bool whole) {
     qreal all = 0.0;
@@ -351,6 +378,7 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
   };
   const qreal room = area.right() - 8.0;  // also over the labels of the axis
   // If there is no space for the name of the hidden curve, only its sign is shown.
+  brief = length(false) + count * (14.0 + 8.0) > room;
   const bool whole = length(true) + count * (14.0 + 8.0) <= room;
   const qreal names = length(whole);
   const bool narrow = names + count * (24.0 + 16.0) > room;
@@ -358,11 +386,14 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
   const qreal most =
       names + count * (line + gap) <= room ? room : std::max(0.0, room / count - line - gap);
   const auto index = static_cast<std::size_t>(&panel - page_.panels.data());
-  std::vector<QString> texts;
+  std::vector<QString> texts, tooltips;
   qreal x = area.right() + gap;
   for (std::size_t i = 0; i < panel.curves.size(); ++i) {
     texts.push_back(metrics.elidedText(name_of(i, whole), Qt::ElideMiddle, most));
     x -= metrics.horizontalAdvance(texts.back()) + line + gap;
+    const bool shown_brief = std::exchange(brief, false);
+    tooltips.push_back(name_of(i, true));
+    brief = shown_brief;
   }
   constexpr qreal kAbove = 3.0, kLabelGap = 8.0;
   const bool over_labels = x < area.left() - kLabelGap + 4.0;
@@ -374,7 +405,7 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
     x -= metrics.horizontalAdvance(name);
     auto* label = addSimpleText(name, font);
     label->setBrush(curve.hidden ? theme_->muted : theme_->text);
-    label->setToolTip(name_of(i, true));
+    label->setToolTip(tooltips[i]);
     label->setPos(x, foot - metrics.height());
     const qreal middle = foot - 0.5 * metrics.height();
     const auto colour = [&](std::size_t of) { return theme_->curves[of % theme_->curves.size()]; };

@@ -47,6 +47,7 @@ void RunLink::join(const QString& folder) {
   folder_ = folder;
   state_ = {};
   last_action_number_ = 0;
+  own_action_is_last_ = false;
   path_ = socketPath(folder);
   join_failures_ = 0;
   begin();
@@ -56,6 +57,7 @@ void RunLink::setActive(bool on) {
   if (on == active_) return;
   active_ = on;
   state_ = {};
+  own_action_is_last_ = false;
   leave();
   join_failures_ = 0;
   begin();
@@ -63,7 +65,10 @@ void RunLink::setActive(bool on) {
 
 void RunLink::tell(const LinkState& change, Cause cause) {
   if (!active_ || folder_.isEmpty() || change.empty()) return;
-  if (cause == Cause::User) ++last_action_number_;
+  if (cause == Cause::User) {
+    ++last_action_number_;
+    own_action_is_last_ = true;
+  }
   state_.take(change);
   pending_.change.take(change);
   pending_.action = last_action_number_;
@@ -126,6 +131,7 @@ void RunLink::connectToHub() {
   connect(socket, &QLocalSocket::connected, this, [this] {
     connected_ = true;
     join_failures_ = 0;
+    if (own_action_is_last_) send({state_, last_action_number_});
   });
   connect(socket, &QLocalSocket::errorOccurred, this, [this, socket] {
     if (sockets_.removeAll(socket) == 0) return;
@@ -163,6 +169,7 @@ void RunLink::receive(QLocalSocket* from) {
   while (from->canReadLine())
     if (const auto read = read_link_message(from->readLine());
         read && read->action >= last_action_number_) {
+      if (read->action > last_action_number_) own_action_is_last_ = false;
       last_action_number_ = read->action;
       change.take(read->change);
     }

@@ -69,6 +69,7 @@ class RunLink : public QObject {
   LinkState state_;
   LinkMessage pending_;
   long long last_action_number_ = 0;  ///< the last one of the user, in any window
+  bool own_action_is_last_ = false;   ///< it was in this window; a hub that ends may lose it
   QTimer retry_timer_, send_timer_;
   int join_failures_ = 0;  ///< successive attempts to join
 };

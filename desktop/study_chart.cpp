@@ -96,6 +96,9 @@ StudyChart chart_of(const Json& json) {
       throw InputError("the number of runs differs from the number of rows");
     if (lines.heavy >= static_cast<int>(lines.rows.size())) lines.heavy = -1;
     out.of = std::move(lines);
+  } else if (kind != "tornado") {
+    throw InputError(
+        fmt::format("the chart type \"{}\" is unknown; open the file with a newer program", kind));
   } else {
     Tornado tornado{text("title"), text("x_title"), {}};
     for (const Json& bar : json.at("bars"))

@@ -192,6 +192,20 @@ Runs near(const HeatMap& map, const QSizeF& size, const QPointF& at) {
 
 // ---- parallel coordinates
 
+/// Heading of an axis, "Stiffness, x [N/m]", with the unit scaled for its largest value.
+struct AxisHeading {
+  std::string text;
+  double factor = 1.0;
+};
+AxisHeading scaled_heading(const std::string& heading, const PanelExtent& extent) {
+  const std::size_t at = heading.rfind(" [");
+  if (at == std::string::npos || heading.back() != ']' || !extent.any()) return {heading, 1.0};
+  const std::string unit = heading.substr(at + 2, heading.size() - at - 3);
+  const double largest = std::max(std::abs(extent.low), std::abs(extent.high));
+  const AxisScale scale = tight_axis(0.0, largest, unit, 4);
+  return {title_with_unit(heading.substr(0, at), scale.unit), scale.factor};
+}
+
 struct LinesPlace {
   LinesPlace(const ParallelLines& lines, const QSizeF& size)
       : page(size),
@@ -236,16 +250,17 @@ void paint(const ParallelLines& lines, QPainter& painter, const QSizeF& size, co
     const double x = plane.left() + place.gap * static_cast<double>(k);
     sheet.line({x, plane.top()}, {x, plane.bottom()}, theme.text, 1.5);
     // Names are in two rows, so that each has the space of two gaps.
-    const double room =
-        std::min({2.0 * place.gap - 8 * u, 400.0 * u, 2.0 * std::min(x, size.width() - x) - 4 * u});
-    sheet.label({x - room / 2, (k % 2 == 0 ? 48 : 70) * u, room, 24 * u}, Qt::AlignCenter,
-                lines.axes[k]);
+    const AxisHeading heading = scaled_heading(lines.axes[k], place.extents[k]);
+    const double room = std::min({2.0 * place.gap - 8 * u, 400.0 * u, size.width() - 8 * u});
+    const double wide = std::min(room, sheet.width(text_of(heading.text)) + 2.0);
+    const double left = std::clamp(x - wide / 2, 4.0 * u, size.width() - wide - 4.0 * u);
+    sheet.label({left, (k % 2 == 0 ? 48 : 70) * u, wide, 24 * u}, Qt::AlignCenter, heading.text);
     if (!place.extents[k].any()) continue;
     const double width = std::max(50.0 * u, place.gap - 4 * u);
     sheet.label({x - width / 2, plane.bottom() + 6 * u, width, 22 * u}, Qt::AlignCenter,
-                pretty_number(place.extents[k].low, 3));
+                pretty_number(place.extents[k].low / heading.factor, 3));
     sheet.label({x - width / 2, plane.top() - 22 * u, width, 22 * u}, Qt::AlignCenter,
-                pretty_number(place.extents[k].high, 3));
+                pretty_number(place.extents[k].high / heading.factor, 3));
   }
   sheet.label({20 * u, size.height() - 44.0 * u, size.width() - 40.0 * u, 30 * u}, Qt::AlignCenter,
               "Each line is a run. Dark to bright: low to high value in the last column.");
@@ -287,7 +302,13 @@ void paint(const Tornado& tornado, QPainter& painter, const QSizeF& size, const 
   });
   const Page page(size);
   const double u = page.u;
-  const QRectF plane = page.plane(260, 100);
+  // Names are complete unless they need more than half of the page.
+  double widest = 0.0;
+  const QFontMetricsF metrics(ui_font(static_cast<int>(std::lround(page.letter))));
+  for (const Tornado::Bar& bar : bars)
+    widest = std::max(widest, metrics.horizontalAdvance(text_of(bar.name)));
+  const double names = std::clamp(widest + 4.0, 60.0 * u, 0.5 * size.width());
+  const QRectF plane = page.plane(names / u + 18.0, 100);
   const auto most = static_cast<std::size_t>(std::clamp(plane.height() / (24 * u), 3.0, 20.0));
   if (bars.size() > most) bars.resize(most);
   double largest = 0.0;
@@ -305,16 +326,17 @@ void paint(const Tornado& tornado, QPainter& painter, const QSizeF& size, const 
     sheet.line({x, plane.top()}, {x, plane.bottom()}, theme.grid, 1.0);
     sheet.label({x - 50 * u, plane.bottom() + 6 * u, 100 * u, 22 * u}, Qt::AlignCenter, tick.text);
   }
-  const double h = std::min(56.0 * u, plane.height() / static_cast<double>(bars.size()));
+  const double h = plane.height() / static_cast<double>(std::max<std::size_t>(bars.size(), 1));
+  const double thick = std::min(0.7 * h, 60.0 * u);
   for (std::size_t i = 0; i < bars.size(); ++i) {
     const double y = plane.top() + h * static_cast<double>(i);
     const double from = x_of(0.0), to = x_of(bars[i].value);
-    painter.fillRect(QRectF(std::min(from, to), y + 0.15 * h, std::abs(to - from), 0.7 * h),
+    painter.fillRect(QRectF(std::min(from, to), y + 0.5 * (h - thick), std::abs(to - from), thick),
                      bars[i].value < 0.0 ? theme.curves[1] : theme.curves[0]);
     if (bars[i].doubt > 0.0 && is_drawable(bars[i].doubt))
       sheet.line({x_of(bars[i].value - bars[i].doubt), y + 0.5 * h},
                  {x_of(bars[i].value + bars[i].doubt), y + 0.5 * h}, theme.text, 2.0);
-    sheet.label({8 * u, y, 242 * u, h}, Qt::AlignRight | Qt::AlignVCenter, bars[i].name);
+    sheet.label({8 * u, y, names, h}, Qt::AlignRight | Qt::AlignVCenter, bars[i].name);
     const bool right = bars[i].value >= 0.0;
     sheet.label(right ? QRectF(to + 8 * u, y, 120 * u, h) : QRectF(to - 128 * u, y, 120 * u, h),
                 (right ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter,

@@ -82,7 +82,7 @@ Chart heat_map(const std::string& name, const TableColumn& x, const TableColumn&
 
 Chart parallel_chart(const std::string& name, const std::vector<const TableColumn*>& columns,
                      long heavy, const std::vector<long>& runs) {
-  Chart out{{"kind", "parallel"}, {"name", name},           {"title", "all runs"},
+  Chart out{{"kind", "parallel"}, {"name", name},           {"title", "All runs"},
             {"heavy", heavy},     {"axes", Chart::array()}, {"columns", Chart::array()}};
   out["runs"] = runs;
   for (const TableColumn* column : columns) {

@@ -51,7 +51,7 @@ void Reporter::sensitivity(std::size_t deck) {
     charts_.push_back(
         tornado(fmt::format("tornado-{}{}", file_name(quantity.name),
                             study_.decks.size() > 1 ? fmt::format("-{}", deck + 1) : ""),
-                "sensitivity: " + words_of(quantity.name),
+                "Sensitivity: " + words_of(quantity.name),
                 "change in percent for a change of the variable by 1 %", bars));
   }
   text_ += "\n";

@@ -69,7 +69,10 @@ void Reporter::add_grid_curves() {
                            label(x), study_.percentiles.front(), study_.percentiles.back());
     for (const double other : others) {
       ChartLine line;
-      if (second != nullptr) line.name = fmt::format("{} = {:g}", second->name, other);
+      if (second != nullptr)
+        line.name =
+            fmt::format("{} = {:g}{}", second->name, other,
+                        second->unit.empty() || second->unit == "-" ? "" : " " + second->unit);
       for (const double at : xs) {
         std::vector<std::pair<const TableColumn*, double>> where{{&x, at}};
         if (second != nullptr) where.emplace_back(second, other);
@@ -95,6 +98,10 @@ void Reporter::add_grid_curves() {
       lines.push_back(std::move(line));
     }
     charts_.push_back(curves_chart("curves-" + file_name(quantity.name), x, quantity, lines));
+    if (band)
+      charts_.back()["title"] = fmt::format("{}: median, {:g} to {:g} % of the runs",
+                                            charts_.back()["title"].get<std::string>(),
+                                            study_.percentiles.front(), study_.percentiles.back());
     if (second != nullptr && xs.size() > 1 && others.size() > 1)
       charts_.push_back(heat_map("map-" + file_name(quantity.name), x, *second, quantity, xs,
                                  others, map, {}, runs));
@@ -143,7 +150,7 @@ void Reporter::influence() {
     text_ += bars.empty() ? "  too few results\n" : "\n";
     if (bars.empty()) continue;
     charts_.push_back(tornado("influence-" + file_name(quantity.name),
-                              "sources of scatter: " + words_of(quantity.name), "rank correlation",
+                              "Sources of scatter: " + words_of(quantity.name), "rank correlation",
                               bars));
   }
   text_ += "\n";

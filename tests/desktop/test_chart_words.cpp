@@ -630,3 +630,34 @@ TEST_CASE("chart_scene: outline on another one → half of the line left, with a
     CHECK(all.contains("inner race (≈ outer race)") == (apart == 1e-3));
   }
 }
+
+TEST_CASE("legend: names with a common word that do not fit → the word once, then numbers",
+          "[gui][desktop]") {
+  test::use_qt();
+  ChartPage page;
+  page.title = "Contact load";
+  page.x_title = "Time", page.x_unit = "s";
+  page.x = {0.0, 1.0, 2.0};
+  page.panels = {{"Contact load", "N", {}}};
+  for (int i = 1; i <= 12; ++i) {
+    ChartCurve curve{"element " + std::to_string(i), {1.0 * i, 2.0 * i, 3.0 + i}, {}};
+    curve.hidden = i > 4;
+    page.panels.front().curves.push_back(std::move(curve));
+  }
+  ChartScene scene;
+  scene.setPageSize(QSizeF(900, 600));
+  scene.setPage(page);
+  QStringList shown = words(scene);
+  CHECK(shown.filter("…").isEmpty());
+  CHECK(shown.contains("element 1"));
+  CHECK(shown.contains("12"));
+  CHECK_FALSE(shown.contains("element 12"));
+  scene.setPageSize(QSizeF(2400, 600));
+  CHECK(words(scene).contains("element 12"));
+  // Other names are shortened as before.
+  for (ChartCurve& curve : page.panels.front().curves) curve.name = "outer race at " + curve.name;
+  page.panels.front().curves.back().name = "inner race";
+  scene.setPageSize(QSizeF(900, 600));
+  scene.setPage(page);
+  CHECK_FALSE(words(scene).filter("…").isEmpty());
+}

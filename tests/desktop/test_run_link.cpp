@@ -325,3 +325,21 @@ TEST_CASE("run_link: another program → linked, also when it is killed while it
   second.kill();
   second.waitForFinished();
 }
+
+TEST_CASE("run_link: action while the hub ends → known to all windows afterwards",
+          "[gui][desktop]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  Window hub(folder.path()), a(folder.path()), b(folder.path());
+  REQUIRE((hub.joins() && a.joins() && b.joins()));
+  REQUIRE(hub.link.isHub());
+  hub.link.tell({1.0, {}});
+  REQUIRE((a.knows(1.0) && b.knows(1.0)));
+  hub.link.setActive(false);
+  b.link.tell({2.0, 7});  // it does not know yet that its hub has ended
+  CHECK(a.knows(2.0));
+  CHECK(a.told.back().element == 7);
+  hub.link.setActive(true);
+  CHECK(hub.knows(2.0));
+  CHECK(b.link.state() == LinkState{2.0, 7});
+}

@@ -1,4 +1,6 @@
 #include "adrplot/cursor_time.hpp"
+#include "adrplot/formula_document.hpp"
+#include "adrplot/own_chart.hpp"
 #include "adrplot/plot_window.hpp"
 #include "agore/agore_window.hpp"
 #include "desktop/chart_view.hpp"
@@ -15,9 +17,13 @@
 #include <QTreeWidget>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 /// Windows of AdrPlot and AGORE that show one run: shared time and element.
 using namespace adore;
@@ -40,6 +46,7 @@ struct Run {
       file.header.index = element;
       write(element == 1 ? "SOL1" : "SOL2", test::sol_text(file));
     }
+    write("SOL3", test::sol_text(test::synthetic_sol(results::SolKind::Cage, steps)));
     write("SOL7", test::sol_text(test::synthetic_sol(results::SolKind::Power, steps)));
   }
   void write(const char* name, const std::string& text) const {
@@ -277,6 +284,105 @@ TEST_CASE("linked windows: element selected in one → selected in the other", "
   QTest::qWait(kQuiet);
   CHECK(motion.window.options().element == 1);
   CHECK(plot.window.currentPage() == 2);
+}
+
+TEST_CASE("linked windows: cursor on a trajectory ↔ frame, in each plane and over each abscissa",
+          "[gui][links]") {
+  test::use_qt();
+  const QTemporaryDir base;
+  const Run run(base.filePath("run"));
+  Plot plot(run, {"SOL3"});
+  Motion motion(run);
+  const adrplot::PlotDocument cage = adrplot::open_document(run.file("SOL3"));
+  const auto orbit = std::find_if(cage.pages.begin(), cage.pages.end(), [](const auto& page) {
+    return page.kind == adrplot::PageKind::Orbit;
+  });
+  REQUIRE(orbit != cage.pages.end());
+  plot.window.showPage(static_cast<int>(orbit - cage.pages.begin()) + 1);
+  desktop::ChartView& view = plot.window.view();
+  auto* axes = plot.window.findChild<QComboBox*>("orbit");
+  REQUIRE(axes != nullptr);
+  for (const char* abscissa : {"over revolutions", "over time", "over steps"})
+    for (int pair = 0; pair < axes->count(); ++pair) {
+      INFO(abscissa << ", " << axes->itemText(pair).toStdString());
+      plot.window.findChild<QComboBox*>("abscissa")->setCurrentText(abscissa);
+      axes->setCurrentIndex(pair);
+      const desktop::ChartPage& page = view.chartScene().page();
+      REQUIRE(page.equal_axes);
+      const desktop::ChartCurve& path = page.panels.front().curves.front();
+      for (const std::size_t i : {std::size_t{40}, std::size_t{200}}) {
+        const QPointF at = view.chartScene().planePosition(path.x[i], path.y[i]).value();
+        QTest::mouseClick(view.viewport(), Qt::LeftButton, Qt::ControlModifier,
+                          view.mapFromScene(at));
+        REQUIRE(plot.time().has_value());
+        // The trajectory crosses itself: another step may be there.
+        const std::size_t chosen = desktop::nearest_index(page.along, plot.at());
+        const QPointF marked =
+            view.chartScene().planePosition(path.x[chosen], path.y[chosen]).value();
+        // The line with the cursor values has made the chart lower.
+        const QPointF wanted = view.chartScene().planePosition(path.x[i], path.y[i]).value();
+        CHECK((marked - wanted).manhattanLength() < 12.0);
+        CHECK(comes([&] { return close(plot.time(), motion.time(), 0.5 * motion.step()); }));
+      }
+      const std::size_t frame = motion.window.currentFrame();
+      QTest::keyClick(&motion.window, frame > 0 ? Qt::Key_Left : Qt::Key_Right);
+      CHECK(motion.window.currentFrame() != frame);
+      CHECK(comes([&] { return close(plot.time(), motion.time(), 1e-12); }));
+    }
+}
+
+TEST_CASE("linked windows: element selected in AGORE → user-defined charts and formulas follow",
+          "[gui][links]") {
+  test::use_qt();
+  const QTemporaryDir base;
+  const Run run(base.filePath("run"));
+  Plot plot(run, {"SOL1", "SOL2"});
+  Motion motion(run);
+  QTest::qWait(kQuiet);
+  const auto first =
+      std::make_shared<adrplot::PlotDocument>(adrplot::open_document(run.file("SOL1")));
+  const adrplot::PlotDocument third = adrplot::open_document(run.file("SOL2"));
+  const auto shown = [&] { return plot.window.view().chartScene().page(); };
+  const auto elements = [&] {
+    std::vector<int> out;
+    for (const auto& panel : shown().panels)
+      for (const auto& curve : panel.curves) out.push_back(curve.element);
+    return out;
+  };
+  plot.window.addChart({{first.get(), 1, 0, 0}}, adrplot::Combine::Overlay);
+  CHECK(elements() == std::vector{1});
+  QTest::keyClick(&motion.window, Qt::Key_Up);  // element 2 has no file
+  REQUIRE(motion.window.options().element == 2);
+  QTest::qWait(kQuiet);
+  CHECK(elements() == std::vector{1});
+  QTest::keyClick(&motion.window, Qt::Key_Up);
+  CHECK(comes([&] { return elements() == std::vector{3}; }));
+  CHECK(shown().note.find("element 3") != std::string::npos);
+  // The chart itself keeps its curves.
+  QTest::keyClick(&motion.window, Qt::Key_Down);
+  QTest::keyClick(&motion.window, Qt::Key_Down);
+  CHECK(comes([&] { return elements() == std::vector{1}; }));
+  CHECK(shown().note.find("element 1") == std::string::npos);
+  // A new chart is shown as it was made, then it follows.
+  plot.window.addChart({{first.get(), 1, 0, 0}, {&third, 1, 0, 0}}, adrplot::Combine::Overlay);
+  CHECK(elements() == std::vector{1, 3});
+  const auto heavy = [&](std::size_t curve) { return shown().panels[0].curves[curve].heavy; };
+  QTest::keyClick(&motion.window, Qt::Key_Up);
+  QTest::keyClick(&motion.window, Qt::Key_Up);
+  CHECK(comes([&] { return heavy(1); }));
+  CHECK_FALSE(heavy(0));
+  // A formula has the values of the element.
+  adrplot::FormulaChannel channel{"Twice", "2*a", "", {}};
+  channel.inputs.push_back({"a", first, 1, 0, first->build(1, {}).panels[0].curves[0].name});
+  plot.window.addFormula(channel);
+  CHECK(shown().note.find("selected in another window") == std::string::npos);
+  QTest::keyClick(&motion.window, Qt::Key_Down);
+  QTest::keyClick(&motion.window, Qt::Key_Up);
+  CHECK(comes([&] { return shown().note.find("element 3") != std::string::npos; }));
+  plot.type("linkAction", false);
+  plot.window.showPage(plot.window.currentPage());
+  CHECK(shown().note.find("selected in another window") == std::string::npos);
+  plot.type("linkAction", true);  // the setting is stored
 }
 
 TEST_CASE("linked windows: results in memory → not linked", "[gui][links]") {
