@@ -1,5 +1,6 @@
 #include "adrinput/run_motion_values.hpp"
 
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "desktop/axis_scale.hpp"
 #include "desktop/chart_page.hpp"
@@ -58,9 +59,10 @@ std::size_t RunMotionValues::step_at(double time) const {
 
 std::string RunMotionValues::position(std::size_t step) const {
   const long number = step < numbers_.size() ? numbers_[step] : static_cast<long>(step);
-  return fmt::format(
-      "Step {} ({}, {} revolutions).", number, desktop::pretty_quantity(times_.at(step), "s", 5),
-      desktop::pretty_number(std::abs(turns_.at(step)) / (2.0 * std::numbers::pi), kDigits));
+  const std::string turns =
+      desktop::pretty_number(std::abs(turns_.at(step)) / (2.0 * std::numbers::pi), kDigits);
+  return fmt::format("Step {} ({}, {}).", number, desktop::pretty_quantity(times_.at(step), "s", 5),
+                     counted(turns, "revolution"));
 }
 
 /// Empty: the run does not have this channel.

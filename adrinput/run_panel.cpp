@@ -206,6 +206,8 @@ void RunPanel::enableViewers() {
   animation_->setEnabled(!busy() && !found.animation.isEmpty());
   listing_->setEnabled(!busy() && !found.listing.isEmpty());
   time_bar_->setRun(busy() ? std::string() : found.values.toStdString());
+  // Values of an earlier run take the place of the introduction.
+  note_->setVisible(!headline_.isEmpty() || time_bar_->isHidden());
 }
 
 RunResults RunPanel::results() const {
@@ -312,6 +314,7 @@ void RunPanel::show(const RunEnd& end) {
 }
 
 void RunPanel::showNote() {
+  note_->show();
   note_->setText(!stale_ ? headline_
                  : results_of_other_deck_
                      ? tr("Results of another deck, %1. ").arg(text_of(file_.string())) + headline_

@@ -188,10 +188,9 @@ void RunTimeBar::showValues() {
   if (!values_) return;
   QString text = text_of(values_->position(step_));
   try {
-    for (const std::string& line : values_->describe(step_, element()))
-      text += '\n' + text_of(line);
+    for (const std::string& line : values_->describe(step_, element())) text += ' ' + text_of(line);
   } catch (const std::exception& error) {
-    text += '\n' + text_of(error.what());  // the file has been replaced or damaged since
+    text += ' ' + text_of(error.what());  // the file has been replaced or damaged since
   }
   text_->setText(text);
 }

@@ -78,6 +78,7 @@ void PlotWindow::fillStatistics() {
                : tr("Statistics of the visible range: %1 to %2"))
           .arg(QString::fromStdString(desktop::pretty_quantity(from, unit)),
                QString::fromStdString(desktop::pretty_quantity(to, unit))));
+  statistics_action_->setText(tr("&Statistics Table"));  // a dock gives its title to its action
 }
 
 /// The selected rows, else all.

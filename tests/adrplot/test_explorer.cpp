@@ -17,6 +17,7 @@
 
 #include <QClipboard>
 #include <QDialogButtonBox>
+#include <QDockWidget>
 #include <QDropEvent>
 #include <QGuiApplication>
 #include <QLabel>
@@ -367,6 +368,8 @@ TEST_CASE("statistics table: values of the visible range, copied and as CSV", "[
   shown.window.addFile(test::synthetic_sol(results::SolKind::Element));
   shown.window.showPage(6);
   shown.window.showStatistics(true);
+  CHECK(shown.window.findChild<QDockWidget*>("statisticsDock")->toggleViewAction()->text() ==
+        "&Statistics Table");
   QCoreApplication::processEvents();
   auto* table = shown.window.findChild<QTableView*>("statistics");
   const auto& page = shown.page();
