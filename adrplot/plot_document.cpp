@@ -241,7 +241,7 @@ class StepPages {
       const auto row = static_cast<int>(columns[c].at) / std::max(file_.header.pocket_surfaces, 1);
       return row < file_.header.elements
                  ? fmt::format("This is the pocket of rolling element {}.", row + 1)
-                 : "This half pocket is the last pocket of its segment.";
+                 : "This pocket is the half pocket at the end of its segment.";
     }
     return {};
   }

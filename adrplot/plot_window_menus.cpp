@@ -133,7 +133,7 @@ void PlotWindow::makeMenus() {
        {tr("Left, Right"), tr("move by a tenth of the visible range")},
        {tr("Shift+Left, Shift+Right"), tr("move by the whole visible range")},
        {tr("Up, Down"), tr("move an orbit or the enlarged values of a panel")},
-       {tr("Ctrl++, Ctrl+-"), tr("enlarge or reduce the values of a panel")},
+       {tr("Ctrl++, Ctrl+-"), tr("zoom the vertical axis of a panel")},
        {tr("Ctrl+Up, Ctrl+Down"), tr("select the panel that keys act on (marked by a bar)")},
        {tr("Ctrl+Left, Ctrl+Right"),
         tr("read the previous or next stored point; with Shift: move several points")},
@@ -176,8 +176,8 @@ void PlotWindow::makeChartMenu(QMenu* menu) {
   choices(tr("Spectrogram: Vertical A&xis"), {tr("time"), tr("shaft speed")},
           [](PageOptions& o, int i) { o.spectrum.over_speed = i == 1; });
   choices(tr("Orders &Of"),
-          {tr("automatic (order spectrum: shaft; envelope spectrum: in Hz)"), tr("shaft"),
-           tr("cage"), tr("rolling element")},
+          {tr("automatic (order spectrum: shaft orders; envelope spectrum: no orders, Hz)"),
+           tr("shaft"), tr("cage"), tr("rolling element")},
           [](PageOptions& o, int i) { o.spectrum.orders_of = static_cast<OrderReference>(i); });
   band_action_ = menu->addAction(tr("Envelope: &Band..."), this, &PlotWindow::askForBand);
   band_action_->setObjectName("band");

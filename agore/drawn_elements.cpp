@@ -110,7 +110,7 @@ PictureLegendEntry optional_entry(const QColor& colour, bool now, const QString&
   return {colour, now ? there : none, now ? mark : LegendMark::None, now ? none : there};
 }
 
-QColor flange_colour(const desktop::Theme& theme) { return theme.curves[4]; }
+QColor flange_force_colour(const desktop::Theme& theme) { return theme.curves[4]; }
 
 QColor race_colour(const desktop::Theme& theme, std::size_t race) {
   return race == 0 ? theme.light_blue : theme.blue;

@@ -74,11 +74,11 @@ void draw_flange_view(const Scene& s) {
     if (force > 0.0 && largest > 0.0) {
       const double tail = way * (0.5 * length + 0.35 * length * force / largest);
       drawn = draw_load_arrow(s, s.sketch.at(tail, 0.0), s.sketch.at(way * 0.5 * length, 0.0),
-                              flange_colour(t), 3.2);
+                              flange_force_colour(t), 3.2);
     }
     const std::string unit = s.animation.file.units[0];
     key.push_back(
-        {drawn ? flange_colour(t) : QColor(),
+        {drawn ? flange_force_colour(t) : QColor(),
          QString::fromStdString(fmt::format(
              "flange at {}x: {}", side == 0 ? "−" : "+",
              s.animation.behind(s.index) ? "unknown (" + s.animation.sol8_only_note() + ")"

@@ -203,7 +203,7 @@ int main(int argc, char** argv) {
       ->excludes(every);
   for (const auto& [name, number, what] :
        {std::tuple{"--from", &request.options.first,
-                   "first frame of a movie or of --every, counted from 1"},
+                   "first frame of the movie or of the pictures of --every, counted from 1"},
         std::tuple{"--to", &request.options.last,
                    "last frame of a movie or of --every (default: last frame of the file)"}})
     command_line::at_least(cli.add_option(name, *number, what), 1)->needs(folder)->excludes(frame);

@@ -160,9 +160,9 @@ void draw_flange_forces(const Scene& s, const Cut& cut, std::size_t k,
       const QPointF tip = tilted_point(e.x, e.r, lean, u, across),
                     tail = tilted_point(e.x, e.r, lean, u + way * length, across);
       const bool drawn = draw_load_arrow(s, cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()),
-                                         flange_colour(t), 3.2);
+                                         flange_force_colour(t), 3.2);
       key.push_back(
-          {drawn ? flange_colour(t) : QColor(),
+          {drawn ? flange_force_colour(t) : QColor(),
            QString::fromStdString(fmt::format(
                "{} flange at {}x: {}{}", race == 0 ? "outer" : "inner", side == 0 ? "−" : "+",
                desktop::zero_padded_quantity(force, s.animation.contacts->load_unit, 4),

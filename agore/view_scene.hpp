@@ -185,7 +185,7 @@ struct ElementColors {
 /// have no space for it: the common key names its ends.
 void draw_color_scale(const Scene& scene, const ElementColors& element_colors);
 /// Color of flange forces, in all views.
-[[nodiscard]] QColor flange_colour(const desktop::Theme& theme);
+[[nodiscard]] QColor flange_force_colour(const desktop::Theme& theme);
 /// Color of the frame of a race and of its marks, in all views.
 [[nodiscard]] QColor race_colour(const desktop::Theme& theme, std::size_t race);
 /// Of the race loads on all elements, if there are any arrows of them.

@@ -168,7 +168,7 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
       ->type_name("NUMBER");
   command
       ->add_option("--elevation", request->elevation,
-                   "viewing direction of the 3d view: angle above the bearing plane [deg]")
+                   "viewing direction of the 3d view: angle above the horizontal plane [deg]")
       ->capture_default_str()
       ->type_name("NUMBER");
   command_line::one_of(command

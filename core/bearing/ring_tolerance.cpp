@@ -51,7 +51,7 @@ RingTolerance bore_tolerance(RingToleranceClass ring, double nominal) {
   return tolerance("bore", "bore", ring, nominal);
 }
 
-RingTolerance outside_tolerance(RingToleranceClass ring, double nominal) {
+RingTolerance outside_diameter_tolerance(RingToleranceClass ring, double nominal) {
   return tolerance("outside", "outside diameter", ring, nominal);
 }
 

@@ -21,7 +21,7 @@ struct RingTolerance {
 };
 /// @param nominal [m] @throws InputError when the class does not have this size
 [[nodiscard]] RingTolerance bore_tolerance(RingToleranceClass ring, double nominal);
-[[nodiscard]] RingTolerance outside_tolerance(RingToleranceClass ring, double nominal);
+[[nodiscard]] RingTolerance outside_diameter_tolerance(RingToleranceClass ring, double nominal);
 
 /// Interference of two mating diameters, on the diameter; < 0: clearance [m]. Probable limits:
 /// both sizes vary independently, so that the tolerances add as squares about the mean.

@@ -23,7 +23,7 @@ std::optional<Json> size_limits_case(const Json& the_case) {
     const bearing::RingToleranceClass ring =
         bearing::ring_class(in.at("ring_class").get<std::string>());
     const RingTolerance bore = bearing::bore_tolerance(ring, get(in, "bore"));
-    const RingTolerance outside = bearing::outside_tolerance(ring, get(in, "od"));
+    const RingTolerance outside = bearing::outside_diameter_tolerance(ring, get(in, "od"));
     return Json{{"bore_lower", bore.limits.lower},
                 {"bore_upper", bore.limits.upper},
                 {"od_lower", outside.limits.lower},
@@ -62,7 +62,7 @@ Fits fits_of(const Json& in) {
   const double bore = get(in, "bore"), od = get(in, "od");
   require(od > bore, "od (outside diameter) must be larger than bore. Enter both in meters.");
   const RingTolerance inner = bearing::bore_tolerance(ring, bore);
-  const RingTolerance outer = bearing::outside_tolerance(ring, od);
+  const RingTolerance outer = bearing::outside_diameter_tolerance(ring, od);
   Fits out;
   out.seen = inner.seen && outer.seen;
   out.ring[1] =

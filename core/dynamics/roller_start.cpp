@@ -4,13 +4,13 @@
 
 namespace adore::dynamics {
 
-std::vector<ElementPose> start_poses(const RollerStaticResult& scene,
-                                     const bearing::Bearing& bearing) {
-  std::vector<ElementPose> out;
+std::vector<ElementStartState> start_poses(const RollerStaticResult& scene,
+                                           const bearing::Bearing& bearing) {
+  std::vector<ElementStartState> out;
   const statics::RollerSolution& solution = scene.solution;
   const double offset = bearing.roller_mass_offset;
   for (const statics::StaticRoller& roller : solution.rollers) {
-    ElementPose pose;
+    ElementStartState pose;
     // On (e_x, e_r, e_θ): a positive skew moves the +x end against e_θ.
     const double cosine = std::cos(roller.skew);
     const Vec3 axis(std::cos(roller.tilt) * cosine, std::sin(roller.tilt) * cosine,
@@ -34,7 +34,7 @@ statics::StaticSolution static_start(const RollerStaticResult& scene,
                                      const bearing::Bearing& bearing) {
   statics::StaticSolution out;
   static_cast<statics::RaceResult&>(out) = scene.solution;
-  const std::vector<ElementPose> poses = start_poses(scene, bearing);
+  const std::vector<ElementStartState> poses = start_poses(scene, bearing);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const statics::StaticRoller& roller = scene.solution.rollers[i];
     statics::StaticBall element;

@@ -21,8 +21,8 @@ struct RollerStaticResult {
 /// Mass center, speeds and attitude of every roller: C from StaticRoller, G = C + s_G a; ω = ω_m
 /// e_x
 /// + ω_s a; body x along a, body z outwards.
-[[nodiscard]] std::vector<ElementPose> start_poses(const RollerStaticResult& scene,
-                                                   const bearing::Bearing& bearing);
+[[nodiscard]] std::vector<ElementStartState> start_poses(const RollerStaticResult& scene,
+                                                         const bearing::Bearing& bearing);
 
 /// The same as a scene's static solution, which knows places, speeds and loads of elements only.
 [[nodiscard]] statics::StaticSolution static_start(const RollerStaticResult& scene,

@@ -119,9 +119,9 @@ StressLife::StressLife(const StressModel& model) : model_(model) {
     throw InputError(fmt::format(
         "fatigue life: the Weibull slope is {}; it must be above 0, e.g. 1.111", model.slope));
   if (!(model.factor > 0.0))
-    throw InputError(
-        fmt::format("fatigue life: the multiplier of a stress capacity is {}; it must be above 0",
-                    model.factor));
+    throw InputError(fmt::format(
+        "fatigue life: the factor on the dynamic stress capacity is {}; it must be above 0",
+        model.factor));
   const double power = model.hazard_exponent - model.depth_exponent + (model.line ? 1.0 : 2.0);
   if (!(model.hazard_exponent > 0.0 && power > 0.0))
     throw InputError(

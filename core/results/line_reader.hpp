@@ -19,30 +19,30 @@ class LineReader {
   /// (see is_line_too_long()).
   bool next(std::string_view& line) {
     line_.clear();
-    terminated_ = false;
+    has_line_end_ = false;
     for (;;) {
       if (at_ == filled_bytes_ && !refill()) break;
       const std::string_view rest(buffer_.data() + at_, filled_bytes_ - at_);
       const std::size_t end = rest.find('\n');
       const std::size_t taken = end == std::string_view::npos ? rest.size() : end;
       line_.append(rest.substr(0, taken));
-      terminated_ = end != std::string_view::npos;
-      at_ += taken + (terminated_ ? 1 : 0);
-      offset_ += taken + (terminated_ ? 1 : 0);
+      has_line_end_ = end != std::string_view::npos;
+      at_ += taken + (has_line_end_ ? 1 : 0);
+      offset_ += taken + (has_line_end_ ? 1 : 0);
       if (line_.size() > kLongest) {
         too_long_ = true;
         return false;
       }
-      if (terminated_) break;
+      if (has_line_end_) break;
     }
-    if (line_.empty() && !terminated_) return false;
+    if (line_.empty() && !has_line_end_) return false;
     ++number_;
     if (!line_.empty() && line_.back() == '\r') line_.pop_back();
     line = line_;
     return true;
   }
-  [[nodiscard]] bool terminated() const noexcept {
-    return terminated_;
+  [[nodiscard]] bool has_line_end() const noexcept {
+    return has_line_end_;
   }  ///< did the last line have an end?
   [[nodiscard]] bool is_line_too_long() const noexcept { return too_long_; }
   [[nodiscard]] long number() const noexcept { return number_; }  ///< of the last line, from 1
@@ -63,7 +63,7 @@ class LineReader {
   std::size_t at_ = 0, filled_bytes_ = 0;
   std::uintmax_t offset_ = 0;
   long number_ = 0;
-  bool terminated_ = false, too_long_ = false;
+  bool has_line_end_ = false, too_long_ = false;
 };
 
 }  // namespace adore::results

@@ -53,7 +53,7 @@ SolParser::SolParser(std::istream& stream, std::string name)
   else
     read_plot_header(first, second);
   complete_bytes_ = reader_.offset();
-  ends_with_newline_ = reader_.terminated();
+  ends_with_newline_ = reader_.has_line_end();
 }
 
 void SolParser::reject(const std::string& why) const {
@@ -159,7 +159,7 @@ BlockStatus SolParser::read_values(int count, int width, long step, std::vector<
     std::string_view line;
     if (!reader_.next(line))
       return reader_.is_line_too_long() ? BlockStatus::Wrong : BlockStatus::Cut;
-    const bool last_line = !reader_.terminated();
+    const bool last_line = !reader_.has_line_end();
     line = without_trailing_blanks(line);
     if (line.size() <= 2) return last_line ? BlockStatus::Cut : BlockStatus::Wrong;
     const int used = static_cast<int>(line.size()) - 2;
@@ -182,8 +182,9 @@ BlockStatus SolParser::read_step_line(SolStep& step) {
   do {
     if (!reader_.next(line))
       return reader_.is_line_too_long() ? BlockStatus::Wrong : BlockStatus::End;
-  } while (reader_.terminated() && ff::trimmed(line).empty());  // blank lines at the end do no harm
-  const bool last_line = !reader_.terminated();
+  } while (reader_.has_line_end() &&
+           ff::trimmed(line).empty());  // blank lines at the end do no harm
+  const bool last_line = !reader_.has_line_end();
   const int reals = kind_ == SolKind::Animation ? 2 : 4;
   if (static_cast<int>(line.size()) < 18 + 16 * reals)
     return last_line ? BlockStatus::Cut : BlockStatus::Wrong;
@@ -216,7 +217,7 @@ BlockStatus SolParser::next(SolStep& step, bool with_values) {
                          with_values ? &step.values : nullptr);
   if (status == BlockStatus::Complete) {
     complete_bytes_ = reader_.offset();
-    ends_with_newline_ = reader_.terminated();
+    ends_with_newline_ = reader_.has_line_end();
     return status;
   }
   const std::string where =

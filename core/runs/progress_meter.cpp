@@ -22,7 +22,7 @@ ProgressMeter::ProgressMeter(const ProgressSink& sink, const StartPoint& start, 
                              const RunSpan& span, std::function<double()> turns)
     : sink_(sink),
       span_(span),
-      process_start_time_(start.time),
+      start_simulated_time_(start.time),
       start_step_(start.step),
       fraction_start_time_(completes && start.segment == 0 ? 0.0 : start.time),
       first_step_(completes ? start.segment : start.step),
@@ -43,7 +43,7 @@ double ProgressMeter::fraction_by_steps(long step) const {
 /// Remaining part of both, at the pace since this program began.
 bool ProgressMeter::ends_by_steps(double time, long step) const {
   const double last = static_cast<double>(first_step_) + static_cast<double>(span_.max_steps);
-  return (last - static_cast<double>(step)) * (time - process_start_time_) <
+  return (last - static_cast<double>(step)) * (time - start_simulated_time_) <
          (span_.end - time) * static_cast<double>(step - start_step_);
 }
 
@@ -64,7 +64,7 @@ void ProgressMeter::send(double time, long step, bool done) {
   p.elapsed = elapsed;
   const double here = p.fraction - fraction_before_;
   p.remaining = here > 0.0 ? elapsed * (1.0 - p.fraction) / here : 0.0;
-  p.speed_up = elapsed > 0.0 ? (time - process_start_time_) / elapsed : 0.0;
+  p.speed_up = elapsed > 0.0 ? (time - start_simulated_time_) / elapsed : 0.0;
   sink_(p);
 }
 

@@ -36,11 +36,11 @@ class ProgressMeter {
 
   const ProgressSink& sink_;
   RunSpan span_;
-  double process_start_time_;   ///< of this process [s]
-  long start_step_;             ///< the same
-  double fraction_start_time_;  ///< of the run [s]
-  long first_step_;             ///< of the run
-  double fraction_before_;      ///< fraction at process_start_time_
+  double start_simulated_time_;  ///< of this process [s]
+  long start_step_;              ///< the same
+  double fraction_start_time_;   ///< of the run [s]
+  long first_step_;              ///< of the run
+  double fraction_before_;       ///< fraction at start_simulated_time_
   std::function<double()> turns_;
   std::chrono::steady_clock::time_point start_clock_ = std::chrono::steady_clock::now();
   double last_sent_seconds_ = -1.0;

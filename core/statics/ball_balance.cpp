@@ -99,11 +99,13 @@ bool BallBalance::find(BallMotion& motion, const tribology::EllipseRule& rule,
     }
     constexpr double kKeepSlopesRatio = 0.1;  // slopes stay while the residual falls so
     const bool good = next.norm() < kKeepSlopesRatio * size;
+    const bool has_full_slopes = nodes_of_slopes == &rule;
     if (!good && !known) nodes_of_slopes = &rule;
     known = good;
     // Rounding, or a speed on which nearly nothing depends, since its tractions saturate.
     constexpr double kNearRounding = 1e-8, kStalledRatio = 0.9;
-    const bool at_end = size <= kNearRounding && !(next.norm() < kStalledRatio * size);
+    const bool at_end =
+        has_full_slopes && size <= kNearRounding && !(next.norm() < kStalledRatio * size);
     if (at_end && !(next.norm() < size)) {
       (void)residual(v, motion);
       break;

@@ -28,9 +28,6 @@ constexpr int kMaxFailedSearches = 2;
 /// Change of the traction forces in a pass over the largest contact load: below kSteadyChange the
 /// search ends. After kMaxPasses passes, a change below kAcceptedChange is accepted.
 constexpr double kSteadyChange = 1e-10, kAcceptedChange = 1e-5;
-constexpr double kRoughChange = 1e-4;  ///< the same before the cage and the spin axes are added
-/// Residual of balances over the change of the traction forces in the pass before, and its limit.
-constexpr double kResidualPerChange = 1e-3, kRoughResidual = 1e-7;
 
 /// Computes spin, pitch angle, gyroscopic moment, spin-to-roll and friction ratios from the motion
 /// of the friction equilibrium. Before the call, the ball has those of the spin rule.
@@ -71,42 +68,28 @@ class Search {
       out.balls.push_back(out.motion_of(k, solution.balls[k]));
   }
 
-  /// The balls alone, as the start of what follows; false: no equilibrium, or not steady.
-  bool start() {
-    is_rough_ = true;
-    const State before = state();
-    if (make_passes(kRoughChange)) return true;
-    restore(before);
-    failed_.assign(failed_.size(), 0);
-    is_rough_ = false;
-    return iterate();
-  }
-
   /// Passes until the tractions stay; false: no equilibrium, or not steady. Slopes of the tractions
   /// have few nodes, unless the passes do not converge with them.
   bool iterate() {
-    is_rough_ = false;
-    if (has_precise_slopes_) return make_passes(kSteadyChange);
+    if (has_precise_slopes_) return make_passes();
     const State before = state();
     const std::vector<int> failed = failed_;
     const std::optional<CageOrbit> cage = cage_;
-    if (make_passes(kSteadyChange)) return true;
+    if (make_passes()) return true;
     if (!has_balances_) return false;
     restore(before);
     failed_ = failed;
     cage_ = cage;
     has_precise_slopes_ = true;
-    return make_passes(kSteadyChange);
+    return make_passes();
   }
 
-  /// After all effects are there: the equilibrium, and its stiffness with slopes of all nodes.
-  bool finish() {
-    if (is_rough_ && !iterate()) return false;
-    if (has_precise_slopes_) return true;
+  /// The stiffness with slopes of all nodes, at the equilibrium that was found.
+  void refine_slopes() {
+    if (has_precise_slopes_) return;
     const State before = state();
     has_precise_slopes_ = true;
-    if (!make_passes(kSteadyChange)) restore(before);
-    return true;
+    if (!make_passes()) restore(before);
   }
 
   [[nodiscard]] std::string failure() const {
@@ -156,11 +139,9 @@ class Search {
   BalancedRace race;
 
  private:
-  /// @param steady change of the tractions at which the passes end
-  bool make_passes(double steady) {
+  bool make_passes() {
     for (int pass = 0; pass < kMaxPasses; ++pass) {
       const bool first = pass == 0 && !is_found_;
-      last_change_ = change_;
       change_ = first ? std::numeric_limits<double>::infinity() : 0.0;
       out.left.clear();
       has_balances_ = lags_ ? balance_coupled() : balance_separately(first);
@@ -172,24 +153,23 @@ class Search {
         return false;
       }
       is_found_ = true;
-      if (change_ <= steady) break;
+      if (change_ <= kSteadyChange) break;
     }
-    return change_ <= std::max(steady, kAcceptedChange);
+    return change_ <= kAcceptedChange;
   }
 
   struct State {
     StaticSolution solution;
     FrictionBalance out;
     BalancedRace race;
-    bool is_found, is_rough;
+    bool is_found;
   };
-  [[nodiscard]] State state() const { return {solution_, out, race, is_found_, is_rough_}; }
+  [[nodiscard]] State state() const { return {solution_, out, race, is_found_}; }
   void restore(State from) {
     solution_ = std::move(from.solution);
     out = std::move(from.out);
     race = std::move(from.race);
     is_found_ = from.is_found;
-    is_rough_ = from.is_rough;
   }
 
   [[nodiscard]] const tribology::EllipseRule& slope_rule() const {
@@ -209,7 +189,6 @@ class Search {
     BallMotion& now = out.balls[k];
     const bool from_rolling = first ? !at.find(now, few_, few_, kFewNodesTolerance) : !now.balanced;
     if (from_rolling) now = FrictionBalance{}.motion_of(k, ball);
-    if (is_rough_ && !from_rolling && at.find(now, few_, few_, kFewNodesTolerance)) return true;
     if (at.find(now, rule_, few_, kBalanceTolerance)) return true;
     now = FrictionBalance{}.motion_of(k, ball);
     return !from_rolling && at.find(now, rule_, few_, kBalanceTolerance);
@@ -285,10 +264,7 @@ class Search {
         use_spin_rule(k, loaded);
     }
     const std::optional<SpinLag> lag = spin_lag_of(balances);
-    // A residual far below the change of the tractions that the last pass left.
-    const double balanced =
-        std::clamp(kResidualPerChange * last_change_, kBalanceTolerance, kRoughResidual);
-    if (!lag || !lag->find(out.balls, few_, rule_, balanced, has_lag_)) {
+    if (!lag || !lag->find(out.balls, few_, rule_, has_lag_)) {
       change_ = std::numeric_limits<double>::infinity();
       return false;
     }
@@ -318,11 +294,9 @@ class Search {
   std::optional<tribology::BearingDrag> drag_;
   std::optional<CageOrbit> cage_;
   bool lags_ = false, has_precise_slopes_ = false;
-  bool has_lag_ = false;  ///< motions are those of a balance with the turning of spin axes
-  double last_change_ = std::numeric_limits<double>::infinity();  ///< of the pass before
+  bool has_lag_ = false;       ///< motions are those of a balance with the turning of spin axes
   bool has_balances_ = false;  ///< the last search for the motions of the balls succeeded
   bool is_found_ = false;      ///< a pass was made: tractions are those of the last one
-  bool is_rough_ = false;      ///< few nodes for residuals, too
   std::vector<int> failed_;
   std::vector<double> push_;  ///< of the cage [N]
   double change_ = 0.0;
@@ -430,18 +404,15 @@ FrictionBalance solve_ball_friction_balance(const Bearing& bearing,
   if (!has_friction_balance(bearing, options)) return {};
   const StaticSolution before = solution;
   Search search(bearing, options, solution);
-  const auto found = [&] {
-    if (!search.start()) return false;
-    search.add_cage();
-    search.add_gyroscopic_turning();
-    return search.finish();
-  };
-  if (!found()) {
+  if (!search.iterate()) {
     solution = before;
     FrictionBalance out;
     out.failure = search.failure();
     return out;
   }
+  search.add_cage();
+  search.add_gyroscopic_turning();
+  search.refine_slopes();
   FrictionBalance out = std::move(search.out);
   out.plain_stiffness = search.race.ignores_traction_slopes();
   search.race.add_stiffness_by_difference(options.difference_share, solution);

@@ -112,7 +112,7 @@ bool SpinLag::search(Eigen::VectorXd& U, double share, const Accuracy& accuracy,
       smallest = size;
       last_gain = step;
     }
-    if (step - last_gain > kMaxLagStepsWithoutGain) return false;
+    if (step - last_gain > kMaxLagStepsWithoutGain) break;
     if (!known) {
       for (Index k = 0; k < n; ++k) {
         BallBalance& at = *balls_[static_cast<std::size_t>(k)].at;
@@ -141,9 +141,11 @@ bool SpinLag::search(Eigen::VectorXd& U, double share, const Accuracy& accuracy,
     }
     constexpr double kKeepSlopesRatio = 0.1, kNearRounding = 1e-8, kStalledRatio = 0.9;
     const bool good = next.norm() < kKeepSlopesRatio * size;
+    const bool has_full_slopes = nodes_of_slopes == accuracy.rule;
     if (!good && !known) nodes_of_slopes = accuracy.rule;
     known = good;
-    const bool at_end = size <= kNearRounding && !(next.norm() < kStalledRatio * size);
+    const bool at_end =
+        has_full_slopes && size <= kNearRounding && !(next.norm() < kStalledRatio * size);
     if (at_end && !(next.norm() < size)) {
       (void)residual(U, share, motions);
       break;
@@ -156,7 +158,7 @@ bool SpinLag::search(Eigen::VectorXd& U, double share, const Accuracy& accuracy,
 }
 
 bool SpinLag::find(std::vector<BallMotion>& motions, const tribology::EllipseRule& few,
-                   const tribology::EllipseRule& rule, double balanced, bool is_near) const {
+                   const tribology::EllipseRule& rule, bool is_near) const {
   const auto n = static_cast<Index>(balls_.size());
   Eigen::VectorXd U(4 * n);
   for (Index k = 0; k < n; ++k) {
@@ -164,7 +166,7 @@ bool SpinLag::find(std::vector<BallMotion>& motions, const tribology::EllipseRul
     U.segment<4>(4 * k) = speeds_of(ball, motions[ball.number]);
   }
   std::vector<BallMotion> now = motions;
-  const Accuracy rough{&few, &few, kFewNodesTolerance}, full{&rule, &few, balanced};
+  const Accuracy rough{&few, &few, kFewNodesTolerance}, full{&rule, &few, kBalanceTolerance};
   const auto finish = [&] {
     if (!search(U, 1.0, full, now)) return false;
     for (Index k = 0; k < n; ++k) {

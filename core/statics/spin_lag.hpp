@@ -42,10 +42,9 @@ class SpinLag {
 
   /// Balance of all balls from the given motions, by ball of the bearing. False: none was found,
   /// and nothing changes.
-  /// @param balanced residual at the end, over the load
   /// @param is_near the motions are a balance at nearly the same places
   [[nodiscard]] bool find(std::vector<BallMotion>& motions, const tribology::EllipseRule& few,
-                          const tribology::EllipseRule& rule, double balanced, bool is_near) const;
+                          const tribology::EllipseRule& rule, bool is_near) const;
   /// dt/ds of all `count` balls of the bearing, 3 count × 5 count, at their balance.
   [[nodiscard]] Eigen::MatrixXd slopes(const std::vector<BallLinearization>& of_balls,
                                        const std::vector<BallMotion>& motions,

@@ -380,7 +380,7 @@ void Races::declare_contacts(SceneBuilder& scene) {
   const bool wear = scene.plan.has(Effect::WearIntegrals);
   const bool held =
       scene.plan.has(Effect::LightLoadBalance) || scene.plan.has(Effect::ElementBalance);
-  sums_known_ = contacts_[0].traction && wear && !held;
+  has_contact_sums_ = contacts_[0].traction && wear && !held;
   const auto count = static_cast<std::size_t>(scene.bearing.element_count());
   if (rollers_) {
     for (std::size_t j = 0; j < 2; ++j) {
@@ -557,8 +557,9 @@ RaceContactSnapshot Races::detail(const Evaluation& e, std::size_t j, std::size_
   const ContactSums sums =
       second ? ContactSums{other_half_loads_[j].heat[i], other_half_loads_[j].load_slip[i]}
              : ContactSums{e.heat[j][i], e.load_slip[j][i]};
-  RaceContactSnapshot out = sums_known_ ? race_contact_detail(model, e.elements, i, motion, sums)
-                                        : race_contact_detail(model, e.elements, i, motion);
+  RaceContactSnapshot out = has_contact_sums_
+                                ? race_contact_detail(model, e.elements, i, motion, sums)
+                                : race_contact_detail(model, e.elements, i, motion);
   if (has_rolling_resistance_)
     out.rolling_heat = race_rolling_heat(model, rolling_resistance_[j],
                                          race_contact_state(model, e.elements, i, motion));

@@ -120,7 +120,7 @@ class Races final : public SceneEffect {
   std::array<bearing::Material, 3> material_;  ///< of races and elements
   bool has_race_contact_ = false;
   bool has_rolling_resistance_ = false;            ///< in oil that resists
-  bool sums_known_ = false;                        ///< of each contact, by the right-hand side
+  bool has_contact_sums_ = false;                  ///< of each contact, by the right-hand side
   std::optional<NormalContacts> normal_contacts_;  ///< with race contact of balls
   std::array<RaceContactTotals, 2> contact_totals_;
   std::array<int, 2> load_slip_index_{-1, -1}, load_slip_element1_index_{-1, -1};  ///< in the state

@@ -125,7 +125,7 @@ void RigidElements::declare(SceneBuilder& scene) {
 
 void RigidElements::start(std::span<double> y) const {
   for (std::size_t i = 0; i < start_.size(); ++i) {
-    const ElementPose& pose = start_[i];
+    const ElementStartState& pose = start_[i];
     component(y, s_[Quantity::X], i) = pose.x;
     component(y, s_[Quantity::R], i) = pose.r;
     component(y, s_[Quantity::Theta], i) = pose.azimuth;

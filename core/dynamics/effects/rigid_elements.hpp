@@ -17,7 +17,7 @@
 namespace adore::dynamics {
 
 /// Start position of an element.
-struct ElementPose {
+struct ElementStartState {
   double azimuth = 0.0, x = 0.0, r = 0.0;  ///< of the reference point [rad, m, m]
   double theta_dot = 0.0;                  ///< [rad/s]
   Vec3 omega = Vec3::Zero();               ///< on e_x, e_r, e_θ [rad/s]
@@ -59,7 +59,7 @@ class RigidElements final : public SceneEffect {
   std::vector<Rotation> rotation_;  ///< of the elements that files show
   ElementMasses masses_;
   bool rollers_ = false;
-  std::vector<ElementPose> start_;
+  std::vector<ElementStartState> start_;
 };
 
 }  // namespace adore::dynamics

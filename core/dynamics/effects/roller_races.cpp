@@ -163,7 +163,7 @@ RollersOnRace::RollersOnRace(const RollerRaceModel& model, std::size_t rollers)
   }
 }
 
-void RollersOnRace::form_table(const RaceBody& race) noexcept {
+void RollersOnRace::fill_radius_table(const RaceBody& race) noexcept {
   const double cosine = std::cos(race.turn_beyond), sine = std::sin(race.turn_beyond);
   const std::size_t slices = views_.front().count;
   for (std::size_t i = 0; i < turns_.size(); ++i) {
@@ -218,7 +218,7 @@ void RollersOnRace::place(const Evaluation& e) noexcept {
     turns_[i] = in.turn;
   }
   if (table_ != nullptr)
-    form_table(race);
+    fill_radius_table(race);
   else if (!slopes_.empty())
     form_race(race);
   if (!lobe_slopes_.empty()) form_lobes(e);

@@ -99,7 +99,7 @@ class RollersOnRace {
 
  private:
   void form_race(const RaceBody& race) noexcept;
-  void form_table(const RaceBody& race) noexcept;
+  void fill_radius_table(const RaceBody& race) noexcept;
   void form_lobes(const Evaluation& e) noexcept;
 
   const RollerRaceModel& model_;

@@ -77,7 +77,7 @@ TEST_CASE("held rollers: springs are the derivatives of the normal forces, turni
     INFO("type " << static_cast<int>(b.type));
     Scene s = roller_scene::scene_of(b, roller_scene::races_only(), 9);
     const std::size_t i = 1;
-    const ElementPose pose = start_poses(*s.rollers, s.bearing)[i];
+    const ElementStartState pose = start_poses(*s.rollers, s.bearing)[i];
     QuasiStaticRollers held(statics::make_roller_model(s.bearing, s.rollers->options),
                             s.bearing.imperfections, ElementMasses(s.bearing));
     // The start, moved a little so that nothing is symmetric.
