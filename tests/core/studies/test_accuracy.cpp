@@ -388,9 +388,9 @@ TEST_CASE("accuracy study: growth → of a row that completed both rounds", "[un
   study.finals = {own};
   const auto told = [&] { return accuracy_table(study); };
   CHECK(told().find(
-            "from 1 to 3 revolutions the error changed from 0.1 % to 0.1 %, the energy residual "
-            "from 1.0e-06 to 4.0e-06 of the exchanged energy, a factor of 2 per revolution.") !=
-        std::string::npos);
+            "between 1 and 3 revolutions, the error changed from 0.1 % to 0.1 %, and the energy "
+            "residual from 1.0e-06 to 4.0e-06 of the exchanged energy, a factor of 2 per "
+            "revolution.") != std::string::npos);
   SECTION("a row that was cut has none") {
     study.finals[0].failure = "cut";
     study.finals[0].energy_share = study.finals[0].growth = 0.0;

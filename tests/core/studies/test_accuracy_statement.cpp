@@ -36,7 +36,7 @@ TEST_CASE("accuracy statement: part of a target, revolutions by the measured fal
   statement.quantities[0].fall = 0.5;
   CHECK(statement.numerical() == 0.004);
   CHECK(statement_text(statement).find(
-            "need about 27 revolutions for an accuracy of 1 % (heat 27; this run: 2;") !=
+            "need about 27 revolutions for an accuracy of 1 % (heat 27; this run: 2).") !=
         std::string::npos);
   statement.quantities[0].parting = true;
   CHECK(statement_text(statement).find("need on the order of") != std::string::npos);
