@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace adore::statics {
 namespace {
@@ -57,21 +56,8 @@ BallBalance::BallBalance(const Bearing& bearing, const ContactLaws& laws,
   set_position(ball);
 }
 
-Mat4 BallBalance::speed_slopes(const Vec4& v, const tribology::EllipseRule& rule) {
-  const tribology::EllipseRule* const own = std::exchange(quadrature_rule_, &rule);
-  BallMotion ignored;
-  const Vec4 G = residual(v, ignored);
-  Mat4 out;
-  for (int k = 0; k < 4; ++k)
-    out.col(k) = (residual(v + kSpeedDifference * Vec4::Unit(k), ignored) - G) / kSpeedDifference;
-  quadrature_rule_ = own;
-  return out;
-}
-
-bool BallBalance::find(BallMotion& motion, const tribology::EllipseRule& rule,
-                       const tribology::EllipseRule& slope_rule, double balanced) {
+bool BallBalance::find(BallMotion& motion, const tribology::EllipseRule& rule, double balanced) {
   quadrature_rule_ = &rule;
-  const tribology::EllipseRule* nodes_of_slopes = &slope_rule;
   motion.balanced = false;
   if (!(spin_ > 0.0)) return false;
   Vec4 v = speeds(motion);
@@ -82,7 +68,12 @@ bool BallBalance::find(BallMotion& motion, const tribology::EllipseRule& rule,
   for (int n = 0; n < kMaxSteps && G.norm() > balanced; ++n) {
     const double size = G.norm();
     if (!std::isfinite(size)) return false;
-    if (!known) slopes = speed_slopes(v, *nodes_of_slopes);
+    BallMotion ignored;
+    for (int k = 0; k < 4 && !known; ++k) {
+      Vec4 w = v;
+      w[k] += kSpeedDifference;
+      slopes.col(k) = (residual(w, ignored) - G) / kSpeedDifference;
+    }
     Mat4 J = slopes;
     constexpr double kFirstDamping = 1e-2;
     J.diagonal().array() -=
@@ -98,14 +89,10 @@ bool BallBalance::find(BallMotion& motion, const tribology::EllipseRule& rule,
       next = residual(v + d, motion);
     }
     constexpr double kKeepSlopesRatio = 0.1;  // slopes stay while the residual falls so
-    const bool good = next.norm() < kKeepSlopesRatio * size;
-    const bool has_full_slopes = nodes_of_slopes == &rule;
-    if (!good && !known) nodes_of_slopes = &rule;
-    known = good;
+    known = next.norm() < kKeepSlopesRatio * size;
     // Rounding, or a speed on which nearly nothing depends, since its tractions saturate.
     constexpr double kNearRounding = 1e-8, kStalledRatio = 0.9;
-    const bool at_end =
-        has_full_slopes && size <= kNearRounding && !(next.norm() < kStalledRatio * size);
+    const bool at_end = size <= kNearRounding && !(next.norm() < kStalledRatio * size);
     if (at_end && !(next.norm() < size)) {
       (void)residual(v, motion);
       break;

@@ -54,12 +54,8 @@ class BallBalance {
   void use(const tribology::EllipseRule& rule) { quadrature_rule_ = &rule; }
 
   /// From the given motion; false: no balance was found, and the motion is of no use.
-  /// @param rule nodes of the ellipses, kept as a reference
-  /// @param slope_rule nodes for dG/dv of the first steps; `rule` follows where they do not suffice
-  bool find(BallMotion& motion, const tribology::EllipseRule& rule,
-            const tribology::EllipseRule& slope_rule, double balanced);
-  /// dG/dv by differences, with these nodes.
-  [[nodiscard]] Mat4 speed_slopes(const Vec4& v, const tribology::EllipseRule& rule);
+  /// @param rule kept for linearize(), as a reference
+  bool find(BallMotion& motion, const tribology::EllipseRule& rule, double balanced);
   /// Of a balance G(v, s) = 0 that stays balanced while the contacts move: dt/ds = t_s - t_v G_v⁻¹
   /// G_s.
   [[nodiscard]] Eigen::Matrix<double, 3, 5> slopes(const BallInGrooves& seat,

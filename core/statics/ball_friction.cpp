@@ -68,28 +68,22 @@ class Search {
       out.balls.push_back(out.motion_of(k, solution.balls[k]));
   }
 
-  /// Passes until the tractions stay; false: no equilibrium, or not steady. Slopes of the tractions
-  /// have few nodes, unless the passes do not converge with them.
+  /// Passes until the tractions stay; false: no equilibrium, or not steady.
   bool iterate() {
-    if (has_precise_slopes_) return make_passes();
-    const State before = state();
-    const std::vector<int> failed = failed_;
-    const std::optional<CageOrbit> cage = cage_;
-    if (make_passes()) return true;
-    if (!has_balances_) return false;
-    restore(before);
-    failed_ = failed;
-    cage_ = cage;
-    has_precise_slopes_ = true;
-    return make_passes();
-  }
-
-  /// The stiffness with slopes of all nodes, at the equilibrium that was found.
-  void refine_slopes() {
-    if (has_precise_slopes_) return;
-    const State before = state();
-    has_precise_slopes_ = true;
-    if (!make_passes()) restore(before);
+    for (int pass = 0; pass < kMaxPasses; ++pass) {
+      const bool first = pass == 0 && !cage_ && !lags_;
+      change_ = first ? std::numeric_limits<double>::infinity() : 0.0;
+      out.left.clear();
+      if (!(lags_ ? balance_coupled() : balance_separately(first))) return false;
+      if (cage_) change_ = std::max(change_, cage_->follow(push_, solution_));
+      // Once more where they stay: the stiffness has the slopes of this place.
+      if (!race.solve(solution_)) {
+        change_ = std::numeric_limits<double>::infinity();
+        return false;
+      }
+      if (change_ <= kSteadyChange) break;
+    }
+    return change_ <= kAcceptedChange;
   }
 
   [[nodiscard]] std::string failure() const {
@@ -139,41 +133,16 @@ class Search {
   BalancedRace race;
 
  private:
-  bool make_passes() {
-    for (int pass = 0; pass < kMaxPasses; ++pass) {
-      const bool first = pass == 0 && !is_found_;
-      change_ = first ? std::numeric_limits<double>::infinity() : 0.0;
-      out.left.clear();
-      has_balances_ = lags_ ? balance_coupled() : balance_separately(first);
-      if (!has_balances_) return false;
-      if (cage_) change_ = std::max(change_, cage_->follow(push_, solution_));
-      // Once more where they stay: the stiffness has the slopes of this place.
-      if (!race.solve(solution_)) {
-        change_ = std::numeric_limits<double>::infinity();
-        return false;
-      }
-      is_found_ = true;
-      if (change_ <= kSteadyChange) break;
-    }
-    return change_ <= kAcceptedChange;
-  }
-
   struct State {
     StaticSolution solution;
     FrictionBalance out;
     BalancedRace race;
-    bool is_found;
   };
-  [[nodiscard]] State state() const { return {solution_, out, race, is_found_}; }
+  [[nodiscard]] State state() const { return {solution_, out, race}; }
   void restore(State from) {
     solution_ = std::move(from.solution);
     out = std::move(from.out);
     race = std::move(from.race);
-    is_found_ = from.is_found;
-  }
-
-  [[nodiscard]] const tribology::EllipseRule& slope_rule() const {
-    return has_precise_slopes_ ? rule_ : few_;
   }
 
   [[nodiscard]] BallBalance balance_of(std::size_t k) const {
@@ -187,11 +156,11 @@ class Search {
     if (failed_[k] >= kMaxFailedSearches) return false;
     const StaticBall& ball = solution_.balls[k];
     BallMotion& now = out.balls[k];
-    const bool from_rolling = first ? !at.find(now, few_, few_, kFewNodesTolerance) : !now.balanced;
+    const bool from_rolling = first ? !at.find(now, few_, kFewNodesTolerance) : !now.balanced;
     if (from_rolling) now = FrictionBalance{}.motion_of(k, ball);
-    if (at.find(now, rule_, few_, kBalanceTolerance)) return true;
+    if (at.find(now, rule_, kBalanceTolerance)) return true;
     now = FrictionBalance{}.motion_of(k, ball);
-    return !from_rolling && at.find(now, rule_, few_, kBalanceTolerance);
+    return !from_rolling && at.find(now, rule_, kBalanceTolerance);
   }
 
   void note_change(std::size_t k, const std::array<double, 2>& last) {
@@ -223,7 +192,6 @@ class Search {
         continue;
       }
       push_[k] = at.cage_force();
-      at.use(slope_rule());
       race.set_traction(k, ball, out.balls[k], at.slopes(race.seat(k), ball, out.balls[k]));
       note_change(k, last);
     }
@@ -264,17 +232,15 @@ class Search {
         use_spin_rule(k, loaded);
     }
     const std::optional<SpinLag> lag = spin_lag_of(balances);
-    if (!lag || !lag->find(out.balls, few_, rule_, has_lag_)) {
+    if (!lag || !lag->find(out.balls, few_, rule_)) {
       change_ = std::numeric_limits<double>::infinity();
       return false;
     }
-    has_lag_ = true;
     std::vector<BallLinearization> slopes(n);
     for (std::size_t k = 0; k < n; ++k) {
       race.clear_traction(k);
       if (!out.balls[k].balanced) continue;
       push_[k] = balances[k]->cage_force();
-      balances[k]->use(slope_rule());
       slopes[k] = balances[k]->linearize(race.seat(k), solution_.balls[k], out.balls[k]);
     }
     const Eigen::MatrixXd over_all = lag->slopes(slopes, out.balls, n);
@@ -293,10 +259,7 @@ class Search {
   const tribology::EllipseRule rule_, few_;
   std::optional<tribology::BearingDrag> drag_;
   std::optional<CageOrbit> cage_;
-  bool lags_ = false, has_precise_slopes_ = false;
-  bool has_lag_ = false;       ///< motions are those of a balance with the turning of spin axes
-  bool has_balances_ = false;  ///< the last search for the motions of the balls succeeded
-  bool is_found_ = false;      ///< a pass was made: tractions are those of the last one
+  bool lags_ = false;
   std::vector<int> failed_;
   std::vector<double> push_;  ///< of the cage [N]
   double change_ = 0.0;
@@ -412,7 +375,6 @@ FrictionBalance solve_ball_friction_balance(const Bearing& bearing,
   }
   search.add_cage();
   search.add_gyroscopic_turning();
-  search.refine_slopes();
   FrictionBalance out = std::move(search.out);
   out.plain_stiffness = search.race.ignores_traction_slopes();
   search.race.add_stiffness_by_difference(options.difference_share, solution);

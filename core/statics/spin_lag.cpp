@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -14,8 +13,6 @@ namespace {
 using Index = Eigen::Index;
 
 constexpr int kMaxLagSteps = 100, kMaxLagStepCuts = 4;
-/// Steps after which a search ends whose smallest residual does not fall by a tenth.
-constexpr int kMaxLagStepsWithoutGain = 20;
 
 /// Largest residual of a ball.
 double largest(const Eigen::VectorXd& R) {
@@ -92,45 +89,36 @@ void SpinLag::add_inertia(const Eigen::VectorXd& U, double share, Eigen::MatrixX
   }
 }
 
-bool SpinLag::search(Eigen::VectorXd& U, double share, const Accuracy& accuracy,
+bool SpinLag::search(Eigen::VectorXd& U, double share, double balanced,
                      std::vector<BallMotion>& motions) const {
-  const double balanced = accuracy.residual;
-  for (const Ball& ball : balls_) ball.at->use(*accuracy.rule);
-  const tribology::EllipseRule* nodes_of_slopes = accuracy.slope_rule;
   const auto n = static_cast<Index>(balls_.size());
   Eigen::VectorXd R = residual(U, share, motions);
   const double first = std::max(largest(R), balanced);
   Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(4 * n, 4 * n);
-  Eigen::PartialPivLU<Eigen::MatrixXd> solver;
   bool known = false;
-  double smallest = std::numeric_limits<double>::infinity();
-  int last_gain = 0;
   for (int step = 0; step < kMaxLagSteps && largest(R) > balanced; ++step) {
     const double size = R.norm();
     if (!std::isfinite(size)) return false;
-    if (size < 0.9 * smallest) {
-      smallest = size;
-      last_gain = step;
+    for (Index k = 0; k < n && !known; ++k) {
+      const BallBalance& at = *balls_[static_cast<std::size_t>(k)].at;
+      const double unit = unit_ / at.spin();
+      const Vec4 v = U.segment<4>(4 * k) * unit;
+      BallMotion ignored;
+      const Vec4 G = at.residual(v, ignored);
+      for (int c = 0; c < 4; ++c)
+        slopes.block<4, 1>(4 * k, 4 * k + c) =
+            (at.residual(v + kSpeedDifference * Vec4::Unit(c), ignored) - G) *
+            (unit / kSpeedDifference);
     }
-    if (step - last_gain > kMaxLagStepsWithoutGain) break;
-    if (!known) {
-      for (Index k = 0; k < n; ++k) {
-        BallBalance& at = *balls_[static_cast<std::size_t>(k)].at;
-        const double unit = unit_ / at.spin();
-        slopes.block<4, 4>(4 * k, 4 * k) =
-            unit * at.speed_slopes(U.segment<4>(4 * k) * unit, *nodes_of_slopes);
-      }
-      Eigen::MatrixXd J = slopes;
-      constexpr double kFirstDamping = 1e-2;
-      for (Index k = 0; k < n; ++k) {
-        const double scale = J.block<4, 4>(4 * k, 4 * k).diagonal().cwiseAbs().maxCoeff();
-        J.diagonal().segment<4>(4 * k).array() -=
-            kFirstDamping * scale * std::min(1.0, largest(R) / first);
-      }
-      add_inertia(U, share, J);
-      solver.compute(J);
+    Eigen::MatrixXd J = slopes;
+    constexpr double kFirstDamping = 1e-2;
+    for (Index k = 0; k < n; ++k) {
+      const double scale = J.block<4, 4>(4 * k, 4 * k).diagonal().cwiseAbs().maxCoeff();
+      J.diagonal().segment<4>(4 * k).array() -=
+          kFirstDamping * scale * std::min(1.0, largest(R) / first);
     }
-    Eigen::VectorXd d = solver.solve(-R);
+    add_inertia(U, share, J);
+    Eigen::VectorXd d = J.partialPivLu().solve(-R);
     const double longest = d.cwiseAbs().maxCoeff();
     if (!std::isfinite(longest)) return false;
     if (longest > kMaxSpeedStep) d *= kMaxSpeedStep / longest;
@@ -140,12 +128,8 @@ bool SpinLag::search(Eigen::VectorXd& U, double share, const Accuracy& accuracy,
       next = residual(U + d, share, motions);
     }
     constexpr double kKeepSlopesRatio = 0.1, kNearRounding = 1e-8, kStalledRatio = 0.9;
-    const bool good = next.norm() < kKeepSlopesRatio * size;
-    const bool has_full_slopes = nodes_of_slopes == accuracy.rule;
-    if (!good && !known) nodes_of_slopes = accuracy.rule;
-    known = good;
-    const bool at_end =
-        has_full_slopes && size <= kNearRounding && !(next.norm() < kStalledRatio * size);
+    known = next.norm() < kKeepSlopesRatio * size;
+    const bool at_end = size <= kNearRounding && !(next.norm() < kStalledRatio * size);
     if (at_end && !(next.norm() < size)) {
       (void)residual(U, share, motions);
       break;
@@ -158,7 +142,7 @@ bool SpinLag::search(Eigen::VectorXd& U, double share, const Accuracy& accuracy,
 }
 
 bool SpinLag::find(std::vector<BallMotion>& motions, const tribology::EllipseRule& few,
-                   const tribology::EllipseRule& rule, bool is_near) const {
+                   const tribology::EllipseRule& rule) const {
   const auto n = static_cast<Index>(balls_.size());
   Eigen::VectorXd U(4 * n);
   for (Index k = 0; k < n; ++k) {
@@ -166,9 +150,12 @@ bool SpinLag::find(std::vector<BallMotion>& motions, const tribology::EllipseRul
     U.segment<4>(4 * k) = speeds_of(ball, motions[ball.number]);
   }
   std::vector<BallMotion> now = motions;
-  const Accuracy rough{&few, &few, kFewNodesTolerance}, full{&rule, &few, kBalanceTolerance};
+  const auto use = [&](const tribology::EllipseRule& which) {
+    for (const Ball& ball : balls_) ball.at->use(which);
+  };
   const auto finish = [&] {
-    if (!search(U, 1.0, full, now)) return false;
+    use(rule);
+    if (!search(U, 1.0, kBalanceTolerance, now)) return false;
     for (Index k = 0; k < n; ++k) {
       const Ball& ball = balls_[static_cast<std::size_t>(k)];
       BallMotion& motion = now[ball.number];
@@ -179,17 +166,17 @@ bool SpinLag::find(std::vector<BallMotion>& motions, const tribology::EllipseRul
     return true;
   };
   const Eigen::VectorXd start = U;
-  if (is_near && finish()) return true;
+  use(few);
+  if (search(U, 1.0, kFewNodesTolerance, now) && finish()) return true;
   U = start;
-  if (search(U, 1.0, rough, now) && finish()) return true;
-  U = start;
+  use(few);
   // Steps of the share that shrink where they fail.
   constexpr double kFirstInertiaStep = 0.25, kMinInertiaStep = 1e-3;
   double share = 0.0, step = kFirstInertiaStep;
   while (share < 1.0) {
     Eigen::VectorXd trial = U;
     const double next = std::min(1.0, share + step);
-    if (search(trial, next, rough, now)) {
+    if (search(trial, next, kFewNodesTolerance, now)) {
       U = trial;
       share = next;
       step *= 2.0;

@@ -42,9 +42,8 @@ class SpinLag {
 
   /// Balance of all balls from the given motions, by ball of the bearing. False: none was found,
   /// and nothing changes.
-  /// @param is_near the motions are a balance at nearly the same places
   [[nodiscard]] bool find(std::vector<BallMotion>& motions, const tribology::EllipseRule& few,
-                          const tribology::EllipseRule& rule, bool is_near) const;
+                          const tribology::EllipseRule& rule) const;
   /// dt/ds of all `count` balls of the bearing, 3 count × 5 count, at their balance.
   [[nodiscard]] Eigen::MatrixXd slopes(const std::vector<BallLinearization>& of_balls,
                                        const std::vector<BallMotion>& motions,
@@ -67,12 +66,7 @@ class SpinLag {
   [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& U, double share,
                                          std::vector<BallMotion>& motions) const;
   void add_inertia(const Eigen::VectorXd& U, double share, Eigen::MatrixXd& J) const;
-  /// Nodes of the ellipses for residuals and for the first slopes, and the residual at the end.
-  struct Accuracy {
-    const tribology::EllipseRule *rule, *slope_rule;
-    double residual;
-  };
-  [[nodiscard]] bool search(Eigen::VectorXd& U, double share, const Accuracy& accuracy,
+  [[nodiscard]] bool search(Eigen::VectorXd& U, double share, double balanced,
                             std::vector<BallMotion>& motions) const;
 
   std::vector<Ball> balls_;
