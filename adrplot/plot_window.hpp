@@ -268,7 +268,7 @@ class PlotWindow : public QMainWindow {
   QLabel* cursor_label_;
   QScrollArea* cursors_area_;
   QLabel* readout_;               ///< values under the mouse
-  QWidget* readout_placeholder_;  ///< that the foot keeps free for them
+  QWidget* readout_placeholder_;  ///< space of the status bar for these values
   QStringList values_;            ///< all of them, by part
   QTimer* file_check_timer_ = nullptr;
   bool unreadable_ = false;  ///< the followed file cannot be read at the moment; see the status bar

@@ -140,7 +140,7 @@ struct Series {
 };
 
 /// Adds `count` rows from row `first` of each chunk to the checksums. One checksum waits for the
-/// product of the word before, so those of four datasets are formed in one loop.
+/// product of the word before, so one loop computes those of four datasets.
 void add_to_sums(std::span<Series> all, std::size_t first, std::size_t count) {
   struct Lane {
     const double* at = nullptr;

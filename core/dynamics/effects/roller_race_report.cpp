@@ -19,7 +19,7 @@ statics::RollerReportKernel kernel_of(InstructionSet set) noexcept {
 }
 
 /// Quantities of statics::RollerSliceRows. The first two are read of all slices, the others only
-/// where a slice presses.
+/// where a slice carries load.
 constexpr std::size_t kRows = 10, kReadRows = 2;
 
 statics::RollerSliceRows rows_in(double* memory, std::size_t slices) {
